@@ -1,0 +1,86 @@
+# How every target of the project is made: one function per kind, so that flags live in one place.
+include(CMakePackageConfigHelpers)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(BURNISH_CCACHE ccache)
+if(BURNISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${BURNISH_CCACHE})
+endif()
+
+# Flags of everything compiled here. None of them reaches a consumer.
+add_library(burnish_flags INTERFACE)
+target_compile_features(burnish_flags INTERFACE cxx_std_20)
+target_compile_options(burnish_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wcast-align
+  -Wno-psabi -fno-math-errno
+  # GCC 12 warns about its own AVX-512 intrinsics and std::string (its bugs 105593 and 105651).
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-uninitialized>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  $<$<BOOL:${BURNISH_NATIVE}>:-march=native>
+  $<$<BOOL:${BURNISH_WERROR}>:-Werror>)
+if(BURNISH_SANITIZE)
+  target_compile_options(burnish_flags INTERFACE -fsanitize=${BURNISH_SANITIZE}
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(burnish_flags INTERFACE -fsanitize=${BURNISH_SANITIZE})
+endif()
+
+# burnish_part(OPTION "what it is" FOUND_VARIABLE...): says in one line whether an optional part is
+# built, and turns it off in the calling scope where something it needs is missing.
+function(burnish_part option what)
+  set(missing "")
+  foreach(found IN LISTS ARGN)
+    if(NOT ${found})
+      list(APPEND missing ${found})
+    endif()
+  endforeach()
+  if(missing)
+    message(STATUS "burnish: ${what}: off (${missing} missing)")
+    set(BURNISH_${option} OFF PARENT_SCOPE)
+  else()
+    message(STATUS "burnish: ${what}: on")
+    set(BURNISH_${option} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+# burnish_layer(name SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as burnish::name.
+function(burnish_layer name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(burnish_${name} ${arg_SOURCES})
+  add_library(burnish::${name} ALIAS burnish_${name})
+  set_target_properties(burnish_${name} PROPERTIES
+    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION 0)
+  target_compile_features(burnish_${name} PUBLIC cxx_std_20)
+  target_include_directories(burnish_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(burnish_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  # See include/burnish/base/abi.hpp.
+  target_compile_definitions(burnish_${name} PUBLIC
+    EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+  target_link_libraries(burnish_${name} PUBLIC Eigen3::Eigen ${arg_LINK}
+    PRIVATE $<BUILD_INTERFACE:burnish_flags> ${arg_PRIVATE_LINK})
+  set_property(GLOBAL APPEND PROPERTY BURNISH_LAYERS burnish_${name})
+endfunction()
+
+# burnish_program(name SOURCES ... LINK ...)
+function(burnish_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE burnish_flags ${arg_LINK})
+endfunction()
+
+function(burnish_install_package)
+  get_property(layers GLOBAL PROPERTY BURNISH_LAYERS)
+  install(TARGETS ${layers} EXPORT burnishTargets)
+  set(where ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
+  install(EXPORT burnishTargets NAMESPACE burnish:: DESTINATION ${where})
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/burnishConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/burnishConfig.cmake INSTALL_DESTINATION ${where})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/burnishConfig.cmake
+    ${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake DESTINATION ${where})
+endfunction()

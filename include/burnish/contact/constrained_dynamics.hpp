@@ -1,0 +1,90 @@
+// Forward and inverse dynamics of a robot in contact, eqs. (1) to (5) of the paper, for any scalar.
+// This is the kernel; contact_dynamics.hpp wraps it for Eigen vectors and for batches of states.
+#pragma once
+
+#include <vector>
+
+#include "burnish/base/status.hpp"
+#include "burnish/contact/delassus.hpp"
+#include "burnish/dynamics/inverse_dynamics.hpp"
+
+namespace burnish {
+
+/// Workspace of one thread: allocates when made, never afterwards. S carries one state per lane.
+template <class S>
+class ConstrainedDynamics {
+ public:
+  static constexpr int lanes = Lanes<S>::count;
+
+  ConstrainedDynamics(const Model& model, const ContactSet& set, const ContactSolver& solver);
+
+  /// Chooses the active contacts; all are active at first. No allocation.
+  void set_active(int contact, bool active);
+
+  /// Loads a state: lane l of q (nq) and v (nv). Lanes that are not finite or not normalised are
+  /// marked and computed at the neutral posture instead.
+  void set_state(const S* q, const S* v);
+
+  /// a and lambda at joint torques tau (nv), eq. (3). Needs set_state.
+  void forward(const S* tau);
+
+  /// tau = M a + b - J^T lambda, eq. (5), with a: nv, lambda: rows of the active contacts.
+  void inverse(const S* a, const S* lambda);
+
+  /// alpha + kd nu + kp e of the active rows at joint accelerations a (nv), without solving for a.
+  void acceleration(const S* a);
+
+  Status status(int lane) const { return status_[lane]; }
+  /// The most severe status of all lanes.
+  Status status() const;
+
+  int nv() const { return tree_.nv; }
+  int rows() const { return active_.rows; }
+
+  // Results, valid after the call that fills them.
+  std::vector<S> a;                             ///< nv, by forward or inverse
+  std::vector<S> lambda;                        ///< rows, by forward or inverse
+  std::vector<S> tau;                           ///< nv, by inverse
+  std::vector<S> alpha;                         ///< rows, by acceleration
+  std::vector<ContactState<S>> contact_states;  ///< per contact of the set
+  int proximal_iterations = 0;                  ///< by forward
+  std::vector<S> proximal_residual;  ///< 1 entry: largest |mu (lambda - previous)|, m/s^2
+
+  // Stages, for the derivatives that build on them.
+  const Tree& tree() const { return tree_; }
+  const ContactSet& set() const { return set_; }
+  const ActiveContacts& active() const { return active_; }
+  /// Changes with every set_active.
+  int active_version() const { return active_version_; }
+  const ContactSolver& solver() const { return solver_; }
+  const Kinematics<S>& kinematics() const { return kinematics_; }
+  const MassMatrix<S>& mass() const { return mass_; }
+  const Delassus<S>& delassus() const { return delassus_; }
+  InverseDynamics<S>& inverse_dynamics() { return id_; }
+  /// Loads `a` into the inverse dynamics stage and applies the contact forces to its bodies.
+  void apply_forces();
+
+ private:
+  void mark_bad_lanes(const S* q, const S* v);
+  void mark(const auto& bad, Status status);
+  void drift(S* out);
+  void solve_lambda();
+
+  Tree tree_;
+  ContactSet set_;
+  ContactSolver solver_;
+  ActiveContacts active_;
+  int active_version_ = 0;
+  std::vector<char> is_active_;
+  std::vector<S> q_neutral_;
+  std::vector<S> q_, v_, rho_, lambda_before_;
+  std::vector<Status> status_;
+  bool factorized_ = false;
+  Kinematics<S> kinematics_;
+  MassMatrix<S> mass_;
+  Delassus<S> delassus_;
+  InverseDynamics<S> id_;
+  std::vector<int> one_column_{0};
+};
+
+}  // namespace burnish

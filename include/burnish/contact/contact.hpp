@@ -1,0 +1,53 @@
+// A contact as a user states it: a tool frame tied to a base frame along some directions.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "burnish/contact/directions.hpp"
+#include "burnish/contact/reference.hpp"
+
+namespace burnish {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Which acceleration of the tool the contact prescribes. They differ by w x v; all agree where the
+/// contact velocity is zero. See docs/frames.md.
+enum class Acceleration {
+  TimeDerivative,  ///< d(nu)/dt, the true derivative of the constraint velocity
+  Spatial,         ///< the tool's local spatial acceleration carried into the axes (Proposition 3)
+  Classical,       ///< acceleration of the material point, written in the axes
+};
+
+/// Position-level error that the proportional gain acts on, in the contact's axes.
+enum class PoseError {
+  Split,  ///< position error, and the logarithm of the rotation error
+  Log6,   ///< the SE(3) logarithm in tool axes, carried into the contact's axes
+};
+
+std::string name_of(Acceleration acceleration);
+std::string name_of(PoseError error);
+/// Read the names that name_of writes. Throw Error with the nearest known name.
+Acceleration parse_acceleration(const std::string& name);
+PoseError parse_pose_error(const std::string& name);
+
+/// The contact holds alpha + kd nu + kp e = 0 along its directions, where nu and alpha are velocity
+/// and acceleration of the tool relative to the base, written in the reference.
+struct ContactSpec {
+  std::string name;            ///< unique; the tool's name if left empty
+  std::string tool;            ///< frame C2
+  std::string base = "world";  ///< frame C1; "world" is always known
+  Reference reference = Reference::centered();
+  Directions directions = Directions::all();
+  Acceleration acceleration = Acceleration::TimeDerivative;
+  PoseError error = PoseError::Split;
+  Vector6 kp = Vector6::Zero();  ///< 1/s^2, by direction; only entries of held directions are used
+  Vector6 kd = Vector6::Zero();  ///< 1/s
+  /// Placement of C2 in C1 that the error is measured from.
+  Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
+
+  /// The same gains in every direction. `kp` in 1/s^2, `kd` in 1/s.
+  ContactSpec& with_gains(double kp_all, double kd_all);
+};
+
+}  // namespace burnish

@@ -1,0 +1,54 @@
+// Poses, velocities, errors and Jacobian of one contact. Motions are kept in world axes about the
+// world's origin and written in the reference at the end, so that only the held rows are computed.
+#pragma once
+
+#include "burnish/contact/contact_set.hpp"
+#include "burnish/dynamics/kinematics.hpp"
+
+namespace burnish {
+
+/// Filled by update_contact; force_world by set_contact_force. World axes.
+template <class S>
+struct ContactState {
+  Mat3<S> axes;              ///< columns: the reference's axes
+  Vec3<S> origin;            ///< of the reference, m
+  Mat3<S> tool_R;            ///< of C2
+  Vec3<S> p;                 ///< origin of C2, m
+  Motion<S> v_tool, v_base;  ///< twists of the bodies, about the world's origin
+  Motion<S> nu;              ///< v_tool - v_base, about the world's origin
+  Motion<S> eta;     ///< the twist in alpha = a_L + eta x nu that tells the accelerations apart
+  Motion<S> error;   ///< pose error, linear part of the tool's origin; valid if proportional
+  Vec3<S> target_p;  ///< origin of the target, m; valid if proportional
+  Vec3<S> rotation_error;  ///< R_tool log(R_target^T R_tool); valid if proportional
+  S rotation_angle;        ///< its length
+  Force<S> force_world;    ///< on the tool by the base, moment about the world's origin
+};
+
+/// Everything of the state but the force.
+template <class S>
+void update_contact(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                    ContactState<S>& state);
+
+/// Column k of the Jacobian for each support entry, as out[entry * stride + row]: the rate of nu's
+/// held rows per unit rate of that entry.
+template <class S>
+void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                      const ContactState<S>& state, S* out_by_v, int stride);
+
+/// Held rows of alpha + kd nu + kp e, where the bodies' spatial accelerations (world axes, about
+/// the world's origin, without gravity) are given.
+template <class S>
+void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
+                          const Motion<S>& a_tool, const Motion<S>& a_base, S* out);
+
+/// Held rows of the velocity nu and of the error e alone.
+template <class S>
+void contact_velocity(const CompiledContact& contact, const ContactState<S>& state, S* out);
+template <class S>
+void contact_error(const CompiledContact& contact, const ContactState<S>& state, S* out);
+
+/// The world wrench of lambda (held rows) and its generalised meaning: fills state.force_world.
+template <class S>
+void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state);
+
+}  // namespace burnish

@@ -1,0 +1,55 @@
+// Contacts compiled against a model: bodies, offsets, rows, and which entries of v move what.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/dynamics/tree.hpp"
+
+namespace burnish {
+
+/// An entry of v that moves the tool's body, the base's body, or both.
+struct ContactSupport {
+  int v;
+  bool moves_tool, moves_base;
+};
+
+/// Constants of one contact, as the kernels read them.
+struct CompiledContact {
+  ContactSpec spec;
+  int tool_body, base_body;     ///< joint index, -1 for the world
+  Mat3<double> tool_R, base_R;  ///< of C2 and C1 in their bodies
+  Vec3<double> tool_p, base_p;  ///< m
+  Mat3<double> axes_R;          ///< spec.reference.rotation
+  Mat3<double> target_R;        ///< spec.target
+  Vec3<double> target_p;
+  std::vector<int> directions;          ///< the held ones, ascending, 0 to 5
+  bool proportional, damped;            ///< some held direction has kp or kd
+  bool holds_rotation;                  ///< some held direction is angular
+  std::vector<ContactSupport> support;  ///< ascending in v
+};
+
+/// Contacts of a model, in the order given. Immutable; rows of contact i start at first_row(i) when
+/// every contact is active.
+class ContactSet {
+ public:
+  ContactSet() = default;
+  /// Throws Error with one sentence naming the contact, what came and what was wanted (unknown
+  /// frame: the nearest known one).
+  ContactSet(const Model& model, const std::vector<ContactSpec>& specs);
+
+  const std::vector<CompiledContact>& contacts() const { return contacts_; }
+  int size() const { return static_cast<int>(contacts_.size()); }
+  int rows() const { return rows_; }
+  /// Index by name. Throws Error with the nearest known name.
+  int index(const std::string& name) const;
+  /// Name of each row, such as "pad/z".
+  std::vector<std::string> row_names() const;
+
+ private:
+  std::vector<CompiledContact> contacts_;
+  int rows_ = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,19 @@
+// How the contact system is solved.
+#pragma once
+
+namespace burnish {
+
+/// The KKT system of eq. (3) and its relaxation.
+struct ContactSolver {
+  /// Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, which needs
+  /// independent rows. Positive: any rows, m/s^2 per unit force.
+  double mu = 0.0;
+  /// With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove the compliance
+  /// while it lasts. 0 keeps the compliant solution.
+  int max_proximal_iterations = 0;
+  /// The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is left of the
+  /// contact acceleration.
+  double proximal_tolerance = 1e-9;
+};
+
+}  // namespace burnish

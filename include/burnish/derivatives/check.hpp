@@ -1,0 +1,101 @@
+// Are the derivatives right on this robot? Every block of ContactDynamics against differences of
+// the values alone.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// Gains that a check tries, and the error that they act on.
+struct CheckGains {
+  Vector6 kp = Vector6::Zero();  ///< 1/s^2
+  Vector6 kd = Vector6::Zero();  ///< 1/s
+  PoseError error = PoseError::Split;
+};
+
+/// What the sweep tries unless told otherwise.
+std::vector<Reference> default_check_references();   ///< all four, the surface tilted
+std::vector<Directions> default_check_directions();  ///< x; y; z; x,y; linear; pad_z; five; all
+std::vector<CheckGains> default_check_gains();       ///< none; Split; Log6, unequal by direction
+
+/// What to check: one tool in every combination of references, directions, accelerations and gains,
+/// or the contacts given.
+struct CheckOptions {
+  /// Frame C2. Empty: the frame named "tool" if it moves, or else the last frame of the model that
+  /// is fixed to a body without children.
+  std::string tool;
+  /// Frame C1. On a moving body, every row is a contact between two bodies.
+  std::string base = "world";
+  std::vector<Reference> references = default_check_references();
+  std::vector<Directions> directions = default_check_directions();
+  std::vector<Acceleration> accelerations{Acceleration::TimeDerivative};
+  std::vector<CheckGains> gains = default_check_gains();
+
+  /// When not empty: these contacts, all at once, in one row instead of the sweep.
+  std::vector<ContactSpec> contacts;
+
+  int states = 20;          ///< random states per row, at least 1
+  std::uint64_t seed = 1;   ///< the same seed gives the same states on every machine
+  double tolerance = 1e-6;  ///< on |derivative - difference| over the block's largest entry
+  /// Called after each row with the number of rows done and the number of all rows.
+  std::function<void(int done, int total)> progress;
+};
+
+/// One entry of one block: a derivative, and what differences say.
+struct CheckEntry {
+  std::string block;      ///< such as "da_dq"
+  std::string row;        ///< entry of v, or contact and direction such as "tool/z"
+  std::string column;     ///< what it is differentiated by: an entry of v, or of lambda
+  double value = 0.0;     ///< computed analytically
+  double expected = 0.0;  ///< from differences
+  int state = -1;         ///< which of the random states, from 0
+};
+
+/// One set of contacts at all states. Where there are several contacts, words are joined by " + ".
+struct CheckRow {
+  std::string reference, directions;
+  std::string bodies;  ///< "tool on base"
+  std::string acceleration;
+  std::string error;  ///< "split" or "log6"; "-" without a proportional gain
+  std::string gains;  ///< "none", or such as "kp 7..12, kd 2..7"
+  int states = 0;
+  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the joints
+  /// cannot hold the contact rigidly (too few joints, redundant rows).
+  double mu = 0.0;
+  double worst_error = 0.0;  ///< relative to the block's largest entry; infinite after a NaN
+  CheckEntry worst;
+  bool pass = false;  ///< worst_error <= tolerance
+};
+
+struct CheckReport {
+  std::string robot;
+  std::vector<CheckRow> rows;
+  double tolerance = 0.0;
+  bool pass = false;  ///< there are rows, and all of them pass
+
+  /// A table of all rows, the worst entries of those that fail, and the verdict.
+  std::string text() const;
+};
+
+/// Compares, at random states within the position limits,
+///  - forward_derivatives: da and dlambda by q, v and tau,
+///  - inverse_derivatives: dtau by q, v, a and lambda,
+///  - acceleration_derivatives: dalpha by q, v and a
+/// with differences of the values in the tangent space. By q, central differences at three steps
+/// are extrapolated (Richardson), again at smaller steps where the three disagree. By v the values
+/// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
+///
+/// States are passed over where the contact is close to singular (condition of J M^-1 J^T above
+/// 1e4) or, with a proportional gain on rotations, within 0.1 rad of half a turn from the target,
+/// where the logarithm jumps. Targets of the sweep are at the neutral configuration.
+///
+/// Throws Error with one sentence for options that cannot be used.
+CheckReport check_derivatives(const Model& model, const CheckOptions& options = {});
+
+}  // namespace burnish

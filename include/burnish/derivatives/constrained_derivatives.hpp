@@ -1,0 +1,64 @@
+// d(a, lambda)/d(q, v, tau), Proposition 1 of the paper, for any scalar.
+#pragma once
+
+#include <vector>
+
+#include "burnish/contact/constrained_dynamics.hpp"
+
+namespace burnish {
+
+/// Workspace of the derivatives of one ConstrainedDynamics. Allocates when made, never afterwards.
+///
+/// All matrices are row-major with nv columns, stacked: the first nv rows belong to a, the
+/// following rows() to lambda.
+template <class S>
+class ConstrainedDerivatives {
+ public:
+  explicit ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics);
+
+  /// Of forward(), at the state and torque last given to it.
+  void forward(ConstrainedDynamics<S>& dynamics);
+  /// Of inverse(), at the state, a and lambda last given to it: fills dtau_dq and dtau_dv
+  /// (dtau/da is M, dtau/dlambda is -J^T).
+  void inverse(ConstrainedDynamics<S>& dynamics);
+  /// Of acceleration(), at the state and a last given to it: the lambda rows of rhs_q and rhs_v
+  /// hold minus d(alpha + kd nu + kp e)/dq and /dv (d/da is J).
+  void acceleration(ConstrainedDynamics<S>& dynamics);
+
+  /// Right-hand sides: rows of a hold dtau/dq (dtau/dv) at constant a and lambda, rows of lambda
+  /// hold minus the derivative of the contact acceleration at constant a.
+  std::vector<S> rhs_q, rhs_v;
+  /// Results of forward().
+  std::vector<S> d_dq, d_dv, d_dtau;
+
+ private:
+  struct Segment {
+    int first, end;  ///< entries of v in one unbranched chain
+    std::vector<int>
+        related;  ///< rows of rhs that are not zero in these columns; v part, ascending
+    std::vector<int> ancestors;  ///< entries of v above and in the segment
+  };
+  void fill_rhs(ConstrainedDynamics<S>& dynamics);
+  void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
+  void invert_factor(const ConstrainedDynamics<S>& dynamics);
+  void by_torque(const ConstrainedDynamics<S>& dynamics);
+  void solve_contacts(const ConstrainedDynamics<S>& dynamics, const std::vector<int>& columns,
+                      S* x);
+  void by_state(const ConstrainedDynamics<S>& dynamics, const std::vector<S>& rhs,
+                std::vector<S>& out);
+
+  int n_;
+  int version_ = -1;  ///< of the active contacts that the lists below were made for
+  std::vector<Segment> segments_;
+  std::vector<std::vector<int>> shared_ancestors_;  ///< of two segments
+  std::vector<std::vector<int>> segment_rows_;      ///< related and the rows of active contacts
+  std::vector<int> all_columns_, contact_rows_, supported_columns_;
+  std::vector<char> supported_;
+  std::vector<Coriolis<S>> coriolis_;
+  std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
+  std::vector<S> Z_;               ///< J M^-1, rows x nv
+  std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
+  std::vector<S> solved_, before_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,113 @@
+// The door to contact dynamics: one state at a time, Eigen in, Eigen out, nothing allocated after
+// construction.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/base/status.hpp"
+#include "burnish/contact/contact_force.hpp"
+#include "burnish/contact/contact_set.hpp"
+#include "burnish/contact/solver_options.hpp"
+
+namespace burnish {
+
+using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using VectorView = Eigen::Map<const Eigen::VectorXd>;
+using MatrixView = Eigen::Map<const RowMatrix>;
+
+/// Derivatives of a wrench in a reference: 6 x nv each, force rows first.
+struct WrenchDerivatives {
+  RowMatrix dq;  ///< N/rad (N/m), Nm/rad (Nm/m), by the right tangent increment of q
+  RowMatrix dv;
+  RowMatrix dtau;  ///< 1/m (force per torque), dimensionless (moment per torque)
+};
+
+/// Dynamics of a robot in contact, with all derivatives (eqs. 1 to 6 and 30 to 32 of the paper).
+///
+/// Conventions: M a + b = tau + J^T lambda; linear part of motions and forces first; d/dq is with
+/// respect to the right increment q (+) dq of nv entries; rows of lambda, alpha and J are those of
+/// the active contacts, in the order of the set. Views stay valid while the object lives and hold
+/// the result of the last call that fills them.
+///
+/// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero.
+class ContactDynamics {
+ public:
+  /// Compiles the contacts against the model; throws Error as ContactSet does.
+  explicit ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts = {},
+                           const ContactSolver& solver = {});
+  ~ContactDynamics();
+  ContactDynamics(ContactDynamics&&) noexcept;
+  ContactDynamics& operator=(ContactDynamics&&) noexcept;
+
+  const ContactSet& contacts() const;
+  int nv() const;
+  int rows() const;  ///< of the active contacts
+  /// Makes or breaks a contact. Does not allocate. Throws Error for an unknown index.
+  void set_active(int contact, bool active);
+  bool is_active(int contact) const;
+  /// Names of the active rows, such as "pad/z".
+  std::vector<std::string> row_names() const;
+
+  /// Fills a, lambda, mass_matrix, bias, jacobian. q: nq, v: nv, tau: nv (Nm, N).
+  Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
+  /// Fills the six derivative blocks of a and lambda, at the last forward().
+  Status forward_derivatives();
+
+  /// Fills tau = M a + b - J^T lambda. a: nv, lambda: rows().
+  Status inverse(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a,
+                 const ConstVectorRef& lambda);
+  /// Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix(), dtau/dlambda is
+  /// -jacobian()^T (Proposition 4).
+  Status inverse_derivatives();
+
+  /// Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. a: nv.
+  Status acceleration(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a);
+  /// Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian()
+  /// (Proposition 3).
+  Status acceleration_derivatives();
+
+  VectorView a() const;            ///< nv, rad/s^2 or m/s^2
+  VectorView lambda() const;       ///< rows, N or Nm
+  VectorView tau() const;          ///< nv, Nm or N
+  VectorView alpha() const;        ///< rows, m/s^2 or rad/s^2
+  VectorView bias() const;         ///< nv, b(q, v)
+  MatrixView mass_matrix() const;  ///< nv x nv, armature included
+  MatrixView jacobian() const;     ///< rows x nv
+
+  MatrixView da_dq() const;         ///< nv x nv
+  MatrixView da_dv() const;         ///< nv x nv
+  MatrixView da_dtau() const;       ///< nv x nv
+  MatrixView dlambda_dq() const;    ///< rows x nv
+  MatrixView dlambda_dv() const;    ///< rows x nv
+  MatrixView dlambda_dtau() const;  ///< rows x nv
+  MatrixView dtau_dq() const;       ///< nv x nv
+  MatrixView dtau_dv() const;       ///< nv x nv
+  MatrixView dalpha_dq() const;     ///< rows x nv
+  MatrixView dalpha_dv() const;     ///< rows x nv
+
+  /// Velocity nu and pose error e of the active rows at the last state.
+  VectorView contact_velocity() const;
+  VectorView contact_error() const;
+
+  /// Proximal iterations of the last forward() and the contact acceleration they left, m/s^2.
+  int proximal_iterations() const;
+  double proximal_residual() const;
+
+  /// The force of an active contact at the last forward(), in its own reference. Allocates strings;
+  /// inside a tick use wrench().
+  ContactForce force(int contact) const;
+  ContactForce force(const std::string& contact) const;
+  /// The same as numbers in any reference: force, then moment.
+  Vector6 wrench(int contact, const Reference& reference) const;
+  /// Its derivatives at the last forward_derivatives(); `out` is resized on first use.
+  void wrench_derivatives(int contact, const Reference& reference, WrenchDerivatives& out) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,54 @@
+// Contact dynamics of many states at once, packed: one state per SIMD lane.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+
+namespace burnish {
+
+/// States that one register of the processor this library was built for holds.
+int pack_width();
+
+/// Evaluates a batch of states with the same contacts. Results equal those of ContactDynamics state
+/// by state, to rounding, and do not depend on how a batch is cut. One object per thread; nothing
+/// is allocated after construction.
+class ContactDynamicsBatch {
+ public:
+  /// Room for `capacity` states. Throws Error as ContactDynamics does.
+  ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
+                       const ContactSolver& solver = {});
+  ~ContactDynamicsBatch();
+  ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept;
+  ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;
+
+  void set_active(int contact, bool active);
+  int rows() const;
+  int capacity() const;
+
+  using ConstMatrixRef = Eigen::Ref<const Eigen::MatrixXd>;
+  /// One state per column: q is nq x n, v and tau nv x n, n at most capacity. Fills a and lambda.
+  /// Returns the most severe status; see status(i).
+  Status forward(const ConstMatrixRef& q, const ConstMatrixRef& v, const ConstMatrixRef& tau);
+  /// The same, and the six derivative blocks.
+  Status forward_with_derivatives(const ConstMatrixRef& q, const ConstMatrixRef& v,
+                                  const ConstMatrixRef& tau);
+
+  Status status(int state) const;
+  VectorView a(int state) const;       ///< nv
+  VectorView lambda(int state) const;  ///< rows
+  MatrixView da_dq(int state) const;   ///< nv x nv
+  MatrixView da_dv(int state) const;
+  MatrixView da_dtau(int state) const;
+  MatrixView dlambda_dq(int state) const;  ///< rows x nv
+  MatrixView dlambda_dv(int state) const;
+  MatrixView dlambda_dtau(int state) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,41 @@
+// The joint-space mass matrix M, the bias b, and the factorisation M = L^T L that keeps the tree's
+// sparsity (Featherstone, "Efficient Factorization of the Joint-Space Inertia Matrix for Branched
+// Kinematic Trees", 2005): L_ij is non-zero only where j is an ancestor of i.
+#pragma once
+
+#include <vector>
+
+#include "burnish/dynamics/kinematics.hpp"
+
+namespace burnish {
+
+/// Filled by update_mass_and_bias; the factor by factorize.
+template <class S>
+struct MassMatrix {
+  explicit MassMatrix(const Tree& tree);
+
+  std::vector<Inertia<S>> composite;     ///< per body: of its subtree, world coordinates
+  std::vector<Force<S>> composite_bias;  ///< per body: bias force of its subtree
+  std::vector<S> mass;    ///< nv x nv row-major, kg m^2; entry (i, j) for ancestors j of i
+  std::vector<S> bias;    ///< nv, b(q, v): Coriolis, centrifugal and gravity forces
+  std::vector<S> factor;  ///< L, stored like mass
+  std::vector<S> inverse_diagonal;  ///< nv, 1 / L_ii
+};
+
+/// M(q) by composite inertias and b(q, v), from the kinematics. Armature is on M's diagonal.
+template <class S>
+void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
+
+/// M = L^T L. Returns the lanes whose M is not positive definite (a pivot not above 1e-13 of its
+/// diagonal entry); there the factor is finite but meaningless.
+template <class S>
+auto factorize(const Tree& tree, MassMatrix<S>& m);
+
+/// x <- L^-T x, x: nv.
+template <class S>
+void solve_transposed(const Tree& tree, const MassMatrix<S>& m, S* x);
+/// x <- L^-1 x, x: nv.
+template <class S>
+void solve_factor(const Tree& tree, const MassMatrix<S>& m, S* x);
+
+}  // namespace burnish

@@ -1,0 +1,82 @@
+// C = sum over rows k of A_k^T B_k: the one dense operation of the project, in register tiles.
+// Sparsity is in the list of rows; matrices are row-major.
+#pragma once
+
+#include <span>
+
+#include "burnish/math/scalar.hpp"
+
+namespace burnish {
+
+/// What is done with the sum.
+enum class Gram { Set, Add, Subtract, SetNegative };
+
+/// A matrix in memory: first entry and distance between rows.
+template <class S>
+struct Strided {
+  S* data;
+  int stride;
+};
+
+namespace gram_detail {
+
+template <Gram mode, int R, int C, class S>
+BURNISH_INLINE void tile(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i,
+                         int j, Strided<S> c) {
+  S sum[R][C];
+#pragma GCC unroll 8
+  for (int r = 0; r < R; ++r)
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s) sum[r][s] = S(0.0);
+  for (const int k : rows) {
+    const S* ak = a.data + k * a.stride + i;
+    const S* bk = b.data + k * b.stride + j;
+    S right[C];
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s) right[s] = bk[s];
+#pragma GCC unroll 8
+    for (int r = 0; r < R; ++r) {
+      const S left = ak[r];
+#pragma GCC unroll 8
+      for (int s = 0; s < C; ++s) sum[r][s] += left * right[s];
+    }
+  }
+#pragma GCC unroll 8
+  for (int r = 0; r < R; ++r)
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s) {
+      S& out = c.data[(i + r) * c.stride + j + s];
+      if constexpr (mode == Gram::Set) out = sum[r][s];
+      if constexpr (mode == Gram::Add) out += sum[r][s];
+      if constexpr (mode == Gram::Subtract) out -= sum[r][s];
+      if constexpr (mode == Gram::SetNegative) out = -sum[r][s];
+    }
+}
+
+template <Gram mode, int R, class S>
+BURNISH_INLINE void tile_row(Strided<const S> a, Strided<const S> b, std::span<const int> rows,
+                             int i, int j0, int j1, Strided<S> c) {
+  int j = j0;
+  for (; j + 3 <= j1; j += 3) tile<mode, R, 3>(a, b, rows, i, j, c);
+  if (j + 2 == j1) tile<mode, R, 2>(a, b, rows, i, j, c);
+  if (j + 1 == j1) tile<mode, R, 1>(a, b, rows, i, j, c);
+}
+
+}  // namespace gram_detail
+
+/// C(i0..i1, j0..j1) from columns i of A and columns j of B, over the given rows of both. Tiles of
+/// 4 x 3 accumulators fill the 16 vector registers of AVX2.
+template <Gram mode, class S>
+void gram(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i0, int i1, int j0,
+          int j1, Strided<S> c) {
+  using namespace gram_detail;
+  int i = i0;
+  for (; i + 4 <= i1; i += 4) tile_row<mode, 4>(a, b, rows, i, j0, j1, c);
+  if (i + 3 == i1) {
+    tile_row<mode, 3>(a, b, rows, i, j0, j1, c);
+  } else {
+    for (; i < i1; ++i) tile_row<mode, 1>(a, b, rows, i, j0, j1, c);
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,166 @@
+// A pack of doubles: one lane per state. Arithmetic acts on all lanes at once.
+#pragma once
+
+#include <bit>
+
+#include "burnish/math/scalar.hpp"
+
+namespace burnish {
+
+/// Lanes that one register of the target holds: 8 with AVX-512, 4 with AVX2, 2 with SSE2 or NEON.
+#if defined(__AVX512F__)
+inline constexpr int native_lanes = 8;
+#elif defined(__AVX2__)
+inline constexpr int native_lanes = 4;
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+inline constexpr int native_lanes = 2;
+#else
+inline constexpr int native_lanes = 1;
+#endif
+
+namespace detail {
+// A dependent vector_size type named inside Pack would collide with its element type in overload
+// resolution (GCC 12), hence a trait of its own.
+template <int N>
+struct Vector {
+  using Value [[gnu::vector_size(sizeof(double) * N)]] = double;
+  using Mask [[gnu::vector_size(sizeof(double) * N)]] = long long;
+};
+}  // namespace detail
+
+/// A truth value per lane: all bits set where true.
+template <int N>
+struct PackMask {
+  typename detail::Vector<N>::Mask bits;
+};
+
+template <int N>
+struct Pack {
+  using Vector = typename detail::Vector<N>::Value;
+  Vector v;
+
+  Pack() = default;
+  BURNISH_INLINE Pack(Vector lanes) : v(lanes) {}
+  BURNISH_INLINE Pack(double all_lanes) : v(all_lanes - Vector{}) {}
+
+  BURNISH_INLINE friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
+  BURNISH_INLINE friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
+  BURNISH_INLINE friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
+  BURNISH_INLINE friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
+  BURNISH_INLINE Pack operator-() const { return Pack(-v); }
+  BURNISH_INLINE Pack& operator+=(const Pack& b) {
+    v += b.v;
+    return *this;
+  }
+  BURNISH_INLINE Pack& operator-=(const Pack& b) {
+    v -= b.v;
+    return *this;
+  }
+  BURNISH_INLINE Pack& operator*=(const Pack& b) {
+    v *= b.v;
+    return *this;
+  }
+  BURNISH_INLINE double lane(int i) const { return v[i]; }
+};
+
+template <int N>
+struct Lanes<Pack<N>> {
+  static constexpr int count = N;
+  BURNISH_INLINE static double get(const Pack<N>& s, int lane) { return s.v[lane]; }
+  BURNISH_INLINE static void set(Pack<N>& s, int lane, double value) { s.v[lane] = value; }
+};
+
+template <int N>
+BURNISH_INLINE PackMask<N> less(const Pack<N>& a, const std::type_identity_t<Pack<N>>& b) {
+  return {a.v < b.v};
+}
+template <int N>
+BURNISH_INLINE PackMask<N> mask_and(const PackMask<N>& a, const PackMask<N>& b) {
+  return {a.bits & b.bits};
+}
+template <int N>
+BURNISH_INLINE PackMask<N> mask_or(const PackMask<N>& a, const PackMask<N>& b) {
+  return {a.bits | b.bits};
+}
+template <int N>
+BURNISH_INLINE PackMask<N> mask_not(const PackMask<N>& a) {
+  return {~a.bits};
+}
+template <int N>
+BURNISH_INLINE bool any(const PackMask<N>& mask) {
+  bool result = false;
+  for (int i = 0; i < N; ++i) result = result || mask.bits[i] != 0;
+  return result;
+}
+template <int N>
+BURNISH_INLINE bool lane_of(const PackMask<N>& mask, int lane) {
+  return mask.bits[lane] != 0;
+}
+template <int N>
+BURNISH_INLINE Pack<N> select(const PackMask<N>& mask, const Pack<N>& a,
+                              const std::type_identity_t<Pack<N>>& b) {
+  return Pack<N>(mask.bits ? a.v : b.v);
+}
+template <int N>
+BURNISH_INLINE Pack<N> square_root(const Pack<N>& a) {
+  Pack<N> r;
+  for (int i = 0; i < N; ++i) r.v[i] = __builtin_sqrt(a.v[i]);
+  return r;
+}
+template <int N>
+BURNISH_INLINE Pack<N> arc_tangent2(const Pack<N>& y, const Pack<N>& x) {
+  Pack<N> r;
+  for (int i = 0; i < N; ++i) r.v[i] = std::atan2(y.v[i], x.v[i]);
+  return r;
+}
+
+/// Sine and cosine of every lane, within 2 units in the last place for |angle| up to 1e5 rad
+/// (three-part reduction by pi/2, then the minimax polynomials of the Cephes library on
+/// [-pi/4, pi/4]); beyond that lane by lane through the standard library.
+template <int N>
+BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& cosine) {
+  using Vector = typename detail::Vector<N>::Value;
+  using Integer = typename detail::Vector<N>::Mask;
+  if (any(less(Pack<N>(1e5), absolute(angle)))) [[unlikely]] {
+    for (int i = 0; i < N; ++i) {
+      sine.v[i] = std::sin(angle.v[i]);
+      cosine.v[i] = std::cos(angle.v[i]);
+    }
+    return;
+  }
+  // Adding 1.5 * 2^52 rounds to an integer that stands in the low bits of the sum.
+  constexpr double shift = 6755399441055744.0;
+  const Vector shifted = angle.v * 0.63661977236758134308 + shift;
+  const Integer quadrant = std::bit_cast<Integer>(shifted);
+  const Vector k = shifted - shift;
+  Vector r = angle.v - k * 1.57079632673412561417e+00;
+  r = r - k * 6.07710050630396597660e-11;
+  r = r - k * 2.02226624879595063154e-21;
+  const Vector z = r * r;
+  Vector s = 1.58962301576546568060e-10 * z - 2.50507477628578072866e-8;
+  s = s * z + 2.75573136213857245213e-6;
+  s = s * z - 1.98412698295895385996e-4;
+  s = s * z + 8.33333333332211858878e-3;
+  s = s * z - 1.66666666666666307295e-1;
+  s = r + r * z * s;
+  Vector c = -1.13585365213876817300e-11 * z + 2.08757008419747316778e-9;
+  c = c * z - 2.75573141792967388112e-7;
+  c = c * z + 2.48015872888517045348e-5;
+  c = c * z - 1.38888888888730564116e-3;
+  c = c * z + 4.16666666666665929218e-2;
+  c = 1.0 - 0.5 * z + z * z * c;
+  const Integer swapped = (quadrant & 1) != 0;
+  const Vector s_abs = swapped ? c : s;
+  const Vector c_abs = swapped ? s : c;
+  const Integer s_sign = (quadrant & 2) << 62;
+  const Integer c_sign = ((quadrant + 1) & 2) << 62;
+  const Integer s_bits = std::bit_cast<Integer>(s_abs) ^ s_sign;
+  const Integer c_bits = std::bit_cast<Integer>(c_abs) ^ c_sign;
+  sine.v = std::bit_cast<Vector>(s_bits);
+  cosine.v = std::bit_cast<Vector>(c_bits);
+}
+
+/// The scalar with which a horizon is evaluated on this target.
+using NativePack = Pack<native_lanes>;
+
+}  // namespace burnish

@@ -1,0 +1,157 @@
+// A robot compiled for evaluation: joints in depth-first order, bodies, frames, limits.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "burnish/base/abi.hpp"
+#include "burnish/model/tree_spec.hpp"
+
+namespace burnish {
+
+/// Kinds of moving joints. Every joint frame is turned so that its axis is z; frames by name keep
+/// the axes of the file.
+enum class JointKind {
+  Revolute,    ///< q = angle (1), v = rate (1)
+  Continuous,  ///< q = (cos, sin) (2), v = rate (1)
+  Prismatic,   ///< q = displacement (1), v = rate (1)
+  Planar,      ///< q = (x, y, cos, sin) (4), v = (v_x, v_y, w_z) in body axes (3)
+  FreeFlyer,   ///< q = (p, quaternion x y z w) (7), v = (v, w) in body axes (6)
+};
+
+/// Number of entries of a joint in q and in v.
+int joint_nq(JointKind kind);
+int joint_nv(JointKind kind);
+std::string_view name_of(JointKind kind);
+
+/// A moving joint and the rigid body that it carries (links fixed to each other are one body).
+struct Joint {
+  std::string name;
+  JointKind kind = JointKind::Revolute;
+  int parent = -1;  ///< index of the joint that carries this one, -1 for the world
+  int q_index = 0;  ///< first entry in q
+  int v_index = 0;  ///< first entry in v
+  int nq = 0;
+  int nv = 0;
+  Eigen::Isometry3d placement =
+      Eigen::Isometry3d::Identity();  ///< joint frame at zero in the parent body's frame
+  double mass = 0.0;                  ///< of the body, kg
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< of the body, in the joint frame, m
+  Eigen::Matrix3d inertia_at_com =
+      Eigen::Matrix3d::Zero();  ///< of the body, about com, joint axes, kg m^2
+};
+
+enum class FrameKind { Link, Joint, User };
+
+/// A named frame fixed to a body.
+struct Frame {
+  std::string name;
+  FrameKind kind = FrameKind::Link;
+  int body = -1;                ///< index of the joint whose body carries it, -1 for the world
+  Eigen::Isometry3d placement;  ///< in the body's frame (in the world if body is -1)
+};
+
+/// A solid to draw, fixed to a body.
+struct Visual {
+  std::string link;
+  int body = -1;
+  Eigen::Isometry3d placement;
+  Shape shape;
+  Eigen::Vector4d rgba;
+};
+
+enum class Base { Fixed, FreeFlyer };
+
+/// A frame to add while compiling.
+struct FrameSpec {
+  std::string name;
+  std::string parent;                                           ///< name of an existing frame
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< in the parent frame
+};
+
+/// Values of joints by name: one entry per coordinate of the joint (URDF coordinates: an angle for
+/// a continuous joint; 7 for a floating one; x, y, angle for a planar one). The free-flyer base
+/// goes by "root_joint".
+using Posture = std::map<std::string, std::vector<double>>;
+
+/// How a TreeSpec becomes a Model.
+struct ModelOptions {
+  Base base = Base::Fixed;
+  /// Placement of the root link in the world; with a free-flyer only the neutral posture uses it.
+  Eigen::Isometry3d base_placement = Eigen::Isometry3d::Identity();
+  /// Joints to lock. A locked joint is fixed at its value in `posture`, or at zero.
+  std::vector<std::string> locked;
+  /// When not empty: every joint that is not listed here is locked (a free-flying base stays free).
+  std::vector<std::string> free;
+  /// Where locked joints are held; values of joints that move are passed over.
+  Posture posture;
+  std::vector<FrameSpec> frames;  ///< added in this order; a parent may be an earlier one
+  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< m/s^2
+};
+
+/// An immutable robot. Cheap to move, safe to share between threads.
+/// The vectors over q have nq entries, those over v nv; infinite where the file states no limit.
+struct Model {
+  std::string name;
+  std::vector<Joint> joints;  ///< depth-first, children in the order of joint names
+  std::vector<Frame> frames;
+  std::vector<Visual> visuals;
+  int nq = 0;
+  int nv = 0;
+  Eigen::Vector3d gravity;
+  Eigen::VectorXd q_neutral;  ///< zero angles, unit quaternions, base at base_placement
+  Eigen::VectorXd q_lower, q_upper;
+  Eigen::VectorXd velocity_limit, effort_limit;
+  Eigen::VectorXd damping, friction, armature;
+
+  /// Joint that owns entry k of v, and the previous entry on the way to the root (-1 at the root).
+  /// Entries of one joint are chained: the second hangs on the first.
+  std::vector<int> joint_of_v;
+  std::vector<int> parent_of_v;
+
+  /// Entries of v that move body `body`, ascending; empty for the world (-1).
+  std::span<const int> support(int body) const;
+  /// Name of entry k of v: the joint's name, with ".vx" ... ".wz" for joints of several entries.
+  std::string v_name(int k) const;
+  std::string q_name(int k) const;
+
+  /// Index by name. Throws Error with the nearest known name. Where a link and a joint share a
+  /// name, the frame is the link's.
+  int frame_index(std::string_view frame_name) const;
+  int joint_index(std::string_view joint_name) const;
+  bool has_frame(std::string_view frame_name) const;
+
+  /// Of all moving bodies, kg; links fixed to the world do not count.
+  double total_mass() const;
+
+  std::vector<std::string> locked_joints;  ///< moving joints of the description that were locked
+
+  /// Storage of support(): entries begin[body] to begin[body + 1].
+  std::vector<int> support_entries, support_begin;
+};
+
+/// Compiles a tree. Throws Error with one sentence naming the source, the element and the reason.
+///
+/// Refused are: no links, more than 2000 links, a tree deeper than 500 links; names that are empty,
+/// used twice or unknown; two roots, a link with two parents, a cycle; numbers that are not finite;
+/// negative masses, limits, damping, friction or armature; inertias that are not symmetric or
+/// belong to no solid (principal moments may break the triangle inequality by 5 % of the largest,
+/// since published figures are rounded); zero axes (others are normalised); lower limits above
+/// upper ones; joints that move no mass at any posture and have no armature.
+///
+/// Position limits count for revolute and prismatic joints only; the other limits, damping,
+/// friction and armature of a planar or floating joint hold for each of its entries.
+///
+/// A joint that mimics another must be locked. It is then held at its value in the posture, or else
+/// at multiplier * q_leader + offset if its leader is locked too.
+Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
+
+/// The posture as a configuration: joints it doesn't name stay neutral. Names of locked joints are
+/// passed over, and so is "root_joint" on a fixed base; unknown names and wrong sizes throw Error.
+Eigen::VectorXd configuration(const Model& model, const Posture& posture);
+
+}  // namespace burnish

@@ -1,0 +1,63 @@
+// A robot folder: a description file and a small settings file with postures and variants.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// A compiled robot with its named postures.
+struct Robot {
+  Model model;
+  std::map<std::string, Posture> postures;
+  std::string default_posture;  ///< name in postures, or empty
+
+  /// Configuration of a named posture. Throws Error with the nearest known name.
+  Eigen::VectorXd posture(const std::string& name) const;
+  /// The default posture, or the neutral configuration when there is none.
+  Eigen::VectorXd reference_configuration() const;
+};
+
+/// Changes to what the settings file says, as a command line gives them.
+struct RobotOverrides {
+  std::optional<Base> base;
+  std::vector<std::string> locked;  ///< in addition to what the settings lock
+  std::vector<std::string> free;    ///< these alone move, whatever the settings lock or free
+  /// Named posture at which joints are locked; empty: the settings' `posture`, then their
+  /// `default_posture`, then zero.
+  std::string posture;
+};
+
+/// Loads a robot by
+///  - a URDF file (`arm.urdf`; no postures),
+///  - a settings file (`robots/talos/robot.yaml`), with `:variant` behind it if wanted,
+///  - a folder that holds robot.yaml (`robots/talos`, `robots/talos:right_arm`),
+///  - the name of a robot that came with the library (`talos`, `talos:right_arm`), looked up in
+///    $BURNISH_ROBOTS, then where the library was built or installed.
+/// Throws Error with one sentence naming the file, the key and what was wanted.
+///
+/// A settings file (all keys but `urdf` are optional; angles in rad, lengths in m):
+///
+///     urdf: talos.urdf                 # beside the settings file
+///     description: one line
+///     base: free_flyer                 # or fixed, which is the default
+///     base_placement: {xyz: [0, 0, 1.02], rpy: [0, 0, 0]}
+///     lock: [joint, ...]               # or free: [joint, ...], which locks all others
+///     posture: name                    # at which joints are locked; else default_posture, else
+///     zero default_posture: name            # of reference_configuration() postures: {name:
+///     {joint: value or list of values, ...}, ...} frames: {name: {parent: frame, xyz: [0, 0, 0],
+///     rpy: [0, 0, 0]}, ...} variants: {name: {any of the keys above}, ...}
+///
+/// A variant's keys replace those of the file; its postures and frames are added, replacing those
+/// of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
+Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
+
+/// Folders searched for robots by name, in order.
+std::vector<std::filesystem::path> robot_search_path();
+
+}  // namespace burnish

@@ -1,0 +1,36 @@
+// Arithmetic on configurations: q (+) dq, q1 (-) q0, random states, checks.
+#pragma once
+
+#include <random>
+
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// q (+) dq: moves every joint along its own twist dq for unit time. q: nq, dq: nv (body axes of
+/// each joint, as v). Throws Error on wrong sizes.
+Eigen::VectorXd integrate(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          const Eigen::Ref<const Eigen::VectorXd>& dq);
+
+/// The dq with q0 (+) dq = q1 (shortest for rotations).
+Eigen::VectorXd difference(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q0,
+                           const Eigen::Ref<const Eigen::VectorXd>& q1);
+
+/// d(q (+) dq)/d(dq) at dq = 0: nq x nv.
+Eigen::MatrixXd tangent_map(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
+
+/// Scales quaternions and (cos, sin) pairs to unit length.
+Eigen::VectorXd normalized(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
+
+/// A random configuration: uniform within position limits (within +-pi or +-1 m where there are
+/// none), uniform rotations.
+Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator);
+
+/// Throws Error with a sentence naming the argument and the entry if q or v has the wrong size,
+/// holds a NaN or infinity, or q holds a quaternion or (cos, sin) pair that is not of unit length.
+void check_configuration(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                         std::string_view argument = "q");
+void check_tangent(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& v,
+                   std::string_view argument = "v");
+
+}  // namespace burnish

@@ -1,0 +1,88 @@
+// A robot as its description file states it: links, joints and shapes as plain values, before a
+// base is chosen or any joint is locked. model.hpp compiles it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace burnish {
+
+/// Mass distribution of a link, in the link's axes.
+struct InertiaSpec {
+  double mass = 0.0;                                         ///< kg
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();             ///< m, from the link's origin
+  Eigen::Matrix3d inertia_at_com = Eigen::Matrix3d::Zero();  ///< kg m^2, about com, link axes
+};
+
+struct BoxShape {
+  Eigen::Vector3d size;  ///< m, full lengths along x, y, z
+};
+struct CylinderShape {
+  double radius;  ///< m
+  double length;  ///< m, along z, centred
+};
+struct SphereShape {
+  double radius;  ///< m
+};
+/// A mesh is kept for drawing only; dynamics never opens it.
+struct MeshShape {
+  std::string uri;        ///< as written in the file, `package://` included
+  Eigen::Vector3d scale;  ///< per axis
+};
+using Shape = std::variant<BoxShape, CylinderShape, SphereShape, MeshShape>;
+
+/// One solid to draw, attached to a link.
+struct VisualSpec {
+  Shape shape;
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< in the link's frame
+  Eigen::Vector4d rgba = Eigen::Vector4d(0.7, 0.7, 0.7, 1.0);
+};
+
+struct LinkSpec {
+  std::string name;
+  InertiaSpec inertia;
+  std::vector<VisualSpec> visuals;
+};
+
+enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating };
+
+/// A joint that copies another: q = multiplier * q_leader + offset.
+struct MimicSpec {
+  std::string leader;
+  double multiplier = 1.0;
+  double offset = 0.0;
+};
+
+struct JointSpec {
+  std::string name;
+  JointType type = JointType::Fixed;
+  std::string parent_link;
+  std::string child_link;
+  /// Of the child link's frame in the parent link's frame when the joint is at zero.
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+  /// Unit axis in the child link's frame (for Planar the normal of the plane).
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  double lower = -std::numeric_limits<double>::infinity();          ///< rad or m
+  double upper = std::numeric_limits<double>::infinity();           ///< rad or m
+  double velocity_limit = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
+  double effort_limit = std::numeric_limits<double>::infinity();    ///< Nm or N
+  double damping = 0.0;                                             ///< Nms/rad or Ns/m
+  double friction = 0.0;                                            ///< Nm or N, Coulomb
+  double armature = 0.0;                                            ///< kg m^2 or kg
+  std::optional<MimicSpec> mimic;
+};
+
+/// A tree of links. Valid when every joint names known links, each link but one has exactly one
+/// parent joint and there is no cycle; build_model checks this and says what is wrong.
+struct TreeSpec {
+  std::string name;    ///< of the robot
+  std::string source;  ///< file it was read from, used in error sentences; may be empty
+  std::vector<LinkSpec> links;
+  std::vector<JointSpec> joints;
+};
+
+}  // namespace burnish

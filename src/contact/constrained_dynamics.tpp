@@ -1,0 +1,236 @@
+// Definitions of constrained_dynamics.hpp, for any scalar.
+#pragma once
+
+#include <algorithm>
+
+#include "burnish/contact/constrained_dynamics.hpp"
+#include "contact/contact_kinematics.tpp"
+#include "contact/delassus.tpp"
+#include "dynamics/inverse_dynamics.tpp"
+#include "dynamics/kinematics.tpp"
+#include "dynamics/mass_matrix.tpp"
+
+namespace burnish {
+
+template <class S>
+ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet& set,
+                                            const ContactSolver& solver)
+    : a(static_cast<std::size_t>(model.nv), S(0.0)),
+      lambda(static_cast<std::size_t>(set.rows()), S(0.0)),
+      tau(static_cast<std::size_t>(model.nv), S(0.0)),
+      alpha(static_cast<std::size_t>(set.rows()), S(0.0)),
+      contact_states(static_cast<std::size_t>(set.size())),
+      proximal_residual(1, S(0.0)),
+      tree_(model),
+      set_(set),
+      solver_(solver),
+      is_active_(static_cast<std::size_t>(set.size()), 1),
+      q_(static_cast<std::size_t>(model.nq), S(0.0)),
+      v_(static_cast<std::size_t>(model.nv), S(0.0)),
+      rho_(static_cast<std::size_t>(set.rows()), S(0.0)),
+      lambda_before_(static_cast<std::size_t>(set.rows()), S(0.0)),
+      status_(static_cast<std::size_t>(lanes), Status::Ok),
+      kinematics_(tree_),
+      mass_(tree_),
+      delassus_(tree_, set_),
+      id_(tree_) {
+  for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
+  active_.contacts.reserve(static_cast<std::size_t>(set.size()));
+  active_.first_row.assign(static_cast<std::size_t>(set.size()), -1);
+  for (int i = 0; i < set.size(); ++i) set_active(i, true);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::set_active(int contact, bool on) {
+  is_active_[contact] = on ? 1 : 0;
+  ++active_version_;
+  // Rows move: what another contact left where this one has no support must be zero again.
+  std::fill(delassus_.T.begin(), delassus_.T.end(), S(0.0));
+  std::fill(delassus_.jacobian_by_v.begin(), delassus_.jacobian_by_v.end(), S(0.0));
+  active_.contacts.clear();
+  active_.rows = 0;
+  for (int i = 0; i < set_.size(); ++i) {
+    active_.first_row[i] = -1;
+    if (is_active_[i] == 0) continue;
+    active_.contacts.push_back(i);
+    active_.first_row[i] = active_.rows;
+    active_.rows += static_cast<int>(set_.contacts()[i].directions.size());
+  }
+}
+
+template <class S>
+Status ConstrainedDynamics<S>::status() const {
+  return *std::max_element(status_.begin(), status_.end());
+}
+
+template <class S>
+void ConstrainedDynamics<S>::mark(const auto& bad, Status status) {
+  if (!any(bad)) [[likely]]
+    return;
+  for (int l = 0; l < lanes; ++l)
+    if (lane_of(bad, l)) status_[l] = worst(status_[l], status);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
+  // 0 * x is zero for finite x and NaN otherwise.
+  S zero(0.0);
+  for (int i = 0; i < tree_.nq; ++i) zero += q[i] * S(0.0);
+  for (int i = 0; i < tree_.nv; ++i) zero += v[i] * S(0.0);
+  const auto infinite = mask_not(less(absolute(zero), S(1.0)));
+  auto unnormalized = less(S(0.0), S(0.0));
+  for (const TreeJoint& joint : tree_.joints) {
+    const bool quaternion = joint.kind == JointKind::FreeFlyer;
+    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
+    if (!quaternion && !angle) continue;
+    const int last = joint.q + joint_nq(joint.kind);
+    S square(-1.0);
+    for (int i = last - (quaternion ? 4 : 2); i < last; ++i) square += q[i] * q[i];
+    unnormalized = mask_or(unnormalized, mask_not(less(absolute(square), S(2e-6))));
+  }
+  mark(unnormalized, Status::NotNormalized);
+  mark(infinite, Status::NotFinite);
+  const auto bad = mask_or(unnormalized, infinite);
+  for (int i = 0; i < tree_.nq; ++i) q_[i] = select(bad, q_neutral_[i], q[i]);
+  for (int i = 0; i < tree_.nv; ++i) v_[i] = select(bad, S(0.0), v[i]);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
+  std::fill(status_.begin(), status_.end(), Status::Ok);
+  factorized_ = false;
+  mark_bad_lanes(q, v);
+  update_kinematics(tree_, q_.data(), v_.data(), kinematics_);
+  update_mass_and_bias(tree_, kinematics_, mass_);
+  for (const int c : active_.contacts) {
+    const CompiledContact& contact = set_.contacts()[c];
+    update_contact(contact, kinematics_, contact_states[c]);
+    contact_jacobian(contact, kinematics_, contact_states[c],
+                     delassus_.jacobian_by_v.data() + active_.first_row[c], delassus_.stride);
+  }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::drift(S* out) {
+  const Motion<S> gravity{lift<S>(tree_.gravity), Vec3<S>::zero()};
+  const auto bias_of = [&](int body) {
+    return body < 0 ? Motion<S>::zero() : kinematics_.bodies[body].a_bias + gravity;
+  };
+  for (const int c : active_.contacts) {
+    const CompiledContact& contact = set_.contacts()[c];
+    contact_acceleration(contact, contact_states[c], bias_of(contact.tool_body),
+                         bias_of(contact.base_body), out + active_.first_row[c]);
+  }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::solve_lambda() {
+  const int m = active_.rows;
+  for (int r = 0; r < m; ++r) lambda[r] = rho_[r];
+  solve_delassus(delassus_, m, one_column_, lambda.data(), 1);
+  proximal_iterations = 0;
+  proximal_residual[0] = S(0.0);
+  if (!(solver_.mu > 0.0) || solver_.max_proximal_iterations == 0) return;
+  const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
+  auto open = less(S(0.0), S(1.0));
+  // Lanes that have converged are frozen, so that a lane's result does not depend on the others.
+  while (any(open) && proximal_iterations < solver_.max_proximal_iterations) {
+    ++proximal_iterations;
+    for (int r = 0; r < m; ++r) {
+      lambda_before_[r] = lambda[r];
+      lambda[r] = rho_[r] + lambda[r] * mu;
+    }
+    solve_delassus(delassus_, m, one_column_, lambda.data(), 1);
+    S largest(0.0);
+    for (int r = 0; r < m; ++r) {
+      const S change = absolute(S((lambda[r] - lambda_before_[r]) * mu));
+      largest = select(less(largest, change), change, largest);
+      lambda[r] = select(open, lambda[r], lambda_before_[r]);
+    }
+    proximal_residual[0] = select(open, largest, proximal_residual[0]);
+    open = mask_and(open, less(tolerance, largest));
+  }
+  mark(open, Status::NotConverged);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::forward(const S* tau_in) {
+  const int n = tree_.nv, m = active_.rows;
+  S zero(0.0);
+  for (int i = 0; i < n; ++i) zero += tau_in[i] * S(0.0);
+  const auto infinite = mask_not(less(absolute(zero), S(1.0)));
+  mark(infinite, Status::NotFinite);
+  if (!factorized_) {
+    mark(factorize(tree_, mass_), Status::SingularMass);
+    mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
+         Status::SingularContacts);
+    factorized_ = true;
+  }
+  // t = L^-T (tau - b); lambda = G^-1 (-alpha_0 - T^T t); a = L^-1 (t + T lambda)
+  for (int i = 0; i < n; ++i) a[i] = select(infinite, S(0.0), tau_in[i]) - mass_.bias[i];
+  solve_transposed(tree_, mass_, a.data());
+  if (m > 0) {
+    drift(rho_.data());
+    for (int r = 0; r < m; ++r) rho_[r] = -rho_[r];
+    for (const int c : active_.contacts) {
+      const int first = active_.first_row[c];
+      const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
+      for (const ContactSupport& entry : set_.contacts()[c].support)
+        for (int r = first; r < end; ++r)
+          rho_[r] -= delassus_.T[entry.v * delassus_.stride + r] * a[entry.v];
+    }
+    solve_lambda();
+    for (const int c : active_.contacts) {
+      const int first = active_.first_row[c];
+      const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
+      for (const ContactSupport& entry : set_.contacts()[c].support)
+        for (int r = first; r < end; ++r)
+          a[entry.v] += delassus_.T[entry.v * delassus_.stride + r] * lambda[r];
+    }
+  }
+  solve_factor(tree_, mass_, a.data());
+  // What a lane that failed computed is finite but means nothing: it is returned as zero.
+  if (status() > Status::NotConverged) [[unlikely]] {
+    for (int l = 0; l < lanes; ++l) {
+      if (status_[l] <= Status::NotConverged) continue;
+      for (S& x : a) Lanes<S>::set(x, l, 0.0);
+      for (S& x : lambda) Lanes<S>::set(x, l, 0.0);
+    }
+  }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::apply_forces() {
+  accelerate(tree_, kinematics_, a.data(), id_);
+  for (const int c : active_.contacts) {
+    const CompiledContact& contact = set_.contacts()[c];
+    set_contact_force(contact, lambda.data() + active_.first_row[c], contact_states[c]);
+    const Force<S>& force = contact_states[c].force_world;
+    if (contact.tool_body >= 0) id_.force[contact.tool_body] -= force;
+    if (contact.base_body >= 0) id_.force[contact.base_body] += force;
+  }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::inverse(const S* a_in, const S* lambda_in) {
+  for (int i = 0; i < tree_.nv; ++i) a[i] = a_in[i];
+  for (int r = 0; r < active_.rows; ++r) lambda[r] = lambda_in[r];
+  apply_forces();
+  inverse_dynamics_sweep(tree_, kinematics_, mass_, a.data(), id_);
+  for (int i = 0; i < tree_.nv; ++i) tau[i] = id_.tau[i];
+}
+
+template <class S>
+void ConstrainedDynamics<S>::acceleration(const S* a_in) {
+  for (int i = 0; i < tree_.nv; ++i) a[i] = a_in[i];
+  drift(alpha.data());
+  for (const int c : active_.contacts) {
+    const int first = active_.first_row[c];
+    const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
+    for (const ContactSupport& entry : set_.contacts()[c].support)
+      for (int r = first; r < end; ++r)
+        alpha[r] += delassus_.jacobian_by_v[entry.v * delassus_.stride + r] * a[entry.v];
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,195 @@
+// Definitions of contact_kinematics.hpp, for any scalar.
+#pragma once
+
+#include "burnish/contact/contact_kinematics.hpp"
+#include "burnish/math/logarithm.hpp"
+
+namespace burnish {
+namespace contact_detail {
+
+template <class S>
+struct Pose {
+  Mat3<S> R;
+  Vec3<S> p;
+};
+
+/// Pose in the world of a frame on a body (-1: the world).
+template <class S>
+BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<double>& p,
+                               const Kinematics<S>& kinematics) {
+  if (body < 0) return {lift<S>(R), lift<S>(p)};
+  const BodyState<S>& b = kinematics.bodies[body];
+  return {b.R * lift<S>(R), b.p + b.R * lift<S>(p)};
+}
+
+/// A motion that turns with w about a line through the point p, about the world's origin.
+template <class S>
+BURNISH_INLINE Motion<S> turning_at(const Vec3<S>& p, const Vec3<S>& w) {
+  return {cross(p, w), w};
+}
+
+/// A motion with linear part l at the point p, about the world's origin.
+template <class S>
+BURNISH_INLINE Motion<S> moving_at(const Vec3<S>& p, const Vec3<S>& l, const Vec3<S>& w) {
+  return {l + cross(p, w), w};
+}
+
+/// Component of a motion (about the reference's origin, world axes) along direction d.
+template <class S>
+BURNISH_INLINE S component(const Mat3<S>& axes, const Motion<S>& m, int d) {
+  return d < 3 ? dot(column(axes, d), m.linear) : dot(column(axes, d - 3), m.angular);
+}
+
+/// Angular velocity of the reference's axes, given those of tool and base.
+template <class S>
+BURNISH_INLINE Vec3<S> axes_rate(const CompiledContact& contact, const Vec3<S>& w_tool,
+                                 const Vec3<S>& w_base) {
+  switch (contact.spec.reference.axes) {
+    case Reference::Axes::Tool:
+      return w_tool;
+    case Reference::Axes::Base:
+      return w_base;
+    case Reference::Axes::World:
+      return Vec3<S>::zero();
+  }
+  return Vec3<S>::zero();
+}
+
+BURNISH_INLINE bool at_world_origin(const CompiledContact& contact) {
+  return contact.spec.reference.origin == Reference::Origin::World;
+}
+
+/// Twist of the tool frame seen from the reference when tool and base have these twists.
+template <class S>
+BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact, const Vec3<S>& p,
+                                             const Motion<S>& tool, const Motion<S>& base) {
+  if (at_world_origin(contact)) return tool;
+  return turning_at(p, tool.angular - axes_rate(contact, tool.angular, base.angular));
+}
+
+template <class S>
+void update_error(const CompiledContact& contact, const Pose<S>& base, ContactState<S>& state) {
+  const Mat3<S> target_R = base.R * lift<S>(contact.target_R);
+  state.target_p = base.p + base.R * lift<S>(contact.target_p);
+  const Mat3<S> relative = transpose_times(target_R, state.tool_R);
+  const Vec3<S> offset = state.p - state.target_p;
+  const Vec3<S> phi = log_rotation(relative, state.rotation_angle);
+  state.rotation_error = state.tool_R * phi;
+  if (contact.spec.error == PoseError::Split) {
+    state.error = {offset, state.rotation_error};
+    return;
+  }
+  const auto c = log_coefficients(state.rotation_angle);
+  const Motion<S> xi = log_placement(c, phi, transpose_times(target_R, offset));
+  state.error = {state.tool_R * xi.linear, state.rotation_error};
+}
+
+}  // namespace contact_detail
+
+template <class S>
+void update_contact(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                    ContactState<S>& state) {
+  using namespace contact_detail;
+  const Pose<S> tool = pose_of<S>(contact.tool_body, contact.tool_R, contact.tool_p, kinematics);
+  const Pose<S> base = pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics);
+  const auto twist = [&](int body) {
+    return body < 0 ? Motion<S>::zero() : kinematics.bodies[body].v;
+  };
+  state.tool_R = tool.R;
+  state.p = tool.p;
+  state.origin = at_world_origin(contact) ? Vec3<S>::zero() : tool.p;
+  switch (contact.spec.reference.axes) {
+    case Reference::Axes::Tool:
+      state.axes = tool.R * lift<S>(contact.axes_R);
+      break;
+    case Reference::Axes::Base:
+      state.axes = base.R * lift<S>(contact.axes_R);
+      break;
+    case Reference::Axes::World:
+      state.axes = lift<S>(contact.axes_R);
+      break;
+  }
+  state.v_tool = twist(contact.tool_body);
+  state.v_base = twist(contact.base_body);
+  state.nu = state.v_tool - state.v_base;
+  switch (contact.spec.acceleration) {
+    case Acceleration::Spatial:
+      state.eta = Motion<S>::zero();
+      break;
+    case Acceleration::TimeDerivative:
+      state.eta = seen_from_reference(contact, tool.p, state.v_tool, state.v_base);
+      break;
+    case Acceleration::Classical:
+      state.eta = turning_at(tool.p, state.v_tool.angular);
+      break;
+  }
+  if (contact.proportional) update_error(contact, base, state);
+}
+
+template <class S>
+void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                      const ContactState<S>& state, S* out_by_v, int stride) {
+  for (const ContactSupport& entry : contact.support) {
+    S* out = out_by_v + entry.v * stride;
+    if (entry.moves_tool && entry.moves_base) {
+      for (std::size_t r = 0; r < contact.directions.size(); ++r) out[r] = S(0.0);
+      continue;
+    }
+    Motion<S> axis = at_point(kinematics.axes[entry.v].axis, state.origin);
+    if (entry.moves_base) axis = -axis;
+    int r = 0;
+    for (const int d : contact.directions)
+      out[r++] = contact_detail::component(state.axes, axis, d);
+  }
+}
+
+template <class S>
+void contact_velocity(const CompiledContact& contact, const ContactState<S>& state, S* out) {
+  const Motion<S> nu = at_point(state.nu, state.origin);
+  int r = 0;
+  for (const int d : contact.directions) out[r++] = contact_detail::component(state.axes, nu, d);
+}
+
+template <class S>
+void contact_error(const CompiledContact& contact, const ContactState<S>& state, S* out) {
+  using namespace contact_detail;
+  const Motion<S> e =
+      at_point(moving_at(state.p, state.error.linear, state.error.angular), state.origin);
+  int r = 0;
+  for (const int d : contact.directions) out[r++] = component(state.axes, e, d);
+}
+
+template <class S>
+void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
+                          const Motion<S>& a_tool, const Motion<S>& a_base, S* out) {
+  using namespace contact_detail;
+  // a_L = a_tool - a_base + v_tool x v_base, the rate of nu seen from the tool.
+  Motion<S> alpha = a_tool - a_base + cross(state.eta, state.nu);
+  if (contact.base_body >= 0) alpha += cross(state.v_tool, state.v_base);
+  const Motion<S> alpha_there = at_point(alpha, state.origin);
+  int r = 0;
+  for (const int d : contact.directions) out[r++] = component(state.axes, alpha_there, d);
+  S scratch[6];
+  const Vector6& kp = contact.spec.kp;
+  const Vector6& kd = contact.spec.kd;
+  if (contact.damped) {
+    contact_velocity(contact, state, scratch);
+    for (std::size_t i = 0; i < contact.directions.size(); ++i)
+      out[i] += scratch[i] * S(kd[contact.directions[i]]);
+  }
+  if (contact.proportional) {
+    contact_error(contact, state, scratch);
+    for (std::size_t i = 0; i < contact.directions.size(); ++i)
+      out[i] += scratch[i] * S(kp[contact.directions[i]]);
+  }
+}
+
+template <class S>
+void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state) {
+  Vec3<S> parts[2] = {Vec3<S>::zero(), Vec3<S>::zero()};
+  int r = 0;
+  for (const int d : contact.directions) parts[d / 3] += column(state.axes, d % 3) * lambda[r++];
+  state.force_world = {parts[0], parts[1] + cross(state.origin, parts[0])};
+}
+
+}  // namespace burnish

@@ -1,0 +1,118 @@
+#include "burnish/contact/contact_set.hpp"
+
+#include <algorithm>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+namespace {
+
+struct Attachment {
+  int body = -1;
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+};
+
+Attachment attach(const Model& model, const ContactSpec& spec, const std::string& frame,
+                  const char* role) {
+  if (frame == "world" && !model.has_frame(frame)) return {};
+  try {
+    const Frame& found = model.frames[model.frame_index(frame)];
+    return {found.body, found.placement};
+  } catch (const Error& error) {
+    throw Error("contact '" + spec.name + "': " + role + " frame: " + error.what());
+  }
+}
+
+void check(const ContactSpec& spec) {
+  const std::string who = "contact '" + spec.name + "': ";
+  if (spec.directions.bits == 0 || spec.directions.bits > 63)
+    throw Error(who + "the set of directions is empty; wanted at least one of x,y,z,rx,ry,rz");
+  const Eigen::Matrix3d& R = spec.reference.rotation;
+  if (!R.allFinite() || (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
+      R.determinant() < 0.0)
+    throw Error(who + "the reference's rotation is not a rotation matrix");
+  const Eigen::Matrix3d T = spec.target.linear();
+  if (!spec.target.matrix().allFinite() ||
+      (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6)
+    throw Error(who + "the target is not a placement");
+  if (!spec.kp.allFinite() || !spec.kd.allFinite() || spec.kp.minCoeff() < 0.0 ||
+      spec.kd.minCoeff() < 0.0)
+    throw Error(who + "a gain is negative or not finite; wanted kp, kd >= 0");
+}
+
+std::vector<ContactSupport> supports(const Model& model, int tool_body, int base_body) {
+  std::vector<ContactSupport> result;
+  const auto moves = [](std::span<const int> entries, int k) {
+    return std::find(entries.begin(), entries.end(), k) != entries.end();
+  };
+  for (int k = 0; k < model.nv; ++k) {
+    const bool tool = moves(model.support(tool_body), k);
+    const bool base = moves(model.support(base_body), k);
+    if (tool || base) result.push_back({k, tool, base});
+  }
+  return result;
+}
+
+CompiledContact compile(const Model& model, const ContactSpec& spec) {
+  check(spec);
+  CompiledContact c;
+  c.spec = spec;
+  const Attachment tool = attach(model, spec, spec.tool, "tool");
+  const Attachment base = attach(model, spec, spec.base, "base");
+  if (tool.body == base.body)
+    throw Error("contact '" + spec.name + "': tool '" + spec.tool + "' and base '" + spec.base +
+                "' are on the same body, so that no joint moves one against the other");
+  c.tool_body = tool.body;
+  c.base_body = base.body;
+  c.tool_R = from_eigen(Eigen::Matrix3d(tool.placement.linear()));
+  c.tool_p = from_eigen(Eigen::Vector3d(tool.placement.translation()));
+  c.base_R = from_eigen(Eigen::Matrix3d(base.placement.linear()));
+  c.base_p = from_eigen(Eigen::Vector3d(base.placement.translation()));
+  c.axes_R = from_eigen(spec.reference.rotation);
+  c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
+  c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
+  c.proportional = c.damped = c.holds_rotation = false;
+  for (int d = 0; d < 6; ++d) {
+    if (!spec.directions.has(d)) continue;
+    c.directions.push_back(d);
+    c.proportional = c.proportional || spec.kp[d] > 0.0;
+    c.damped = c.damped || spec.kd[d] > 0.0;
+    c.holds_rotation = c.holds_rotation || d >= 3;
+  }
+  c.support = supports(model, tool.body, base.body);
+  return c;
+}
+
+}  // namespace
+
+ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {
+  for (ContactSpec spec : specs) {
+    if (spec.name.empty()) spec.name = spec.tool;
+    for (const CompiledContact& other : contacts_)
+      if (other.spec.name == spec.name)
+        throw Error("contact '" + spec.name +
+                    "': the name is taken by another contact; give each "
+                    "contact a name of its own");
+    contacts_.push_back(compile(model, spec));
+    rows_ += static_cast<int>(contacts_.back().directions.size());
+  }
+}
+
+int ContactSet::index(const std::string& name) const {
+  std::vector<std::string> known;
+  for (int i = 0; i < size(); ++i) {
+    if (contacts_[i].spec.name == name) return i;
+    known.push_back(contacts_[i].spec.name);
+  }
+  throw Error("unknown contact '" + name + "'" + did_you_mean(name, known));
+}
+
+std::vector<std::string> ContactSet::row_names() const {
+  std::vector<std::string> names;
+  for (const CompiledContact& contact : contacts_)
+    for (const int d : contact.directions)
+      names.push_back(contact.spec.name + "/" + std::string(direction_names[d]));
+  return names;
+}
+
+}  // namespace burnish

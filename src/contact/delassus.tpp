@@ -1,0 +1,114 @@
+// Definitions of delassus.hpp, for any scalar.
+#pragma once
+
+#include <algorithm>
+
+#include "burnish/contact/delassus.hpp"
+#include "burnish/math/gram.hpp"
+
+namespace burnish {
+
+template <class S>
+Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
+    : jacobian_by_v(static_cast<std::size_t>(tree.nv * set.rows()), S(0.0)),
+      T(static_cast<std::size_t>(tree.nv * set.rows()), S(0.0)),
+      factor(static_cast<std::size_t>(set.rows() * set.rows()), S(0.0)),
+      inverse_diagonal(static_cast<std::size_t>(set.rows()), S(0.0)),
+      stride(set.rows()) {
+  for (const CompiledContact& a : set.contacts())
+    for (const CompiledContact& b : set.contacts()) {
+      std::vector<int> shared;
+      for (const ContactSupport& x : a.support)
+        for (const ContactSupport& y : b.support)
+          if (x.v == y.v) shared.push_back(x.v);
+      shared_support.push_back(shared);
+    }
+}
+
+namespace delassus_detail {
+
+/// Block of T = L^-T J^T for one contact: J^T's rows outside the support are zero and stay so.
+template <class S>
+void transform_jacobian(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
+                        int first, Delassus<S>& d) {
+  const int rows = static_cast<int>(contact.directions.size());
+  const int n = tree.nv;
+  for (const ContactSupport& entry : contact.support)
+    for (int r = first; r < first + rows; ++r)
+      d.T[entry.v * d.stride + r] = d.jacobian_by_v[entry.v * d.stride + r];
+  for (std::size_t s = contact.support.size(); s-- > 0;) {
+    const int i = contact.support[s].v;
+    S* ti = &d.T[i * d.stride + first];
+    for (int r = 0; r < rows; ++r) ti[r] = ti[r] * mass.inverse_diagonal[i];
+    for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j]) {
+      const S l = mass.factor[i * n + j];
+      S* tj = &d.T[j * d.stride + first];
+      for (int r = 0; r < rows; ++r) tj[r] -= l * ti[r];
+    }
+  }
+}
+
+/// G = C C^T in place, lower triangle.
+template <class S>
+auto cholesky(int rows, Delassus<S>& d) {
+  auto bad = less(S(0.0), S(0.0));
+  const int m = d.stride;
+  S* const c = d.factor.data();
+  for (int r = 0; r < rows; ++r) d.inverse_diagonal[r] = c[r * m + r];
+  for (int k = 0; k < rows; ++k) {
+    const auto weak = mask_not(less(S(d.inverse_diagonal[k] * S(1e-12)), c[k * m + k]));
+    bad = mask_or(bad, weak);
+    const S reciprocal = S(1.0) / square_root(select(weak, S(1.0), c[k * m + k]));
+    d.inverse_diagonal[k] = reciprocal;
+    for (int i = k + 1; i < rows; ++i) c[i * m + k] = c[i * m + k] * reciprocal;
+    for (int i = k + 1; i < rows; ++i) {
+      const S x = c[i * m + k];
+      for (int j = k + 1; j <= i; ++j) c[i * m + j] -= x * c[j * m + k];
+    }
+  }
+  return bad;
+}
+
+}  // namespace delassus_detail
+
+template <class S>
+auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
+                     const MassMatrix<S>& mass, double mu, Delassus<S>& d) {
+  using namespace delassus_detail;
+  const auto rows_of = [&](int c) { return static_cast<int>(set.contacts()[c].directions.size()); };
+  for (const int c : active.contacts)
+    transform_jacobian(tree, set.contacts()[c], mass, active.first_row[c], d);
+  const Strided<const S> t{d.T.data(), d.stride};
+  for (const int a : active.contacts)
+    for (const int b : active.contacts) {
+      if (b > a) break;
+      const int i = active.first_row[a], j = active.first_row[b];
+      gram<Gram::Set>(t, t, d.shared_support[a * set.size() + b], i, i + rows_of(a), j,
+                      j + rows_of(b), Strided<S>{d.factor.data(), d.stride});
+    }
+  for (int r = 0; r < active.rows; ++r) d.factor[r * d.stride + r] += S(mu);
+  return cholesky(active.rows, d);
+}
+
+template <class S>
+void solve_delassus(const Delassus<S>& d, int rows, std::span<const int> columns, S* x,
+                    int stride) {
+  const S* const c = d.factor.data();
+  const int m = d.stride;
+  const auto scale_row = [&](int k) {
+    for (const int j : columns) x[k * stride + j] = x[k * stride + j] * d.inverse_diagonal[k];
+  };
+  const auto subtract_row = [&](int i, int k, const S& by) {
+    for (const int j : columns) x[i * stride + j] -= by * x[k * stride + j];
+  };
+  for (int k = 0; k < rows; ++k) {
+    scale_row(k);
+    for (int i = k + 1; i < rows; ++i) subtract_row(i, k, c[i * m + k]);
+  }
+  for (int k = rows - 1; k >= 0; --k) {
+    scale_row(k);
+    for (int i = 0; i < k; ++i) subtract_row(i, k, c[k * m + i]);
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,178 @@
+#include "burnish/derivatives/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+#include "derivatives/check_run.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+std::string default_tool(const Model& model) {
+  if (model.has_frame("tool") && model.frames[model.frame_index("tool")].body >= 0) return "tool";
+  std::vector<char> has_child(model.joints.size(), 0);
+  for (const Joint& joint : model.joints)
+    if (joint.parent >= 0) has_child[joint.parent] = 1;
+  std::string last;
+  for (const Frame& frame : model.frames)
+    if (frame.body >= 0 && !has_child[frame.body]) last = frame.name;
+  if (last.empty()) throw Error("check: no frame of the robot moves, so there is no tool to check");
+  return last;
+}
+
+/// One entry per row of the report.
+std::vector<std::vector<ContactSpec>> sweep(const Model& model, const CheckOptions& options) {
+  if (!options.contacts.empty()) return {options.contacts};
+  ContactSpec spec;
+  spec.tool = options.tool.empty() ? default_tool(model) : options.tool;
+  spec.base = options.base.empty() ? "world" : options.base;
+  const auto at = [&](const std::string& frame) {
+    return frame_placement(model, model.q_neutral, frame);
+  };
+  spec.target = at(spec.base).inverse() * at(spec.tool);
+  std::vector<std::vector<ContactSpec>> rows;
+  for (const Reference& reference : options.references)
+    for (const Directions& directions : options.directions)
+      for (const Acceleration acceleration : options.accelerations)
+        for (const CheckGains& gains : options.gains) {
+          spec.reference = reference;
+          spec.directions = directions;
+          spec.acceleration = acceleration;
+          spec.kp = gains.kp;
+          spec.kd = gains.kd;
+          spec.error = gains.error;
+          rows.push_back({spec});
+        }
+  if (rows.empty()) throw Error("check: references, directions, accelerations or gains are empty");
+  return rows;
+}
+
+/// "kp 10" or "kp 7..12": the range over held directions.
+std::string gain_text(const char* name, const ContactSpec& spec, const Vector6& gains) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (int d = 0; d < 6; ++d) {
+    if (!spec.directions.has(d)) continue;
+    least = std::min(least, gains[d]);
+    most = std::max(most, gains[d]);
+  }
+  if (most == 0.0) return "";
+  return std::string(name) + " " + (least == most ? "" : number(least) + "..") + number(most);
+}
+
+std::string gains_text(const ContactSpec& spec) {
+  const std::string kp = gain_text("kp", spec, spec.kp), kd = gain_text("kd", spec, spec.kd);
+  if (kp.empty() && kd.empty()) return "none";
+  return kp + (kp.empty() || kd.empty() ? "" : ", ") + kd;
+}
+
+CheckRow describe_row(const std::vector<ContactSpec>& contacts) {
+  CheckRow row;
+  for (const ContactSpec& spec : contacts) {
+    const auto join = [](std::string& text, const std::string& word) {
+      text += (text.empty() ? "" : " + ") + word;
+    };
+    join(row.reference, spec.reference.name());
+    join(row.directions, spec.directions.text());
+    join(row.bodies, spec.tool + " on " + spec.base);
+    join(row.acceleration, name_of(spec.acceleration));
+    join(row.error, gain_text("kp", spec, spec.kp).empty() ? "-" : name_of(spec.error));
+    join(row.gains, gains_text(spec));
+  }
+  return row;
+}
+
+CheckRow check_row(const Model& model, const CheckOptions& options,
+                   const std::vector<ContactSpec>& contacts, const TamperWithBlocks& tamper) {
+  CheckRow row = describe_row(contacts);
+  const ContactSet set(model, contacts);
+  CheckStates source(model, options.seed);
+  std::optional<std::vector<CheckState>> states = source.draw(set, options.states, true);
+  if (!states) {
+    row.mu = source.compliance(contacts);
+    states = source.draw(set, options.states, false);
+  }
+  if (!states) {
+    throw Error(
+        "check: contact '" + contacts.front().tool +
+        "': the tool stays within 0.1 rad of "
+        "half a turn from its target, where the rotation error jumps; give a closer target");
+  }
+  row.states = options.states;
+  for (int i = 0; i < options.states; ++i) {
+    std::vector<DerivativeBlock> blocks = derivative_blocks(model, contacts, row.mu, (*states)[i]);
+    if (tamper) tamper(blocks);
+    for (const DerivativeBlock& block : blocks) {
+      const BlockMismatch mismatch = compare(block);
+      if (!row.worst.block.empty() && !(mismatch.error > row.worst_error)) continue;
+      row.worst_error = mismatch.error;
+      row.worst = mismatch.entry;
+      row.worst.state = i;
+    }
+  }
+  row.pass = row.worst_error <= options.tolerance;
+  return row;
+}
+
+void check_options(const Model& model, const CheckOptions& options) {
+  if (model.nv == 0) throw Error("check: no joint of the robot moves");
+  if (options.states < 1) {
+    throw Error("check: states is " + std::to_string(options.states) + "; wanted at least 1");
+  }
+  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance)) {
+    throw Error("check: tolerance is " + number(options.tolerance) + "; wanted a positive number");
+  }
+}
+
+}  // namespace
+
+std::vector<Reference> default_check_references() {
+  return {Reference::local(), Reference::centered(),
+          Reference::surface_with_normal({-0.4, 0.3, 0.8}), Reference::world()};
+}
+
+std::vector<Directions> default_check_directions() {
+  return {Directions::x(),
+          Directions::y(),
+          Directions::z(),
+          Directions::x() | Directions::y(),
+          Directions::linear(),
+          Directions::pad_z(),
+          Directions::parse("x,y,z,rx,ry"),
+          Directions::all()};
+}
+
+std::vector<CheckGains> default_check_gains() {
+  // Unequal, so that a gain of another direction is noticed.
+  CheckGains split;
+  split.kp << 9.0, 11.0, 8.0, 12.0, 10.0, 7.0;
+  split.kd << 3.0, 5.0, 4.0, 6.0, 2.0, 7.0;
+  CheckGains log6 = split;
+  log6.error = PoseError::Log6;
+  return {CheckGains(), split, log6};
+}
+
+CheckReport run_check(const Model& model, const CheckOptions& options,
+                      const TamperWithBlocks& tamper) {
+  check_options(model, options);
+  const std::vector<std::vector<ContactSpec>> rows = sweep(model, options);
+  CheckReport report;
+  report.robot = model.name;
+  report.tolerance = options.tolerance;
+  report.pass = true;
+  for (const std::vector<ContactSpec>& contacts : rows) {
+    report.rows.push_back(check_row(model, options, contacts, tamper));
+    report.pass = report.pass && report.rows.back().pass;
+    if (options.progress) {
+      options.progress(static_cast<int>(report.rows.size()), static_cast<int>(rows.size()));
+    }
+  }
+  return report;
+}
+
+CheckReport check_derivatives(const Model& model, const CheckOptions& options) {
+  return run_check(model, options);
+}
+
+}  // namespace burnish

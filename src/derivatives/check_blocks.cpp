@@ -1,0 +1,35 @@
+#include "derivatives/check_blocks.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace burnish {
+
+BlockMismatch compare(const DerivativeBlock& block) {
+  const Eigen::Index rows = static_cast<Eigen::Index>(block.rows.size());
+  const Eigen::Index columns = static_cast<Eigen::Index>(block.columns.size());
+  if (block.value.rows() != rows || block.value.cols() != columns ||
+      block.expected.rows() != rows || block.expected.cols() != columns) {
+    throw Error("block " + block.name + ": the sizes of derivatives, differences and names differ");
+  }
+  double scale = block.floor;
+  for (const double x : block.expected.reshaped()) {
+    if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
+  }
+  BlockMismatch worst;
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double apart = std::abs(block.value(i, j) - block.expected(i, j));
+      double error = apart == 0.0 ? 0.0 : apart / scale;
+      if (!std::isfinite(error)) error = std::numeric_limits<double>::infinity();
+      if (worst.entry.block.empty() || error > worst.error) {
+        worst.error = error;
+        worst.entry = {block.name,        block.rows[i],        block.columns[j],
+                       block.value(i, j), block.expected(i, j), -1};
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace burnish

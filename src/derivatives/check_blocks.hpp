@@ -1,0 +1,24 @@
+// One block of derivatives beside the same block from differences.
+#pragma once
+
+#include "burnish/derivatives/check.hpp"
+
+namespace burnish {
+
+struct DerivativeBlock {
+  std::string name;  ///< such as "da_dq"
+  std::vector<std::string> rows, columns;
+  Eigen::MatrixXd value;     ///< analytic
+  Eigen::MatrixXd expected;  ///< from differences
+  double floor = 0.0;        ///< what the error is relative to where the block itself is smaller
+};
+
+struct BlockMismatch {
+  double error = 0.0;  ///< relative to the largest entry of `expected`; infinite after a NaN
+  CheckEntry entry;    ///< the worst one; its state is not set
+};
+
+/// Throws Error when the two sides or the names differ in size.
+BlockMismatch compare(const DerivativeBlock& block);
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+// Random states at which a set of contacts can be checked.
+#pragma once
+
+#include <optional>
+#include <random>
+
+#include "burnish/contact/contact_set.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// Arguments of forward (q, v, tau), inverse (q, v, a, lambda) and acceleration (q, v, a).
+struct CheckState {
+  Eigen::VectorXd q, v, tau, a, lambda;
+};
+
+/// Draws states of one model.
+class CheckStates {
+ public:
+  CheckStates(const Model& model, std::uint64_t seed) : model_(model), generator_(seed) {}
+
+  /// `count` states for these contacts: q within limits, away from jumps of the pose error and,
+  /// for a rigid contact, from singular postures; v and a up to 1 and 5 rad/s^2 (m), lambda up to a
+  /// tenth of the weight, tau up to what gravity and motion ask for. Empty when the robot can hold
+  /// the contacts rigidly at too few of the postures that were tried.
+  std::optional<std::vector<CheckState>> draw(const ContactSet& set, int count, bool rigid);
+
+  /// A compliance that leaves the contacts soft enough to solve, m/s^2 per N: a hundredth of the
+  /// mean diagonal of J M^-1 J^T.
+  double compliance(const std::vector<ContactSpec>& contacts);
+
+ private:
+  Eigen::VectorXd uniform(Eigen::Index size, double reach);
+  bool far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const;
+
+  const Model& model_;
+  std::mt19937_64 generator_;
+};
+
+}  // namespace burnish

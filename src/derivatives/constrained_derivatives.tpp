@@ -1,0 +1,263 @@
+// Definitions of constrained_derivatives.hpp, for any scalar.
+#pragma once
+
+#include <algorithm>
+
+#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "burnish/math/gram.hpp"
+#include "contact/constrained_dynamics.tpp"
+#include "derivatives/contact_acceleration.tpp"
+#include "derivatives/inverse_dynamics.tpp"
+
+namespace burnish {
+namespace derivatives_detail {
+
+/// Maximal chains first..end in which every entry but the first hangs on the one before it, and
+/// every entry but the last carries that one alone.
+inline std::vector<std::pair<int, int>> chains(const Tree& tree) {
+  std::vector<int> children(static_cast<std::size_t>(tree.nv), 0);
+  for (int k = 0; k < tree.nv; ++k)
+    if (tree.parent_of_v[k] >= 0) ++children[tree.parent_of_v[k]];
+  std::vector<std::pair<int, int>> result;
+  for (int k = 0; k < tree.nv; ++k) {
+    const bool goes_on =
+        k > 0 && tree.parent_of_v[k] == k - 1 && children[k - 1] == 1 && !result.empty();
+    if (goes_on) {
+      result.back().second = k + 1;
+    } else {
+      result.emplace_back(k, k + 1);
+    }
+  }
+  return result;
+}
+
+inline std::vector<int> ancestors(const Tree& tree, int last) {
+  std::vector<int> result;
+  for (int k = last; k >= 0; k = tree.parent_of_v[k]) result.push_back(k);
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+inline bool contains(const std::vector<int>& sorted, int k) {
+  return std::binary_search(sorted.begin(), sorted.end(), k);
+}
+
+inline bool supports(const CompiledContact& contact, int k) {
+  return std::any_of(contact.support.begin(), contact.support.end(),
+                     [k](const ContactSupport& entry) { return entry.v == k; });
+}
+
+/// Entries related to a chain: above it, in it, below it, or tied to it by a contact between two
+/// moving bodies.
+inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
+                                     const std::vector<int>& above, int first) {
+  std::vector<int> result;
+  for (int k = 0; k < tree.nv; ++k) {
+    bool is_related = contains(above, k) || contains(ancestors(tree, k), first);
+    for (const CompiledContact& contact : set.contacts())
+      is_related = is_related || (transport_couples_branches(contact) && supports(contact, k) &&
+                                  supports(contact, first));
+    if (is_related) result.push_back(k);
+  }
+  return result;
+}
+
+}  // namespace derivatives_detail
+
+template <class S>
+ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics)
+    : n_(dynamics.nv()), coriolis_(dynamics.tree().joints.size()) {
+  using namespace derivatives_detail;
+  const Tree& tree = dynamics.tree();
+  const ContactSet& set = dynamics.set();
+  const int all_rows = n_ + set.rows();
+  const auto entries = static_cast<std::size_t>(all_rows * n_);
+  for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
+  factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
+  const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
+  for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_})
+    matrix->assign(contact_entries, S(0.0));
+  for (int k = 0; k < n_; ++k) all_columns_.push_back(k);
+  for (const auto& [first, end] : chains(tree)) {
+    const std::vector<int> above = ancestors(tree, end - 1);
+    segments_.push_back({first, end, related_rows(tree, set, above, first), above});
+  }
+  for (const Segment& a : segments_)
+    for (const Segment& b : segments_) {
+      std::vector<int> shared;
+      std::set_intersection(a.ancestors.begin(), a.ancestors.end(), b.ancestors.begin(),
+                            b.ancestors.end(), std::back_inserter(shared));
+      shared_ancestors_.push_back(shared);
+    }
+  segment_rows_.resize(segments_.size());
+  for (auto& rows : segment_rows_) rows.reserve(static_cast<std::size_t>(all_rows));
+  contact_rows_.reserve(static_cast<std::size_t>(set.rows()));
+  supported_columns_.reserve(static_cast<std::size_t>(n_));
+  supported_.assign(static_cast<std::size_t>(n_), 0);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::adapt_to_active(const ConstrainedDynamics<S>& dynamics) {
+  if (version_ == dynamics.active_version()) return;
+  version_ = dynamics.active_version();
+  std::fill(rhs_q.begin(), rhs_q.end(), S(0.0));
+  std::fill(rhs_v.begin(), rhs_v.end(), S(0.0));
+  const ActiveContacts& active = dynamics.active();
+  std::fill(supported_.begin(), supported_.end(), 0);
+  contact_rows_.clear();
+  for (int r = 0; r < active.rows; ++r) contact_rows_.push_back(r);
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    segment_rows_[s] = segments_[s].related;
+    for (const int c : active.contacts) {
+      const CompiledContact& contact = dynamics.set().contacts()[c];
+      for (const ContactSupport& entry : contact.support) supported_[entry.v] = 1;
+      if (!derivatives_detail::supports(contact, segments_[s].first)) continue;
+      for (std::size_t r = 0; r < contact.directions.size(); ++r)
+        segment_rows_[s].push_back(n_ + active.first_row[c] + static_cast<int>(r));
+    }
+  }
+  supported_columns_.clear();
+  for (int k = 0; k < n_; ++k)
+    if (supported_[k] != 0) supported_columns_.push_back(k);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::fill_rhs(ConstrainedDynamics<S>& dynamics) {
+  adapt_to_active(dynamics);
+  dynamics.apply_forces();
+  const ActiveContacts& active = dynamics.active();
+  for (const int c : active.contacts) {
+    const CompiledContact& contact = dynamics.set().contacts()[c];
+    const ContactState<S>& state = dynamics.contact_states[c];
+    const auto at = contact_accelerations(dynamics.tree(), contact, dynamics.kinematics(),
+                                          dynamics.inverse_dynamics(), state);
+    const int offset = (n_ + active.first_row[c]) * n_;
+    contact_acceleration_derivatives(contact, dynamics.kinematics(), dynamics.inverse_dynamics(),
+                                     state, at, rhs_q.data() + offset, rhs_v.data() + offset, n_);
+    if (!transport_couples_branches(contact)) continue;
+    for (const ContactSupport& row : contact.support)
+      for (const ContactSupport& column : contact.support) rhs_q[row.v * n_ + column.v] = S(0.0);
+  }
+  inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
+                               dynamics.inverse_dynamics(), coriolis_, rhs_q.data(), rhs_v.data());
+  for (const int c : active.contacts)
+    subtract_force_transport(dynamics.set().contacts()[c], dynamics.kinematics(),
+                             dynamics.contact_states[c], rhs_q.data(), n_);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::inverse(ConstrainedDynamics<S>& dynamics) {
+  fill_rhs(dynamics);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
+  fill_rhs(dynamics);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::invert_factor(const ConstrainedDynamics<S>& dynamics) {
+  // Row i of W = L^-1: W_ii = 1/L_ii, W_ij = -1/L_ii sum over k in (j, i) of L_ik W_kj; kept as
+  // columns i of W^T.
+  const MassMatrix<S>& mass = dynamics.mass();
+  const auto& parent = dynamics.tree().parent_of_v;
+  S* const W = factor_inverse_.data();
+  for (int i = 0; i < n_; ++i) {
+    for (int j = parent[i]; j >= 0; j = parent[j]) W[j * n_ + i] = S(0.0);
+    for (int k = parent[i]; k >= 0; k = parent[k]) {
+      const S l = mass.factor[i * n_ + k];
+      for (int j = k; j >= 0; j = parent[j]) W[j * n_ + i] -= l * W[j * n_ + k];
+    }
+    const S reciprocal = mass.inverse_diagonal[i];
+    for (int j = parent[i]; j >= 0; j = parent[j]) W[j * n_ + i] *= reciprocal;
+    W[i * n_ + i] = reciprocal;
+  }
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dynamics,
+                                               const std::vector<int>& columns, S* x) {
+  const int m = dynamics.rows();
+  if (dynamics.proximal_iterations > 0)
+    for (int i = 0; i < m * n_; ++i) before_[i] = x[i];
+  solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
+  const S mu(dynamics.solver().mu);
+  for (int iteration = 0; iteration < dynamics.proximal_iterations; ++iteration) {
+    for (int r = 0; r < m; ++r)
+      for (const int j : columns) x[r * n_ + j] = before_[r * n_ + j] + x[r * n_ + j] * mu;
+    solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
+  }
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics) {
+  // [da; dlambda]/dtau = K^-1 [1; 0]: with Z = J M^-1, dlambda/dtau = -G^-1 Z and
+  // da/dtau = M^-1 + Z^T dlambda/dtau.
+  const int m = dynamics.rows();
+  const Delassus<S>& d = dynamics.delassus();
+  const Strided<const S> W{factor_inverse_.data(), n_};
+  const Strided<S> P{d_dtau.data(), n_};
+  S* const lambda_rows = d_dtau.data() + n_ * n_;
+  for (const Segment& s : segments_)
+    gram<Gram::Set>(Strided<const S>{d.T.data(), d.stride}, W, std::span<const int>(s.ancestors), 0,
+                    m, s.first, s.end, Strided<S>{Z_.data(), n_});
+  for (int i = 0; i < m * n_; ++i) lambda_rows[i] = -Z_[i];
+  solve_contacts(dynamics, all_columns_, lambda_rows);
+  const std::span<const int> contact_rows(contact_rows_);
+  for (std::size_t a = 0; a < segments_.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const Segment &x = segments_[a], &y = segments_[b];
+      gram<Gram::Set>(W, W, std::span<const int>(shared_ancestors_[a * segments_.size() + b]),
+                      x.first, x.end, y.first, y.end, P);
+      if (m > 0)
+        gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{lambda_rows, n_},
+                        contact_rows, x.first, x.end, y.first, y.end, P);
+      if (a == b) continue;
+      for (int i = x.first; i < x.end; ++i)
+        for (int j = y.first; j < y.end; ++j) d_dtau[j * n_ + i] = d_dtau[i * n_ + j];
+    }
+  for (int r = 0; r < m; ++r)
+    for (int k = 0; k < n_; ++k) lambda_by_tau_[k * m + r] = lambda_rows[r * n_ + k];
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
+                                         const std::vector<S>& rhs, std::vector<S>& out) {
+  // da/dz = -da/dtau dtau/dz - (dlambda/dtau)^T (minus dalpha/dz),
+  // dlambda/dz = -dlambda/dtau dtau/dz + G^-1 (minus dalpha/dz).
+  const int m = dynamics.rows();
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    const Segment& segment = segments_[s];
+    const Strided<const S> right{rhs.data(), n_};
+    gram<Gram::SetNegative>(Strided<const S>{d_dtau.data(), n_}, right,
+                            std::span<const int>(segment_rows_[s]), 0, n_, segment.first,
+                            segment.end, Strided<S>{out.data(), n_});
+    gram<Gram::SetNegative>(Strided<const S>{lambda_by_tau_.data(), m}, right,
+                            std::span<const int>(segment.related), 0, m, segment.first, segment.end,
+                            Strided<S>{out.data() + n_ * n_, n_});
+  }
+  if (m == 0) return;
+  for (int r = 0; r < m; ++r)
+    for (const int j : supported_columns_) solved_[r * n_ + j] = rhs[(n_ + r) * n_ + j];
+  solve_contacts(dynamics, supported_columns_, solved_.data());
+  for (int r = 0; r < m; ++r)
+    for (const int j : supported_columns_) out[(n_ + r) * n_ + j] += solved_[r * n_ + j];
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
+  fill_rhs(dynamics);
+  invert_factor(dynamics);
+  by_torque(dynamics);
+  by_state(dynamics, rhs_q, d_dq);
+  by_state(dynamics, rhs_v, d_dv);
+  if (dynamics.status() <= Status::NotConverged) [[likely]]
+    return;
+  for (int l = 0; l < ConstrainedDynamics<S>::lanes; ++l) {
+    if (dynamics.status(l) <= Status::NotConverged) continue;
+    for (auto* matrix : {&d_dq, &d_dv, &d_dtau})
+      for (S& entry : *matrix) Lanes<S>::set(entry, l, 0.0);
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,256 @@
+#include "burnish/derivatives/contact_dynamics.hpp"
+
+#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "derivatives/wrench_transport.tpp"
+
+namespace burnish {
+
+extern template class ConstrainedDynamics<double>;
+extern template class ConstrainedDerivatives<double>;
+
+struct ContactDynamics::Impl {
+  Impl(const Model& model, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
+      : set(model, specs),
+        dynamics(model, set, solver),
+        derivatives(dynamics),
+        nq(model.nq),
+        nv(model.nv),
+        active(static_cast<std::size_t>(set.size()), 1),
+        mass(RowMatrix::Zero(nv, nv)),
+        jacobian(RowMatrix::Zero(set.rows(), nv)),
+        negated_q(RowMatrix::Zero(set.rows(), nv)),
+        negated_v(RowMatrix::Zero(set.rows(), nv)),
+        velocity(Eigen::VectorXd::Zero(set.rows())),
+        error(Eigen::VectorXd::Zero(set.rows())) {}
+
+  MatrixView rows_of_a(const std::vector<double>& stacked) const {
+    return {stacked.data(), nv, nv};
+  }
+  MatrixView rows_of_lambda(const std::vector<double>& stacked) const {
+    return {stacked.data() + nv * nv, dynamics.rows(), nv};
+  }
+
+  /// Loads the state and the copies that the views show.
+  Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
+    if (q.size() != nq || v.size() != nv) return Status::WrongSize;
+    dynamics.set_state(q.data(), v.data());
+    const MassMatrix<double>& m = dynamics.mass();
+    for (int i = 0; i < nv; ++i)
+      for (int j = i; j >= 0; j = dynamics.tree().parent_of_v[j])
+        mass(i, j) = mass(j, i) = m.mass[i * nv + j];
+    const Delassus<double>& d = dynamics.delassus();
+    for (int k = 0; k < nv; ++k)
+      for (int r = 0; r < dynamics.rows(); ++r) jacobian(r, k) = d.jacobian_by_v[k * d.stride + r];
+    for (const int c : dynamics.active().contacts) {
+      const CompiledContact& contact = set.contacts()[c];
+      const int first = dynamics.active().first_row[c];
+      burnish::contact_velocity(contact, dynamics.contact_states[c], velocity.data() + first);
+      if (contact.proportional) {
+        burnish::contact_error(contact, dynamics.contact_states[c], error.data() + first);
+      } else {
+        error.segment(first, static_cast<int>(contact.directions.size())).setZero();
+      }
+    }
+    return dynamics.status();
+  }
+
+  ContactSet set;
+  ConstrainedDynamics<double> dynamics;
+  ConstrainedDerivatives<double> derivatives;
+  int nq, nv;
+  std::vector<char> active;
+  RowMatrix mass, jacobian;        ///< dense copies: nv x nv, rows x nv
+  RowMatrix negated_q, negated_v;  ///< dalpha/dq and dalpha/dv
+  Eigen::VectorXd velocity, error;
+  Status last = Status::Ok;
+};
+
+ContactDynamics::ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts,
+                                 const ContactSolver& solver)
+    : impl_(std::make_unique<Impl>(model, contacts, solver)) {}
+ContactDynamics::~ContactDynamics() = default;
+ContactDynamics::ContactDynamics(ContactDynamics&&) noexcept = default;
+ContactDynamics& ContactDynamics::operator=(ContactDynamics&&) noexcept = default;
+
+const ContactSet& ContactDynamics::contacts() const { return impl_->set; }
+int ContactDynamics::nv() const { return impl_->nv; }
+int ContactDynamics::rows() const { return impl_->dynamics.rows(); }
+
+void ContactDynamics::set_active(int contact, bool active) {
+  if (contact < 0 || contact >= impl_->set.size())
+    throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
+                std::to_string(impl_->set.size()));
+  impl_->active[contact] = active ? 1 : 0;
+  impl_->dynamics.set_active(contact, active);
+}
+
+bool ContactDynamics::is_active(int contact) const { return impl_->active.at(contact) != 0; }
+
+std::vector<std::string> ContactDynamics::row_names() const {
+  std::vector<std::string> names;
+  for (const int c : impl_->dynamics.active().contacts) {
+    const CompiledContact& contact = impl_->set.contacts()[c];
+    for (const int d : contact.directions)
+      names.push_back(contact.spec.name + "/" + std::string(direction_names[d]));
+  }
+  return names;
+}
+
+Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,
+                                const ConstVectorRef& tau) {
+  if (tau.size() != impl_->nv) return impl_->last = Status::WrongSize;
+  impl_->last = impl_->load(q, v);
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->dynamics.forward(tau.data());
+  return impl_->last = impl_->dynamics.status();
+}
+
+Status ContactDynamics::forward_derivatives() {
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->derivatives.forward(impl_->dynamics);
+  return impl_->dynamics.status();
+}
+
+Status ContactDynamics::inverse(const ConstVectorRef& q, const ConstVectorRef& v,
+                                const ConstVectorRef& a, const ConstVectorRef& lambda) {
+  if (a.size() != impl_->nv || lambda.size() != rows()) return impl_->last = Status::WrongSize;
+  impl_->last = impl_->load(q, v);
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->dynamics.inverse(a.data(), lambda.data());
+  return impl_->last = impl_->dynamics.status();
+}
+
+Status ContactDynamics::inverse_derivatives() {
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->derivatives.inverse(impl_->dynamics);
+  return impl_->last;
+}
+
+Status ContactDynamics::acceleration(const ConstVectorRef& q, const ConstVectorRef& v,
+                                     const ConstVectorRef& a) {
+  if (a.size() != impl_->nv) return impl_->last = Status::WrongSize;
+  impl_->last = impl_->load(q, v);
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->dynamics.acceleration(a.data());
+  return impl_->last = impl_->dynamics.status();
+}
+
+Status ContactDynamics::acceleration_derivatives() {
+  if (impl_->last == Status::WrongSize) return impl_->last;
+  impl_->derivatives.acceleration(impl_->dynamics);
+  const int m = rows();
+  impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_q);
+  impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_v);
+  return impl_->last;
+}
+
+VectorView ContactDynamics::a() const { return {impl_->dynamics.a.data(), impl_->nv}; }
+VectorView ContactDynamics::lambda() const { return {impl_->dynamics.lambda.data(), rows()}; }
+VectorView ContactDynamics::tau() const { return {impl_->dynamics.tau.data(), impl_->nv}; }
+VectorView ContactDynamics::alpha() const { return {impl_->dynamics.alpha.data(), rows()}; }
+VectorView ContactDynamics::bias() const { return {impl_->dynamics.mass().bias.data(), impl_->nv}; }
+MatrixView ContactDynamics::mass_matrix() const {
+  return {impl_->mass.data(), impl_->nv, impl_->nv};
+}
+MatrixView ContactDynamics::jacobian() const { return {impl_->jacobian.data(), rows(), impl_->nv}; }
+MatrixView ContactDynamics::da_dq() const { return impl_->rows_of_a(impl_->derivatives.d_dq); }
+MatrixView ContactDynamics::da_dv() const { return impl_->rows_of_a(impl_->derivatives.d_dv); }
+MatrixView ContactDynamics::da_dtau() const { return impl_->rows_of_a(impl_->derivatives.d_dtau); }
+MatrixView ContactDynamics::dlambda_dq() const {
+  return impl_->rows_of_lambda(impl_->derivatives.d_dq);
+}
+MatrixView ContactDynamics::dlambda_dv() const {
+  return impl_->rows_of_lambda(impl_->derivatives.d_dv);
+}
+MatrixView ContactDynamics::dlambda_dtau() const {
+  return impl_->rows_of_lambda(impl_->derivatives.d_dtau);
+}
+MatrixView ContactDynamics::dtau_dq() const { return impl_->rows_of_a(impl_->derivatives.rhs_q); }
+MatrixView ContactDynamics::dtau_dv() const { return impl_->rows_of_a(impl_->derivatives.rhs_v); }
+MatrixView ContactDynamics::dalpha_dq() const {
+  return {impl_->negated_q.data(), rows(), impl_->nv};
+}
+MatrixView ContactDynamics::dalpha_dv() const {
+  return {impl_->negated_v.data(), rows(), impl_->nv};
+}
+VectorView ContactDynamics::contact_velocity() const { return {impl_->velocity.data(), rows()}; }
+VectorView ContactDynamics::contact_error() const { return {impl_->error.data(), rows()}; }
+int ContactDynamics::proximal_iterations() const { return impl_->dynamics.proximal_iterations; }
+double ContactDynamics::proximal_residual() const { return impl_->dynamics.proximal_residual[0]; }
+
+Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
+  const int first = impl_->dynamics.active().first_row.at(contact);
+  if (first < 0) return Vector6::Zero();
+  const CompiledContact& compiled = impl_->set.contacts()[contact];
+  ContactState<double> state = impl_->dynamics.contact_states[contact];
+  set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
+  const auto pose = reference_pose(reference, compiled, impl_->dynamics.kinematics(), state);
+  const Force<double> force = wrench_in(pose, state.force_world);
+  Vector6 result;
+  result << to_eigen(force.linear), to_eigen(force.angular);
+  return result;
+}
+
+ContactForce ContactDynamics::force(int contact) const {
+  const CompiledContact& compiled = impl_->set.contacts().at(contact);
+  const ContactState<double>& state = impl_->dynamics.contact_states[contact];
+  const auto base = contact_detail::pose_of<double>(compiled.base_body, compiled.base_R,
+                                                    compiled.base_p, impl_->dynamics.kinematics());
+  return {compiled.spec.name,
+          compiled.spec.tool,
+          compiled.spec.base,
+          compiled.spec.reference,
+          wrench(contact, compiled.spec.reference),
+          to_eigen(state.tool_R),
+          to_eigen(base.R),
+          to_eigen(state.p)};
+}
+
+ContactForce ContactDynamics::force(const std::string& contact) const {
+  return force(impl_->set.index(contact));
+}
+
+void ContactDynamics::wrench_derivatives(int contact, const Reference& reference,
+                                         WrenchDerivatives& out) const {
+  const int nv = impl_->nv;
+  for (RowMatrix* matrix : {&out.dq, &out.dv, &out.dtau}) {
+    if (matrix->rows() != 6 || matrix->cols() != nv) matrix->resize(6, nv);
+    matrix->setZero();
+  }
+  const int first = impl_->dynamics.active().first_row.at(contact);
+  if (first < 0) return;
+  const CompiledContact& compiled = impl_->set.contacts()[contact];
+  ContactState<double> state = impl_->dynamics.contact_states[contact];
+  const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
+  set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
+  const auto pose = reference_pose(reference, compiled, kinematics, state);
+  const auto zero = Motion<double>::zero();
+  // World wrench of a change of lambda: the columns of the stacked derivatives.
+  const auto change = [&](const std::vector<double>& stacked, int k) {
+    double column[6];
+    for (std::size_t r = 0; r < compiled.directions.size(); ++r)
+      column[r] = stacked[(nv + first + static_cast<int>(r)) * nv + k];
+    ContactState<double> changed = state;
+    set_contact_force(compiled, column, changed);
+    return changed.force_world;
+  };
+  const auto store = [](RowMatrix& matrix, int k, const Force<double>& force) {
+    matrix.col(k) << to_eigen(force.linear), to_eigen(force.angular);
+  };
+  std::size_t next = 0;
+  for (int k = 0; k < nv; ++k) {
+    Motion<double> tool = zero, base = zero;
+    if (next < compiled.support.size() && compiled.support[next].v == k) {
+      const ContactSupport& entry = compiled.support[next++];
+      if (entry.moves_tool) tool = kinematics.axes[k].axis;
+      if (entry.moves_base) base = kinematics.axes[k].axis;
+    }
+    store(out.dq, k,
+          wrench_rate(reference, pose, compiled, state, tool, base,
+                      change(impl_->derivatives.d_dq, k)));
+    store(out.dv, k, wrench_in(pose, change(impl_->derivatives.d_dv, k)));
+    store(out.dtau, k, wrench_in(pose, change(impl_->derivatives.d_dtau, k)));
+  }
+}
+
+}  // namespace burnish

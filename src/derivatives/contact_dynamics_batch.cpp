@@ -1,0 +1,169 @@
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+
+#include <algorithm>
+
+#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "burnish/math/pack.hpp"
+
+namespace burnish {
+
+extern template class ConstrainedDynamics<NativePack>;
+extern template class ConstrainedDerivatives<NativePack>;
+
+int pack_width() { return native_lanes; }
+
+namespace {
+
+/// Entry i of every lane, from column `first + lane` of a matrix; lanes past the end repeat the
+/// last column.
+void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vector<NativePack>& to) {
+  const int last = static_cast<int>(from.cols()) - 1;
+  for (int l = 0; l < native_lanes; ++l) {
+    const double* column = from.data() + std::min(first + l, last) * from.outerStride();
+    for (Eigen::Index i = 0; i < from.rows(); ++i) to[i].v[l] = column[i];
+  }
+}
+
+/// One contiguous block per state: lane l of `count` packs goes to out + l * stride.
+void scatter(const NativePack* from, int count, double* out, int stride, int lanes) {
+  constexpr int block = native_lanes;
+  int i = 0;
+  for (; i + block <= count; i += block)
+    for (int l = 0; l < lanes; ++l)
+      for (int k = 0; k < block; ++k) out[l * stride + i + k] = from[i + k].v[l];
+  for (; i < count; ++i)
+    for (int l = 0; l < lanes; ++l) out[l * stride + i] = from[i].v[l];
+}
+
+}  // namespace
+
+struct ContactDynamicsBatch::Impl {
+  Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
+       const ContactSolver& solver)
+      : set(model, specs),
+        dynamics(model, set, solver),
+        derivatives(dynamics),
+        nq(model.nq),
+        nv(model.nv),
+        capacity(room),
+        q(static_cast<std::size_t>(nq)),
+        v(static_cast<std::size_t>(nv)),
+        tau(static_cast<std::size_t>(nv)) {
+    if (room < 1)
+      throw Error("ContactDynamicsBatch: a capacity of " + std::to_string(room) +
+                  " states; wanted at least 1");
+    const auto states = static_cast<std::size_t>(room);
+    status.assign(states, Status::Ok);
+    a.assign(states * nv, 0.0);
+    lambda.assign(states * set.rows(), 0.0);
+    for (auto* matrix : {&d_dq, &d_dv, &d_dtau})
+      matrix->assign(states * (nv + set.rows()) * nv, 0.0);
+  }
+
+  Status run(const ConstMatrixRef& q_in, const ConstMatrixRef& v_in, const ConstMatrixRef& tau_in,
+             bool with_derivatives) {
+    const int n = static_cast<int>(q_in.cols());
+    const bool fits = n > 0 && n <= capacity && q_in.rows() == nq && v_in.rows() == nv &&
+                      tau_in.rows() == nv && v_in.cols() == n && tau_in.cols() == n;
+    if (!fits) return Status::WrongSize;
+    Status worst_of_all = Status::Ok;
+    for (int first = 0; first < n; first += native_lanes) {
+      const int lanes = std::min(native_lanes, n - first);
+      gather(q_in, first, q);
+      gather(v_in, first, v);
+      gather(tau_in, first, tau);
+      dynamics.set_state(q.data(), v.data());
+      dynamics.forward(tau.data());
+      if (with_derivatives) derivatives.forward(dynamics);
+      store(first, lanes, with_derivatives);
+      for (int l = 0; l < lanes; ++l) {
+        status[first + l] = dynamics.status(l);
+        worst_of_all = worst(worst_of_all, dynamics.status(l));
+      }
+    }
+    return worst_of_all;
+  }
+
+  void store(int first, int lanes, bool with_derivatives) {
+    const int m = dynamics.rows();
+    scatter(dynamics.a.data(), nv, a.data() + first * nv, nv, lanes);
+    scatter(dynamics.lambda.data(), m, lambda.data() + first * set.rows(), set.rows(), lanes);
+    if (!with_derivatives) return;
+    const int stride = (nv + set.rows()) * nv;
+    const int count = (nv + m) * nv;
+    scatter(derivatives.d_dq.data(), count, d_dq.data() + first * stride, stride, lanes);
+    scatter(derivatives.d_dv.data(), count, d_dv.data() + first * stride, stride, lanes);
+    scatter(derivatives.d_dtau.data(), count, d_dtau.data() + first * stride, stride, lanes);
+  }
+
+  MatrixView rows_of_a(const std::vector<double>& stacked, int state) const {
+    return {stacked.data() + state * (nv + set.rows()) * nv, nv, nv};
+  }
+  MatrixView rows_of_lambda(const std::vector<double>& stacked, int state) const {
+    return {stacked.data() + state * (nv + set.rows()) * nv + nv * nv, dynamics.rows(), nv};
+  }
+
+  ContactSet set;
+  ConstrainedDynamics<NativePack> dynamics;
+  ConstrainedDerivatives<NativePack> derivatives;
+  int nq, nv, capacity;
+  std::vector<NativePack> q, v, tau;
+  std::vector<Status> status;
+  std::vector<double> a, lambda;           ///< per state: nv and rows
+  std::vector<double> d_dq, d_dv, d_dtau;  ///< per state: (nv + rows) x nv, row-major
+};
+
+ContactDynamicsBatch::ContactDynamicsBatch(const Model& model,
+                                           const std::vector<ContactSpec>& contacts, int capacity,
+                                           const ContactSolver& solver)
+    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver)) {}
+ContactDynamicsBatch::~ContactDynamicsBatch() = default;
+ContactDynamicsBatch::ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept = default;
+ContactDynamicsBatch& ContactDynamicsBatch::operator=(ContactDynamicsBatch&&) noexcept = default;
+
+void ContactDynamicsBatch::set_active(int contact, bool active) {
+  if (contact < 0 || contact >= impl_->set.size())
+    throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
+                std::to_string(impl_->set.size()));
+  impl_->dynamics.set_active(contact, active);
+}
+int ContactDynamicsBatch::rows() const { return impl_->dynamics.rows(); }
+int ContactDynamicsBatch::capacity() const { return impl_->capacity; }
+
+Status ContactDynamicsBatch::forward(const ConstMatrixRef& q, const ConstMatrixRef& v,
+                                     const ConstMatrixRef& tau) {
+  return impl_->run(q, v, tau, false);
+}
+Status ContactDynamicsBatch::forward_with_derivatives(const ConstMatrixRef& q,
+                                                      const ConstMatrixRef& v,
+                                                      const ConstMatrixRef& tau) {
+  return impl_->run(q, v, tau, true);
+}
+
+Status ContactDynamicsBatch::status(int state) const { return impl_->status.at(state); }
+VectorView ContactDynamicsBatch::a(int state) const {
+  return {impl_->a.data() + state * impl_->nv, impl_->nv};
+}
+VectorView ContactDynamicsBatch::lambda(int state) const {
+  return {impl_->lambda.data() + state * impl_->set.rows(), rows()};
+}
+MatrixView ContactDynamicsBatch::da_dq(int state) const {
+  return impl_->rows_of_a(impl_->d_dq, state);
+}
+MatrixView ContactDynamicsBatch::da_dv(int state) const {
+  return impl_->rows_of_a(impl_->d_dv, state);
+}
+MatrixView ContactDynamicsBatch::da_dtau(int state) const {
+  return impl_->rows_of_a(impl_->d_dtau, state);
+}
+MatrixView ContactDynamicsBatch::dlambda_dq(int state) const {
+  return impl_->rows_of_lambda(impl_->d_dq, state);
+}
+MatrixView ContactDynamicsBatch::dlambda_dv(int state) const {
+  return impl_->rows_of_lambda(impl_->d_dv, state);
+}
+MatrixView ContactDynamicsBatch::dlambda_dtau(int state) const {
+  return impl_->rows_of_lambda(impl_->d_dtau, state);
+}
+
+}  // namespace burnish

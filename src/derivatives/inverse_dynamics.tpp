@@ -1,0 +1,55 @@
+// Definitions of inverse_dynamics.hpp, for any scalar.
+#pragma once
+
+#include "burnish/derivatives/inverse_dynamics.hpp"
+
+namespace burnish {
+
+template <class S>
+void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
+                                  const MassMatrix<S>& mass, InverseDynamics<S>& id,
+                                  std::vector<Coriolis<S>>& coriolis_of, S* dtau_dq, S* dtau_dv) {
+  const int n = tree.nv;
+  const auto& parent = tree.parent_of_v;
+  const S two(2.0);
+  for (int i = 0; i < tree.bodies(); ++i) {
+    const BodyState<S>& body = kinematics.bodies[i];
+    coriolis_of[i] = coriolis(body.inertia, body.v, body.momentum.linear);
+  }
+  for (int i = tree.bodies() - 1; i >= 0; --i) {
+    const TreeJoint& joint = tree.joints[i];
+    const Inertia<S>& I = mass.composite[i];
+    const Coriolis<S> B = coriolis_of[i];
+    const Force<S> f = id.force[i] + mass.composite_bias[i];
+    for (int k = joint.v; k < joint.v + joint.nv; ++k) {
+      const AxisState<S>& axis = kinematics.axes[k];
+      const Motion<S>& psi_ddot = id.axis_acc[k];
+      // Column k, rows j above: S_j . (I psi'' + 2 B psi' [+ S_k x* f]) and
+      // S_j . (I (psi' + S') + 2 B S_k); row k, columns j above: the same with j's rates.
+      Force<S> by_q = B * (axis.parent_rate * two) + I * psi_ddot;
+      const Force<S> by_v = B * (axis.axis * two) + I * axis.rate_sum;
+      const Force<S> momentum = I * axis.axis;
+      const Vec3<S> turning = B.transpose_times_angular(axis.axis) * two;
+      const auto pair = [&](int j) {
+        const AxisState<S>& above = kinematics.axes[j];
+        dtau_dq[j * n + k] = dot(above.axis, by_q);
+        dtau_dv[j * n + k] = dot(above.axis, by_v);
+        if (j == k) return;
+        dtau_dq[k * n + j] =
+            dot(turning, above.parent_rate.angular) + dot(id.axis_acc[j], momentum);
+        dtau_dv[k * n + j] = dot(turning, above.axis.angular) + dot(above.rate_sum, momentum);
+      };
+      int j = k;
+      // Entries of the same joint turn the axis and the force alike: no S_k x* f among them.
+      for (; j >= joint.v; j = parent[j]) pair(j);
+      by_q += cross(axis.axis, f);
+      for (; j >= 0; j = parent[j]) pair(j);
+    }
+    if (joint.parent >= 0) {
+      coriolis_of[joint.parent] += B;
+      id.force[joint.parent] += id.force[i];
+    }
+  }
+}
+
+}  // namespace burnish

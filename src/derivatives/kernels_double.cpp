@@ -1,0 +1,7 @@
+// The kernels for one state at a time.
+#include "derivatives/constrained_derivatives.tpp"
+
+namespace burnish {
+template class ConstrainedDynamics<double>;
+template class ConstrainedDerivatives<double>;
+}  // namespace burnish

@@ -1,0 +1,87 @@
+// Definitions of mass_matrix.hpp, for any scalar.
+#pragma once
+
+#include "burnish/dynamics/mass_matrix.hpp"
+
+namespace burnish {
+
+template <class S>
+MassMatrix<S>::MassMatrix(const Tree& tree)
+    : composite(tree.joints.size()),
+      composite_bias(tree.joints.size()),
+      mass(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
+      bias(static_cast<std::size_t>(tree.nv), S(0.0)),
+      factor(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
+      inverse_diagonal(static_cast<std::size_t>(tree.nv), S(0.0)) {}
+
+template <class S>
+void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m) {
+  const int n = tree.nv;
+  for (int i = 0; i < tree.bodies(); ++i) {
+    m.composite[i] = kinematics.bodies[i].inertia;
+    m.composite_bias[i] = kinematics.bodies[i].force_bias;
+  }
+  for (int i = tree.bodies() - 1; i >= 0; --i) {
+    const TreeJoint& joint = tree.joints[i];
+    for (int r = joint.v; r < joint.v + joint.nv; ++r) {
+      const Force<S> force = m.composite[i] * kinematics.axes[r].axis;
+      m.bias[r] = dot(kinematics.axes[r].axis, m.composite_bias[i]);
+      S* row = &m.mass[r * n];
+      for (int c = r; c >= 0; c = tree.parent_of_v[c]) row[c] = dot(kinematics.axes[c].axis, force);
+      row[r] += S(tree.armature[r]);
+    }
+    if (joint.parent >= 0) {
+      m.composite[joint.parent] += m.composite[i];
+      m.composite_bias[joint.parent] += m.composite_bias[i];
+    }
+  }
+}
+
+template <class S>
+auto factorize(const Tree& tree, MassMatrix<S>& m) {
+  const int n = tree.nv;
+  const auto& parent = tree.parent_of_v;
+  for (int i = 0; i < n; ++i)
+    for (int j = i; j >= 0; j = parent[j]) m.factor[i * n + j] = m.mass[i * n + j];
+  auto bad = less(S(0.0), S(0.0));
+  for (int k = n - 1; k >= 0; --k) {
+    S* row = &m.factor[k * n];
+    const S least = m.mass[k * n + k] * S(1e-13);
+    const auto weak = mask_not(less(least, row[k]));
+    bad = mask_or(bad, weak);
+    const S pivot = select(weak, S(1.0), row[k]);
+    const S reciprocal = S(1.0) / square_root(pivot);
+    m.inverse_diagonal[k] = reciprocal;
+    for (int i = parent[k]; i >= 0; i = parent[i]) row[i] = row[i] * reciprocal;
+    for (int i = parent[k]; i >= 0; i = parent[i]) {
+      const S x = row[i];
+      S* above = &m.factor[i * n];
+      for (int j = i; j >= 0; j = parent[j]) above[j] -= x * row[j];
+    }
+  }
+  return bad;
+}
+
+template <class S>
+void solve_transposed(const Tree& tree, const MassMatrix<S>& m, S* x) {
+  const int n = tree.nv;
+  for (int i = n - 1; i >= 0; --i) {
+    x[i] = x[i] * m.inverse_diagonal[i];
+    const S xi = x[i];
+    for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j])
+      x[j] -= m.factor[i * n + j] * xi;
+  }
+}
+
+template <class S>
+void solve_factor(const Tree& tree, const MassMatrix<S>& m, S* x) {
+  const int n = tree.nv;
+  for (int i = 0; i < n; ++i) {
+    S sum = x[i];
+    for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j])
+      sum -= m.factor[i * n + j] * x[j];
+    x[i] = sum * m.inverse_diagonal[i];
+  }
+}
+
+}  // namespace burnish

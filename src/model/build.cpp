@@ -1,0 +1,290 @@
+// Compiling a tree: one walk over the links lumps what is fixed together into bodies and places
+// every frame; the tables over q and v follow from the joints.
+#include <algorithm>
+#include <unordered_map>
+
+#include "burnish/model/model.hpp"
+#include "model/lock.hpp"
+#include "model/mass_check.hpp"
+#include "model/posture.hpp"
+#include "model/sentence.hpp"
+#include "model/tree_check.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A link that waits for its turn: the joint above it and where the link before it sits.
+struct Pending {
+  const JointSpec* joint;            // nullptr for the root link
+  int body;                          // carries the parent link
+  Eigen::Isometry3d parent_in_body;  // the parent link's frame
+};
+
+/// The description while it is walked, and the joint of the file behind each joint of the model.
+struct Walk {
+  const TreeSpec& tree;
+  const ModelOptions& options;
+  std::unordered_map<std::string, const LinkSpec*> link_by_name;
+  std::unordered_map<std::string, std::vector<const JointSpec*>> joints_below;  // by parent link
+  std::vector<const JointSpec*> spec_of_joint;  // nullptr for a free-flying base
+};
+
+JointKind kind_of(JointType type) {
+  switch (type) {
+    case JointType::Revolute:
+      return JointKind::Revolute;
+    case JointType::Continuous:
+      return JointKind::Continuous;
+    case JointType::Prismatic:
+      return JointKind::Prismatic;
+    case JointType::Planar:
+      return JointKind::Planar;
+    case JointType::Fixed:
+    case JointType::Floating:
+      break;
+  }
+  return JointKind::FreeFlyer;
+}
+
+Walk prepare(const TreeSpec& tree, const ModelOptions& options) {
+  Walk walk{tree, options, {}, {}, {}};
+  for (const LinkSpec& link : tree.links) walk.link_by_name.emplace(link.name, &link);
+  for (const JointSpec& joint : tree.joints) walk.joints_below[joint.parent_link].push_back(&joint);
+  for (auto& [parent, joints] : walk.joints_below) {
+    std::sort(joints.begin(), joints.end(),
+              [](const JointSpec* a, const JointSpec* b) { return a->name < b->name; });
+  }
+  return walk;
+}
+
+const LinkSpec& root_of(const Walk& walk) {
+  std::unordered_map<std::string_view, bool> is_child;
+  for (const JointSpec& joint : walk.tree.joints) is_child[joint.child_link] = true;
+  const auto root =
+      std::find_if(walk.tree.links.begin(), walk.tree.links.end(),
+                   [&](const LinkSpec& link) { return !is_child.contains(link.name); });
+  return *root;  // check_topology has seen that there is exactly one
+}
+
+int add_joint(Walk& walk, Model& model, const JointSpec* spec, Joint joint) {
+  joint.nq = joint_nq(joint.kind);
+  joint.nv = joint_nv(joint.kind);
+  joint.q_index = model.nq;
+  joint.v_index = model.nv;
+  model.nq += joint.nq;
+  model.nv += joint.nv;
+  model.joints.push_back(std::move(joint));
+  walk.spec_of_joint.push_back(spec);
+  return static_cast<int>(model.joints.size()) - 1;
+}
+
+/// Inertia about `to` of a solid with the given mass, centre and inertia about that centre.
+Eigen::Matrix3d inertia_about(const Eigen::Vector3d& to, double mass, const Eigen::Vector3d& com,
+                              const Eigen::Matrix3d& inertia_at_com) {
+  const Eigen::Vector3d arm = com - to;
+  return inertia_at_com +
+         mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+}
+
+/// Adds a link's mass to the body that it is fixed to.
+void lump(Joint& body, const InertiaSpec& link, const Eigen::Isometry3d& link_in_body) {
+  const Eigen::Vector3d com = link_in_body * link.com;
+  const Eigen::Matrix3d inertia =
+      link_in_body.linear() * link.inertia_at_com * link_in_body.linear().transpose();
+  const double mass = body.mass + link.mass;
+  const Eigen::Vector3d shared_com =
+      mass > 0.0 ? Eigen::Vector3d((body.mass * body.com + link.mass * com) / mass)
+                 : Eigen::Vector3d::Zero();
+  const Eigen::Matrix3d sum = inertia_about(shared_com, body.mass, body.com, body.inertia_at_com) +
+                              inertia_about(shared_com, link.mass, com, inertia);
+  body.inertia_at_com = 0.5 * (sum + sum.transpose());
+  body.com = shared_com;
+  body.mass = mass;
+}
+
+/// The link's mass, frame and solids go to the body; the joints below it wait for their turn, the
+/// first by name on top.
+void place_link(Walk& walk, Model& model, const LinkSpec& link, int body,
+                const Eigen::Isometry3d& link_in_body, std::vector<Pending>& stack) {
+  model.frames.push_back({link.name, FrameKind::Link, body, link_in_body});
+  if (body >= 0) {
+    lump(model.joints[static_cast<std::size_t>(body)], link.inertia, link_in_body);
+  }
+  for (const VisualSpec& visual : link.visuals) {
+    model.visuals.push_back(
+        {link.name, body, link_in_body * visual.placement, visual.shape, visual.rgba});
+  }
+  const auto below = walk.joints_below.find(link.name);
+  if (below == walk.joints_below.end()) return;
+  for (auto joint = below->second.rbegin(); joint != below->second.rend(); ++joint) {
+    stack.push_back({*joint, body, link_in_body});
+  }
+}
+
+void place_root(Walk& walk, Model& model, std::vector<Pending>& stack) {
+  int body = -1;
+  Eigen::Isometry3d link_in_body = walk.options.base_placement;
+  if (walk.options.base == Base::FreeFlyer) {
+    Joint joint;
+    joint.name = root_joint_name;
+    joint.kind = JointKind::FreeFlyer;
+    body = add_joint(walk, model, nullptr, std::move(joint));
+    link_in_body.setIdentity();
+    model.frames.push_back({std::string(root_joint_name), FrameKind::Joint, body, link_in_body});
+  }
+  place_link(walk, model, root_of(walk), body, link_in_body, stack);
+}
+
+void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<Pending>& stack) {
+  const JointSpec& spec = *pending.joint;
+  int body = pending.body;
+  Eigen::Isometry3d link_in_body = pending.parent_in_body * spec.placement;
+  if (spec.type != JointType::Fixed) {
+    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();  // body frame in the child link's frame
+    if (spec.type != JointType::Floating) turn.linear() = rotation_from_z(spec.axis.normalized());
+    Joint joint;
+    joint.name = spec.name;
+    joint.kind = kind_of(spec.type);
+    joint.parent = pending.body;
+    joint.placement = link_in_body * turn;
+    body = add_joint(walk, model, &spec, std::move(joint));
+    link_in_body = turn.inverse();
+  }
+  model.frames.push_back({spec.name, FrameKind::Joint, body, link_in_body});
+  place_link(walk, model, *walk.link_by_name.at(spec.child_link), body, link_in_body, stack);
+}
+
+void fill_limits(const Walk& walk, Model& model) {
+  model.q_lower = Eigen::VectorXd::Constant(model.nq, -infinity);
+  model.q_upper = Eigen::VectorXd::Constant(model.nq, infinity);
+  model.velocity_limit = model.effort_limit = Eigen::VectorXd::Constant(model.nv, infinity);
+  model.damping = model.friction = model.armature = Eigen::VectorXd::Zero(model.nv);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    const JointSpec* spec = walk.spec_of_joint[i];
+    if (spec == nullptr) continue;
+    if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic) {
+      model.q_lower[joint.q_index] = spec->lower;
+      model.q_upper[joint.q_index] = spec->upper;
+    }
+    model.velocity_limit.segment(joint.v_index, joint.nv).setConstant(spec->velocity_limit);
+    model.effort_limit.segment(joint.v_index, joint.nv).setConstant(spec->effort_limit);
+    model.damping.segment(joint.v_index, joint.nv).setConstant(spec->damping);
+    model.friction.segment(joint.v_index, joint.nv).setConstant(spec->friction);
+    model.armature.segment(joint.v_index, joint.nv).setConstant(spec->armature);
+  }
+}
+
+void fill_neutral(const Walk& walk, Model& model) {
+  model.q_neutral = Eigen::VectorXd::Zero(model.nq);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    auto q = model.q_neutral.segment(joint.q_index, joint.nq);
+    if (joint.kind == JointKind::Continuous) q[0] = 1.0;
+    if (joint.kind == JointKind::Planar) q[2] = 1.0;
+    if (joint.kind != JointKind::FreeFlyer) continue;
+    q[6] = 1.0;
+    if (walk.spec_of_joint[i] != nullptr) continue;
+    q.head<3>() = walk.options.base_placement.translation();
+    q.tail<4>() = Eigen::Quaterniond(walk.options.base_placement.linear()).normalized().coeffs();
+  }
+}
+
+void fill_support(Model& model) {
+  model.support_begin.push_back(0);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    int previous = -1;
+    if (joint.parent >= 0) {
+      const auto parent = static_cast<std::size_t>(joint.parent);
+      previous = model.joints[parent].v_index + model.joints[parent].nv - 1;
+      for (int k = model.support_begin[parent]; k < model.support_begin[parent + 1]; ++k) {
+        const int entry = model.support_entries[static_cast<std::size_t>(k)];
+        model.support_entries.push_back(entry);
+      }
+    }
+    for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
+      model.joint_of_v.push_back(static_cast<int>(i));
+      model.parent_of_v.push_back(previous);
+      model.support_entries.push_back(k);
+      previous = k;
+    }
+    model.support_begin.push_back(static_cast<int>(model.support_entries.size()));
+  }
+}
+
+void check_isometry(const std::string& origin, const std::string& what,
+                    const Eigen::Isometry3d& placement) {
+  const Eigen::Matrix3d rotation = placement.linear();
+  const bool valid = placement.matrix().allFinite() &&
+                     (rotation * rotation.transpose()).isIdentity(1e-6) &&
+                     rotation.determinant() > 0.0;
+  if (valid) return;
+  refuse(origin, what + " is not a placement; wanted a finite position and a rotation matrix");
+}
+
+void add_frames(const TreeSpec& tree, const ModelOptions& options, Model& model) {
+  for (const FrameSpec& added : options.frames) {
+    if (added.name.empty()) refuse(tree, "a frame to add has no name; every frame needs one");
+    if (model.has_frame(added.name)) {
+      refuse(tree, "frame to add " + in_quotes(added.name) +
+                       " already exists; frames to add need names of their own");
+    }
+    if (!model.has_frame(added.parent)) {
+      std::vector<std::string> known;
+      for (const Frame& frame : model.frames) known.push_back(frame.name);
+      refuse(tree, "frame to add " + in_quotes(added.name) + ": its parent frame " +
+                       in_quotes(added.parent) + " does not exist" +
+                       did_you_mean(added.parent, known));
+    }
+    check_isometry(origin_of(tree), "placement of frame to add " + in_quotes(added.name),
+                   added.placement);
+    const Frame& parent = model.frames[static_cast<std::size_t>(model.frame_index(added.parent))];
+    Frame frame{added.name, FrameKind::User, parent.body, parent.placement * added.placement};
+    model.frames.push_back(std::move(frame));
+  }
+}
+
+void check_options(const TreeSpec& tree, const ModelOptions& options) {
+  check_isometry(origin_of(tree), "the base's placement", options.base_placement);
+  if (!options.gravity.allFinite()) refuse(tree, "gravity holds a NaN or an infinity");
+  if (options.base != Base::FreeFlyer) return;
+  for (const JointSpec& joint : tree.joints) {
+    if (joint.name == root_joint_name) {
+      refuse(tree,
+             "joint 'root_joint' of the description has the name of the free-flying base's "
+             "own joint; rename it or choose a fixed base");
+    }
+  }
+}
+
+}  // namespace
+
+Model build_model(const TreeSpec& tree, const ModelOptions& options) {
+  check_topology(tree);
+  check_values(tree);
+  check_options(tree, options);
+  LockedTree locked = lock_joints(tree, options);
+  Walk walk = prepare(locked.tree, options);
+  Model model;
+  model.name = tree.name;
+  model.gravity = options.gravity;
+  model.locked_joints = std::move(locked.locked);
+  std::vector<Pending> stack;
+  place_root(walk, model, stack);
+  while (!stack.empty()) {
+    const Pending next = stack.back();
+    stack.pop_back();
+    place_child(walk, model, next, stack);
+  }
+  fill_limits(walk, model);
+  fill_neutral(walk, model);
+  fill_support(model);
+  check_inertia_along_joints(model, origin_of(tree));
+  add_frames(tree, options, model);
+  return model;
+}
+
+}  // namespace burnish

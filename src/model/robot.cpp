@@ -1,0 +1,219 @@
+#include "burnish/model/robot.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "burnish/model/urdf.hpp"
+#include "model/robot_settings.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* settings_name = "robot.yaml";
+
+/// Where a robot's name leads.
+struct Place {
+  fs::path file;        // a URDF or a settings file
+  std::string variant;  // empty for none
+};
+
+bool is_urdf(const fs::path& file) { return file.extension() == ".urdf"; }
+bool is_settings(const fs::path& file) {
+  return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+bool looks_like_a_path(const std::string& name) {
+  return name.find('/') != std::string::npos || is_urdf(name) || is_settings(name);
+}
+
+/// The file that a path means, if there is one.
+std::optional<fs::path> file_at(const fs::path& path) {
+  std::error_code ignored;  // what cannot be looked at does not exist here
+  if (fs::is_directory(path, ignored)) {
+    const fs::path settings = path / settings_name;
+    return fs::exists(settings, ignored) ? std::optional(settings) : std::nullopt;
+  }
+  if (!fs::exists(path, ignored) || !(is_urdf(path) || is_settings(path))) return std::nullopt;
+  return path;
+}
+
+std::optional<fs::path> file_of(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  if (auto file = file_at(name)) return file;
+  if (looks_like_a_path(name)) return std::nullopt;
+  for (const fs::path& folder : robot_search_path()) {
+    if (auto file = file_at(folder / name)) return file;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> known_robots() {
+  std::set<std::string> names;
+  for (const fs::path& folder : robot_search_path()) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+      if (file_at(entry.path()) && entry.is_directory()) names.insert(entry.path().filename());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+[[noreturn]] void refuse_name(const std::string& name) {
+  if (looks_like_a_path(name)) {
+    const std::string hint = fs::is_directory(name) ? " holds no robot.yaml" : " does not exist";
+    refuse(name, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
+  }
+  const std::vector<std::string> known = known_robots();
+  std::string nearest = did_you_mean(name, known);
+  if (nearest.empty()) {
+    for (const std::string& robot : known) nearest += (nearest.empty() ? "" : ", ") + robot;
+    nearest = "; known are: " + (nearest.empty() ? "none" : nearest);
+  }
+  throw Error("robot " + in_quotes(name) + " is not known" + nearest);
+}
+
+Place find_robot(const std::string& name) {
+  if (const auto file = file_of(name)) return {*file, ""};
+  const std::size_t colon = name.rfind(':');
+  if (colon == std::string::npos) refuse_name(name);
+  const std::string robot = name.substr(0, colon);
+  const std::string variant = name.substr(colon + 1);
+  const auto file = file_of(robot);
+  if (!file) refuse_name(robot);
+  if (variant.empty()) {
+    throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
+  }
+  if (is_urdf(*file)) {
+    throw Error("robot " + in_quotes(name) + " asks for a variant of a URDF file; only settings " +
+                "files have variants");
+  }
+  return {*file, variant};
+}
+
+template <class Value>
+std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : named) names.push_back(name);
+  return names;
+}
+
+RobotSettings settings_at(const Place& place) {
+  if (is_urdf(place.file)) {
+    RobotSettings settings;
+    settings.urdf = place.file.filename().string();
+    return settings;
+  }
+  RobotSettingsFile file = read_robot_settings(place.file);
+  if (place.variant.empty()) return std::move(file.common);
+  const auto variant = file.variants.find(place.variant);
+  if (variant == file.variants.end()) {
+    refuse(place.file.string(), "variant " + in_quotes(place.variant) + " does not exist" +
+                                    did_you_mean(place.variant, keys_of(file.variants)));
+  }
+  return with_variant(std::move(file.common), variant->second);
+}
+
+/// The posture of that name; `key` says who asked for it.
+const Posture& find_posture(const RobotSettings& settings, const std::string& name,
+                            const std::string& origin, const std::string& key) {
+  const auto found = settings.postures.find(name);
+  if (found != settings.postures.end()) return found->second;
+  refuse(origin, key + ": posture " + in_quotes(name) + " does not exist" +
+                     did_you_mean(name, keys_of(settings.postures)));
+}
+
+/// Where locked joints are held.
+Posture locking_posture(const RobotSettings& settings, const RobotOverrides& overrides,
+                        const std::string& origin) {
+  if (!overrides.posture.empty()) {
+    return find_posture(settings, overrides.posture, origin, "posture asked for");
+  }
+  if (settings.posture) return find_posture(settings, *settings.posture, origin, "key 'posture'");
+  if (!settings.default_posture) return {};
+  return find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
+}
+
+ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& overrides,
+                        const std::string& origin) {
+  ModelOptions options;
+  options.base = overrides.base.value_or(settings.base.value_or(Base::Fixed));
+  if (settings.base_placement) options.base_placement = *settings.base_placement;
+  options.frames = settings.frames;
+  options.posture = locking_posture(settings, overrides, origin);
+  if (!overrides.free.empty()) {
+    options.free = overrides.free;
+    options.locked = overrides.locked;
+    return options;
+  }
+  options.locked = settings.lock.value_or(std::vector<std::string>());
+  options.locked.insert(options.locked.end(), overrides.locked.begin(), overrides.locked.end());
+  if (!settings.free) return options;
+  for (const std::string& name : *settings.free) {
+    const auto& locked = overrides.locked;
+    if (std::find(locked.begin(), locked.end(), name) == locked.end()) options.free.push_back(name);
+  }
+  if (options.free.empty()) {
+    // An empty list would free every joint.
+    refuse(origin, "every joint that the settings leave free is to be locked; leave one free");
+  }
+  return options;
+}
+
+/// A posture is used long after loading: what is wrong with it is said now.
+void check_postures(const Robot& robot, const std::string& origin) {
+  for (const auto& [name, posture] : robot.postures) {
+    try {
+      configuration(robot.model, posture);
+    } catch (const Error& error) {
+      refuse(origin, "posture " + in_quotes(name) + ": " + error.what());
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd Robot::posture(const std::string& name) const {
+  const auto found = postures.find(name);
+  if (found != postures.end()) return configuration(model, found->second);
+  refuse("robot " + in_quotes(model.name),
+         "posture " + in_quotes(name) + " does not exist" + did_you_mean(name, keys_of(postures)));
+}
+
+Eigen::VectorXd Robot::reference_configuration() const {
+  return default_posture.empty() ? model.q_neutral : posture(default_posture);
+}
+
+std::vector<fs::path> robot_search_path() {
+  std::vector<fs::path> folders;
+  if (const char* listed = std::getenv("BURNISH_ROBOTS")) {
+    std::istringstream stream(listed);
+    for (std::string folder; std::getline(stream, folder, ':');) {
+      if (!folder.empty()) folders.emplace_back(folder);
+    }
+  }
+  folders.emplace_back(BURNISH_SOURCE_ROBOTS);
+  folders.emplace_back(BURNISH_INSTALLED_ROBOTS);
+  return folders;
+}
+
+Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
+  const Place place = find_robot(name);
+  const std::string origin = place.file.string();
+  const RobotSettings settings = settings_at(place);
+  const ModelOptions options = options_of(settings, overrides, origin);
+  Robot robot;
+  robot.model = build_model(read_urdf(place.file.parent_path() / *settings.urdf), options);
+  robot.postures = settings.postures;
+  if (settings.default_posture) {
+    find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
+    robot.default_posture = *settings.default_posture;
+  }
+  check_postures(robot, origin);
+  return robot;
+}
+
+}  // namespace burnish

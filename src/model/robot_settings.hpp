@@ -1,0 +1,37 @@
+// The settings file of a robot folder, read strictly.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// What a settings file, or one variant in it, states. Keys that are absent are empty.
+struct RobotSettings {
+  std::optional<std::string> urdf;  ///< as written, relative to the settings file
+  std::optional<std::string> description;
+  std::optional<Base> base;
+  std::optional<Eigen::Isometry3d> base_placement;
+  std::optional<std::vector<std::string>> lock, free;  ///< at most one of the two
+  std::optional<std::string> posture, default_posture;
+  std::map<std::string, Posture> postures;
+  std::vector<FrameSpec> frames;  ///< in the order of the file
+};
+
+struct RobotSettingsFile {
+  RobotSettings common;
+  std::map<std::string, RobotSettings> variants;
+};
+
+/// Throws Error naming the file, the line, the key, and what was wanted.
+RobotSettingsFile read_robot_settings(const std::filesystem::path& file);
+
+/// `common` with what `variant` states in its place.
+RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+// Pieces of the sentences that bad descriptions are answered with.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "burnish/base/error.hpp"
+#include "burnish/model/tree_spec.hpp"
+
+namespace burnish {
+
+/// A number as a reader would write it: six significant digits.
+inline std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+inline std::string in_quotes(std::string_view name) {
+  std::string result(1, '\'');
+  return result.append(name).append(1, '\'');
+}
+
+/// What a sentence starts with: the file that was read, or else the robot's name.
+inline std::string origin_of(const TreeSpec& tree) {
+  if (!tree.source.empty()) return tree.source;
+  return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
+}
+
+/// Throws Error("<origin>: <what>").
+[[noreturn]] inline void refuse(const std::string& origin, const std::string& what) {
+  throw Error(origin + ": " + what);
+}
+[[noreturn]] inline void refuse(const TreeSpec& tree, const std::string& what) {
+  refuse(origin_of(tree), what);
+}
+
+}  // namespace burnish

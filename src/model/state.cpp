@@ -1,0 +1,325 @@
+#include "burnish/model/state.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
+
+constexpr double unit_tolerance = 1e-6;  // on the length of quaternions and (cos, sin) pairs
+
+void check_size(Eigen::Index size, int wanted, std::string_view argument) {
+  if (size == wanted) return;
+  throw Error("argument " + in_quotes(argument) + " has " + std::to_string(size) +
+              " entries; wanted " + std::to_string(wanted));
+}
+
+/// (1 - cos t) / t^2 and (t - sin t) / t^3, smooth through zero.
+struct ExpTerms {
+  double first, second;
+};
+ExpTerms exp_terms(double angle) {
+  const double square = angle * angle;
+  if (square < 1e-4) {
+    return {0.5 - square / 24.0 * (1.0 - square / 30.0),
+            1.0 / 6.0 - square / 120.0 * (1.0 - square / 42.0)};
+  }
+  const double half = std::sin(0.5 * angle);
+  return {2.0 * half * half / square, (angle - std::sin(angle)) / (square * angle)};
+}
+
+/// (1 - (t / 2) / tan(t / 2)) / t^2, smooth through zero, for |t| <= pi.
+double log_term(double angle) {
+  const double square = angle * angle;
+  if (square < 1e-4) return 1.0 / 12.0 + square / 720.0 * (1.0 + square / 42.0);
+  const double half = 0.5 * angle;
+  return (1.0 - half * std::cos(half) / std::sin(half)) / square;
+}
+
+Eigen::Quaterniond quaternion_exp(const Vector3& w) {
+  const double half = 0.5 * w.norm();
+  const double scale = half < 1e-4 ? 0.5 * (1.0 - half * half / 6.0) : 0.5 * std::sin(half) / half;
+  Eigen::Quaterniond result;
+  result.vec() = scale * w;
+  result.w() = std::cos(half);
+  return result;
+}
+
+/// The rotation vector of length at most pi.
+Vector3 quaternion_log(const Eigen::Quaterniond& rotation) {
+  const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
+  const double sine = rotation.vec().norm();
+  if (sine < 1e-12) return 2.0 * sign * rotation.vec();
+  return 2.0 * std::atan2(sine, sign * rotation.w()) / sine * sign * rotation.vec();
+}
+
+Vector2 rotated(const Vector2& pair, const Vector2& x) {
+  return {pair[0] * x[0] - pair[1] * x[1], pair[1] * x[0] + pair[0] * x[1]};
+}
+Vector2 pair_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+double angle_between(const Vector2& from, const Vector2& to) {
+  return std::atan2(from[0] * to[1] - from[1] * to[0], from.dot(to));
+}
+
+/// Displacement of the twist (v, w) held for unit time, in the axes at its start.
+Vector3 exp_position(const Vector3& v, const Vector3& w) {
+  const ExpTerms terms = exp_terms(w.norm());
+  const Vector3 turned = w.cross(v);
+  return v + terms.first * turned + terms.second * w.cross(turned);
+}
+Vector3 log_position(const Vector3& p, const Vector3& w) {
+  const Vector3 turned = w.cross(p);
+  return p - 0.5 * turned + log_term(w.norm()) * w.cross(turned);
+}
+
+template <class Entries, class Twist>
+void integrate_joint(JointKind kind, Entries q, const Twist& dq) {
+  switch (kind) {
+    case JointKind::Revolute:
+    case JointKind::Prismatic:
+      q[0] += dq[0];
+      break;
+    case JointKind::Continuous:
+      q.template head<2>() = rotated(q.template head<2>(), pair_of(dq[0])).normalized();
+      break;
+    case JointKind::Planar: {
+      const Vector2 pair = q.template tail<2>();
+      const Vector3 moved = exp_position({dq[0], dq[1], 0.0}, {0.0, 0.0, dq[2]});
+      q.template head<2>() += rotated(pair, moved.head<2>());
+      q.template tail<2>() = rotated(pair, pair_of(dq[2])).normalized();
+      break;
+    }
+    case JointKind::FreeFlyer: {
+      const Eigen::Quaterniond rotation(Eigen::Vector4d(q.template tail<4>()));
+      const Vector3 v = dq.template head<3>(), w = dq.template tail<3>();
+      q.template head<3>() += rotation * exp_position(v, w);
+      q.template tail<4>() = (rotation * quaternion_exp(w)).normalized().coeffs();
+      break;
+    }
+  }
+}
+
+template <class Entries, class Twist>
+void difference_joint(JointKind kind, const Entries& q0, const Entries& q1, Twist dq) {
+  switch (kind) {
+    case JointKind::Revolute:
+    case JointKind::Prismatic:
+      dq[0] = q1[0] - q0[0];
+      break;
+    case JointKind::Continuous:
+      dq[0] = angle_between(q0.template head<2>(), q1.template head<2>());
+      break;
+    case JointKind::Planar: {
+      const Vector2 pair = q0.template tail<2>();
+      const double angle = angle_between(pair, q1.template tail<2>());
+      const Vector2 apart = q1.template head<2>() - q0.template head<2>();
+      const Vector2 inverse(pair[0], -pair[1]);
+      Vector3 moved = Vector3::Zero();
+      moved.head<2>() = rotated(inverse, apart);
+      dq.template head<2>() = log_position(moved, {0.0, 0.0, angle}).head<2>();
+      dq[2] = angle;
+      break;
+    }
+    case JointKind::FreeFlyer: {
+      const Eigen::Quaterniond from(Eigen::Vector4d(q0.template tail<4>()));
+      const Eigen::Quaterniond to(Eigen::Vector4d(q1.template tail<4>()));
+      const Vector3 w = quaternion_log(from.conjugate() * to);
+      const Vector3 apart = q1.template head<3>() - q0.template head<3>();
+      dq.template head<3>() = log_position(from.conjugate() * apart, w);
+      dq.template tail<3>() = w;
+      break;
+    }
+  }
+}
+
+/// d(quaternion * exp(w)) / dw at w = 0, the quaternion as x, y, z, w.
+Eigen::Matrix<double, 4, 3> quaternion_tangent(const Eigen::Vector4d& q) {
+  Eigen::Matrix<double, 4, 3> result;
+  result << q[3], -q[2], q[1], q[2], q[3], -q[0], -q[1], q[0], q[3], -q[0], -q[1], -q[2];
+  return 0.5 * result;
+}
+
+Eigen::Matrix2d pair_rotation(const Vector2& pair) {
+  Eigen::Matrix2d result;
+  result << pair[0], -pair[1], pair[1], pair[0];
+  return result;
+}
+
+template <class Entries, class Block>
+void tangent_joint(JointKind kind, const Entries& q, Block map) {
+  switch (kind) {
+    case JointKind::Revolute:
+    case JointKind::Prismatic:
+      map(0, 0) = 1.0;
+      break;
+    case JointKind::Continuous:
+      map.template topLeftCorner<2, 1>() = pair_rotation(q.template head<2>()).col(1);
+      break;
+    case JointKind::Planar: {
+      const Eigen::Matrix2d rotation = pair_rotation(q.template tail<2>());
+      map.template topLeftCorner<2, 2>() = rotation;
+      map.template block<2, 1>(2, 2) = rotation.col(1);
+      break;
+    }
+    case JointKind::FreeFlyer: {
+      const Eigen::Vector4d rotation = q.template tail<4>();
+      map.template topLeftCorner<3, 3>() = Eigen::Quaterniond(rotation).toRotationMatrix();
+      map.template bottomRightCorner<4, 3>() = quaternion_tangent(rotation);
+      break;
+    }
+  }
+}
+
+/// First entry in q of the joint's rotation and how many it has (0 for none).
+std::pair<int, int> unit_entries(const Joint& joint) {
+  switch (joint.kind) {
+    case JointKind::Revolute:
+    case JointKind::Prismatic:
+      return {joint.q_index, 0};
+    case JointKind::Continuous:
+      return {joint.q_index, 2};
+    case JointKind::Planar:
+      return {joint.q_index + 2, 2};
+    case JointKind::FreeFlyer:
+      return {joint.q_index + 3, 4};
+  }
+  return {joint.q_index, 0};
+}
+
+/// Uniform in [0, 1), the same with every standard library.
+double uniform(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
+
+double random_coordinate(double lower, double upper, double reach, std::mt19937_64& generator) {
+  if (std::isinf(lower) && std::isinf(upper)) {
+    lower = -reach;
+    upper = reach;
+  } else if (std::isinf(lower)) {
+    lower = upper - 2.0 * reach;
+  } else if (std::isinf(upper)) {
+    upper = lower + 2.0 * reach;
+  }
+  return lower + (upper - lower) * uniform(generator);
+}
+
+/// Uniform over rotations (K. Shoemake, Uniform random rotations, 1992).
+Eigen::Vector4d random_quaternion(std::mt19937_64& generator) {
+  const double split = uniform(generator);
+  const double a = 2.0 * std::numbers::pi * uniform(generator);
+  const double b = 2.0 * std::numbers::pi * uniform(generator);
+  const double s = std::sqrt(1.0 - split), c = std::sqrt(split);
+  return {s * std::sin(a), s * std::cos(a), c * std::sin(b), c * std::cos(b)};
+}
+
+void check_finite(const ConstVector& values, std::string_view argument) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw Error("argument " + in_quotes(argument) + ": entry " + std::to_string(i) + " is " +
+                number(values[i]) + "; wanted a finite number");
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd integrate(const Model& model, const ConstVector& q, const ConstVector& dq) {
+  check_size(q.size(), model.nq, "q");
+  check_size(dq.size(), model.nv, "dq");
+  Eigen::VectorXd result = q;
+  for (const Joint& joint : model.joints) {
+    integrate_joint(joint.kind, result.segment(joint.q_index, joint.nq),
+                    dq.segment(joint.v_index, joint.nv));
+  }
+  return result;
+}
+
+Eigen::VectorXd difference(const Model& model, const ConstVector& q0, const ConstVector& q1) {
+  check_size(q0.size(), model.nq, "q0");
+  check_size(q1.size(), model.nq, "q1");
+  Eigen::VectorXd dq(model.nv);
+  for (const Joint& joint : model.joints) {
+    difference_joint(joint.kind, q0.segment(joint.q_index, joint.nq),
+                     q1.segment(joint.q_index, joint.nq), dq.segment(joint.v_index, joint.nv));
+  }
+  return dq;
+}
+
+Eigen::MatrixXd tangent_map(const Model& model, const ConstVector& q) {
+  check_size(q.size(), model.nq, "q");
+  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(model.nq, model.nv);
+  for (const Joint& joint : model.joints) {
+    tangent_joint(joint.kind, q.segment(joint.q_index, joint.nq),
+                  map.block(joint.q_index, joint.v_index, joint.nq, joint.nv));
+  }
+  return map;
+}
+
+Eigen::VectorXd normalized(const Model& model, const ConstVector& q) {
+  check_size(q.size(), model.nq, "q");
+  Eigen::VectorXd result = q;
+  for (const Joint& joint : model.joints) {
+    const auto [first, size] = unit_entries(joint);
+    if (size == 0) continue;
+    const double length = result.segment(first, size).norm();
+    if (!(length > 1e-12) || !std::isfinite(length)) {
+      throw Error("argument 'q': the rotation of joint " + in_quotes(joint.name) + " has length " +
+                  number(length) + ", which gives no direction to normalise");
+    }
+    result.segment(first, size) /= length;
+  }
+  return result;
+}
+
+Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator) {
+  Eigen::VectorXd q(model.nq);
+  for (const Joint& joint : model.joints) {
+    auto entries = q.segment(joint.q_index, joint.nq);
+    if (joint.kind == JointKind::Continuous) {
+      entries.head<2>() = pair_of(2.0 * std::numbers::pi * uniform(generator));
+      continue;
+    }
+    const double reach = joint.kind == JointKind::Revolute ? std::numbers::pi : 1.0;
+    const int plain = joint.kind == JointKind::FreeFlyer ? 3
+                      : joint.kind == JointKind::Planar  ? 2
+                                                         : 1;
+    for (int i = 0; i < plain; ++i) {
+      entries[i] = random_coordinate(model.q_lower[joint.q_index + i],
+                                     model.q_upper[joint.q_index + i], reach, generator);
+    }
+    if (joint.kind == JointKind::Planar) {
+      entries.tail<2>() = pair_of(2.0 * std::numbers::pi * uniform(generator));
+    } else if (joint.kind == JointKind::FreeFlyer) {
+      entries.tail<4>() = random_quaternion(generator);
+    }
+  }
+  return q;
+}
+
+void check_configuration(const Model& model, const ConstVector& q, std::string_view argument) {
+  check_size(q.size(), model.nq, argument);
+  check_finite(q, argument);
+  for (const Joint& joint : model.joints) {
+    const auto [first, size] = unit_entries(joint);
+    if (size == 0) continue;
+    const double length = q.segment(first, size).norm();
+    if (std::abs(length - 1.0) <= unit_tolerance) continue;
+    throw Error("argument " + in_quotes(argument) + ": the " +
+                (size == 4 ? "quaternion" : "(cos, sin) pair") + " of joint " +
+                in_quotes(joint.name) + " at entry " + std::to_string(first) + " has length " +
+                number(length) + "; wanted 1");
+  }
+}
+
+void check_tangent(const Model& model, const ConstVector& v, std::string_view argument) {
+  check_size(v.size(), model.nv, argument);
+  check_finite(v, argument);
+}
+
+}  // namespace burnish

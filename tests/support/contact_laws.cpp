@@ -1,0 +1,278 @@
+#include "support/contact_laws.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/model/state.hpp"
+#include "support/autodiff.hpp"
+
+namespace burnish::test {
+
+const std::vector<LawRobot>& law_robots() {
+  static const std::vector<LawRobot> robots{
+      {"talos:right_arm", "tool", "torso_2_link"},
+      {"talos", "right_sole_link", "left_sole_link"},
+      {"arm7", "tool", "link_1"},
+      {"crane", "left_tip", "right_tip"},
+  };
+  return robots;
+}
+
+const std::vector<std::string>& law_references() {
+  static const std::vector<std::string> names{"local", "centered", "surface", "world"};
+  return names;
+}
+
+const std::vector<Directions>& law_directions() {
+  static const std::vector<Directions> sets{Directions::x(),
+                                            Directions::y(),
+                                            Directions::z(),
+                                            Directions::parse("x,y"),
+                                            Directions::linear(),
+                                            Directions::pad_z(),
+                                            Directions::parse("x,y,z,rx,ry"),
+                                            Directions::all()};
+  return sets;
+}
+
+int law_states() {
+  const char* text = std::getenv("BURNISH_TEST_STATES");
+  const int states = text == nullptr ? 100 : std::atoi(text);
+  return states > 0 ? states : 100;
+}
+
+namespace {
+
+enum class Gains { None, Split, Log6 };
+
+struct State {
+  Eigen::VectorXd q, v, tau;
+};
+
+Eigen::VectorXd uniform(int n, double bound, std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> draw(-bound, bound);
+  Eigen::VectorXd x(n);
+  for (double& entry : x) entry = draw(generator);
+  return x;
+}
+
+State random_state(const Model& model, std::mt19937_64& generator) {
+  return {random_configuration(model, generator), uniform(model.nv, 1.0, generator),
+          uniform(model.nv, 10.0, generator)};
+}
+
+Reference reference_of(const std::string& name) {
+  if (name != "surface") return Reference::parse(name);
+  const Eigen::AngleAxisd tilt(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized());
+  return Reference::surface(tilt.toRotationMatrix());
+}
+
+ContactSpec contact_of(const LawRobot& robot, const std::string& reference,
+                       const Directions& directions, bool two_bodies, Acceleration acceleration,
+                       Gains gains) {
+  ContactSpec spec;
+  spec.name = "contact";
+  spec.tool = robot.tool;
+  if (two_bodies) spec.base = robot.base;
+  spec.reference = reference_of(reference);
+  spec.directions = directions;
+  spec.acceleration = acceleration;
+  if (gains == Gains::None) return spec;
+  spec.error = gains == Gains::Log6 ? PoseError::Log6 : PoseError::Split;
+  spec.kp << 90.0, 100.0, 110.0, 80.0, 120.0, 95.0;
+  spec.kd << 19.0, 20.0, 21.0, 18.0, 22.0, 17.0;
+  spec.target.linear() =
+      Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.3, 1.0, -0.2).normalized()).toRotationMatrix();
+  spec.target.translation() = Eigen::Vector3d(0.3, -0.2, 0.1);
+  return spec;
+}
+
+/// The six derivative blocks, a over lambda.
+struct Blocks {
+  Eigen::MatrixXd dq, dv, dtau;
+};
+
+Blocks analytic(ContactDynamics& dynamics) {
+  dynamics.forward_derivatives();
+  const int n = dynamics.nv(), m = dynamics.rows();
+  Blocks blocks{Eigen::MatrixXd(n + m, n), Eigen::MatrixXd(n + m, n), Eigen::MatrixXd(n + m, n)};
+  blocks.dq << Eigen::MatrixXd(dynamics.da_dq()), Eigen::MatrixXd(dynamics.dlambda_dq());
+  blocks.dv << Eigen::MatrixXd(dynamics.da_dv()), Eigen::MatrixXd(dynamics.dlambda_dv());
+  blocks.dtau << Eigen::MatrixXd(dynamics.da_dtau()), Eigen::MatrixXd(dynamics.dlambda_dtau());
+  return blocks;
+}
+
+Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& lambda) {
+  Eigen::MatrixXd both(a.rows() + lambda.rows(), a.cols());
+  both << a, lambda;
+  return both;
+}
+
+Blocks by_autodiff(const Model& model, ConstrainedDynamics<Dual>& dynamics, const State& state,
+                   bool with_tau) {
+  Blocks blocks;
+  const auto rows = static_cast<std::size_t>(dynamics.rows());
+  dynamics.set_state(seeded_q(model, state.q).data(), seeded_v(model, state.v).data());
+  dynamics.forward(constant_duals(state.tau).data());
+  const std::span<const Dual> lambda(dynamics.lambda.data(), rows);
+  blocks.dq = stacked(d_dq(model, dynamics.a), d_dq(model, lambda));
+  blocks.dv = stacked(d_dv(model, dynamics.a), d_dv(model, lambda));
+  if (!with_tau) return blocks;
+  dynamics.set_state(constant_duals(state.q).data(), constant_duals(state.v).data());
+  dynamics.forward(seeded_v(model, state.tau).data());
+  blocks.dtau = stacked(d_dv(model, dynamics.a), d_dv(model, lambda));
+  return blocks;
+}
+
+Blocks by_differences(const Model& model, ContactDynamics& dynamics, const State& state,
+                      double step) {
+  const int n = model.nv, m = dynamics.rows();
+  Blocks blocks{Eigen::MatrixXd(n + m, n), Eigen::MatrixXd(n + m, n), Eigen::MatrixXd(n + m, n)};
+  const auto value = [&](const State& at) {
+    dynamics.forward(at.q, at.v, at.tau);
+    return stacked(dynamics.a(), dynamics.lambda());
+  };
+  for (int k = 0; k < n; ++k) {
+    const Eigen::VectorXd dx = step * Eigen::VectorXd::Unit(n, k);
+    const auto difference = [&](const State& plus, const State& minus) -> Eigen::VectorXd {
+      return (value(plus) - value(minus)) / (2.0 * step);
+    };
+    blocks.dq.col(k) =
+        difference({integrate(model, state.q, dx), state.v, state.tau},
+                   {integrate(model, state.q, Eigen::VectorXd(-dx)), state.v, state.tau});
+    blocks.dv.col(k) =
+        difference({state.q, state.v + dx, state.tau}, {state.q, state.v - dx, state.tau});
+    blocks.dtau.col(k) =
+        difference({state.q, state.v, state.tau + dx}, {state.q, state.v, state.tau - dx});
+  }
+  return blocks;
+}
+
+/// Central differences at two steps, extrapolated to fourth order.
+Blocks extrapolated_differences(const Model& model, ContactDynamics& dynamics, const State& state,
+                                double step) {
+  const Blocks wide = by_differences(model, dynamics, state, step);
+  const Blocks narrow = by_differences(model, dynamics, state, 0.5 * step);
+  return {(4.0 * narrow.dq - wide.dq) / 3.0, (4.0 * narrow.dv - wide.dv) / 3.0,
+          (4.0 * narrow.dtau - wide.dtau) / 3.0};
+}
+
+/// Largest difference relative to the largest entry of the block, a and lambda rows apart. A block
+/// of a that is zero in exact arithmetic (da/dtau of an arm held in as many directions as it has
+/// joints) is measured against `floor_a`.
+double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, int n, double floor_a) {
+  const auto part = [](const auto& g, const auto& w, double least) {
+    if (w.size() == 0) return 0.0;
+    const double error = (g - w).cwiseAbs().maxCoeff();
+    if (!std::isfinite(error)) return 1e300;
+    return error / std::max(w.cwiseAbs().maxCoeff(), least);
+  };
+  const auto m = got.rows() - n;
+  return std::max(part(got.topRows(n), want.topRows(n), floor_a),
+                  part(got.bottomRows(m), want.bottomRows(m), 1e-12));
+}
+
+/// The smallest pivot of J M^-1 J^T relative to its diagonal: how far a contact is from singular.
+bool near_singular(ContactDynamics& dynamics) {
+  if (dynamics.rows() == 0) return false;
+  const Eigen::MatrixXd J = dynamics.jacobian();
+  Eigen::MatrixXd G = J * dynamics.mass_matrix().llt().solve(J.transpose());
+  const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
+  G = scale.asDiagonal() * G * scale.asDiagonal();
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(G).eigenvalues().minCoeff();
+  return !(least > 1e-5);
+}
+
+std::string describe_case(const char* against, const char* block, Acceleration acceleration,
+                          Gains gains, int state) {
+  const char* stabilised = gains == Gains::None    ? "no gains"
+                           : gains == Gains::Split ? "split"
+                                                   : "log6";
+  return std::string(against) + " " + block + ", " + name_of(acceleration) + ", " + stabilised +
+         ", state " + std::to_string(state);
+}
+
+/// Entries of v that move tool against base: a contact with more rows cannot be held exactly.
+int relative_freedoms(const ContactSet& set) {
+  int count = 0;
+  for (const ContactSupport& entry : set.contacts()[0].support)
+    count += entry.moves_tool != entry.moves_base ? 1 : 0;
+  return count;
+}
+
+void run_case(const Model& model, const ContactSpec& spec, Acceleration acceleration, Gains gains,
+              int states, std::mt19937_64& generator, LawRow& row) {
+  ContactSolver solver;
+  const ContactSet set(model, {spec});
+  const bool compliant = relative_freedoms(set) < set.rows();
+  if (compliant) solver.mu = 0.05;
+  ContactDynamics dynamics(model, {spec}, solver);
+  ConstrainedDynamics<Dual> dual(model, set, solver);
+  const auto note = [&](const char* against, const char* block, double error, double& worst,
+                        int state) {
+    if (error <= worst) return;
+    worst = error;
+    if (error > 1e-9 || row.worst_case.empty())
+      row.worst_case = describe_case(against, block, acceleration, gains, state);
+  };
+  for (int i = 0; i < states; ++i) {
+    State state = random_state(model, generator);
+    dynamics.forward(state.q, state.v, state.tau);
+    while (!compliant && near_singular(dynamics)) {
+      ++row.resampled;
+      state = random_state(model, generator);
+      dynamics.forward(state.q, state.v, state.tau);
+    }
+    const Blocks got = analytic(dynamics);
+    const bool thorough = i % 20 == 0;
+    const Blocks want = by_autodiff(model, dual, state, thorough);
+    const int n = model.nv;
+    // What da/dtau would be without the contact.
+    const double free =
+        1e-3 * dynamics.mass_matrix().llt().solve(Eigen::MatrixXd::Identity(n, n)).maxCoeff();
+    note("autodiff", "d/dq", relative(got.dq, want.dq, n, 1e-12), row.autodiff, i);
+    note("autodiff", "d/dv", relative(got.dv, want.dv, n, 1e-12), row.autodiff, i);
+    ++row.states;
+    if (!thorough) continue;
+    note("autodiff", "d/dtau", relative(got.dtau, want.dtau, n, free), row.autodiff, i);
+    double dq = 1e300, dv = 1e300, dtau = 1e300;
+    for (const double step : {1e-3, 1e-4, 1e-5}) {
+      const Blocks rough = extrapolated_differences(model, dynamics, state, step);
+      dq = std::min(dq, relative(got.dq, rough.dq, n, 1e-12));
+      dv = std::min(dv, relative(got.dv, rough.dv, n, 1e-12));
+      dtau = std::min(dtau, relative(got.dtau, rough.dtau, n, free));
+    }
+    note("differences", "d/dq", dq, row.differences, i);
+    note("differences", "d/dv", dv, row.differences, i);
+    note("differences", "d/dtau", dtau, row.differences, i);
+  }
+}
+
+}  // namespace
+
+std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, int states) {
+  const Model model = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + robot.name).model;
+  std::mt19937_64 generator(20260);
+  std::vector<LawRow> rows;
+  for (const Directions& directions : law_directions())
+    for (const bool two_bodies : {false, true}) {
+      LawRow row;
+      row.directions = directions;
+      row.two_bodies = two_bodies;
+      for (const Acceleration acceleration :
+           {Acceleration::TimeDerivative, Acceleration::Spatial, Acceleration::Classical})
+        for (const Gains gains : {Gains::None, Gains::Split, Gains::Log6})
+          run_case(model, contact_of(robot, reference, directions, two_bodies, acceleration, gains),
+                   acceleration, gains, states, generator, row);
+      rows.push_back(row);
+    }
+  return rows;
+}
+
+}  // namespace burnish::test

@@ -1,0 +1,45 @@
+// The sweep over everything a contact can be: every reference x directions x one or two moving
+// bodies x acceleration x stabilisation, on a robot, over random states; each derivative block
+// compared with automatic differentiation through the same kernels and with central differences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/contact/solver_options.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish::test {
+
+/// A robot of the sweep: where a single contact sits, and which two bodies touch each other.
+struct LawRobot {
+  std::string name;  ///< for load_robot, under the repository's robots
+  std::string tool;  ///< frame C2
+  std::string base;  ///< frame C1 when two bodies move
+};
+const std::vector<LawRobot>& law_robots();
+
+/// "local", "centered", "surface", "world".
+const std::vector<std::string>& law_references();
+/// Direction sets by name, from one direction to six.
+const std::vector<Directions>& law_directions();
+
+/// Worst of a group of cases.
+struct LawRow {
+  Directions directions;
+  bool two_bodies = false;
+  double autodiff = 0.0;     ///< worst relative error against automatic differentiation
+  double differences = 0.0;  ///< against central differences
+  std::string worst_case;    ///< names block, acceleration, gains and state of the worst
+  int states = 0;            ///< evaluated, over all accelerations and gains
+  int resampled = 0;         ///< states replaced because their contact was near singular
+};
+
+/// One row per direction set and number of bodies.
+std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, int states);
+
+/// Number of random states per case: $BURNISH_TEST_STATES, or 100.
+int law_states();
+
+}  // namespace burnish::test
