@@ -90,25 +90,50 @@ auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContac
   return cholesky(active.rows, d);
 }
 
+namespace delassus_detail {
+
+/// C columns at once, in place: x <- C^-T C^-1 x, sums kept in registers.
+template <int C, class S>
+void solve_columns(const Delassus<S>& d, int rows, const int* columns, S* x, int stride) {
+  const S* const c = d.factor.data();
+  const int m = d.stride;
+  S sum[C];
+  const auto load = [&](int i) {
+    for (int s = 0; s < C; ++s) sum[s] = x[i * stride + columns[s]];
+  };
+  const auto subtract = [&](int k, const S& by) {
+    for (int s = 0; s < C; ++s) sum[s] -= by * x[k * stride + columns[s]];
+  };
+  const auto store = [&](int i) {
+    for (int s = 0; s < C; ++s) x[i * stride + columns[s]] = sum[s] * d.inverse_diagonal[i];
+  };
+  for (int i = 0; i < rows; ++i) {
+    load(i);
+    for (int k = 0; k < i; ++k) subtract(k, c[i * m + k]);
+    store(i);
+  }
+  for (int i = rows - 1; i >= 0; --i) {
+    load(i);
+    for (int k = i + 1; k < rows; ++k) subtract(k, c[k * m + i]);
+    store(i);
+  }
+}
+
+}  // namespace delassus_detail
+
 template <class S>
 void solve_delassus(const Delassus<S>& d, int rows, std::span<const int> columns, S* x,
                     int stride) {
-  const S* const c = d.factor.data();
-  const int m = d.stride;
-  const auto scale_row = [&](int k) {
-    for (const int j : columns) x[k * stride + j] = x[k * stride + j] * d.inverse_diagonal[k];
-  };
-  const auto subtract_row = [&](int i, int k, const S& by) {
-    for (const int j : columns) x[i * stride + j] -= by * x[k * stride + j];
-  };
-  for (int k = 0; k < rows; ++k) {
-    scale_row(k);
-    for (int i = k + 1; i < rows; ++i) subtract_row(i, k, c[i * m + k]);
+  using delassus_detail::solve_columns;
+  const int* column = columns.data();
+  auto left = columns.size();
+  for (; left >= 6; left -= 6, column += 6) solve_columns<6>(d, rows, column, x, stride);
+  if (left >= 3) {
+    solve_columns<3>(d, rows, column, x, stride);
+    left -= 3;
+    column += 3;
   }
-  for (int k = rows - 1; k >= 0; --k) {
-    scale_row(k);
-    for (int i = 0; i < k; ++i) subtract_row(i, k, c[k * m + i]);
-  }
+  for (; left > 0; --left, ++column) solve_columns<1>(d, rows, column, x, stride);
 }
 
 }  // namespace burnish

@@ -67,19 +67,30 @@ std::string gains_text(const ContactSpec& spec) {
   return kp + (kp.empty() || kd.empty() ? "" : ", ") + kd;
 }
 
+/// The words of all contacts, once where they are the same.
+std::string joined(const std::vector<ContactSpec>& contacts,
+                   const std::function<std::string(const ContactSpec&)>& word) {
+  const std::string first = word(contacts.front());
+  std::string text = first;
+  bool same = true;
+  for (std::size_t i = 1; i < contacts.size(); ++i) {
+    const std::string next = word(contacts[i]);
+    same = same && next == first;
+    text += " + " + next;
+  }
+  return same ? first : text;
+}
+
 CheckRow describe_row(const std::vector<ContactSpec>& contacts) {
   CheckRow row;
-  for (const ContactSpec& spec : contacts) {
-    const auto join = [](std::string& text, const std::string& word) {
-      text += (text.empty() ? "" : " + ") + word;
-    };
-    join(row.reference, spec.reference.name());
-    join(row.directions, spec.directions.text());
-    join(row.bodies, spec.tool + " on " + spec.base);
-    join(row.acceleration, name_of(spec.acceleration));
-    join(row.error, gain_text("kp", spec, spec.kp).empty() ? "-" : name_of(spec.error));
-    join(row.gains, gains_text(spec));
-  }
+  row.reference = joined(contacts, [](const auto& spec) { return spec.reference.name(); });
+  row.directions = joined(contacts, [](const auto& spec) { return spec.directions.text(); });
+  row.bodies = joined(contacts, [](const auto& spec) { return spec.tool + " on " + spec.base; });
+  row.acceleration = joined(contacts, [](const auto& spec) { return name_of(spec.acceleration); });
+  row.error = joined(contacts, [](const auto& spec) -> std::string {
+    return gain_text("kp", spec, spec.kp).empty() ? "-" : name_of(spec.error);
+  });
+  row.gains = joined(contacts, gains_text);
   return row;
 }
 

@@ -83,13 +83,14 @@ std::string CheckReport::text() const {
     if (!row.pass) text += failure_text(row);
   if (failed > 0) {
     return text + "FAIL: " + std::to_string(failed) + " of " + std::to_string(rows.size()) +
-           " rows\n";
+           (rows.size() == 1 ? " row\n" : " rows\n");
   }
   const auto worst = std::max_element(rows.begin(), rows.end(), [](const auto& x, const auto& y) {
     return x.worst_error < y.worst_error;
   });
-  return text + "pass: all " + std::to_string(rows.size()) + " rows, worst error " +
-         scientific(worst->worst_error) + "\n";
+  const std::string passed =
+      rows.size() == 1 ? "1 row" : "all " + std::to_string(rows.size()) + " rows";
+  return text + "pass: " + passed + ", worst error " + scientific(worst->worst_error) + "\n";
 }
 
 }  // namespace burnish

@@ -19,18 +19,19 @@ struct EntryMotion {
   Motion<S> tool_rate;             ///< psi'_k where it moves the tool, else zero
 };
 
-template <class S>
+/// `two_bodies` is false where the base is the world, which saves what would be zero.
+template <bool two_bodies, class S>
 BURNISH_INLINE EntryMotion<S> entry_motion(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
     const InverseDynamics<S>& id, const ContactState<S>& state, const ContactAccelerations<S>& at) {
   const AxisState<S>& axis = kinematics.axes[entry.v];
   const Motion<S> zero = Motion<S>::zero();
   EntryMotion<S> m;
-  m.tool = entry.moves_tool ? axis.axis : zero;
-  m.base = entry.moves_base ? axis.axis : zero;
-  m.tool_rate = entry.moves_tool ? axis.parent_rate : zero;
+  m.tool = !two_bodies || entry.moves_tool ? axis.axis : zero;
+  m.base = two_bodies && entry.moves_base ? axis.axis : zero;
+  m.tool_rate = !two_bodies || entry.moves_tool ? axis.parent_rate : zero;
   m.xi = seen_from_reference(contact, state.p, m.tool, m.base);
-  if (entry.moves_tool && entry.moves_base) {
+  if (two_bodies && entry.moves_tool && entry.moves_base) {
     // Tool and base move as one: nothing changes seen from the tool.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
     return m;
@@ -41,14 +42,14 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   m.dalpha_dq = id.axis_acc[entry.v];
   m.dalpha_dq.linear += cross(at.gravity, axis.axis.angular);
   m.dalpha_dv = axis.rate_sum - cross(state.v_tool, axis.axis);
-  if (contact.base_body >= 0) {
+  if constexpr (two_bodies) {
     const Motion<S> carried = cross(axis.axis, state.v_base);
     m.dnu_dq += carried;
     m.dalpha_dq += cross(axis.axis, at.a_base) + cross(axis.parent_rate, state.v_base);
     m.dalpha_dv += carried;
   }
   m.dalpha_dq = m.dalpha_dq - cross(state.v_tool, m.dnu_dq);
-  if (entry.moves_base) {
+  if (two_bodies && entry.moves_base) {
     m.relative = -m.relative;
     m.dnu_dq = -m.dnu_dq;
     m.dalpha_dq = -m.dalpha_dq;
@@ -57,33 +58,29 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   return m;
 }
 
-/// Derivatives of eta seen from the tool: {by q, by v}.
+/// False where eta is zero for every motion.
+inline bool eta_matters(const CompiledContact& contact) {
+  return contact.spec.acceleration == Acceleration::Classical ||
+         (contact.spec.acceleration == Acceleration::TimeDerivative &&
+          (at_world_origin(contact) || contact.spec.reference.axes != Reference::Axes::Tool));
+}
+/// False where xi is zero for every motion: the reference is fixed to the tool.
+inline bool xi_matters(const CompiledContact& contact) {
+  return at_world_origin(contact) || contact.spec.reference.axes != Reference::Axes::Tool;
+}
+
+/// Derivatives of eta's angular part seen from the tool, for an origin at the tool.
 template <class S>
-struct EtaRates {
-  Motion<S> dq, dv;
+struct TurningRates {
+  Vec3<S> dq, dv;
 };
 template <class S>
-BURNISH_INLINE EtaRates<S> eta_rates(const CompiledContact& contact, const ContactState<S>& state,
-                                     const EntryMotion<S>& m) {
-  const Motion<S> zero = Motion<S>::zero();
-  switch (contact.spec.acceleration) {
-    case Acceleration::Spatial:
-      return {zero, zero};
-    case Acceleration::Classical:
-      return {turning_at(state.p, m.tool_rate.angular), turning_at(state.p, m.tool.angular)};
-    case Acceleration::TimeDerivative:
-      break;
-  }
-  if (at_world_origin(contact)) return {m.tool_rate, m.tool};
-  switch (contact.spec.reference.axes) {
-    case Reference::Axes::Tool:
-      return {zero, zero};
-    case Reference::Axes::Base:
-      return {turning_at(state.p, m.dnu_dq.angular), turning_at(state.p, m.relative.angular)};
-    case Reference::Axes::World:
-      return {turning_at(state.p, m.tool_rate.angular), turning_at(state.p, m.tool.angular)};
-  }
-  return {zero, zero};
+BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
+                                             const EntryMotion<S>& m) {
+  const bool with_base = contact.spec.acceleration == Acceleration::TimeDerivative &&
+                         contact.spec.reference.axes == Reference::Axes::Base;
+  if (with_base) return {m.dnu_dq.angular, m.relative.angular};
+  return {m.tool_rate.angular, m.tool.angular};
 }
 
 /// Derivative by q_k of the error's components in the reference, times minus one row at a time.
@@ -130,46 +127,118 @@ ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledCo
   return at;
 }
 
+namespace contact_detail {
+
+/// d(alpha)/dq_k and /dv_k in world axes, at the reference's origin.
+template <class S>
+struct EntryRates {
+  Motion<S> dq, dv;
+};
+
+/// What all entries share when the origin is at the tool: nu and alpha there.
+template <class S>
+struct AtTool {
+  Motion<S> nu, alpha;
+};
+
+/// Origin at the tool: eta and xi turn about the tool's point, so that only their angular parts
+/// count, and the angular rows are left out when none is held.
+template <class S>
+BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
+                                           const ContactState<S>& state, const AtTool<S>& there,
+                                           const EntryMotion<S>& m) {
+  EntryRates<S> r{at_point(m.dalpha_dq, state.p), at_point(m.dalpha_dv, state.p)};
+  if (eta_matters(contact)) {
+    const TurningRates<S> eta = turning_rates(contact, m);
+    const Vec3<S>& w = state.eta.angular;
+    const Motion<S> dnu = at_point(m.dnu_dq, state.p), axis = at_point(m.relative, state.p);
+    r.dq.linear += cross(eta.dq, there.nu.linear) + cross(w, dnu.linear);
+    r.dv.linear += cross(eta.dv, there.nu.linear) + cross(w, axis.linear);
+    if (contact.holds_rotation) {
+      r.dq.angular += cross(eta.dq, there.nu.angular) + cross(w, dnu.angular);
+      r.dv.angular += cross(eta.dv, there.nu.angular) + cross(w, axis.angular);
+    }
+  }
+  if (xi_matters(contact)) {
+    r.dq.linear += cross(m.xi.angular, there.alpha.linear);
+    if (contact.holds_rotation) r.dq.angular += cross(m.xi.angular, there.alpha.angular);
+  }
+  return r;
+}
+
+/// Origin at the world's: the general rule.
+template <class S>
+BURNISH_INLINE EntryRates<S> rates_at_world_origin(const CompiledContact& contact,
+                                                   const ContactState<S>& state,
+                                                   const ContactAccelerations<S>& at,
+                                                   const EntryMotion<S>& m) {
+  EntryRates<S> r{m.dalpha_dq + cross(m.xi, at.alpha), m.dalpha_dv};
+  if (!eta_matters(contact)) return r;
+  Motion<S> eta_dq = m.tool_rate, eta_dv = m.tool;
+  if (contact.spec.acceleration == Acceleration::Classical) {
+    eta_dq = turning_at(state.p, m.tool_rate.angular);
+    eta_dv = turning_at(state.p, m.tool.angular);
+  }
+  r.dq += cross(eta_dq, state.nu) + cross(state.eta, m.dnu_dq);
+  r.dv += cross(eta_dv, state.nu) + cross(state.eta, m.relative);
+  return r;
+}
+
+/// Subtracts the held rows of a motion, each times its gain, from out[row * stride].
+template <class S>
+BURNISH_INLINE void subtract_rows(const CompiledContact& contact, const ContactState<S>& state,
+                                  const Motion<S>& m, const Vector6& gain, S* out, int stride) {
+  for (const int d : contact.directions) {
+    *out -= S(gain[d]) * component(state.axes, m, d);
+    out += stride;
+  }
+}
+
+template <bool two_bodies, class S>
+void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                              const InverseDynamics<S>& id, const ContactState<S>& state,
+                              const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
+                              int stride) {
+  const AtTool<S> there{at_point(state.nu, state.p), at_point(at.alpha, state.p)};
+  const ContactSpec& spec = contact.spec;
+  LogCoefficients<S> log{S(0.0), S(0.0), S(0.0)};
+  if (contact.proportional) log = log_coefficients(state.rotation_angle);
+  for (const ContactSupport& entry : contact.support) {
+    const auto m = entry_motion<two_bodies>(contact, entry, kinematics, id, state, at);
+    const EntryRates<S> rates = at_world_origin(contact)
+                                    ? rates_at_world_origin(contact, state, at, m)
+                                    : rates_at_tool(contact, state, there, m);
+    S* out_q = minus_dq + entry.v;
+    S* out_v = minus_dv + entry.v;
+    int r = 0;
+    for (const int d : contact.directions) {
+      out_q[r * stride] = -component(state.axes, rates.dq, d);
+      out_v[r++ * stride] = -component(state.axes, rates.dv, d);
+    }
+    if (contact.damped) {
+      const Motion<S> nu_q = at_point(m.dnu_dq + cross(m.xi, state.nu), state.origin);
+      subtract_rows(contact, state, nu_q, spec.kd, out_q, stride);
+      subtract_rows(contact, state, at_point(m.relative, state.origin), spec.kd, out_v, stride);
+    }
+    if (contact.proportional)
+      subtract_rows(contact, state, error_derivative(contact, state, log, m), spec.kp, out_q,
+                    stride);
+  }
+}
+
+}  // namespace contact_detail
+
 template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                       const ContactState<S>& state,
                                       const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
                                       int stride) {
-  using namespace contact_detail;
-  LogCoefficients<S> log{S(0.0), S(0.0), S(0.0)};
-  if (contact.proportional) log = log_coefficients(state.rotation_angle);
-  for (const ContactSupport& entry : contact.support) {
-    const EntryMotion<S> m = entry_motion(contact, entry, kinematics, id, state, at);
-    const EtaRates<S> eta = eta_rates(contact, state, m);
-    const Motion<S> dq = at_point(
-        m.dalpha_dq + cross(eta.dq, state.nu) + cross(state.eta, m.dnu_dq) + cross(m.xi, at.alpha),
-        state.origin);
-    const Motion<S> dv = at_point(
-        m.dalpha_dv + cross(eta.dv, state.nu) + cross(state.eta, m.relative), state.origin);
-    S* out_q = minus_dq + entry.v;
-    S* out_v = minus_dv + entry.v;
-    int r = 0;
-    for (const int d : contact.directions) {
-      out_q[r * stride] = -component(state.axes, dq, d);
-      out_v[r++ * stride] = -component(state.axes, dv, d);
-    }
-    if (contact.damped) {
-      const Motion<S> nu_q = at_point(m.dnu_dq + cross(m.xi, state.nu), state.origin);
-      const Motion<S> nu_v = at_point(m.relative, state.origin);
-      r = 0;
-      for (const int d : contact.directions) {
-        const S kd(contact.spec.kd[d]);
-        out_q[r * stride] -= kd * component(state.axes, nu_q, d);
-        out_v[r++ * stride] -= kd * component(state.axes, nu_v, d);
-      }
-    }
-    if (contact.proportional) {
-      const Motion<S> e = error_derivative(contact, state, log, m);
-      r = 0;
-      for (const int d : contact.directions)
-        out_q[r++ * stride] -= S(contact.spec.kp[d]) * component(state.axes, e, d);
-    }
+  using contact_detail::acceleration_derivatives;
+  if (contact.base_body < 0) {
+    acceleration_derivatives<false>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
+  } else {
+    acceleration_derivatives<true>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 
+#include <algorithm>
+
 #include "burnish/derivatives/constrained_derivatives.hpp"
 #include "derivatives/wrench_transport.tpp"
 
@@ -7,6 +9,13 @@ namespace burnish {
 
 extern template class ConstrainedDynamics<double>;
 extern template class ConstrainedDerivatives<double>;
+
+namespace {
+
+/// Results of a status that leaves no numbers.
+void set_zero(std::vector<double>& values) { std::fill(values.begin(), values.end(), 0.0); }
+
+}  // namespace
 
 struct ContactDynamics::Impl {
   Impl(const Model& model, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
@@ -45,13 +54,23 @@ struct ContactDynamics::Impl {
       const CompiledContact& contact = set.contacts()[c];
       const int first = dynamics.active().first_row[c];
       burnish::contact_velocity(contact, dynamics.contact_states[c], velocity.data() + first);
-      if (contact.proportional) {
-        burnish::contact_error(contact, dynamics.contact_states[c], error.data() + first);
-      } else {
-        error.segment(first, static_cast<int>(contact.directions.size())).setZero();
-      }
     }
     return dynamics.status();
+  }
+
+  /// The pose error of the last state. The kernel computes it for contacts with a proportional gain
+  /// only; the others are added here, where it is asked for.
+  void load_error() {
+    for (const int c : dynamics.active().contacts) {
+      const CompiledContact& contact = set.contacts()[c];
+      ContactState<double> state = dynamics.contact_states[c];
+      if (!contact.proportional) {
+        const auto base = contact_detail::pose_of<double>(contact.base_body, contact.base_R,
+                                                          contact.base_p, dynamics.kinematics());
+        contact_detail::update_error(contact, base, state);
+      }
+      burnish::contact_error(contact, state, error.data() + dynamics.active().first_row[c]);
+    }
   }
 
   ContactSet set;
@@ -116,12 +135,22 @@ Status ContactDynamics::inverse(const ConstVectorRef& q, const ConstVectorRef& v
   if (a.size() != impl_->nv || lambda.size() != rows()) return impl_->last = Status::WrongSize;
   impl_->last = impl_->load(q, v);
   if (impl_->last == Status::WrongSize) return impl_->last;
+  if (!a.allFinite() || !lambda.allFinite()) impl_->last = worst(impl_->last, Status::NotFinite);
+  if (impl_->last > Status::NotConverged) {
+    set_zero(impl_->dynamics.tau);
+    return impl_->last;
+  }
   impl_->dynamics.inverse(a.data(), lambda.data());
   return impl_->last = impl_->dynamics.status();
 }
 
 Status ContactDynamics::inverse_derivatives() {
   if (impl_->last == Status::WrongSize) return impl_->last;
+  if (impl_->last > Status::NotConverged) {
+    set_zero(impl_->derivatives.rhs_q);
+    set_zero(impl_->derivatives.rhs_v);
+    return impl_->last;
+  }
   impl_->derivatives.inverse(impl_->dynamics);
   return impl_->last;
 }
@@ -131,14 +160,24 @@ Status ContactDynamics::acceleration(const ConstVectorRef& q, const ConstVectorR
   if (a.size() != impl_->nv) return impl_->last = Status::WrongSize;
   impl_->last = impl_->load(q, v);
   if (impl_->last == Status::WrongSize) return impl_->last;
+  if (!a.allFinite()) impl_->last = worst(impl_->last, Status::NotFinite);
+  if (impl_->last > Status::NotConverged) {
+    set_zero(impl_->dynamics.alpha);
+    return impl_->last;
+  }
   impl_->dynamics.acceleration(a.data());
   return impl_->last = impl_->dynamics.status();
 }
 
 Status ContactDynamics::acceleration_derivatives() {
   if (impl_->last == Status::WrongSize) return impl_->last;
-  impl_->derivatives.acceleration(impl_->dynamics);
   const int m = rows();
+  if (impl_->last > Status::NotConverged) {
+    impl_->negated_q.setZero();
+    impl_->negated_v.setZero();
+    return impl_->last;
+  }
+  impl_->derivatives.acceleration(impl_->dynamics);
   impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_q);
   impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_v);
   return impl_->last;
@@ -174,7 +213,10 @@ MatrixView ContactDynamics::dalpha_dv() const {
   return {impl_->negated_v.data(), rows(), impl_->nv};
 }
 VectorView ContactDynamics::contact_velocity() const { return {impl_->velocity.data(), rows()}; }
-VectorView ContactDynamics::contact_error() const { return {impl_->error.data(), rows()}; }
+VectorView ContactDynamics::contact_error() const {
+  impl_->load_error();
+  return {impl_->error.data(), rows()};
+}
 int ContactDynamics::proximal_iterations() const { return impl_->dynamics.proximal_iterations; }
 double ContactDynamics::proximal_residual() const { return impl_->dynamics.proximal_residual[0]; }
 

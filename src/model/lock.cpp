@@ -79,8 +79,8 @@ void check_posture(const Locking& locking) {
 }
 
 const JointSpec& leader_of(const Locking& locking, const JointSpec& joint) {
-  const JointSpec& leader =
-      find_joint(locking, joint.mimic->leader, "joint " + in_quotes(joint.name) + " copies joint");
+  const JointSpec& leader = find_joint(locking, joint.mimic->leader,
+                                       "mimic joint " + in_quotes(joint.name) + ": its leader");
   if (posture_size(leader.type) != 1) {
     refuse(locking.tree, "joint " + in_quotes(joint.name) + " copies joint " +
                              in_quotes(leader.name) +

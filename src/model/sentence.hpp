@@ -18,9 +18,12 @@ inline std::string number(double value) {
   return text;
 }
 
+/// A name between quotes; what is too long for a name is cut.
 inline std::string in_quotes(std::string_view name) {
+  constexpr std::size_t longest = 80;
   std::string result(1, '\'');
-  return result.append(name).append(1, '\'');
+  result.append(name.substr(0, longest)).append(name.size() > longest ? "..." : "");
+  return result.append(1, '\'');
 }
 
 /// What a sentence starts with: the file that was read, or else the robot's name.
@@ -29,9 +32,13 @@ inline std::string origin_of(const TreeSpec& tree) {
   return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
 }
 
-/// Throws Error("<origin>: <what>").
+/// Throws Error("<origin>: <what>") on one line, whatever a file holds between its quotes.
 [[noreturn]] inline void refuse(const std::string& origin, const std::string& what) {
-  throw Error(origin + ": " + what);
+  std::string sentence = origin + ": " + what;
+  for (char& letter : sentence) {
+    if (static_cast<unsigned char>(letter) < 0x20) letter = ' ';
+  }
+  throw Error(sentence);
 }
 [[noreturn]] inline void refuse(const TreeSpec& tree, const std::string& what) {
   refuse(origin_of(tree), what);

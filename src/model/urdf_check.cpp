@@ -127,8 +127,8 @@ const char* own_colour(XMLElement& material, const XmlPlace& place) {
   const std::vector<double> rgba = *numbers(*colour, "rgba", 4, place);
   for (const double value : rgba) {
     if (value >= 0.0 && value <= 1.0) continue;
-    refuse(place, "<color> has rgba=\"" + std::string(colour->Attribute("rgba")) +
-                      "\"; its numbers must be from 0 to 1");
+    refuse(place, "<color> has rgba = " + in_quotes(colour->Attribute("rgba")) +
+                      "; its numbers must be from 0 to 1");
   }
   return colour->Attribute("rgba");
 }

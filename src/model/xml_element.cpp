@@ -39,7 +39,7 @@ std::string plain(double value) {
 }  // namespace
 
 void refuse(const XmlPlace& place, const std::string& what) {
-  throw Error(place.source + ": " + (place.element.empty() ? "" : place.element + ": ") + what);
+  refuse(place.source, place.element + ": " + what);
 }
 
 tinyxml2::XMLElement* only_child(tinyxml2::XMLElement& parent, const char* name,
@@ -75,7 +75,7 @@ std::optional<std::vector<double>> numbers(tinyxml2::XMLElement& element, const 
   const char* text = element.Attribute(attribute);
   if (text == nullptr) return std::nullopt;
   const auto wrong = [&](const std::string& wanted) {
-    refuse(place, tag(element) + " has " + attribute + "=\"" + text + "\"; " + wanted);
+    refuse(place, tag(element) + " has " + attribute + " = " + in_quotes(text) + "; " + wanted);
   };
   std::vector<double> values;
   std::string rewritten;

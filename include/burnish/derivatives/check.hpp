@@ -57,7 +57,7 @@ struct CheckEntry {
   int state = -1;         ///< which of the random states, from 0
 };
 
-/// One set of contacts at all states. Where there are several contacts, words are joined by " + ".
+/// One set of contacts at all states. Words that differ between contacts are joined by " + ".
 struct CheckRow {
   std::string reference, directions;
   std::string bodies;  ///< "tool on base"

@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// What is done with the sum.
-enum class Gram { Set, Add, Subtract, SetNegative };
+enum class Gram { Set, Add, SetNegative };
 
 /// A matrix in memory: first entry and distance between rows.
 template <class S>
@@ -19,6 +19,14 @@ struct Strided {
 };
 
 namespace gram_detail {
+
+// Accumulators, one row of B and one entry of A fill the target's vector registers: 32 with
+// AVX-512 and NEON, 16 otherwise.
+#if defined(__AVX512F__) || defined(__aarch64__)
+inline constexpr int tile_rows = 6, tile_columns = 4;
+#else
+inline constexpr int tile_rows = 4, tile_columns = 3;
+#endif
 
 template <Gram mode, int R, int C, class S>
 BURNISH_INLINE void tile(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i,
@@ -48,35 +56,36 @@ BURNISH_INLINE void tile(Strided<const S> a, Strided<const S> b, std::span<const
       S& out = c.data[(i + r) * c.stride + j + s];
       if constexpr (mode == Gram::Set) out = sum[r][s];
       if constexpr (mode == Gram::Add) out += sum[r][s];
-      if constexpr (mode == Gram::Subtract) out -= sum[r][s];
       if constexpr (mode == Gram::SetNegative) out = -sum[r][s];
     }
 }
 
+/// Tiles of R rows over columns j0 to j1.
 template <Gram mode, int R, class S>
-BURNISH_INLINE void tile_row(Strided<const S> a, Strided<const S> b, std::span<const int> rows,
-                             int i, int j0, int j1, Strided<S> c) {
+void tile_row(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i, int j0,
+              int j1, Strided<S> c) {
   int j = j0;
-  for (; j + 3 <= j1; j += 3) tile<mode, R, 3>(a, b, rows, i, j, c);
+  for (; j + tile_columns <= j1; j += tile_columns)
+    tile<mode, R, tile_columns>(a, b, rows, i, j, c);
+  if constexpr (tile_columns > 3) {
+    if (j + 3 == j1) tile<mode, R, 3>(a, b, rows, i, j, c);
+  }
   if (j + 2 == j1) tile<mode, R, 2>(a, b, rows, i, j, c);
   if (j + 1 == j1) tile<mode, R, 1>(a, b, rows, i, j, c);
 }
 
 }  // namespace gram_detail
 
-/// C(i0..i1, j0..j1) from columns i of A and columns j of B, over the given rows of both. Tiles of
-/// 4 x 3 accumulators fill the 16 vector registers of AVX2.
+/// C(i0..i1, j0..j1) from columns i of A and columns j of B, over the given rows of both.
 template <Gram mode, class S>
 void gram(Strided<const S> a, Strided<const S> b, std::span<const int> rows, int i0, int i1, int j0,
           int j1, Strided<S> c) {
   using namespace gram_detail;
   int i = i0;
-  for (; i + 4 <= i1; i += 4) tile_row<mode, 4>(a, b, rows, i, j0, j1, c);
-  if (i + 3 == i1) {
-    tile_row<mode, 3>(a, b, rows, i, j0, j1, c);
-  } else {
-    for (; i < i1; ++i) tile_row<mode, 1>(a, b, rows, i, j0, j1, c);
-  }
+  for (; i + tile_rows <= i1; i += tile_rows) tile_row<mode, tile_rows>(a, b, rows, i, j0, j1, c);
+  for (; i + 3 <= i1; i += 3) tile_row<mode, 3>(a, b, rows, i, j0, j1, c);
+  if (i + 2 == i1) tile_row<mode, 2>(a, b, rows, i, j0, j1, c);
+  if (i + 1 == i1) tile_row<mode, 1>(a, b, rows, i, j0, j1, c);
 }
 
 }  // namespace burnish

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "burnish/base/abi.hpp"
+#include "burnish/base/error.hpp"
 #include "burnish/model/tree_spec.hpp"
 
 namespace burnish {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "burnish/base/error.hpp"
 #include "burnish/model/tree_spec.hpp"
 
 namespace burnish {

@@ -1,0 +1,255 @@
+// Dynamics and contact forces against MuJoCo, which shares no code with burnish.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/model/state.hpp"
+#include "support/mujoco_model.hpp"
+#include "support/trees.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr int states = 60;
+
+Eigen::VectorXd uniform(int n, double bound, std::mt19937_64& generator) {
+  Eigen::VectorXd x(n);
+  for (double& entry : x) entry = testing::uniform(generator, -bound, bound);
+  return x;
+}
+
+Model robot(const std::string& name) {
+  return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name).model;
+}
+
+/// Worst errors, each relative to the largest entry of what is compared; kept as properties of the
+/// test.
+class Worst {
+ public:
+  void note(const std::string& what, const Eigen::Ref<const Eigen::MatrixXd>& got,
+            const Eigen::Ref<const Eigen::MatrixXd>& want) {
+    const double error =
+        (got - want).cwiseAbs().maxCoeff() / std::max(want.cwiseAbs().maxCoeff(), 1e-9);
+    double& worst = worst_[what];
+    worst = std::isfinite(error) ? std::max(worst, error) : 1e300;
+  }
+  void expect_below(double tolerance) const {
+    for (const auto& [what, error] : worst_) {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.1e", error);
+      ::testing::Test::RecordProperty(what, text);
+      EXPECT_LE(error, tolerance) << what;
+    }
+  }
+
+ private:
+  std::map<std::string, double> worst_;
+};
+
+ContactSpec held(const std::string& tool, const std::string& base, const Directions& directions) {
+  ContactSpec spec;
+  spec.name = tool;
+  spec.tool = tool;
+  spec.base = base;
+  spec.directions = directions;
+  spec.acceleration = Acceleration::Classical;
+  return spec;
+}
+
+void compare_free_motion(const Model& model, Worst& worst) {
+  MujocoModel theirs(model);
+  ContactDynamics ours(model);
+  std::mt19937_64 generator(7);
+  for (int i = 0; i < states; ++i) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
+    const Eigen::VectorXd tau = uniform(model.nv, 20.0, generator);
+    const Eigen::VectorXd a = uniform(model.nv, 5.0, generator);
+    theirs.set_state(q, v);
+    ASSERT_EQ(ours.forward(q, v, tau), Status::Ok);
+    worst.note("mass_matrix", ours.mass_matrix(), theirs.mass_matrix());
+    worst.note("bias", ours.bias(), theirs.bias());
+    worst.note("forward", ours.a(), theirs.forward(tau));
+    ASSERT_EQ(ours.inverse(q, v, a, Eigen::VectorXd(0)), Status::Ok);
+    worst.note("inverse", ours.tau(), theirs.inverse(a));
+  }
+}
+
+struct Case {
+  std::string robot;
+  std::vector<std::string> frames;
+};
+
+class Mujoco : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Mujoco, agrees_on_the_dynamics_without_contact) {
+  Worst worst;
+  compare_free_motion(robot(GetParam().robot), worst);
+  worst.expect_below(1e-10);
+}
+
+TEST_P(Mujoco, agrees_on_the_placements_and_jacobians_of_frames) {
+  const Model model = robot(GetParam().robot);
+  MujocoModel theirs(model);
+  std::mt19937_64 generator(8);
+  Worst worst;
+  for (const std::string& frame : GetParam().frames) {
+    ContactDynamics ours(model, {held(frame, "world", Directions::all())});
+    for (int i = 0; i < states; ++i) {
+      const Eigen::VectorXd q = random_configuration(model, generator);
+      const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
+      theirs.set_state(q, v);
+      ASSERT_EQ(ours.acceleration(q, v, v), Status::Ok);
+      worst.note("jacobian", ours.jacobian(), theirs.jacobian(frame));
+      worst.note("velocity", ours.contact_velocity(), theirs.jacobian(frame) * v);
+      const Eigen::Vector3d p = theirs.placement(frame).translation();
+      const Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
+      // Near-singular postures are welcome: the placement does not depend on the contact.
+      ours.forward(q, v, tau);
+      worst.note("position", ours.force(0).tool_position, p);
+      worst.note("rotation", ours.force(0).tool_rotation, theirs.placement(frame).linear());
+    }
+  }
+  worst.expect_below(1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(robots, Mujoco,
+                         ::testing::Values(Case{"talos:fixed", {"tool", "left_sole_link"}},
+                                           Case{"talos:right_arm", {"tool"}},
+                                           Case{"talos",
+                                                {"tool", "left_sole_link", "right_sole_link"}},
+                                           Case{"arm7", {"tool"}}, Case{"arm7:floating", {"tool"}},
+                                           Case{"crane", {"left_tip", "right_tip"}},
+                                           Case{"crane:floating", {"left_tip", "right_tip"}}),
+                         [](const auto& test) {
+                           std::string name = test.param.robot;
+                           for (char& c : name)
+                             if (c == ':') c = '_';
+                           return name;
+                         });
+
+TEST(MujocoTrees, agrees_on_trees_of_every_kind_of_joint) {
+  std::mt19937_64 generator(11);
+  Worst worst;
+  for (int i = 0; i < 4; ++i) {
+    ModelOptions options;
+    options.base = i % 2 == 0 ? Base::Fixed : Base::FreeFlyer;
+    options.gravity = 9.0 * testing::random_vector(generator);
+    compare_free_motion(build_model(testing::random_tree(generator, 10), options), worst);
+  }
+  worst.expect_below(1e-10);
+}
+
+/// v without its part that moves the ties.
+Eigen::VectorXd at_rest(ContactDynamics& ours, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  ours.acceleration(q, v, v);
+  const Eigen::MatrixXd J = ours.jacobian();
+  return v - J.completeOrthogonalDecomposition().solve(J * v);
+}
+
+bool near_singular(ContactDynamics& ours) {
+  const Eigen::MatrixXd J = ours.jacobian();
+  const Eigen::MatrixXd G = J * ours.mass_matrix().llt().solve(J.transpose());
+  const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
+  return !(Eigen::MatrixXd(scale.asDiagonal() * G * scale.asDiagonal())
+               .selfadjointView<Eigen::Lower>()
+               .eigenvalues()
+               .minCoeff() > 1e-4);
+}
+
+enum class Velocity { Zero, Tied, Any };
+
+/// Compares at random states. mu is MuJoCo's compliance, `ours_mu` that of burnish.
+void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocity velocity,
+                  double mu, double ours_mu, Worst& worst) {
+  const Model model = robot(name);
+  std::vector<ContactSpec> contacts;
+  for (const Tie& tie : ties)
+    contacts.push_back(
+        held(tie.tool, tie.base,
+             tie.kind == Tie::Kind::Weld ? Directions::all() : Directions::linear()));
+  ContactSolver solver;
+  solver.mu = ours_mu;
+  ContactDynamics ours(model, contacts, solver);
+  MujocoModel theirs(model, ties);
+  std::mt19937_64 generator(9);
+  for (int i = 0; i < states;) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
+    if (velocity == Velocity::Tied) v = at_rest(ours, q, v);
+    if (velocity == Velocity::Zero) v.setZero();
+    const Eigen::VectorXd tau = uniform(model.nv, 20.0, generator);
+    ASSERT_LE(ours.forward(q, v, tau), Status::SingularContacts);
+    if (near_singular(ours)) continue;
+    ++i;
+    theirs.set_state(q, v);
+    const TiedMotion want = theirs.forward_tied(tau, mu);
+    worst.note("acceleration", ours.a(), want.a);
+    worst.note("force", ours.lambda(), want.lambda);
+  }
+}
+
+struct TiedCase {
+  std::string name, robot;
+  std::vector<Tie> ties;
+  bool tied_velocity;  ///< of a tie between moving bodies, and of a weld
+};
+
+class MujocoTies : public ::testing::TestWithParam<TiedCase> {};
+
+TEST_P(MujocoTies, agree_at_rest_where_rigid) {
+  const TiedCase& c = GetParam();
+  Worst worst;
+  compare_ties(c.robot, c.ties, Velocity::Zero, 1e-11, 0.0, worst);
+  worst.expect_below(1e-8);
+}
+
+TEST_P(MujocoTies, agree_in_motion_where_rigid) {
+  const TiedCase& c = GetParam();
+  Worst worst;
+  compare_ties(c.robot, c.ties, c.tied_velocity ? Velocity::Tied : Velocity::Any, 1e-11, 0.0,
+               worst);
+  worst.expect_below(1e-8);
+}
+
+TEST_P(MujocoTies, agree_in_motion_where_compliant) {
+  const TiedCase& c = GetParam();
+  Worst worst;
+  compare_ties(c.robot, c.ties, c.tied_velocity ? Velocity::Tied : Velocity::Any, 1e-3, 1e-3,
+               worst);
+  worst.expect_below(1e-10);
+}
+
+constexpr Tie::Kind connect = Tie::Kind::Connect, weld = Tie::Kind::Weld;
+
+INSTANTIATE_TEST_SUITE_P(
+    robots, MujocoTies,
+    ::testing::Values(TiedCase{"right_arm_tip", "talos:right_arm", {{connect, "tool"}}, false},
+                      TiedCase{"arm7_tip", "arm7", {{connect, "tool"}}, false},
+                      TiedCase{"arm7_weld", "arm7", {{weld, "tool"}}, true},
+                      TiedCase{"floating_arm7_weld", "arm7:floating", {{weld, "tool"}}, true},
+                      TiedCase{"crane_tip", "crane", {{connect, "left_tip"}}, false},
+                      TiedCase{
+                          "crane_tip_to_tip", "crane", {{connect, "left_tip", "right_tip"}}, true},
+                      TiedCase{"floating_crane_tip_to_tip",
+                               "crane:floating",
+                               {{connect, "left_tip", "right_tip"}},
+                               true},
+                      TiedCase{"talos_two_feet",
+                               "talos",
+                               {{connect, "left_sole_link"}, {connect, "right_sole_link"}},
+                               false},
+                      TiedCase{"talos_two_welded_feet",
+                               "talos",
+                               {{weld, "left_sole_link"}, {weld, "right_sole_link"}},
+                               true},
+                      TiedCase{"talos_hand_to_hip",
+                               "talos",
+                               {{connect, "tool", "leg_left_2_link"}, {connect, "left_sole_link"}},
+                               true}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace burnish::test
