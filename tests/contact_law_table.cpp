@@ -14,13 +14,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::printf(
-      "| robot | reference | directions | bodies | states | automatic differentiation | "
-      "differences |\n| --- | --- | --- | --- | --- | --- | --- |\n");
+      "| robot | reference | directions | bodies | states | resampled | automatic differentiation "
+      "| "
+      "differences |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const LawRobot& robot : law_robots())
     for (const std::string& reference : law_references())
       for (const LawRow& row : sweep(robot, reference, states))
-        std::printf("| %s | %s | %s | %d | %d | %.1e | %.1e |\n", robot.name.c_str(),
+        std::printf("| %s | %s | %s | %d | %d | %d | %.1e | %.1e |\n", robot.name.c_str(),
                     reference.c_str(), row.directions.text().c_str(), row.two_bodies ? 2 : 1,
-                    row.states, row.autodiff, row.differences);
+                    row.states, row.resampled, row.autodiff, row.differences);
   return 0;
 }

@@ -17,7 +17,7 @@ std::string_view describe(Status status) {
     case Status::NotNormalized:
       return "a quaternion or a (cos, sin) pair in q is not of unit length: normalise it";
     case Status::NotFinite:
-      return "an input holds a NaN or an infinity";
+      return "an input holds a NaN or an infinity, or is so large that the result does";
     case Status::WrongSize:
       return "an argument has the wrong number of entries";
   }

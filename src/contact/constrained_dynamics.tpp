@@ -29,6 +29,7 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       v_(static_cast<std::size_t>(model.nv), S(0.0)),
       rho_(static_cast<std::size_t>(set.rows()), S(0.0)),
       lambda_before_(static_cast<std::size_t>(set.rows()), S(0.0)),
+      state_status_(static_cast<std::size_t>(lanes), Status::Ok),
       status_(static_cast<std::size_t>(lanes), Status::Ok),
       kinematics_(tree_),
       mass_(tree_),
@@ -64,11 +65,30 @@ Status ConstrainedDynamics<S>::status() const {
 }
 
 template <class S>
-void ConstrainedDynamics<S>::mark(const auto& bad, Status status) {
+void ConstrainedDynamics<S>::mark(const auto& bad, Status status, std::vector<Status>& of_lanes) {
   if (!any(bad)) [[likely]]
     return;
   for (int l = 0; l < lanes; ++l)
-    if (lane_of(bad, l)) status_[l] = worst(status_[l], status);
+    if (lane_of(bad, l)) of_lanes[l] = worst(of_lanes[l], status);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::load_finite(const S* in, int count, S* out) {
+  // 0 * x is zero for finite x and NaN otherwise.
+  S zero(0.0);
+  for (int i = 0; i < count; ++i) zero += in[i] * S(0.0);
+  const auto infinite = mask_not(less(absolute(zero), S(1.0)));
+  mark(infinite, Status::NotFinite, status_);
+  for (int i = 0; i < count; ++i) out[i] = select(infinite, S(0.0), in[i]);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::clear_failed(std::vector<S>& results) const {
+  if (status() <= Status::NotConverged) [[likely]]
+    return;
+  for (int l = 0; l < lanes; ++l)
+    if (status_[l] > Status::NotConverged)
+      for (S& x : results) Lanes<S>::set(x, l, 0.0);
 }
 
 template <class S>
@@ -88,8 +108,8 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
     for (int i = last - (quaternion ? 4 : 2); i < last; ++i) square += q[i] * q[i];
     unnormalized = mask_or(unnormalized, mask_not(less(absolute(square), S(2e-6))));
   }
-  mark(unnormalized, Status::NotNormalized);
-  mark(infinite, Status::NotFinite);
+  mark(unnormalized, Status::NotNormalized, state_status_);
+  mark(infinite, Status::NotFinite, state_status_);
   const auto bad = mask_or(unnormalized, infinite);
   for (int i = 0; i < tree_.nq; ++i) q_[i] = select(bad, q_neutral_[i], q[i]);
   for (int i = 0; i < tree_.nv; ++i) v_[i] = select(bad, S(0.0), v[i]);
@@ -97,9 +117,10 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
 
 template <class S>
 void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
-  std::fill(status_.begin(), status_.end(), Status::Ok);
+  std::fill(state_status_.begin(), state_status_.end(), Status::Ok);
   factorized_ = false;
   mark_bad_lanes(q, v);
+  status_ = state_status_;
   update_kinematics(tree_, q_.data(), v_.data(), kinematics_);
   update_mass_and_bias(tree_, kinematics_, mass_);
   for (const int c : active_.contacts) {
@@ -120,6 +141,16 @@ void ConstrainedDynamics<S>::drift(S* out) {
     const CompiledContact& contact = set_.contacts()[c];
     contact_acceleration(contact, contact_states[c], bias_of(contact.tool_body),
                          bias_of(contact.base_body), out + active_.first_row[c]);
+  }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::for_each_supported(const auto& visit) const {
+  for (const int c : active_.contacts) {
+    const int first = active_.first_row[c];
+    const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
+    for (const ContactSupport& entry : set_.contacts()[c].support)
+      for (int r = first; r < end; ++r) visit(entry.v, r);
   }
 }
 
@@ -150,53 +181,38 @@ void ConstrainedDynamics<S>::solve_lambda() {
     proximal_residual[0] = select(open, largest, proximal_residual[0]);
     open = mask_and(open, less(tolerance, largest));
   }
-  mark(open, Status::NotConverged);
+  mark(open, Status::NotConverged, status_);
 }
 
 template <class S>
 void ConstrainedDynamics<S>::forward(const S* tau_in) {
   const int n = tree_.nv, m = active_.rows;
-  S zero(0.0);
-  for (int i = 0; i < n; ++i) zero += tau_in[i] * S(0.0);
-  const auto infinite = mask_not(less(absolute(zero), S(1.0)));
-  mark(infinite, Status::NotFinite);
   if (!factorized_) {
-    mark(factorize(tree_, mass_), Status::SingularMass);
+    mark(factorize(tree_, mass_), Status::SingularMass, state_status_);
     mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
-         Status::SingularContacts);
+         Status::SingularContacts, state_status_);
     factorized_ = true;
   }
+  status_ = state_status_;
+  load_finite(tau_in, n, a.data());
   // t = L^-T (tau - b); lambda = G^-1 (-alpha_0 - T^T t); a = L^-1 (t + T lambda)
-  for (int i = 0; i < n; ++i) a[i] = select(infinite, S(0.0), tau_in[i]) - mass_.bias[i];
+  for (int i = 0; i < n; ++i) a[i] -= mass_.bias[i];
   solve_transposed(tree_, mass_, a.data());
   if (m > 0) {
     drift(rho_.data());
     for (int r = 0; r < m; ++r) rho_[r] = -rho_[r];
-    for (const int c : active_.contacts) {
-      const int first = active_.first_row[c];
-      const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
-      for (const ContactSupport& entry : set_.contacts()[c].support)
-        for (int r = first; r < end; ++r)
-          rho_[r] -= delassus_.T[entry.v * delassus_.stride + r] * a[entry.v];
-    }
+    const S* const T = delassus_.T.data();
+    const int stride = delassus_.stride;
+    for_each_supported([&](int k, int r) { rho_[r] -= T[k * stride + r] * a[k]; });
     solve_lambda();
-    for (const int c : active_.contacts) {
-      const int first = active_.first_row[c];
-      const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
-      for (const ContactSupport& entry : set_.contacts()[c].support)
-        for (int r = first; r < end; ++r)
-          a[entry.v] += delassus_.T[entry.v * delassus_.stride + r] * lambda[r];
-    }
+    for_each_supported([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   }
   solve_factor(tree_, mass_, a.data());
-  // What a lane that failed computed is finite but means nothing: it is returned as zero.
-  if (status() > Status::NotConverged) [[unlikely]] {
-    for (int l = 0; l < lanes; ++l) {
-      if (status_[l] <= Status::NotConverged) continue;
-      for (S& x : a) Lanes<S>::set(x, l, 0.0);
-      for (S& x : lambda) Lanes<S>::set(x, l, 0.0);
-    }
-  }
+  // Finite inputs can still overflow on the way.
+  load_finite(a.data(), n, a.data());
+  load_finite(lambda.data(), m, lambda.data());
+  clear_failed(a);
+  clear_failed(lambda);
 }
 
 template <class S>
@@ -213,24 +229,24 @@ void ConstrainedDynamics<S>::apply_forces() {
 
 template <class S>
 void ConstrainedDynamics<S>::inverse(const S* a_in, const S* lambda_in) {
-  for (int i = 0; i < tree_.nv; ++i) a[i] = a_in[i];
-  for (int r = 0; r < active_.rows; ++r) lambda[r] = lambda_in[r];
+  status_ = state_status_;
+  load_finite(a_in, tree_.nv, a.data());
+  load_finite(lambda_in, active_.rows, lambda.data());
   apply_forces();
   inverse_dynamics_sweep(tree_, kinematics_, mass_, a.data(), id_);
-  for (int i = 0; i < tree_.nv; ++i) tau[i] = id_.tau[i];
+  load_finite(id_.tau.data(), tree_.nv, tau.data());
+  clear_failed(tau);
 }
 
 template <class S>
 void ConstrainedDynamics<S>::acceleration(const S* a_in) {
-  for (int i = 0; i < tree_.nv; ++i) a[i] = a_in[i];
+  status_ = state_status_;
+  load_finite(a_in, tree_.nv, a.data());
   drift(alpha.data());
-  for (const int c : active_.contacts) {
-    const int first = active_.first_row[c];
-    const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
-    for (const ContactSupport& entry : set_.contacts()[c].support)
-      for (int r = first; r < end; ++r)
-        alpha[r] += delassus_.jacobian_by_v[entry.v * delassus_.stride + r] * a[entry.v];
-  }
+  const S* const J = delassus_.jacobian_by_v.data();
+  for_each_supported([&](int k, int r) { alpha[r] += J[k * delassus_.stride + r] * a[k]; });
+  load_finite(alpha.data(), active_.rows, alpha.data());
+  clear_failed(alpha);
 }
 
 }  // namespace burnish

@@ -148,11 +148,12 @@ void ConstrainedDerivatives<S>::fill_rhs(ConstrainedDynamics<S>& dynamics) {
 template <class S>
 void ConstrainedDerivatives<S>::inverse(ConstrainedDynamics<S>& dynamics) {
   fill_rhs(dynamics);
+  for (auto* matrix : {&rhs_q, &rhs_v}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
 void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
-  fill_rhs(dynamics);
+  inverse(dynamics);
 }
 
 template <class S>
@@ -251,13 +252,7 @@ void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
-  if (dynamics.status() <= Status::NotConverged) [[likely]]
-    return;
-  for (int l = 0; l < ConstrainedDynamics<S>::lanes; ++l) {
-    if (dynamics.status(l) <= Status::NotConverged) continue;
-    for (auto* matrix : {&d_dq, &d_dv, &d_dtau})
-      for (S& entry : *matrix) Lanes<S>::set(entry, l, 0.0);
-  }
+  for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }
 
 }  // namespace burnish

@@ -122,10 +122,10 @@ TEST(Lock, MimicNeedsALockedLeaderOrAValue) {
 TEST(Lock, RefusesMovingMimics) {
   expect_words(refusal([&] { build_model(hand()); }), {"'second'", "'first'", "lock it"});
   TreeSpec tree = hand();
-  tree.joints[2].mimic->leader = "frist";
+  tree.joints[2].mimic->leader = "firstt";
   ModelOptions options;
   options.free = {"wrist"};
-  expect_words(refusal([&] { build_model(tree, options); }), {"'frist'", "'first'?"});
+  expect_words(refusal([&] { build_model(tree, options); }), {"'firstt'", "'first'?"});
   tree = hand();
   tree.joints[1].mimic = MimicSpec{"third", 1.0, 0.0};
   expect_words(refusal([&] { build_model(tree, options); }), {"copies itself"});
@@ -145,11 +145,11 @@ TEST(Lock, RefusesWhatItDoesNotKnow) {
     return refusal([&] { build_model(tree, options); });
   };
   ModelOptions options;
-  options.locked = {"wirst"};
-  expect_words(sentence(options), {"hand.urdf", "lock", "'wirst'", "'wrist'?"});
+  options.locked = {"wristt"};
+  expect_words(sentence(options), {"hand.urdf", "lock", "'wristt'", "'wrist'?"});
   options.locked = {};
-  options.free = {"wirst"};
-  expect_words(sentence(options), {"free", "'wirst'", "'wrist'?"});
+  options.free = {"wristt"};
+  expect_words(sentence(options), {"free", "'wristt'", "'wrist'?"});
   options.free = {"bolt"};
   expect_words(sentence(options), {"'bolt'", "fixed"});
   options.free = {"wrist"};
@@ -161,8 +161,8 @@ TEST(Lock, RefusesWhatItDoesNotKnow) {
   expect_words(sentence(options), {"root_joint", "fixed base"});
   options = {};
   options.free = {"wrist"};
-  options.posture = {{"frist", {0.0}}};
-  expect_words(sentence(options), {"posture", "'frist'", "'first'?"});
+  options.posture = {{"firstt", {0.0}}};
+  expect_words(sentence(options), {"posture", "'firstt'", "'first'?"});
   options.posture = {{"bolt", {0.0}}};
   expect_words(sentence(options), {"posture", "'bolt'", "fixed"});
   options.posture = {{"first", {0.0, 1.0}}};

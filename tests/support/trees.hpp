@@ -30,7 +30,7 @@ inline Eigen::Isometry3d random_placement(std::mt19937_64& generator) {
   return placement;
 }
 
-/// A solid of three random point masses: physical by construction.
+/// A solid of four random point masses: physical by construction.
 inline InertiaSpec random_inertia(std::mt19937_64& generator) {
   InertiaSpec result;
   const Eigen::Vector3d points[4] = {random_vector(generator), random_vector(generator),
@@ -69,6 +69,20 @@ inline JointSpec joint(const std::string& name, JointType type, const std::strin
   result.axis = axis;
   result.placement.translation() = Eigen::Vector3d(0.1, 0.2, 0.3);
   return result;
+}
+
+/// A tree named after its file, with two branches.
+/// base -b-> b, base -a(fixed)-> a, a -d-> d, a -c-> c, b -e-> e
+inline TreeSpec branching_tree() {
+  TreeSpec tree;
+  tree.name = "branches";
+  tree.source = "branches.urdf";
+  for (const char* name : {"base", "a", "b", "c", "d", "e"}) tree.links.push_back(link(name));
+  tree.joints = {
+      joint("b", JointType::Revolute, "base", "b"), joint("a", JointType::Fixed, "base", "a"),
+      joint("d", JointType::Prismatic, "a", "d"), joint("c", JointType::Revolute, "a", "c"),
+      joint("e", JointType::Continuous, "b", "e")};
+  return tree;
 }
 
 inline const std::vector<JointType>& all_joint_types() {

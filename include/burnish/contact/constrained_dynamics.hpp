@@ -63,11 +63,18 @@ class ConstrainedDynamics {
   InverseDynamics<S>& inverse_dynamics() { return id_; }
   /// Loads `a` into the inverse dynamics stage and applies the contact forces to its bodies.
   void apply_forces();
+  /// Zeroes the lanes whose status is above NotConverged: what they hold is finite but means
+  /// nothing.
+  void clear_failed(std::vector<S>& results) const;
 
  private:
   void mark_bad_lanes(const S* q, const S* v);
-  void mark(const auto& bad, Status status);
+  void mark(const auto& bad, Status status, std::vector<Status>& of_lanes);
+  /// Copies an input and marks the lanes that are not finite; they get zeros.
+  void load_finite(const S* in, int count, S* out);
   void drift(S* out);
+  /// Calls visit(k, r) for every entry k of v that moves the contact of an active row r.
+  void for_each_supported(const auto& visit) const;
   void solve_lambda();
 
   Tree tree_;
@@ -78,7 +85,8 @@ class ConstrainedDynamics {
   std::vector<char> is_active_;
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, rho_, lambda_before_;
-  std::vector<Status> status_;
+  std::vector<Status> state_status_;  ///< per lane, of the state and its factors
+  std::vector<Status> status_;        ///< per lane, of the last evaluation
   bool factorized_ = false;
   Kinematics<S> kinematics_;
   MassMatrix<S> mass_;

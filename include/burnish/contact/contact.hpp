@@ -34,8 +34,8 @@ PoseError parse_pose_error(const std::string& name);
 /// The contact holds alpha + kd nu + kp e = 0 along its directions, where nu and alpha are velocity
 /// and acceleration of the tool relative to the base, written in the reference.
 struct ContactSpec {
-  std::string name;            ///< unique; the tool's name if left empty
-  std::string tool;            ///< frame C2
+  std::string name = {};       ///< unique; the tool's name if left empty
+  std::string tool = {};       ///< frame C2
   std::string base = "world";  ///< frame C1; "world" is always known
   Reference reference = Reference::centered();
   Directions directions = Directions::all();

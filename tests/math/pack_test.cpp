@@ -1,0 +1,104 @@
+#include "burnish/math/pack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace burnish {
+namespace {
+
+template <class P>
+class PackLaw : public ::testing::Test {};
+using Widths = ::testing::Types<Pack<1>, Pack<2>, Pack<4>, Pack<8>>;
+TYPED_TEST_SUITE(PackLaw, Widths);
+
+template <class P>
+P numbered(double first, double step) {
+  P p;
+  for (int l = 0; l < Lanes<P>::count; ++l) Lanes<P>::set(p, l, first + step * l);
+  return p;
+}
+
+/// Distance of two doubles in units in the last place of the second.
+double ulps(double got, double want) {
+  const double next = std::nextafter(std::abs(want), std::numeric_limits<double>::infinity());
+  return std::abs(got - want) / (next - std::abs(want));
+}
+
+TYPED_TEST(PackLaw, arithmetic_acts_lane_by_lane) {
+  const auto a = numbered<TypeParam>(1.5, 0.25), b = numbered<TypeParam>(-2.0, 3.0);
+  const TypeParam sum = a + b, product = a * b, quotient = b / a, negative = -a;
+  for (int l = 0; l < Lanes<TypeParam>::count; ++l) {
+    EXPECT_EQ(sum.lane(l), a.lane(l) + b.lane(l));
+    EXPECT_EQ(product.lane(l), a.lane(l) * b.lane(l));
+    EXPECT_EQ(quotient.lane(l), b.lane(l) / a.lane(l));
+    EXPECT_EQ(negative.lane(l), -a.lane(l));
+  }
+}
+
+TYPED_TEST(PackLaw, select_chooses_in_each_lane_by_its_own_mask) {
+  const auto a = numbered<TypeParam>(-1.0, 1.0);
+  const TypeParam chosen = select(less(a, TypeParam(1.0)), TypeParam(10.0), TypeParam(20.0));
+  for (int l = 0; l < Lanes<TypeParam>::count; ++l)
+    EXPECT_EQ(chosen.lane(l), a.lane(l) < 1.0 ? 10.0 : 20.0);
+  EXPECT_TRUE(any(less(a, TypeParam(0.0))));
+  EXPECT_FALSE(any(less(a, TypeParam(-5.0))));
+}
+
+TYPED_TEST(PackLaw, a_nan_is_never_less_and_is_found_by_its_lane) {
+  auto a = numbered<TypeParam>(1.0, 1.0);
+  Lanes<TypeParam>::set(a, Lanes<TypeParam>::count - 1, std::nan(""));
+  const auto finite = less(TypeParam(a * TypeParam(0.0)), TypeParam(1.0));
+  for (int l = 0; l + 1 < Lanes<TypeParam>::count; ++l) EXPECT_TRUE(lane_of(finite, l));
+  EXPECT_FALSE(lane_of(finite, Lanes<TypeParam>::count - 1));
+}
+
+TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {
+  std::mt19937_64 generator(7);
+  double worst = 0.0;
+  for (const double range : {1e-3, 1.0, 10.0, 1e3, 1e5}) {
+    std::uniform_real_distribution<double> draw(-range, range);
+    for (int i = 0; i < 20000; ++i) {
+      TypeParam x, s, c;
+      for (int l = 0; l < Lanes<TypeParam>::count; ++l)
+        Lanes<TypeParam>::set(x, l, draw(generator));
+      sine_cosine(x, s, c);
+      for (int l = 0; l < Lanes<TypeParam>::count; ++l) {
+        const double want_s = std::sin(x.lane(l)), want_c = std::cos(x.lane(l));
+        // Near a zero only the error against 1 is bounded.
+        if (std::abs(want_s) > 1e-3) worst = std::max(worst, ulps(s.lane(l), want_s));
+        if (std::abs(want_c) > 1e-3) worst = std::max(worst, ulps(c.lane(l), want_c));
+        EXPECT_NEAR(s.lane(l), want_s, 3e-16);
+        EXPECT_NEAR(c.lane(l), want_c, 3e-16);
+      }
+    }
+  }
+  EXPECT_LE(worst, 2.0);
+}
+
+TYPED_TEST(PackLaw, sine_and_cosine_beyond_the_polynomials_range_are_those_of_the_library) {
+  const auto x = numbered<TypeParam>(1e5 - 0.5, 1e6);
+  TypeParam s, c;
+  sine_cosine(x, s, c);
+  for (int l = 0; l < Lanes<TypeParam>::count; ++l) {
+    EXPECT_NEAR(s.lane(l), std::sin(x.lane(l)), 3e-16);
+    EXPECT_NEAR(c.lane(l), std::cos(x.lane(l)), 3e-16);
+  }
+}
+
+TEST(NativePack, has_the_width_of_the_target) {
+#if defined(__AVX512F__)
+  EXPECT_EQ(native_lanes, 8);
+#elif defined(__AVX2__)
+  EXPECT_EQ(native_lanes, 4);
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+  EXPECT_EQ(native_lanes, 2);
+#endif
+  EXPECT_EQ(sizeof(NativePack), native_lanes * sizeof(double));
+  EXPECT_EQ(alignof(NativePack), sizeof(NativePack));
+}
+
+}  // namespace
+}  // namespace burnish

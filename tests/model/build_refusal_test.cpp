@@ -1,0 +1,169 @@
+// What is no tree of physical bodies is refused, by name.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "burnish/model/model.hpp"
+#include "support/refusal.hpp"
+#include "support/trees.hpp"
+
+namespace burnish::testing {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct BadTree {
+  std::string name;
+  std::function<void(TreeSpec&)> spoil;
+  std::vector<std::string> words;
+};
+
+const std::vector<BadTree>& bad_trees() {
+  using Tree = TreeSpec;
+  static const std::vector<BadTree> trees = {
+      {"NoLinks", [](Tree& t) { t.links.clear(); }, {"no links"}},
+      {"TwoLinks", [](Tree& t) { t.links.push_back(link("c")); }, {"link 'c'", "twice"}},
+      {"TwoJoints", [](Tree& t) { t.joints[1].name = "b"; }, {"joint 'b'", "twice"}},
+      {"NoName", [](Tree& t) { t.links[2].name = ""; }, {"link number 3", "no name"}},
+      {"Parent", [](Tree& t) { t.joints[2].parent_link = "basf"; }, {"'d'", "'basf'", "'base'?"}},
+      {"Child", [](Tree& t) { t.joints[2].child_link = "x"; }, {"'d'", "child", "'x'"}},
+      {"TwoRoots", [](Tree& t) { t.joints.pop_back(); }, {"'base'", "'e'", "root"}},
+      {"TwoParents",
+       [](Tree& t) { t.joints.push_back(joint("f", JointType::Fixed, "c", "d")); },
+       {"link 'd'", "two parents", "'a'", "'c'"}},
+      {"Cycle", [](Tree& t) { t.joints[0].parent_link = "e"; }, {"ancestor"}},
+      {"Self", [](Tree& t) { t.joints[4].parent_link = "e"; }, {"'e'", "ancestor"}},
+      {"WholeCycle",
+       [](Tree& t) { t.joints.push_back(joint("f", JointType::Fixed, "e", "base")); },
+       {"ancestor"}},
+      {"Mass", [](Tree& t) { t.links[1].inertia.mass = -1.2; }, {"'a'", "-1.2", "negative"}},
+      {"MassNan", [](Tree& t) { t.links[1].inertia.mass = nan; }, {"'a'", "mass", "nan"}},
+      {"ComInf", [](Tree& t) { t.links[1].inertia.com[1] = inf; }, {"'a'", "centre", "inf"}},
+      {"InertiaNan",
+       [](Tree& t) { t.links[1].inertia.inertia_at_com(0, 1) = nan; },
+       {"'a'", "inertia", "nan"}},
+      {"Skewed",
+       [](Tree& t) { t.links[1].inertia.inertia_at_com(0, 1) = 0.01; },
+       {"'a'", "symmetric"}},
+      {"NegativeInertia",
+       [](Tree& t) { t.links[1].inertia.inertia_at_com(0, 0) = -0.001; },
+       {"'a'", "-0.001", "negative"}},
+      {"Triangle",
+       [](Tree& t) {
+         t.links[1].inertia.inertia_at_com = Eigen::Vector3d(1.0, 1.0, 2.2).asDiagonal();
+       },
+       {"'a'", "2.2", "solid"}},
+      {"ZeroAxis", [](Tree& t) { t.joints[0].axis.setZero(); }, {"joint 'b'", "axis", "zero"}},
+      {"AxisNan", [](Tree& t) { t.joints[0].axis[0] = nan; }, {"joint 'b'", "axis", "nan"}},
+      {"Placement",
+       [](Tree& t) { t.joints[0].placement.translation()[0] = inf; },
+       {"joint 'b'", "placement", "inf"}},
+      {"Rotation",
+       [](Tree& t) { t.joints[0].placement.linear() *= -1.0; },
+       {"joint 'b'", "rotation"}},
+      {"Limits",
+       [](Tree& t) {
+         t.joints[0].lower = 2.0;
+         t.joints[0].upper = 1.0;
+       },
+       {"joint 'b'", "lower", "2", "above", "1"}},
+      {"LowerNan", [](Tree& t) { t.joints[0].lower = nan; }, {"joint 'b'", "lower", "nan"}},
+      {"UpperNan", [](Tree& t) { t.joints[0].upper = nan; }, {"joint 'b'", "upper", "nan"}},
+      {"Velocity", [](Tree& t) { t.joints[0].velocity_limit = -1; }, {"'b'", "velocity", "-1"}},
+      {"Effort", [](Tree& t) { t.joints[0].effort_limit = nan; }, {"'b'", "effort", "nan"}},
+      {"Damping", [](Tree& t) { t.joints[0].damping = -1; }, {"'b'", "damping", "-1"}},
+      {"Friction", [](Tree& t) { t.joints[0].friction = inf; }, {"'b'", "friction", "inf"}},
+      {"Armature", [](Tree& t) { t.joints[0].armature = -3; }, {"'b'", "armature", "-3"}},
+      {"Massless", [](Tree& t) { t.links[4].inertia = {}; }, {"joint 'd'", "no mass", "lock it"}},
+      {"PointOnAxis",
+       [](Tree& t) { t.links[3].inertia.inertia_at_com.setZero(); },
+       {"joint 'c'", "no mass"}},
+      {"VisualSize",
+       [](Tree& t) {
+         t.links[1].visuals = {{SphereShape{-1}, Eigen::Isometry3d::Identity(), {}}};
+         t.links[1].visuals[0].rgba.setOnes();
+       },
+       {"'a'", "visual", "-1"}},
+      {"VisualBox",
+       [](Tree& t) {
+         t.links[1].visuals = {{BoxShape{{1, nan, 1}}, Eigen::Isometry3d::Identity(), {}}};
+         t.links[1].visuals[0].rgba.setOnes();
+       },
+       {"'a'", "visual", "nan"}},
+  };
+  return trees;
+}
+
+class BadTrees : public ::testing::TestWithParam<BadTree> {};
+
+TEST_P(BadTrees, AreRefusedByName) {
+  TreeSpec tree = branching_tree();
+  ASSERT_NO_THROW(build_model(tree));
+  GetParam().spoil(tree);
+  std::vector<std::string> words = GetParam().words;
+  words.push_back("branches.urdf: ");
+  expect_words(refusal([&] { build_model(tree); }), words);
+}
+
+INSTANTIATE_TEST_SUITE_P(Build, BadTrees, ::testing::ValuesIn(bad_trees()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Build, AllowsRoundedInertias) {
+  TreeSpec tree = branching_tree();
+  tree.links[1].inertia.inertia_at_com = Eigen::Vector3d(1.0, 1.0, 2.09).asDiagonal();
+  EXPECT_NO_THROW(build_model(tree));
+}
+
+TEST(Build, ArmatureStandsForMass) {
+  TreeSpec tree = branching_tree();
+  tree.links[4].inertia = {};
+  tree.joints[2].armature = 1e-3;
+  EXPECT_NO_THROW(build_model(tree));
+}
+
+/// Two hinges with a massless link between: a universal joint if their axes differ, the same
+/// rotation twice if they are one line.
+TreeSpec two_hinges(const Eigen::Vector3d& second_axis) {
+  TreeSpec tree;
+  tree.links = {link("base"), link("cross", 0.0), link("tip")};
+  tree.joints = {joint("first", JointType::Revolute, "base", "cross"),
+                 joint("second", JointType::Revolute, "cross", "tip", second_axis)};
+  tree.joints[1].placement.setIdentity();
+  return tree;
+}
+
+TEST(Build, SeesJointsThatMoveTheSameMass) {
+  EXPECT_NO_THROW(build_model(two_hinges(Eigen::Vector3d::UnitX())));
+  expect_words(refusal([&] { build_model(two_hinges(Eigen::Vector3d::UnitZ())); }),
+               {"joint 'first'", "no mass of its own"});
+  TreeSpec parallel = two_hinges(Eigen::Vector3d::UnitZ());
+  parallel.joints[1].placement.translation().x() = 0.5;
+  EXPECT_NO_THROW(build_model(parallel));
+  // The whole mass on the axis at zero, but not elsewhere: no reason to refuse.
+  TreeSpec folded = two_hinges(Eigen::Vector3d::UnitX());
+  folded.links[2].inertia.inertia_at_com.setZero();
+  folded.links[2].inertia.com = Eigen::Vector3d(0.0, 0.0, 1.0);
+  EXPECT_NO_THROW(build_model(folded));
+}
+
+TEST(Build, RefusesBadOptions) {
+  ModelOptions options;
+  options.gravity[2] = nan;
+  expect_words(refusal([&] { build_model(branching_tree(), options); }), {"gravity"});
+  options = {};
+  options.base_placement.translation()[0] = nan;
+  expect_words(refusal([&] { build_model(branching_tree(), options); }), {"base"});
+  options = {};
+  options.base = Base::FreeFlyer;
+  TreeSpec tree = branching_tree();
+  tree.joints[0].name = "root_joint";
+  expect_words(refusal([&] { build_model(tree, options); }), {"root_joint", "rename"});
+  EXPECT_NO_THROW(build_model(tree));
+  tree = branching_tree();
+  for (LinkSpec& spec : tree.links) spec.inertia = {};
+  expect_words(refusal([&] { build_model(tree, options); }), {"no mass"});
+}
+
+}  // namespace
+}  // namespace burnish::testing
