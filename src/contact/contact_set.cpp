@@ -31,9 +31,13 @@ void check(const ContactSpec& spec) {
   if (!R.allFinite() || (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
       R.determinant() < 0.0)
     throw Error(who + "the reference's rotation is not a rotation matrix");
+  if (spec.reference.origin == Reference::Origin::World &&
+      spec.reference.axes != Reference::Axes::World)
+    throw Error(who +
+                "a reference at the world's origin has axes that move; wanted world axes there");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||
-      (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6)
+      (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6 || T.determinant() < 0.0)
     throw Error(who + "the target is not a placement");
   if (!spec.kp.allFinite() || !spec.kd.allFinite() || spec.kp.minCoeff() < 0.0 ||
       spec.kd.minCoeff() < 0.0)

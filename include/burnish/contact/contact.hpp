@@ -4,12 +4,11 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "burnish/base/views.hpp"
 #include "burnish/contact/directions.hpp"
 #include "burnish/contact/reference.hpp"
 
 namespace burnish {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Which acceleration of the tool the contact prescribes. They differ by w x v; all agree where the
 /// contact velocity is zero. See docs/frames.md.

@@ -65,8 +65,8 @@ struct CheckRow {
   std::string error;  ///< "split" or "log6"; "-" without a proportional gain
   std::string gains;  ///< "none", or such as "kp 7..12, kd 2..7"
   int states = 0;
-  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the joints
-  /// cannot hold the contact rigidly (too few joints, redundant rows).
+  /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the
+  /// joints cannot hold the contact rigidly at most postures (too few joints, redundant rows).
   double mu = 0.0;
   double worst_error = 0.0;  ///< relative to the block's largest entry; infinite after a NaN
   CheckEntry worst;
@@ -92,7 +92,7 @@ struct CheckReport {
 /// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
 ///
 /// States are passed over where the contact is close to singular (condition of J M^-1 J^T above
-/// 1e4) or, with a proportional gain on rotations, within 0.1 rad of half a turn from the target,
+/// 1e5) or, with a proportional gain on rotations, within 0.1 rad of half a turn from the target,
 /// where the logarithm jumps. Targets of the sweep are at the neutral configuration.
 ///
 /// Throws Error with one sentence for options that cannot be used.

@@ -7,16 +7,12 @@
 #include <vector>
 
 #include "burnish/base/status.hpp"
+#include "burnish/base/views.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/contact/solver_options.hpp"
 
 namespace burnish {
-
-using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using VectorView = Eigen::Map<const Eigen::VectorXd>;
-using MatrixView = Eigen::Map<const RowMatrix>;
 
 /// Derivatives of a wrench in a reference: 6 x nv each, force rows first.
 struct WrenchDerivatives {

@@ -1,5 +1,5 @@
 // Derivatives of inverse dynamics in one backward sweep over composite quantities, in world
-// coordinates (Singh, Russo, Wensing 2022; see docs/theory.md).
+// coordinates (Singh, Russell, Wensing 2022; see docs/theory.md).
 #pragma once
 
 #include <vector>

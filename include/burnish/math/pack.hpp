@@ -113,6 +113,12 @@ BURNISH_INLINE Pack<N> arc_tangent2(const Pack<N>& y, const Pack<N>& x) {
   for (int i = 0; i < N; ++i) r.v[i] = std::atan2(y.v[i], x.v[i]);
   return r;
 }
+template <int N>
+BURNISH_INLINE Pack<N> hyperbolic_tangent(const Pack<N>& a) {
+  Pack<N> r;
+  for (int i = 0; i < N; ++i) r.v[i] = std::tanh(a.v[i]);
+  return r;
+}
 
 /// Sine and cosine of every lane, within 2 units in the last place for |angle| up to 1e5 rad
 /// (three-part reduction by pi/2, then the minimax polynomials of the Cephes library on

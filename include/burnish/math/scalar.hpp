@@ -72,4 +72,10 @@ BURNISH_INLINE S arc_tangent2(const S& y, const S& x) {
   return atan2(y, x);
 }
 
+template <class S>
+BURNISH_INLINE S hyperbolic_tangent(const S& a) {
+  using std::tanh;
+  return tanh(a);
+}
+
 }  // namespace burnish

@@ -103,9 +103,9 @@ struct Inertia {
   }
 };
 
-/// The operator B(v) with which the derivatives of I a + v x* I v are written (Singh, Russo,
+/// The operator B(v) with which the derivatives of I a + v x* I v are written (Singh, Russell,
 /// Wensing, "Efficient Analytical Derivatives of Rigid-Body Dynamics using Spatial Vector Algebra",
-/// 2022): B = 1/2 [(v x*) I - I (v x) + (I v) xbar*]. About the world's origin its left half
+/// 2022): B = 1/2 [(v x*) I - I (v x) + (I v) xbar*]. About any one origin its left half
 /// vanishes, so that 12 numbers hold it: B = [0, -h x; 0, D].
 template <class S>
 struct Coriolis {

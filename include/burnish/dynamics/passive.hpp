@@ -1,0 +1,37 @@
+// Torques that joints feel by moving: viscous damping and Coulomb friction, the latter smoothed so
+// that it has a derivative,
+//   tau_k = -damping_k v_k - friction_k tanh(v_k / slip).
+// The model holds the two coefficients; forward and inverse dynamics leave these torques out unless
+// the caller adds them to tau.
+#pragma once
+
+#include <vector>
+
+#include "burnish/math/scalar.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+struct PassiveJoints {
+  /// Throws Error for a slip velocity that is not positive.
+  explicit PassiveJoints(const Model& model, double slip_velocity = 0.01);
+
+  std::vector<double> damping;   ///< nv, Nms/rad or Ns/m
+  std::vector<double> friction;  ///< nv, Nm or N
+  double slip;  ///< rate at which friction has reached tanh(1) = 76 %, rad/s or m/s; positive
+};
+
+/// The torques at v (nv), into tau (nv: Nm or N), and their derivatives d(tau_k)/dv_k, into
+/// dtau_dv (nv: the diagonal of a diagonal matrix).
+template <class S>
+void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv) {
+  const S inverse_slip(1.0 / joints.slip);
+  for (std::size_t k = 0; k < joints.damping.size(); ++k) {
+    const S damping(joints.damping[k]), friction(joints.friction[k]);
+    const S sliding = hyperbolic_tangent(S(v[k] * inverse_slip));
+    tau[k] = -damping * v[k] - friction * sliding;
+    dtau_dv[k] = -damping - friction * inverse_slip * (S(1.0) - sliding * sliding);
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,91 @@
+// Redundant contacts: what the proximal iterations give, in values and in derivatives.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/model/state.hpp"
+
+namespace burnish {
+namespace {
+
+class TwicePad : public ::testing::Test {
+ protected:
+  TwicePad() {
+    first_.name = "first";
+    first_.tool = "tool";
+    first_.directions = Directions::pad_z();
+    first_.with_gains(0.0, 20.0);
+    second_ = first_;
+    second_.name = "second";
+    std::mt19937_64 generator(3);
+    q_ = random_configuration(model_, generator);
+    v_ = Eigen::VectorXd::LinSpaced(model_.nv, -0.4, 0.5);
+    tau_ = Eigen::VectorXd::LinSpaced(model_.nv, 5.0, -8.0);
+  }
+
+  Model model_ = load_robot(BURNISH_ROBOTS_DIR "/arm7").model;
+  ContactSpec first_, second_;
+  ContactSolver proximal_{.mu = 1e-4, .max_proximal_iterations = 30, .proximal_tolerance = 1e-11};
+  Eigen::VectorXd q_, v_, tau_;
+};
+
+TEST_F(TwicePad, is_a_status_without_compliance_and_leaves_zeros) {
+  ContactDynamics twice(model_, {first_, second_});
+  EXPECT_EQ(twice.forward(q_, v_, tau_), Status::SingularContacts);
+  EXPECT_EQ(twice.forward_derivatives(), Status::SingularContacts);
+  EXPECT_EQ(twice.a().norm(), 0.0);
+  EXPECT_EQ(twice.da_dq().norm(), 0.0);
+}
+
+TEST_F(TwicePad, is_diagnosed_by_name) {
+  const ContactDiagnosis found = diagnose(model_, ContactSet(model_, {first_, second_}), q_);
+  ASSERT_EQ(found.redundant.size(), 3U);
+  EXPECT_EQ(found.redundant[0].text(), "contact 'second', direction z: already held by first/z");
+}
+
+TEST_F(TwicePad, moves_like_one_pad_and_its_forces_add_up_in_values_and_derivatives) {
+  ContactDynamics once(model_, {first_});
+  ContactDynamics twice(model_, {first_, second_}, proximal_);
+  ASSERT_EQ(once.forward(q_, v_, tau_), Status::Ok);
+  ASSERT_EQ(twice.forward(q_, v_, tau_), Status::Ok);
+  EXPECT_GT(twice.proximal_iterations(), 0);
+  EXPECT_LE(twice.proximal_residual(), 1e-11);
+  once.forward_derivatives();
+  twice.forward_derivatives();
+  const auto close = [](const auto& got, const auto& want) {
+    EXPECT_LE((got - want).norm(), 1e-8 * (1.0 + want.norm()));
+  };
+  const auto sum = [](const auto& rows) { return (rows.topRows(3) + rows.bottomRows(3)).eval(); };
+  close(twice.a(), once.a());
+  close(sum(twice.lambda()), once.lambda());
+  close(twice.da_dq(), once.da_dq());
+  close(twice.da_dv(), once.da_dv());
+  close(twice.da_dtau(), once.da_dtau());
+  close(sum(twice.dlambda_dq()), once.dlambda_dq());
+  close(sum(twice.dlambda_dv()), once.dlambda_dv());
+  close(sum(twice.dlambda_dtau()), once.dlambda_dtau());
+}
+
+TEST_F(TwicePad, without_iterations_keeps_the_compliance_that_was_asked_for) {
+  // alpha + kd nu = -mu lambda: the lower row of the relaxed KKT system.
+  ContactDynamics soft(model_, {first_}, {.mu = 0.05});
+  ASSERT_EQ(soft.forward(q_, v_, tau_), Status::Ok);
+  const Eigen::VectorXd a = soft.a(), lambda = soft.lambda();
+  soft.acceleration(q_, v_, a);
+  EXPECT_LE((soft.alpha() + 0.05 * lambda).norm(), 1e-10);
+}
+
+TEST_F(TwicePad, that_contradict_each_other_end_in_a_status) {
+  second_.kp.setConstant(50.0);
+  second_.target.translation().z() = 3.0;
+  ContactDynamics twice(model_, {first_, second_}, proximal_);
+  EXPECT_EQ(twice.forward(q_, v_, tau_), Status::NotConverged);
+  EXPECT_TRUE(twice.a().allFinite());
+  EXPECT_GT(twice.proximal_residual(), 1e-11);
+}
+
+}  // namespace
+}  // namespace burnish
