@@ -20,6 +20,10 @@ std::string_view describe(Status status) {
       return "an input holds a NaN or an infinity, or is so large that the result does";
     case Status::WrongSize:
       return "an argument has the wrong number of entries";
+    case Status::NotEvaluated:
+      return "derivatives were asked for that do not belong to the last evaluation: evaluate "
+             "first, "
+             "then differentiate, with no other evaluation or change of contacts between";
   }
   return "unknown status";
 }

@@ -35,6 +35,7 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       mass_(tree_),
       delassus_(tree_, set_),
       id_(tree_) {
+  solver.check();
   for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
   active_.contacts.reserve(static_cast<std::size_t>(set.size()));
   active_.first_row.assign(static_cast<std::size_t>(set.size()), -1);

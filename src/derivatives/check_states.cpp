@@ -12,7 +12,7 @@ namespace burnish {
 namespace {
 
 constexpr double largest_angle = std::numbers::pi - 0.1;  // rad, to the target
-constexpr double largest_condition = 1e4;                 // of J M^-1 J^T, unit diagonal
+constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, unit diagonal
 constexpr int tries_per_state = 20;
 
 }  // namespace

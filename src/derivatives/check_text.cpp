@@ -77,7 +77,8 @@ std::string CheckReport::text() const {
   text += table(lines) + "\n";
   if (soft > 0) {
     text += std::to_string(soft) + (soft == 1 ? " row" : " rows") +
-            " checked with compliance mu: the joints cannot hold that contact rigidly\n";
+            " checked with compliance mu: at most postures the joints cannot hold that "
+            "contact rigidly\n";
   }
   for (const CheckRow& row : rows)
     if (!row.pass) text += failure_text(row);

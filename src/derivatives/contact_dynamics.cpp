@@ -12,8 +12,8 @@ extern template class ConstrainedDerivatives<double>;
 
 namespace {
 
-/// Results of a status that leaves no numbers.
-void set_zero(std::vector<double>& values) { std::fill(values.begin(), values.end(), 0.0); }
+/// Which evaluation the workspace holds: derivatives belong to one of them.
+enum class Evaluated { Nothing, Forward, Inverse, Acceleration };
 
 }  // namespace
 
@@ -58,6 +58,22 @@ struct ContactDynamics::Impl {
     return dynamics.status();
   }
 
+  /// Loads the state and runs `kernel` on it, unless an argument has the wrong size.
+  Status evaluate(const ConstVectorRef& q, const ConstVectorRef& v, Evaluated what, bool sizes_fit,
+                  const auto& kernel) {
+    evaluated = Evaluated::Nothing;
+    if (!sizes_fit || load(q, v) == Status::WrongSize) return Status::WrongSize;
+    kernel(dynamics);
+    evaluated = what;
+    return dynamics.status();
+  }
+  /// Runs `kernel` if the workspace holds the evaluation that it differentiates.
+  Status differentiate(Evaluated what, const auto& kernel) {
+    if (evaluated != what) return Status::NotEvaluated;
+    kernel(derivatives, dynamics);
+    return dynamics.status();
+  }
+
   /// The pose error of the last state. The kernel computes it for contacts with a proportional gain
   /// only; the others are added here, where it is asked for.
   void load_error() {
@@ -81,7 +97,7 @@ struct ContactDynamics::Impl {
   RowMatrix mass, jacobian;        ///< dense copies: nv x nv, rows x nv
   RowMatrix negated_q, negated_v;  ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error;
-  Status last = Status::Ok;
+  Evaluated evaluated = Evaluated::Nothing;
 };
 
 ContactDynamics::ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts,
@@ -100,6 +116,7 @@ void ContactDynamics::set_active(int contact, bool active) {
     throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
                 std::to_string(impl_->set.size()));
   impl_->active[contact] = active ? 1 : 0;
+  impl_->evaluated = Evaluated::Nothing;
   impl_->dynamics.set_active(contact, active);
 }
 
@@ -117,70 +134,37 @@ std::vector<std::string> ContactDynamics::row_names() const {
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,
                                 const ConstVectorRef& tau) {
-  if (tau.size() != impl_->nv) return impl_->last = Status::WrongSize;
-  impl_->last = impl_->load(q, v);
-  if (impl_->last == Status::WrongSize) return impl_->last;
-  impl_->dynamics.forward(tau.data());
-  return impl_->last = impl_->dynamics.status();
+  return impl_->evaluate(q, v, Evaluated::Forward, tau.size() == impl_->nv,
+                         [&](auto& dynamics) { dynamics.forward(tau.data()); });
 }
 
 Status ContactDynamics::forward_derivatives() {
-  if (impl_->last == Status::WrongSize) return impl_->last;
-  impl_->derivatives.forward(impl_->dynamics);
-  return impl_->dynamics.status();
+  return impl_->differentiate(Evaluated::Forward, [](auto& d, auto& of) { d.forward(of); });
 }
 
 Status ContactDynamics::inverse(const ConstVectorRef& q, const ConstVectorRef& v,
                                 const ConstVectorRef& a, const ConstVectorRef& lambda) {
-  if (a.size() != impl_->nv || lambda.size() != rows()) return impl_->last = Status::WrongSize;
-  impl_->last = impl_->load(q, v);
-  if (impl_->last == Status::WrongSize) return impl_->last;
-  if (!a.allFinite() || !lambda.allFinite()) impl_->last = worst(impl_->last, Status::NotFinite);
-  if (impl_->last > Status::NotConverged) {
-    set_zero(impl_->dynamics.tau);
-    return impl_->last;
-  }
-  impl_->dynamics.inverse(a.data(), lambda.data());
-  return impl_->last = impl_->dynamics.status();
+  return impl_->evaluate(q, v, Evaluated::Inverse, a.size() == impl_->nv && lambda.size() == rows(),
+                         [&](auto& dynamics) { dynamics.inverse(a.data(), lambda.data()); });
 }
 
 Status ContactDynamics::inverse_derivatives() {
-  if (impl_->last == Status::WrongSize) return impl_->last;
-  if (impl_->last > Status::NotConverged) {
-    set_zero(impl_->derivatives.rhs_q);
-    set_zero(impl_->derivatives.rhs_v);
-    return impl_->last;
-  }
-  impl_->derivatives.inverse(impl_->dynamics);
-  return impl_->last;
+  return impl_->differentiate(Evaluated::Inverse, [](auto& d, auto& of) { d.inverse(of); });
 }
 
 Status ContactDynamics::acceleration(const ConstVectorRef& q, const ConstVectorRef& v,
                                      const ConstVectorRef& a) {
-  if (a.size() != impl_->nv) return impl_->last = Status::WrongSize;
-  impl_->last = impl_->load(q, v);
-  if (impl_->last == Status::WrongSize) return impl_->last;
-  if (!a.allFinite()) impl_->last = worst(impl_->last, Status::NotFinite);
-  if (impl_->last > Status::NotConverged) {
-    set_zero(impl_->dynamics.alpha);
-    return impl_->last;
-  }
-  impl_->dynamics.acceleration(a.data());
-  return impl_->last = impl_->dynamics.status();
+  return impl_->evaluate(q, v, Evaluated::Acceleration, a.size() == impl_->nv,
+                         [&](auto& dynamics) { dynamics.acceleration(a.data()); });
 }
 
 Status ContactDynamics::acceleration_derivatives() {
-  if (impl_->last == Status::WrongSize) return impl_->last;
   const int m = rows();
-  if (impl_->last > Status::NotConverged) {
-    impl_->negated_q.setZero();
-    impl_->negated_v.setZero();
-    return impl_->last;
-  }
-  impl_->derivatives.acceleration(impl_->dynamics);
-  impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_q);
-  impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(impl_->derivatives.rhs_v);
-  return impl_->last;
+  return impl_->differentiate(Evaluated::Acceleration, [&](auto& d, auto& of) {
+    d.acceleration(of);
+    impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(d.rhs_q);
+    impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(d.rhs_v);
+  });
 }
 
 VectorView ContactDynamics::a() const { return {impl_->dynamics.a.data(), impl_->nv}; }

@@ -63,6 +63,8 @@ struct Published {
   ModelOptions options;
 };
 
+void PrintTo(const Published& robot, std::ostream* out) { *out << robot.name; }
+
 class DynamicsReference : public ::testing::TestWithParam<Published> {
  protected:
   void SetUp() override {
@@ -136,8 +138,7 @@ TEST_P(DynamicsReference, frames_and_their_velocities_and_drifts) {
         comparison.add(f + ": " + what + ", state " + std::to_string(i), got, stated, 1e-8);
       };
       const Eigen::Isometry3d placed = frame_placement(model_, q, frame);
-      add("rotation", placed.linear(), matrix_of(want["oMf"]["R"]));
-      add("position", placed.translation(), matrix_of(want["oMf"]["p"]));
+      add("placement", placed.matrix(), placement_of(want["oMf"]).matrix());
       ContactSpec contact;
       contact.tool = frame;
       contact.reference = Reference::local();

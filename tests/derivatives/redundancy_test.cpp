@@ -1,6 +1,7 @@
 // Redundant contacts: what the proximal iterations give, in values and in derivatives.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -85,6 +86,28 @@ TEST_F(TwicePad, that_contradict_each_other_end_in_a_status) {
   EXPECT_EQ(twice.forward(q_, v_, tau_), Status::NotConverged);
   EXPECT_TRUE(twice.a().allFinite());
   EXPECT_GT(twice.proximal_residual(), 1e-11);
+}
+
+TEST_F(TwicePad, refuses_solver_options_that_mean_nothing) {
+  const auto make = [&](const ContactSolver& solver) {
+    return ContactDynamics(model_, {first_}, solver);
+  };
+  EXPECT_THROW(make({.mu = -1.0}), Error);
+  EXPECT_THROW(make({.mu = std::nan("")}), Error);
+  EXPECT_THROW(make({.mu = 0.1, .max_proximal_iterations = -1}), Error);
+}
+
+TEST_F(TwicePad, derivatives_of_another_evaluation_are_refused) {
+  ContactDynamics dynamics(model_, {first_});
+  EXPECT_EQ(dynamics.forward_derivatives(), Status::NotEvaluated);
+  ASSERT_EQ(dynamics.forward(q_, v_, tau_), Status::Ok);
+  EXPECT_EQ(dynamics.inverse_derivatives(), Status::NotEvaluated);
+  ASSERT_EQ(dynamics.inverse(q_, v_, tau_, Eigen::VectorXd::Zero(3)), Status::Ok);
+  EXPECT_EQ(dynamics.forward_derivatives(), Status::NotEvaluated);
+  EXPECT_EQ(dynamics.inverse_derivatives(), Status::Ok);
+  ASSERT_EQ(dynamics.forward(q_, v_, tau_), Status::Ok);
+  dynamics.set_active(0, false);
+  EXPECT_EQ(dynamics.forward_derivatives(), Status::NotEvaluated);
 }
 
 }  // namespace

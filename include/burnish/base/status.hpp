@@ -15,6 +15,7 @@ enum class Status : std::uint8_t {
   NotNormalized,     ///< a quaternion or a (cos, sin) pair is not of unit length to 1e-6
   NotFinite,         ///< an input holds a NaN or an infinity, or is so large that the result does
   WrongSize,         ///< an argument has the wrong number of entries
+  NotEvaluated,      ///< derivatives of an evaluation that was not the last one made
 };
 
 /// One sentence that says what the status means and what to do about it.

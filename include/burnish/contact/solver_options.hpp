@@ -14,6 +14,9 @@ struct ContactSolver {
   /// The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is left of the
   /// contact acceleration.
   double proximal_tolerance = 1e-9;
+
+  /// Throws Error with a sentence naming the option that is negative or not finite.
+  void check() const;
 };
 
 }  // namespace burnish

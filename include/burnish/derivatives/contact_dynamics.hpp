@@ -28,7 +28,9 @@ struct WrenchDerivatives {
 /// the active contacts, in the order of the set. Views stay valid while the object lives and hold
 /// the result of the last call that fills them.
 ///
-/// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero.
+/// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
+/// but for WrongSize and NotEvaluated, which leave them as they were. Derivatives belong to the last
+/// evaluation: those of another are refused with NotEvaluated.
 class ContactDynamics {
  public:
   /// Compiles the contacts against the model; throws Error as ContactSet does.

@@ -1,0 +1,143 @@
+// burnish check: are the derivatives right on this robot?
+#include "burnish/derivatives/check.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+#include "command.hpp"
+#include "contact_text.hpp"
+#include "json_text.hpp"
+#include "robot_arguments.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckArguments {
+  RobotArguments robot;
+  CheckOptions options;
+  std::vector<std::string> contacts;
+  bool all_accelerations = false;
+  bool json = false;
+};
+
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json row_json(const CheckRow& row) {
+  return {{"reference", row.reference},
+          {"directions", row.directions},
+          {"bodies", row.bodies},
+          {"acceleration", row.acceleration},
+          {"error", row.error},
+          {"gains", row.gains},
+          {"states", row.states},
+          {"mu", row.mu},
+          {"worst_error", number_json(row.worst_error)},
+          {"worst_entry",
+           {{"block", row.worst.block},
+            {"row", row.worst.row},
+            {"column", row.worst.column},
+            {"value", number_json(row.worst.value)},
+            {"expected", number_json(row.worst.expected)},
+            {"state", row.worst.state}}},
+          {"pass", row.pass}};
+}
+
+Json report_json(const CheckReport& report) {
+  Json json{{"robot", report.robot},
+            {"pass", report.pass},
+            {"tolerance", report.tolerance},
+            {"rows", Json::array()}};
+  for (const CheckRow& row : report.rows) json["rows"].push_back(row_json(row));
+  return json;
+}
+
+/// On a terminal only; the line goes when the check is done.
+void show_progress(int done, int total) {
+  fmt::print(stderr, "\r{} of {} rows", done, total);
+  if (done == total) fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+}
+
+int check(const CheckArguments& arguments) {
+  const Robot robot = arguments.robot.load();
+  CheckOptions options = arguments.options;
+  const Eigen::VectorXd q = robot.reference_configuration();
+  for (const std::string& text : arguments.contacts) {
+    ContactSpec spec = parse_contact(text);
+    // So that the error is within reach: the target is where the tool is at the reference posture.
+    spec.target = frame_placement(robot.model, q, spec.base).inverse() *
+                  frame_placement(robot.model, q, spec.tool);
+    options.contacts.push_back(spec);
+  }
+  if (arguments.all_accelerations) {
+    options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
+                             Acceleration::Classical};
+  }
+  if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  const CheckReport report = check_derivatives(robot.model, options);
+  if (arguments.json) {
+    fmt::print("{}\n", json_text(report_json(report)));
+  } else {
+    fmt::print("{}", report.text());
+  }
+  return report.pass ? exit_ok : exit_failed;
+}
+
+void add_options(CLI::App& command, CheckArguments& arguments) {
+  CheckOptions& options = arguments.options;
+  command
+      .add_option("--tool", options.tool,
+                  "Frame in contact [the frame 'tool', or else the last leaf frame]")
+      ->type_name("FRAME");
+  command.add_option("--base", options.base, "Frame that the tool touches [world]")
+      ->type_name("FRAME");
+  command
+      .add_option("--contact", arguments.contacts,
+                  "Check this contact instead of the sweep; several at once if repeated")
+      ->type_name("SPEC")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--all-accelerations", arguments.all_accelerations,
+                   "Also the spatial and the classical acceleration");
+  command.add_option("--states", options.states, "Random states per row [20]")->type_name("N");
+  command.add_option("--seed", options.seed, "Of the random states [1]")->type_name("S");
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "On errors relative to a block's largest entry [1e-6]")
+      ->type_name("T");
+  command.add_flag("--json", arguments.json, "As JSON");
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("check", "All derivatives against differences of the values");
+  const auto arguments = std::make_shared<CheckArguments>();
+  arguments->robot.add_to(*command);
+  add_options(*command, *arguments);
+  command->footer(
+      "Without --contact, one tool is checked in four references, eight sets of directions, with\n"
+      "and without gains. A contact's SPEC is a list of key=value: tool (needed), name, base,\n"
+      "reference (local, centered, surface, world), normal (of a surface, x,y,z), directions\n"
+      "(x y z rx ry rz all linear angular pad_x|y|z), acceleration (time_derivative, spatial,\n"
+      "classical), error (split, log6), kp, kd (1 or 6 numbers). Its target is where the tool is\n"
+      "at the reference posture.\n"
+      "\n"
+      "Examples:\n"
+      "  burnish check arm7\n"
+      "  burnish check talos:right_arm --tool tool --states 100\n"
+      "  burnish check crane --tool left_tip --base right_tip --all-accelerations\n"
+      "  burnish check talos --contact tool=left_sole_link --contact tool=right_sole_link \\\n"
+      "    --contact tool=tool,reference=surface,normal=0,0.2,1,directions=z,rx,ry,kd=50\n"
+      "\n"
+      "Exit code 1: a row failed.");
+  command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+}
+
+}  // namespace burnish::app

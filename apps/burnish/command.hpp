@@ -1,0 +1,18 @@
+// The commands of the program: each adds itself to the command line and leaves its exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace burnish::app {
+
+/// What the program returns.
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_failed = 1;  ///< a check failed, or an evaluation had a bad status
+inline constexpr int exit_usage = 2;   ///< bad usage or input
+
+/// `exit_code` is set when the command has run.
+void add_show(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_eval(CLI::App& app, int& exit_code);
+
+}  // namespace burnish::app

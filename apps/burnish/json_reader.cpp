@@ -1,0 +1,166 @@
+#include "json_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace burnish::app {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string kind_of(const Json& value) {
+  if (value.is_null()) return "null";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_number()) return "the number " + value.dump();
+  if (value.is_string()) return "the text " + value.dump();
+  return value.is_array() ? "a list" : "an object";
+}
+
+std::string member(const std::string& place, const std::string& key) {
+  return place.empty() ? key : place + "." + key;
+}
+
+/// "parse error at line 1, column 2: ..." without the library's own number in front.
+std::string parse_sentence(std::string text) {
+  const std::size_t bracket = text.find("] ");
+  if (bracket != std::string::npos) text.erase(0, bracket + 2);
+  return text;
+}
+
+Eigen::Matrix3d rotation_of(const JsonReader& reader) {
+  if (reader.has("matrix")) {
+    const Eigen::Matrix3d R = reader["matrix"].matrix3();
+    if ((R.transpose() * R - Eigen::Matrix3d::Identity()).norm() > 1e-6 || R.determinant() < 0.0) {
+      reader["matrix"].refuse("it is not a rotation matrix");
+    }
+    return R;
+  }
+  if (reader.has("quaternion")) {
+    const Eigen::Vector4d q = reader["quaternion"].numbers(4);
+    if (std::abs(q.norm() - 1.0) > 1e-3) {
+      reader["quaternion"].refuse(
+          fmt::format("it has length {:.6g}; wanted 1 (in the order x, y, z, w)", q.norm()));
+    }
+    return Eigen::Quaterniond(q).normalized().toRotationMatrix();
+  }
+  if (!reader.has("rpy")) return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d a = reader["rpy"].numbers(3);
+  return (Eigen::AngleAxisd(a.z(), Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(a.y(), Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(a.x(), Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+}  // namespace
+
+Json parse_json(const std::string& text, const std::string& source) {
+  std::vector<std::set<std::string>> open;
+  const auto refuse_twins = [&](int, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second) {
+      throw Error(
+          fmt::format("{}: key '{}' stands twice in one object", source, value.get<std::string>()));
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, refuse_twins);
+  } catch (const Json::exception& error) {
+    throw Error(source + ": " + parse_sentence(error.what()));
+  }
+}
+
+void JsonReader::refuse(const std::string& what) const {
+  throw Error(place_.empty() ? what : place_ + ": " + what);
+}
+
+void JsonReader::allow_only(const std::vector<std::string>& keys) const {
+  if (!is_object()) refuse("it is " + kind_of(value_) + "; wanted an object");
+  for (const auto& item : value_.items()) {
+    if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;
+    const std::string hint = did_you_mean(item.key(), keys);
+    refuse(fmt::format("unknown key '{}'{}", item.key(),
+                       hint.empty() ? fmt::format("; known are {}", fmt::join(keys, ", ")) : hint));
+  }
+}
+
+JsonReader JsonReader::operator[](const std::string& key) const {
+  if (!has(key)) refuse("key '" + key + "' is missing");
+  return {value_.at(key), member(place_, key)};
+}
+
+std::vector<JsonReader> JsonReader::entries() const {
+  if (!is_list()) refuse("it is " + kind_of(value_) + "; wanted a list");
+  std::vector<JsonReader> result;
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    result.emplace_back(value_[i], fmt::format("{}[{}]", place_, i));
+  }
+  return result;
+}
+
+std::string JsonReader::text() const {
+  if (!is_text()) refuse("it is " + kind_of(value_) + "; wanted a text");
+  return value_.get<std::string>();
+}
+
+double JsonReader::number() const {
+  if (!is_number()) refuse("it is " + kind_of(value_) + "; wanted a number");
+  return value_.get<double>();
+}
+
+int JsonReader::count() const {
+  if (!value_.is_number_integer() || value_.get<double>() < 0.0 || value_.get<double>() > 1e9) {
+    refuse("it is " + kind_of(value_) + "; wanted a whole number that is not negative");
+  }
+  return value_.get<int>();
+}
+
+std::vector<std::string> JsonReader::texts() const {
+  if (is_text()) return {text()};
+  std::vector<std::string> result;
+  for (const JsonReader& entry : entries()) result.push_back(entry.text());
+  return result;
+}
+
+Eigen::VectorXd JsonReader::numbers() const {
+  const std::vector<JsonReader> list = entries();
+  Eigen::VectorXd result(static_cast<Eigen::Index>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    result[static_cast<Eigen::Index>(i)] = list[i].number();
+  }
+  return result;
+}
+
+Eigen::VectorXd JsonReader::numbers(int size) const {
+  Eigen::VectorXd result = numbers();
+  if (result.size() != size) {
+    refuse(fmt::format("it has {} numbers; wanted {}", result.size(), size));
+  }
+  return result;
+}
+
+Eigen::Matrix3d JsonReader::matrix3() const {
+  const std::vector<JsonReader> rows = entries();
+  if (rows.size() != 3) refuse(fmt::format("it has {} rows; wanted 3", rows.size()));
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i) result.row(i) = rows[static_cast<std::size_t>(i)].numbers(3);
+  return result;
+}
+
+Eigen::Isometry3d JsonReader::placement(const std::vector<std::string>& also) const {
+  std::vector<std::string> keys{"xyz", "quaternion", "rpy", "matrix"};
+  keys.insert(keys.end(), also.begin(), also.end());
+  allow_only(keys);
+  if (int(has("quaternion")) + int(has("rpy")) + int(has("matrix")) > 1) {
+    refuse("it has more than one of quaternion, rpy and matrix; wanted one");
+  }
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (has("xyz")) result.translation() = (*this)["xyz"].numbers(3);
+  result.linear() = rotation_of(*this);
+  return result;
+}
+
+}  // namespace burnish::app

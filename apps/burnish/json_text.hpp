@@ -1,0 +1,22 @@
+// Vectors, matrices and placements as JSON, and JSON as text that people can read.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "burnish/base/abi.hpp"
+
+namespace burnish::app {
+
+/// A list. Infinite entries become null: JSON knows no infinity.
+nlohmann::ordered_json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
+/// A list of rows.
+nlohmann::ordered_json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+/// {"xyz": [m], "quaternion": [x, y, z, w]}, w not negative.
+nlohmann::ordered_json placement_json(const Eigen::Isometry3d& placement);
+
+/// Indented, with lists of plain values on one line. Numbers read back as they were.
+std::string json_text(const nlohmann::ordered_json& value);
+
+}  // namespace burnish::app

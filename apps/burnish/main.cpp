@@ -1,0 +1,122 @@
+// burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "burnish/base/error.hpp"
+#include "command.hpp"
+
+namespace burnish::app {
+namespace {
+
+constexpr const char* footer =
+    "Examples:\n"
+    "  burnish show talos:right_arm\n"
+    "  burnish check my_arm.urdf --tool flange\n"
+    "  burnish eval request.json\n"
+    "\n"
+    "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
+    "crane, talos), with ':variant' behind it if wanted.\n"
+    "Exit codes: 0 fine; 1 a check failed or an evaluation had a bad status; 2 bad usage or input.";
+
+/// Wipes the progress line, then ends as any program that was interrupted.
+extern "C" void interrupted(int signal) {
+  if (isatty(STDERR_FILENO) != 0) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, "\r\033[K", 4);
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+std::string lower_first(std::string text) {
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])) != 0) {
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+/// The command that the words on the command line chose, or the program itself.
+const CLI::App& chosen(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = chosen(app);
+  std::string sentence = lower_first(error.what());
+  while (!sentence.empty() && (sentence.back() == '\n' || sentence.back() == '.')) {
+    sentence.pop_back();
+  }
+  std::vector<std::string> strangers = app.remaining(true);
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
+      !strangers.empty()) {
+    // Options before the words that were taken for their values.
+    std::stable_partition(strangers.begin(), strangers.end(),
+                          [](const std::string& word) { return word.starts_with('-'); });
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    sentence = fmt::format("unknown argument '{}'{}", strangers.front(),
+                           did_you_mean(strangers.front(), known));
+  }
+  const std::string name = &command == &app ? "" : " " + command.get_name();
+  return fmt::format("{} (burnish{} --help says more)", sentence, name);
+}
+
+/// Refuses a first word that is no command, with the nearest one.
+void check_command(const CLI::App& app, int count, char** words) {
+  if (count < 2 || words[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  for (const std::string& name : known)
+    if (name == words[1]) return;
+  throw Error(fmt::format("unknown command '{}'{} (burnish --help lists them)", words[1],
+                          did_you_mean(words[1], known)));
+}
+
+int run(int count, char** words) {
+  CLI::App app("Contact dynamics of robots and its analytical derivatives, in any reference frame.",
+               "burnish");
+  app.set_version_flag("--version", "burnish " BURNISH_VERSION);
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  app.get_formatter()->column_width(34);
+  int exit_code = exit_ok;
+  add_show(app, exit_code);
+  add_check(app, exit_code);
+  add_eval(app, exit_code);
+  if (count < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return exit_usage;
+  }
+  try {
+    check_command(app, count, words);
+    app.parse(count, words);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    throw Error(usage_sentence(app, error));
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace burnish::app
+
+int main(int count, char** words) {
+  std::signal(SIGINT, burnish::app::interrupted);
+  int exit_code = burnish::app::exit_usage;
+  try {
+    exit_code = burnish::app::run(count, words);
+    if (std::fflush(stdout) != 0) throw burnish::Error("the output could not be written");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "burnish: {}\n", error.what());
+    return burnish::app::exit_usage;
+  }
+  return exit_code;
+}

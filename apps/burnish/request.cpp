@@ -1,0 +1,203 @@
+#include "request.hpp"
+
+#include <fmt/format.h>
+
+#include "burnish/contact/contact_set.hpp"
+#include "burnish/model/state.hpp"
+#include "request_contact.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name as load_robot wants it.
+std::string locate(const std::string& name, const fs::path& folder) {
+  const fs::path path(name);
+  if (path.is_absolute() || folder.empty()) return name;
+  std::error_code ignored;
+  const std::string bare = name.substr(0, name.rfind(':'));
+  // A bare word such as "talos" is a robot's name before it is a folder's.
+  const bool is_path = name.find('/') != std::string::npos || path.extension() == ".urdf" ||
+                       fs::path(bare).extension() == ".yaml";
+  if (!is_path) return name;
+  if (fs::exists(folder / name, ignored) || fs::exists(folder / bare, ignored)) {
+    return (folder / name).string();
+  }
+  return name;
+}
+
+Robot read_robot(const JsonReader& reader, const fs::path& folder) {
+  RobotOverrides overrides;
+  if (reader.has("base")) {
+    const std::string base = reader["base"].text();
+    if (base != "fixed" && base != "free_flyer") {
+      reader["base"].refuse("unknown base '" + base + "'; wanted fixed or free_flyer");
+    }
+    overrides.base = base == "fixed" ? Base::Fixed : Base::FreeFlyer;
+  }
+  if (reader.has("lock")) overrides.locked = reader["lock"].texts();
+  if (reader.has("free")) overrides.free = reader["free"].texts();
+  if (reader.has("lock_posture")) overrides.posture = reader["lock_posture"].text();
+  const JsonReader name = reader["robot"];
+  return name.named([&] { return load_robot(locate(name.text(), folder), overrides); });
+}
+
+void add_frames(const JsonReader& list, Model& model) {
+  for (const JsonReader& entry : list.entries()) {
+    const Eigen::Isometry3d placement = entry.placement({"name", "parent"});
+    Frame frame;
+    frame.name = entry["name"].text();
+    if (frame.name.empty() || frame.name == "world" || model.has_frame(frame.name)) {
+      entry["name"].refuse("the name '" + frame.name + "' is empty or taken");
+    }
+    frame.kind = FrameKind::User;
+    const JsonReader parent = entry["parent"];
+    const int index = parent.named([&] { return model.frame_index(parent.text()); });
+    const Frame& on = model.frames[static_cast<std::size_t>(index)];
+    frame.body = on.body;
+    frame.placement = on.placement * placement;
+    model.frames.push_back(frame);
+  }
+}
+
+ContactSolver read_solver(const JsonReader& reader) {
+  reader.allow_only({"mu", "max_proximal_iterations", "proximal_tolerance"});
+  ContactSolver solver;
+  const auto not_negative = [&](const char* key, double otherwise) {
+    if (!reader.has(key)) return otherwise;
+    const double value = reader[key].number();
+    if (value < 0.0) reader[key].refuse(fmt::format("it is {}; wanted no negative number", value));
+    return value;
+  };
+  solver.mu = not_negative("mu", solver.mu);
+  solver.proximal_tolerance = not_negative("proximal_tolerance", solver.proximal_tolerance);
+  if (reader.has("max_proximal_iterations")) {
+    solver.max_proximal_iterations = reader["max_proximal_iterations"].count();
+  }
+  return solver;
+}
+
+/// A list of all entries, or an object of some of them by name; the others are zero.
+Eigen::VectorXd read_entries(const JsonReader& reader, const std::vector<std::string>& names) {
+  const int size = static_cast<int>(names.size());
+  if (!reader.is_object()) return reader.numbers(size);
+  reader.allow_only(names);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(size);
+  for (int i = 0; i < size; ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    if (reader.has(name)) result[i] = reader[name].number();
+  }
+  return result;
+}
+
+/// A list of nq numbers, the name of a posture, or a posture {joint: value or values}.
+Eigen::VectorXd read_configuration(const JsonReader& reader, const Robot& robot) {
+  return reader.named([&]() -> Eigen::VectorXd {
+    if (reader.is_text()) return robot.posture(reader.text());
+    if (!reader.is_object()) {
+      const Eigen::VectorXd q = reader.numbers();
+      check_configuration(robot.model, q, "q");
+      return q;
+    }
+    Posture posture;
+    for (const auto& item : reader.json().items()) {
+      const JsonReader value(item.value(), item.key());
+      if (value.is_list()) {
+        const Eigen::VectorXd values = value.numbers();
+        posture[item.key()].assign(values.begin(), values.end());
+      } else {
+        posture[item.key()] = {value.number()};
+      }
+    }
+    return configuration(robot.model, posture);
+  });
+}
+
+EvalState read_state(const JsonReader& reader, const Robot& robot, const ContactSet& set) {
+  reader.allow_only({"q", "v", "tau", "a", "lambda"});
+  const Model& model = robot.model;
+  std::vector<std::string> v_names;
+  for (int k = 0; k < model.nv; ++k) v_names.push_back(model.v_name(k));
+  const auto entries = [&](const char* key, const std::vector<std::string>& names) {
+    if (reader.has(key)) return read_entries(reader[key], names);
+    return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size())));
+  };
+  return {
+      reader.has("q") ? read_configuration(reader["q"], robot) : robot.reference_configuration(),
+      entries("v", v_names), entries("tau", v_names), entries("a", v_names),
+      entries("lambda", set.row_names())};
+}
+
+std::set<std::string> read_compute(const JsonReader& reader) {
+  std::set<std::string> wanted;
+  for (const std::string& word : reader.texts()) {
+    const auto& known = computable();
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      const std::string hint = did_you_mean(word, known);
+      reader.refuse(
+          fmt::format("unknown word '{}'{}", word,
+                      hint.empty() ? fmt::format("; known are {}", fmt::join(known, ", ")) : hint));
+    }
+    wanted.insert(word);
+  }
+  return wanted;
+}
+
+}  // namespace
+
+const std::vector<std::string>& computable() {
+  static const std::vector<std::string> words{"mass_matrix",
+                                              "bias",
+                                              "jacobian",
+                                              "contact_velocity",
+                                              "contact_error",
+                                              "forward",
+                                              "forward_derivatives",
+                                              "inverse",
+                                              "inverse_derivatives",
+                                              "acceleration",
+                                              "acceleration_derivatives",
+                                              "forces",
+                                              "frames",
+                                              "diagnosis"};
+  return words;
+}
+
+EvalRequest read_request(const JsonReader& reader, const fs::path& folder) {
+  reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "frames", "gravity", "states",
+                     "contacts", "solver", "compute", "forces_in"});
+  EvalRequest request;
+  request.robot = read_robot(reader, folder);
+  request.robot_name = reader["robot"].text();
+  Model& model = request.robot.model;
+  if (reader.has("frames")) add_frames(reader["frames"], model);
+  if (reader.has("gravity")) model.gravity = reader["gravity"].numbers(3);
+  if (reader.has("contacts")) {
+    for (const JsonReader& entry : reader["contacts"].entries()) {
+      request.contacts.push_back(read_contact(entry));
+    }
+  }
+  const ContactSet set(model, request.contacts);
+  if (reader.has("solver")) request.solver = read_solver(reader["solver"]);
+  request.compute = {"forward"};
+  if (reader.has("compute")) request.compute = read_compute(reader["compute"]);
+  if (reader.has("forces_in")) {
+    const JsonReader list = reader["forces_in"];
+    request.forces_in = list.texts();
+    for (const std::string& name : request.forces_in) {
+      list.named([&] { return Reference::parse(name); });
+    }
+    request.compute.insert("forces");
+  }
+  if (!reader.has("states")) {
+    request.states.push_back(read_state({nlohmann::json::object(), ""}, request.robot, set));
+    return request;
+  }
+  for (const JsonReader& entry : reader["states"].entries()) {
+    request.states.push_back(read_state(entry, request.robot, set));
+  }
+  return request;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,36 @@
+// A request of `burnish eval`: docs/eval.md as plain values.
+#pragma once
+
+#include <filesystem>
+#include <set>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/contact/solver_options.hpp"
+#include "burnish/model/robot.hpp"
+#include "json_reader.hpp"
+
+namespace burnish::app {
+
+struct EvalState {
+  Eigen::VectorXd q, v, tau, a;  ///< nq, nv, nv, nv
+  Eigen::VectorXd lambda;        ///< rows of all contacts
+};
+
+struct EvalRequest {
+  std::string robot_name;
+  Robot robot;
+  std::vector<ContactSpec> contacts;
+  ContactSolver solver;
+  std::vector<EvalState> states;
+  std::set<std::string> compute;
+  std::vector<std::string> forces_in;  ///< names of references
+};
+
+/// Reads and checks everything, so that nothing is refused after the first state was evaluated.
+/// A robot's path is looked up beside the file in `folder` first, then where the program runs.
+EvalRequest read_request(const JsonReader& reader, const std::filesystem::path& folder);
+
+/// What `compute` may ask for.
+const std::vector<std::string>& computable();
+
+}  // namespace burnish::app

@@ -1,0 +1,174 @@
+// burnish show: what a robot is made of.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+#include "command.hpp"
+#include "json_text.hpp"
+#include "robot_arguments.hpp"
+#include "show_json.hpp"
+#include "tree_drawing.hpp"
+
+namespace burnish::app {
+namespace {
+
+struct ShowArguments {
+  RobotArguments robot;
+  std::string posture;  ///< to look at; empty for the default
+  bool all_frames = false;
+  bool json = false;
+};
+
+/// A number for people: four significant digits, "-" where there is no limit.
+std::string brief(double value) {
+  if (std::isinf(value)) return "-";
+  const std::string text = fmt::format("{:.4g}", value);
+  return text == "-0" ? "0" : text;
+}
+
+/// A length or angle to 0.1 mm or mrad.
+std::string fixed_point(double value) {
+  const std::string text = fmt::format("{:.4f}", value);
+  return text == "-0.0000" ? "0.0000" : text;
+}
+
+/// Rows of cells with columns of equal width; the first `left` columns are aligned to the left.
+class Table {
+ public:
+  explicit Table(std::size_t left) : left_(left) {}
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void print() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        widths[c] = std::max(widths[c], width_of(row[c]));
+      }
+    }
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        line += "  " + padded(row[c], widths[c], c >= left_);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      fmt::print("{}\n", line);
+    }
+  }
+
+ private:
+  std::size_t left_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string entries(int first, int count) {
+  return count == 1 ? std::to_string(first) : fmt::format("{}-{}", first, first + count - 1);
+}
+
+void print_heading(const Robot& robot) {
+  const Model& model = robot.model;
+  fmt::print("{}: {} moving joints, {} entries in q, {} in v, {:.2f} kg that move\n", model.name,
+             model.joints.size(), model.nq, model.nv, model.total_mass());
+  fmt::print("gravity ({}, {}, {}) m/s^2", brief(model.gravity.x()), brief(model.gravity.y()),
+             brief(model.gravity.z()));
+  fmt::print("\n");
+}
+
+void print_joints(const Model& model) {
+  fmt::print("\nJoints (rad, m, s, Nm, N, kg; mass: of the body on the joint)\n");
+  Table table(2);
+  table.add({"joint", "kind", "q", "v", "lower", "upper", "velocity", "effort", "mass"});
+  const std::vector<std::string> drawing = draw_tree(model);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    const bool limited = joint.nq == 1;
+    table.add({drawing[i], std::string(name_of(joint.kind)), entries(joint.q_index, joint.nq),
+               entries(joint.v_index, joint.nv),
+               limited ? brief(model.q_lower[joint.q_index]) : "-",
+               limited ? brief(model.q_upper[joint.q_index]) : "-",
+               brief(model.velocity_limit[joint.v_index]), brief(model.effort_limit[joint.v_index]),
+               brief(joint.mass)});
+  }
+  table.print();
+}
+
+void print_held(const Model& model) {
+  if (model.locked_joints.empty()) return;
+  fmt::print("\nHeld joints\n");
+  std::string line;
+  for (const std::string& name : model.locked_joints) {
+    if (!line.empty() && line.size() + name.size() > 98) {
+      fmt::print("  {}\n", line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + name;
+  }
+  fmt::print("  {}\n", line);
+}
+
+/// Frames of links and added ones; those of joints only where `all` are wanted.
+void print_frames(const Model& model, const Eigen::VectorXd& q, const std::string& posture,
+                  bool all) {
+  fmt::print("\nFrames in the world at {} (m; roll, pitch, yaw in rad)\n", posture);
+  Table table(3);
+  table.add({"frame", "kind", "moved by", "x", "y", "z", "roll", "pitch", "yaw"});
+  const std::vector<Eigen::Isometry3d> placements = frame_placements(model, q);
+  for (std::size_t i = 0; i < model.frames.size(); ++i) {
+    const Frame& frame = model.frames[i];
+    if (frame.kind == FrameKind::Joint && !all) continue;
+    const Eigen::Vector3d p = placements[i].translation();
+    const Eigen::Vector3d angles = roll_pitch_yaw(placements[i].linear());
+    table.add({frame.name, kind_text(frame.kind),
+               frame.body < 0 ? "world" : model.joints[static_cast<std::size_t>(frame.body)].name,
+               fixed_point(p.x()), fixed_point(p.y()), fixed_point(p.z()), fixed_point(angles.x()),
+               fixed_point(angles.y()), fixed_point(angles.z())});
+  }
+  table.print();
+}
+
+void print_postures(const Robot& robot) {
+  if (robot.postures.empty()) return;
+  fmt::print("\nPostures\n");
+  for (const auto& [name, values] : robot.postures) {
+    fmt::print("  {}{}\n", name, name == robot.default_posture ? " (default)" : "");
+  }
+}
+
+void show(const ShowArguments& arguments) {
+  const Robot robot = arguments.robot.load();
+  const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
+  const Eigen::VectorXd q = posture.empty() ? robot.model.q_neutral : robot.posture(posture);
+  if (arguments.json) {
+    fmt::print("{}\n", json_text(show_json(robot, q, posture)));
+    return;
+  }
+  print_heading(robot);
+  print_joints(robot.model);
+  print_held(robot.model);
+  print_frames(robot.model, q, posture.empty() ? "the neutral posture" : "'" + posture + "'",
+               arguments.all_frames);
+  print_postures(robot);
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("show", "Joints, limits, masses, frames and postures");
+  const auto arguments = std::make_shared<ShowArguments>();
+  arguments->robot.add_to(*command);
+  command->add_option("--posture", arguments->posture, "Posture at which frames are placed")
+      ->type_name("NAME");
+  command->add_flag("--all-frames", arguments->all_frames, "Frames of joints as well");
+  command->add_flag("--json", arguments->json, "As JSON, numbers in full");
+  command->footer(
+      "Examples:\n"
+      "  burnish show talos:right_arm --posture table\n"
+      "  burnish show my_arm.urdf --lock finger_left finger_right --json");
+  command->callback([arguments, &exit_code] {
+    show(*arguments);
+    exit_code = exit_ok;
+  });
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,87 @@
+#include "show_json.hpp"
+
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+#include "json_text.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json joint_json(const Model& model, const Joint& joint) {
+  const int q = joint.q_index, v = joint.v_index;
+  return {{"name", joint.name},
+          {"kind", std::string(name_of(joint.kind))},
+          {"parent", joint.parent < 0
+                         ? Json("world")
+                         : Json(model.joints[static_cast<std::size_t>(joint.parent)].name)},
+          {"q_index", q},
+          {"nq", joint.nq},
+          {"v_index", v},
+          {"nv", joint.nv},
+          {"lower", numbers_json(model.q_lower.segment(q, joint.nq))},
+          {"upper", numbers_json(model.q_upper.segment(q, joint.nq))},
+          {"velocity_limit", numbers_json(model.velocity_limit.segment(v, joint.nv))},
+          {"effort_limit", numbers_json(model.effort_limit.segment(v, joint.nv))},
+          {"damping", numbers_json(model.damping.segment(v, joint.nv))},
+          {"friction", numbers_json(model.friction.segment(v, joint.nv))},
+          {"armature", numbers_json(model.armature.segment(v, joint.nv))},
+          {"mass", joint.mass},
+          {"com", numbers_json(joint.com)}};
+}
+
+}  // namespace
+
+std::string kind_text(FrameKind kind) {
+  switch (kind) {
+    case FrameKind::Link:
+      return "link";
+    case FrameKind::Joint:
+      return "joint";
+    case FrameKind::User:
+      return "added";
+  }
+  return "unknown";
+}
+
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R) {
+  const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+  if (std::hypot(R(0, 0), R(1, 0)) < 1e-9) {  // upright: only the sum of roll and yaw counts
+    return {std::atan2(-R(1, 2), R(1, 1)), pitch, 0.0};
+  }
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+Json show_json(const Robot& robot, const Eigen::VectorXd& q, const std::string& posture) {
+  const Model& model = robot.model;
+  Json result{{"name", model.name},
+              {"nq", model.nq},
+              {"nv", model.nv},
+              {"total_mass", model.total_mass()},
+              {"gravity", numbers_json(model.gravity)},
+              {"locked_joints", model.locked_joints},
+              {"joints", Json::array()},
+              {"frames", Json::array()},
+              {"postures", Json::object()},
+              {"default_posture", robot.default_posture},
+              {"shown_posture", posture},
+              {"q", numbers_json(q)}};
+  for (const Joint& joint : model.joints) result["joints"].push_back(joint_json(model, joint));
+  const std::vector<Eigen::Isometry3d> placements = frame_placements(model, q);
+  for (std::size_t i = 0; i < model.frames.size(); ++i) {
+    const Frame& frame = model.frames[i];
+    Json entry{{"name", frame.name},
+               {"kind", kind_text(frame.kind)},
+               {"moved_by", frame.body < 0
+                                ? Json(nullptr)
+                                : Json(model.joints[static_cast<std::size_t>(frame.body)].name)}};
+    entry.update(placement_json(placements[i]));
+    result["frames"].push_back(entry);
+  }
+  for (const auto& [name, values] : robot.postures) result["postures"][name] = values;
+  return result;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,227 @@
+#include "burnish/derivatives/rigid_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/dynamics/passive.hpp"
+#include "derivatives/frame_kinematics.tpp"
+#include "derivatives/momentum.tpp"
+#include "dynamics/inverse_dynamics.tpp"
+#include "dynamics/kinematics.tpp"
+
+namespace burnish {
+namespace {
+
+Vector6 stacked(const Motion<double>& m) {
+  Vector6 result;
+  result << to_eigen(m.linear), to_eigen(m.angular);
+  return result;
+}
+Vector6 stacked(const Force<double>& f) {
+  Vector6 result;
+  result << to_eigen(f.linear), to_eigen(f.angular);
+  return result;
+}
+
+/// Zeros; allocates on first use only.
+void clear(RowMatrix& matrix, int rows, int columns) {
+  if (matrix.rows() != rows || matrix.cols() != columns) matrix.resize(rows, columns);
+  matrix.setZero();
+}
+
+/// Unit quaternions and (cos, sin) pairs to 1e-6 of their length, as in the contact kernels.
+bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
+  for (const TreeJoint& joint : tree.joints) {
+    const bool quaternion = joint.kind == JointKind::FreeFlyer;
+    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
+    if (!quaternion && !angle) continue;
+    const int size = quaternion ? 4 : 2;
+    const int first = joint.q + joint_nq(joint.kind) - size;
+    if (!(std::abs(q.segment(first, size).squaredNorm() - 1.0) < 2e-6)) return false;
+  }
+  return true;
+}
+
+/// All frames of the model, and the world behind them.
+std::vector<CompiledFrame> compile_frames(const Model& model) {
+  std::vector<CompiledFrame> result;
+  for (const Frame& frame : model.frames) result.push_back(compile_frame(model, frame));
+  result.push_back({-1, Mat3<double>::identity(), Vec3<double>::zero(), {}});
+  return result;
+}
+
+}  // namespace
+
+struct RigidBody::Impl {
+  Impl(const Model& robot, double slip_velocity)
+      : model(robot),
+        tree(robot),
+        passive(robot, slip_velocity),
+        frames(compile_frames(robot)),
+        states(frames.size()),
+        v(Eigen::VectorXd::Zero(robot.nv)),
+        at_rest(Eigen::VectorXd::Zero(robot.nv)),
+        gravity(Eigen::VectorXd::Zero(robot.nv)),
+        friction(Eigen::VectorXd::Zero(robot.nv)),
+        friction_dv(Eigen::VectorXd::Zero(robot.nv)),
+        kinematics(tree),
+        inverse_dynamics(tree),
+        momentum(tree),
+        derivatives(tree) {
+    evaluate(robot.q_neutral, at_rest, at_rest);
+  }
+
+  Status check(const ConstVectorRef& q, const ConstVectorRef& new_v,
+               const ConstVectorRef& a) const {
+    if (q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
+      return Status::WrongSize;
+    if (!q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
+    return is_normalized(tree, q) ? Status::Ok : Status::NotNormalized;
+  }
+
+  void evaluate(const ConstVectorRef& q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+    v = new_v;
+    update_kinematics(tree, q.data(), v.data(), kinematics);
+    accelerate(tree, kinematics, a.data(), inverse_dynamics);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      update_frame(frames[i], kinematics, states[i]);
+      update_frame_acceleration(tree, frames[i], kinematics, inverse_dynamics, states[i]);
+    }
+    update_momentum(tree, kinematics, v.data(), momentum);
+    burnish::gravity_torque(tree, kinematics, momentum, gravity.data());
+    burnish::passive_torque(passive, v.data(), friction.data(), friction_dv.data());
+  }
+
+  const FrameState<double>& state(int frame) const { return states.at(frame); }
+  FrameError<double> error(int frame, const Eigen::Isometry3d& target) const {
+    return frame_error(state(frame), from_eigen(Eigen::Matrix3d(target.linear())),
+                       from_eigen(Eigen::Vector3d(target.translation())));
+  }
+  MatrixView view(const std::vector<double>& entries, int rows) const {
+    return {entries.data(), rows, tree.nv};
+  }
+  VectorView view(const std::vector<double>& entries) const { return {entries.data(), tree.nv}; }
+
+  Model model;
+  Tree tree;
+  PassiveJoints passive;
+  std::vector<CompiledFrame> frames;
+  std::vector<FrameState<double>> states;  ///< per frame
+  Eigen::VectorXd v, at_rest;
+  Eigen::VectorXd gravity, friction, friction_dv;
+  Kinematics<double> kinematics;
+  InverseDynamics<double> inverse_dynamics;
+  Momentum<double> momentum;
+  MomentumDerivatives<double> derivatives;
+};
+
+RigidBody::RigidBody(const Model& model, double slip_velocity)
+    : impl_(std::make_unique<Impl>(model, slip_velocity)) {}
+RigidBody::~RigidBody() = default;
+RigidBody::RigidBody(RigidBody&&) noexcept = default;
+RigidBody& RigidBody::operator=(RigidBody&&) noexcept = default;
+
+int RigidBody::nq() const { return impl_->tree.nq; }
+int RigidBody::nv() const { return impl_->tree.nv; }
+int RigidBody::frame(const std::string& name) const {
+  if (name == "world" && !impl_->model.has_frame(name))
+    return static_cast<int>(impl_->frames.size()) - 1;
+  return impl_->model.frame_index(name);
+}
+
+Status RigidBody::update(const ConstVectorRef& q, const ConstVectorRef& v) {
+  return update(q, v, impl_->at_rest);
+}
+Status RigidBody::update(const ConstVectorRef& q, const ConstVectorRef& v,
+                         const ConstVectorRef& a) {
+  const Status status = impl_->check(q, v, a);
+  if (status == Status::Ok) impl_->evaluate(q, v, a);
+  return status;
+}
+
+Eigen::Isometry3d RigidBody::placement(int frame) const {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = to_eigen(impl_->state(frame).R);
+  result.translation() = to_eigen(impl_->state(frame).p);
+  return result;
+}
+Vector6 RigidBody::velocity(int frame, FrameAxes axes) const {
+  return stacked(frame_velocity(axes, impl_->state(frame)));
+}
+Vector6 RigidBody::acceleration(int frame, FrameAxes axes) const {
+  return stacked(frame_acceleration(axes, impl_->state(frame)));
+}
+
+void RigidBody::frame_derivatives(int frame, FrameAxes axes, FrameDerivatives& out) const {
+  const CompiledFrame& compiled = impl_->frames.at(frame);
+  const FrameState<double>& state = impl_->state(frame);
+  const int n = nv();
+  for (RowMatrix* matrix :
+       {&out.jacobian, &out.velocity_dq, &out.acceleration_dq, &out.acceleration_dv})
+    clear(*matrix, 6, n);
+  frame_jacobian(compiled, axes, impl_->kinematics, state, out.jacobian.data(), n);
+  frame_velocity_derivative(compiled, axes, impl_->kinematics, state, out.velocity_dq.data(), n);
+  frame_acceleration_derivatives(compiled, axes, impl_->kinematics, impl_->inverse_dynamics, state,
+                                 out.acceleration_dq.data(), out.acceleration_dv.data(), n);
+}
+
+Vector6 RigidBody::placement_error(int frame, const Eigen::Isometry3d& target) const {
+  return stacked(impl_->error(frame, target).placement);
+}
+
+void RigidBody::placement_derivatives(int frame, const Eigen::Isometry3d& target,
+                                      PlacementDerivatives& out) const {
+  const CompiledFrame& compiled = impl_->frames.at(frame);
+  const FrameState<double>& state = impl_->state(frame);
+  const FrameError<double> error = impl_->error(frame, target);
+  const Kinematics<double>& kinematics = impl_->kinematics;
+  const int n = nv();
+  for (RowMatrix* matrix : {&out.position, &out.rotation, &out.rotation_error})
+    clear(*matrix, 3, n);
+  clear(out.placement_error, 6, n);
+  frame_position_derivative(compiled, kinematics, state, out.position.data(), n);
+  frame_rotation_derivative(compiled, kinematics, state, out.rotation.data(), n);
+  frame_rotation_error_derivative(compiled, kinematics, state, error, out.rotation_error.data(), n);
+  frame_placement_error_derivative(compiled, kinematics, state, error, out.placement_error.data(),
+                                   n);
+}
+
+double RigidBody::mass() const { return impl_->momentum.mass; }
+Eigen::Vector3d RigidBody::com() const { return to_eigen(impl_->momentum.com); }
+Eigen::Vector3d RigidBody::com_velocity() const { return to_eigen(impl_->momentum.com_velocity); }
+Vector6 RigidBody::momentum() const { return stacked(impl_->momentum.total); }
+Vector6 RigidBody::centroidal_momentum() const { return stacked(impl_->momentum.centroidal); }
+double RigidBody::kinetic_energy() const { return impl_->momentum.kinetic; }
+double RigidBody::potential_energy() const { return impl_->momentum.potential; }
+VectorView RigidBody::gravity_torque() const { return {impl_->gravity.data(), nv()}; }
+VectorView RigidBody::passive_torque() const { return {impl_->friction.data(), nv()}; }
+
+void RigidBody::update_derivatives() {
+  momentum_derivatives(impl_->tree, impl_->kinematics, impl_->momentum, impl_->v.data(),
+                       impl_->derivatives);
+}
+
+MatrixView RigidBody::com_dq() const { return impl_->view(impl_->derivatives.com_dq, 3); }
+MatrixView RigidBody::com_velocity_dq() const {
+  return impl_->view(impl_->derivatives.com_velocity_dq, 3);
+}
+MatrixView RigidBody::momentum_dq() const { return impl_->view(impl_->derivatives.total_dq, 6); }
+MatrixView RigidBody::momentum_dv() const { return impl_->view(impl_->derivatives.total_dv, 6); }
+MatrixView RigidBody::centroidal_momentum_dq() const {
+  return impl_->view(impl_->derivatives.centroidal_dq, 6);
+}
+MatrixView RigidBody::centroidal_momentum_dv() const {
+  return impl_->view(impl_->derivatives.centroidal_dv, 6);
+}
+VectorView RigidBody::kinetic_energy_dq() const {
+  return impl_->view(impl_->derivatives.kinetic_dq);
+}
+VectorView RigidBody::kinetic_energy_dv() const {
+  return impl_->view(impl_->derivatives.kinetic_dv);
+}
+VectorView RigidBody::potential_energy_dq() const {
+  return impl_->view(impl_->derivatives.potential_dq);
+}
+VectorView RigidBody::passive_torque_dv() const { return {impl_->friction_dv.data(), nv()}; }
+
+}  // namespace burnish

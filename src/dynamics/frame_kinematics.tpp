@@ -1,0 +1,62 @@
+// Definitions of frame_kinematics.hpp, for any scalar.
+#pragma once
+
+#include "burnish/dynamics/frame_kinematics.hpp"
+#include "dynamics/columns.hpp"
+
+namespace burnish {
+template <class S>
+void update_frame(const CompiledFrame& frame, const Kinematics<S>& kinematics,
+                  FrameState<S>& state) {
+  state.R = lift<S>(frame.R);
+  state.p = lift<S>(frame.p);
+  state.v = Motion<S>::zero();
+  state.a = Motion<S>::zero();
+  if (frame.body < 0) return;
+  const BodyState<S>& body = kinematics.bodies[frame.body];
+  state.R = body.R * state.R;
+  state.p = body.p + body.R * state.p;
+  state.v = body.v;
+}
+
+template <class S>
+void update_frame_acceleration(const Tree& tree, const CompiledFrame& frame,
+                               const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
+                               FrameState<S>& state) {
+  if (frame.body < 0) return;
+  const Motion<S> gravity{lift<S>(tree.gravity), Vec3<S>::zero()};
+  state.a = kinematics.bodies[frame.body].a_bias + gravity + id.a_joint[frame.body];
+}
+
+template <class S>
+Motion<S> frame_velocity(FrameAxes axes, const FrameState<S>& state) {
+  return in_axes(axes, state, state.v);
+}
+
+template <class S>
+Motion<S> frame_acceleration(FrameAxes axes, const FrameState<S>& state) {
+  const Motion<S> rho = twist_of_axes(axes, state, state.v);
+  return in_axes(axes, state, state.a - cross(rho, state.v));
+}
+
+template <class S>
+void frame_jacobian(const CompiledFrame& frame, FrameAxes axes, const Kinematics<S>& kinematics,
+                    const FrameState<S>& state, S* out, int stride) {
+  for (const int k : frame.support)
+    store_column(in_axes(axes, state, kinematics.axes[k].axis), out + k, stride);
+}
+
+template <class S>
+FrameError<S> frame_error(const FrameState<S>& state, const Mat3<S>& target_R,
+                          const Vec3<S>& target_p) {
+  FrameError<S> error;
+  S angle;
+  error.position = state.p - target_p;
+  error.rotation = log_rotation(transpose_times(target_R, state.R), angle);
+  error.terms = log_coefficients(angle);
+  error.placement =
+      log_placement(error.terms, error.rotation, transpose_times(target_R, error.position));
+  return error;
+}
+
+}  // namespace burnish

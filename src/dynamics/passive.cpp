@@ -1,0 +1,19 @@
+#include "burnish/dynamics/passive.hpp"
+
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+
+PassiveJoints::PassiveJoints(const Model& model, double slip_velocity)
+    : damping(model.damping.data(), model.damping.data() + model.damping.size()),
+      friction(model.friction.data(), model.friction.data() + model.friction.size()),
+      slip(slip_velocity) {
+  if (slip > 0.0 && std::isfinite(slip)) return;
+  throw Error("slip_velocity is " + number(slip_velocity) +
+              "; wanted a positive number of rad/s or m/s");
+}
+
+}  // namespace burnish

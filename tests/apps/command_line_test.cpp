@@ -1,0 +1,126 @@
+// burnish, burnish show and burnish check from outside.
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Program, HelpAndVersion) {
+  EXPECT_EQ(run("--version").out, "burnish " BURNISH_VERSION "\n");
+  for (const std::string arguments : {"--help", "show --help", "check --help", "eval --help"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.out.find("Examples:\n  "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  }
+  const Outcome bare = run("");
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_NE(bare.err.find("Usage: burnish"), std::string::npos);
+}
+
+TEST(Program, BadUsageIsOneSentence) {
+  expect_refused(run("chek arm7"), "unknown command 'chek'; did you mean 'check'?");
+  expect_refused(run("show"), "ROBOT is required");
+  expect_refused(run("show arm7 --lok joint_1"),
+                 "unknown argument '--lok'; did you mean '--lock'?");
+  expect_refused(run("show arm7 extra"), "unknown argument 'extra'");
+  expect_refused(run("show arm8"), "robot 'arm8' is not known; did you mean 'arm7'?");
+  expect_refused(run("show nowhere.urdf"), "nowhere.urdf: it does not exist");
+  expect_refused(run("show arm7 --fixed --free-flyer"), "exclude each other");
+  expect_refused(run("show arm7 --lock joint_11"), "did you mean 'joint_1'?");
+  expect_refused(run("show arm7 --posture redy"), "did you mean 'ready'?");
+  expect_refused(run("check arm7 --states many"), "could not convert: --states = many");
+  expect_refused(run("check arm7 --states 0"), "states is 0; wanted at least 1");
+  expect_refused(run("check arm7 --contact directions=z"), "key 'tool' is missing");
+  expect_refused(run("check arm7 --contact tool=tool,directons=z"),
+                 "unknown key 'directons'; did you mean 'directions'?");
+  expect_refused(run("check arm7 --contact tool=tool,kp=1,2"), "kp: it has 2 numbers; wanted 1");
+  expect_refused(run("check arm7 --contact tool=tool,kp=much"), "kp: 'much' is no number");
+}
+
+TEST(Show, DrawsTheTree) {
+  const Outcome outcome = run("show crane");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (const std::string line :
+       {"crane: 10 moving joints, 13 entries in q, 10 in v, 157.74 kg that move\n",
+        "  ├─ left_luff_joint     revolute        3  2   -0.7    1.2       0.8     520    14\n",
+        "     right_wrist_joint   continuous  11-12  9      -      -       2.5      25   0.8\n",
+        "Held joints\n  left_finger_a_joint left_finger_b_joint\n", "  work (default)\n",
+        "Frames in the world at 'work'"}) {
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+  }
+  EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
+}
+
+TEST(Show, OptionsChangeTheRobot) {
+  EXPECT_NE(run("show arm7 --free-flyer").out.find("8 moving joints"), std::string::npos);
+  EXPECT_NE(run("show arm7 --lock joint_3 joint_5").out.find("5 moving joints"), std::string::npos);
+  EXPECT_NE(run("show arm7 --lock joint_3,joint_5").out.find("5 moving joints"), std::string::npos);
+  EXPECT_NE(run("show arm7 --free joint_3").out.find("1 moving joints"), std::string::npos);
+}
+
+TEST(Show, Json) {
+  const Outcome outcome = run("show talos:right_arm --posture board_x --json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["nv"], 6);
+  EXPECT_EQ(json["joints"].size(), 6U);
+  EXPECT_EQ(json["joints"][5]["name"], "arm_right_4_joint");
+  EXPECT_EQ(json["shown_posture"], "board_x");
+  EXPECT_EQ(json["locked_joints"].size(), 24U);
+  for (const Json& frame : json["frames"]) {
+    if (frame["name"] != "tool") continue;
+    EXPECT_NEAR(frame["xyz"][0].get<double>(), 0.489, 1e-3);
+    EXPECT_NEAR(frame["xyz"][1].get<double>(), -0.336, 1e-3);
+    EXPECT_NEAR(frame["xyz"][2].get<double>(), 1.152, 1e-3);
+  }
+}
+
+TEST(Check, PassesWithExitCodeZero) {
+  const Outcome outcome = run("check arm7 --states 2");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "") << "progress is for terminals";
+  EXPECT_NE(outcome.out.find("pass: all 96 rows, worst error "), std::string::npos) << outcome.out;
+}
+
+TEST(Check, FailsWithExitCodeOne) {
+  const Outcome outcome = run("check arm7 --states 1 --tolerance 1e-18");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("FAIL: 96 of 96 rows\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", differences say "), std::string::npos);
+}
+
+TEST(Check, ContactsFromTheCommandLine) {
+  const Outcome outcome =
+      run("check talos --states 2 --json --contact tool=left_sole_link,kp=100,kd=20,error=log6"
+          " --contact tool=tool,base=world,name=pad,normal=0,0.2,1,directions=z,rx,ry,kd=50,"
+          "acceleration=classical");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["rows"].size(), 1U);
+  const Json& row = json["rows"][0];
+  EXPECT_EQ(row["reference"], "centered + surface");
+  EXPECT_EQ(row["directions"], "x,y,z,rx,ry,rz + z,rx,ry");
+  EXPECT_EQ(row["acceleration"], "time_derivative + classical");
+  EXPECT_EQ(row["gains"], "kp 100, kd 20 + kd 50");
+  EXPECT_EQ(row["error"], "log6 + -");
+  EXPECT_TRUE(row["pass"].get<bool>());
+  EXPECT_LT(row["worst_error"].get<double>(), 1e-7);
+  EXPECT_TRUE(json["pass"].get<bool>());
+}
+
+TEST(Check, TwoBodiesAndAllAccelerations) {
+  const Outcome outcome =
+      run("check crane --tool left_tip --base right_tip --all-accelerations --states 1 --json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["rows"].size(), 3U * 96U);
+  EXPECT_EQ(json["rows"][0]["bodies"], "left_tip on right_tip");
+}
+
+}  // namespace
+}  // namespace burnish::testing

@@ -1,0 +1,234 @@
+// burnish eval from outside: answers, exit codes and refusals.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string repository = BURNISH_ROBOTS_DIR "/..";
+
+Json answer_to(const Json& request, int exit_code = 0) {
+  const Outcome outcome = run("eval -", request.dump());
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  return Json::parse(outcome.out);
+}
+
+void expect_near(const Json& a, const Json& b, double tolerance, const std::string& where) {
+  ASSERT_EQ(a.is_number(), b.is_number()) << where;
+  if (a.is_number()) {
+    EXPECT_NEAR(a.get<double>(), b.get<double>(), tolerance * (1.0 + std::abs(b.get<double>())))
+        << where;
+    return;
+  }
+  if (!a.is_structured()) {
+    EXPECT_EQ(a, b) << where;
+    return;
+  }
+  ASSERT_EQ(a.size(), b.size()) << where;
+  for (const auto& item : b.items()) {
+    const Json& other = a.is_array() ? a.at(std::stoul(item.key())) : a.at(item.key());
+    expect_near(other, item.value(), tolerance, where + "/" + item.key());
+  }
+}
+
+/// The n-th block of JSON in docs/eval.md.
+std::string documented(int n) {
+  const std::string text = contents(repository + "/docs/eval.md");
+  std::size_t begin = 0;
+  for (int i = 0; i <= n; ++i) begin = text.find("```json\n", begin) + 8;
+  return text.substr(begin, text.find("```", begin) - begin);
+}
+
+TEST(Eval, TheDocumentedExampleIsTheFileAndItsAnswer) {
+  EXPECT_EQ(documented(0), contents(repository + "/examples/eval/press.json"));
+  const Outcome outcome = run("eval '" + repository + "/examples/eval/press.json'");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  expect_near(Json::parse(outcome.out), Json::parse(documented(1)), 1e-9, "answer");
+}
+
+TEST(Eval, EveryExampleRuns) {
+  for (const auto& file : std::filesystem::directory_iterator(repository + "/examples/eval")) {
+    const Outcome outcome = run("eval '" + file.path().string() + "'");
+    EXPECT_EQ(outcome.exit_code, 0) << file.path() << outcome.err;
+    EXPECT_FALSE(Json::parse(outcome.out).empty());
+  }
+}
+
+TEST(Eval, AllThatCanBeComputedHasItsSize) {
+  const Json request{
+      {"robot", "talos"},
+      {"contacts", {{{"name", "foot"}, {"tool", "left_sole_link"}, {"directions", {"z", "rx"}}}}},
+      {"compute",
+       {"mass_matrix", "bias", "jacobian", "contact_velocity", "contact_error", "forward",
+        "forward_derivatives", "inverse", "inverse_derivatives", "acceleration",
+        "acceleration_derivatives", "forces", "frames", "diagnosis"}}};
+  const Json answer = answer_to(request);
+  const Json& state = answer["states"][0];
+  EXPECT_EQ(answer["q_names"].size(), 37U);
+  EXPECT_EQ(answer["v_names"][0], "root_joint.vx");
+  EXPECT_EQ(answer["row_names"], Json({"foot/z", "foot/rx"}));
+  const auto expect_size = [](const Json& matrix, std::size_t rows, std::size_t columns) {
+    ASSERT_EQ(matrix.size(), rows);
+    for (const Json& row : matrix) EXPECT_EQ(row.size(), columns);
+  };
+  expect_size(state["mass_matrix"], 36, 36);
+  expect_size(state["jacobian"], 2, 36);
+  expect_size(state["forward_derivatives"]["da_dtau"], 36, 36);
+  expect_size(state["forward_derivatives"]["dlambda_dq"], 2, 36);
+  expect_size(state["inverse_derivatives"]["dtau_dlambda"], 36, 2);
+  expect_size(state["acceleration_derivatives"]["dalpha_dv"], 2, 36);
+  EXPECT_EQ(state["bias"].size(), 36U);
+  EXPECT_EQ(state["contact_error"].size(), 2U);
+  EXPECT_NEAR(state["frames"]["left_sole_link"]["xyz"][2].get<double>(), 0.0, 1e-5);
+  EXPECT_TRUE(state["diagnosis"]["independent"].get<bool>());
+  EXPECT_EQ(state["forces"][0]["by"], "world");
+}
+
+TEST(Eval, InverseUndoesForward) {
+  Json request{{"robot", "arm7"},
+               {"contacts", {{{"tool", "tool"}, {"directions", "linear"}}}},
+               {"compute", {"forward", "inverse", "bias"}},
+               {"states",
+                {{{"v", {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}},
+                  {"tau", {{"joint_2", 12.5}, {"joint_4", -3.25}}}}}}};
+  const Json forward = answer_to(request)["states"][0]["forward"];
+  request["states"][0]["a"] = forward["a"];
+  request["states"][0]["lambda"] = forward["lambda"];
+  const Json inverse = answer_to(request)["states"][0]["inverse"];
+  expect_near(inverse["tau"], {0.0, 12.5, 0.0, -3.25, 0.0, 0.0, 0.0}, 1e-10, "tau");
+}
+
+TEST(Eval, FramesGravityAndNamesOfPostures) {
+  Json request{{"robot", "arm7"},
+               {"frames",
+                {{{"name", "sander"},
+                  {"parent", "tool"},
+                  {"xyz", {0, 0, 0.1}},
+                  {"rpy", {0, 0, 1.5707963267948966}}}}},
+               {"gravity", {0, 0, 0}},
+               {"contacts", {{{"tool", "sander"}, {"target", {{"xyz", {0.1, 0, 0}}}}}}},
+               {"compute", {"forward", "frames", "contact_error"}},
+               {"states", {{{"q", "home"}}, {{"q", {{"joint_2", 0.25}}}}}}};
+  const Json answer = answer_to(request);
+  for (const Json& state : answer["states"]) {
+    for (const Json& x : state["forward"]["a"]) EXPECT_EQ(x.get<double>(), 0.0);
+    // No gain acts on it, and yet it is the error.
+    const Json& at = state["frames"]["sander"]["xyz"];
+    EXPECT_NEAR(state["contact_error"][0].get<double>(), at[0].get<double>() - 0.1, 1e-12);
+    EXPECT_NEAR(state["contact_error"][2].get<double>(), at[2].get<double>(), 1e-12);
+  }
+  EXPECT_NE(answer["states"][0]["frames"]["tool"], answer["states"][1]["frames"]["tool"]);
+}
+
+TEST(Eval, BadStatusIsSaidAndExitsWithOne) {
+  const Json request{{"robot", "arm7"},
+                     {"contacts",
+                      {{{"name", "one"}, {"tool", "tool"}, {"directions", "z"}},
+                       {{"name", "two"}, {"tool", "tool"}, {"directions", "z"}}}},
+                     {"compute", {"forward", "forward_derivatives", "mass_matrix", "diagnosis"}}};
+  const Json answer = answer_to(request, 1);
+  const Json& state = answer["states"][0];
+  EXPECT_EQ(state["status"], "singular_contacts");
+  EXPECT_NE(state["sentence"].get<std::string>().find("redundant"), std::string::npos);
+  EXPECT_TRUE(state["forward"].is_null());
+  EXPECT_TRUE(state["forward_derivatives"].is_null());
+  EXPECT_EQ(state["mass_matrix"].size(), 7U);
+  EXPECT_EQ(state["diagnosis"]["redundant"][0]["implied_by"], Json({"one/z"}));
+  EXPECT_TRUE(state["diagnosis"]["condition"].is_null());
+}
+
+TEST(Eval, NumbersReadBackAsTheyWere) {
+  const Outcome pretty = run("eval -", R"({"robot": "arm7"})");
+  const Outcome compact = run("eval - --compact", R"({"robot": "arm7"})");
+  EXPECT_EQ(Json::parse(pretty.out), Json::parse(compact.out));
+  EXPECT_EQ(compact.out.find('\n') + 1, compact.out.size());
+}
+
+TEST(Eval, ListsAreAnsweredWithLists) {
+  EXPECT_TRUE(Json::parse(run("eval -", R"([{"robot": "arm7"}])").out).is_array());
+  EXPECT_TRUE(Json::parse(run("eval -", R"({"robot": "arm7"})").out).is_object());
+  EXPECT_EQ(run("eval -", "[]").out, "[]\n");
+}
+
+TEST(Eval, RobotsAreFoundBesideTheRequest) {
+  const Scratch scratch;
+  scratch.write("mine.urdf", contents(BURNISH_ROBOTS_DIR "/arm7/arm7.urdf"));
+  const auto file = scratch.write("request.json", R"({"robot": "mine.urdf"})");
+  const Outcome outcome = run("eval '" + file.string() + "'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["v_names"].size(), 7U);
+}
+
+struct Refused {
+  const char* request;
+  const char* sentence;
+};
+
+class EvalRefuses : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(EvalRefuses, WithThePlace) {
+  expect_refused(run("eval -", GetParam().request), GetParam().sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Requests, EvalRefuses,
+    ::testing::Values(
+        Refused{"", "standard input: parse error at line 1"},
+        Refused{"{\"robot\": \"arm7\",}", "standard input: parse error at line 1, column 18"},
+        Refused{"{\"robot\": NaN}", "parse error"},
+        Refused{R"({"robot": "arm7", "gravity": [0, 0, 1e999]})",
+                "standard input: number overflow"},
+        Refused{R"({"robot": "arm7", "robot": "crane"})", "key 'robot' stands twice"},
+        Refused{"3", "it is the number 3; wanted an object"},
+        Refused{"{}", "key 'robot' is missing"},
+        Refused{R"({"robot": "arm8"})", "robot: robot 'arm8' is not known; did you mean 'arm7'?"},
+        Refused{R"([{"robot": "arm7"}, {"robt": "arm7"}])",
+                "request [1]: unknown key 'robt'; did you mean 'robot'?"},
+        Refused{R"({"robot": "arm7", "base": "floating"})", "base: unknown base 'floating'"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "directons": "z"}]})",
+                "contacts[0]: unknown key 'directons'; did you mean 'directions'?"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tol"}]})", "did you mean 'tool'?"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": [1, 2]}]})",
+                "contacts[0].kp: it has 2 numbers; wanted 6"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference": "wrld"}]})",
+                "contacts[0].reference: "},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+                {"type": "surface", "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}}]})",
+                "rotation is not a rotation matrix"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+                {"type": "world", "normal": [0, 0, 1]}}]})",
+                "contacts[0].reference: a normal goes with type 'surface'"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "target":
+                {"quaternion": [1, 1, 0, 0]}}]})",
+                "contacts[0].target.quaternion: it has length 1.41421; wanted 1"},
+        Refused{R"({"robot": "arm7", "states": [{}, {"q": [1, 2]}]})",
+                "states[1].q: argument 'q' has 2 entries; wanted 7"},
+        Refused{R"({"robot": "arm7", "states": [{"q": "redy"}]})", "did you mean 'ready'?"},
+        Refused{R"({"robot": "arm7", "states": [{"v": {"joint_9": 1}}]})",
+                "states[0].v: unknown key 'joint_9'; did you mean 'joint_1'?"},
+        Refused{R"({"robot": "arm7", "states": [{"tau": [0, 0, 0, 0, 0, 0, "x"]}]})",
+                "states[0].tau[6]: it is the text \"x\"; wanted a number"},
+        Refused{R"({"robot": "arm7", "compute": ["foward"]})",
+                "compute: unknown word 'foward'; did you mean 'forward'?"},
+        Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in: "},
+        Refused{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
+        Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
+                "solver.max_proximal_iterations: it is the number 1.5"},
+        Refused{R"({"robot": "arm7", "frames": [{"name": "tool", "parent": "tool"}]})",
+                "frames[0].name: the name 'tool' is empty or taken"},
+        Refused{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
+                "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
+
+TEST(Eval, FilesThatCannotBeRead) {
+  expect_refused(run("eval nowhere.json"), "cannot read 'nowhere.json'");
+  expect_refused(run("eval /tmp"), "'/tmp' is a folder");
+  expect_refused(run("eval"), "FILE is required");
+}
+
+}  // namespace
+}  // namespace burnish::testing

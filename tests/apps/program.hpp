@@ -1,0 +1,74 @@
+// Runs the burnish program as a user would.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace burnish::testing {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+inline std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own, gone at the end.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "burnish_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
+    folder = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+  std::filesystem::path folder;
+};
+
+/// `arguments` as typed in a shell.
+inline Outcome run(const std::string& arguments, const std::string& input = "") {
+  const Scratch scratch;
+  const auto file = [&](const char* name) { return (scratch.folder / name).string(); };
+  scratch.write("in", input);
+  const std::string command = "'" BURNISH_PROGRAM "' " + arguments + " <'" + file("in") + "' >'" +
+                              file("out") + "' 2>'" + file("err") + "'";
+  const int status = std::system(command.c_str());
+  Outcome outcome;
+  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  outcome.out = contents(scratch.folder / "out");
+  outcome.err = contents(scratch.folder / "err");
+  return outcome;
+}
+
+/// Exit code 2, nothing on stdout, and one sentence on stderr that holds `words`.
+inline void expect_refused(const Outcome& outcome, const std::string& words) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("burnish: ", 0), 0U) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n') + 1, outcome.err.size()) << outcome.err;
+  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+}
+
+}  // namespace burnish::testing

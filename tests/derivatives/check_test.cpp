@@ -1,0 +1,232 @@
+// The public derivative checker: passes where derivatives are right, and names what is wrong.
+#include "burnish/derivatives/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "burnish/model/robot.hpp"
+#include "derivatives/check_differences.hpp"
+#include "derivatives/check_run.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish {
+namespace {
+
+Model model_of(const std::string& name) { return load_robot(BURNISH_ROBOTS_DIR "/" + name).model; }
+
+/// One quick row.
+CheckOptions quick() {
+  CheckOptions options;
+  options.references = {Reference::centered()};
+  options.directions = {Directions::pad_z()};
+  options.gains = {default_check_gains()[1]};
+  options.states = 2;
+  return options;
+}
+
+DerivativeBlock& block_named(std::vector<DerivativeBlock>& blocks, const std::string& name) {
+  for (DerivativeBlock& block : blocks)
+    if (block.name == name) return block;
+  throw Error("no block " + name);
+}
+
+const std::vector<std::string> all_blocks{
+    "da_dq",   "dlambda_dq", "da_dv",        "dlambda_dv", "da_dtau",   "dlambda_dtau", "dtau_dq",
+    "dtau_dv", "dtau_da",    "dtau_dlambda", "dalpha_dq",  "dalpha_dv", "dalpha_da"};
+
+class CheckRobots : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(CheckRobots, PassWithMargin) {
+  CheckOptions options;
+  options.states = 3;
+  const CheckReport report = check_derivatives(model_of(GetParam()), options);
+  EXPECT_TRUE(report.pass) << report.text();
+  EXPECT_EQ(report.rows.size(), 4U * 8U * 3U);
+  for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, CheckRobots,
+                         ::testing::Values("arm7", "arm7:six", "arm7:floating", "crane",
+                                           "crane:left_only", "talos:right_arm"));
+
+TEST(Check, PassesForAllAccelerationsBetweenTwoBodies) {
+  CheckOptions options;
+  options.tool = "left_tip";
+  options.base = "right_tip";
+  options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
+                           Acceleration::Classical};
+  options.states = 2;
+  const CheckReport report = check_derivatives(model_of("crane"), options);
+  EXPECT_TRUE(report.pass) << report.text();
+  EXPECT_EQ(report.rows.front().bodies, "left_tip on right_tip");
+}
+
+TEST(Check, GivenContactsAreCheckedTogether) {
+  CheckOptions options;
+  ContactSpec left{.tool = "left_sole_link"}, right{.tool = "right_sole_link"};
+  ContactSpec pad{.tool = "tool",
+                  .reference = Reference::surface_with_normal({0.0, 0.2, 1.0}),
+                  .directions = Directions::pad_z()};
+  pad.with_gains(0.0, 50.0);
+  options.contacts = {left, right, pad};
+  options.states = 2;
+  const CheckReport report = check_derivatives(model_of("talos"), options);
+  ASSERT_EQ(report.rows.size(), 1U);
+  EXPECT_TRUE(report.pass) << report.text();
+  EXPECT_EQ(report.rows[0].reference, "centered + centered + surface");
+  EXPECT_EQ(report.rows[0].acceleration, "time_derivative");
+}
+
+TEST(Check, TooFewJointsAreCheckedWithComplianceAndSaySo) {
+  CheckOptions options = quick();
+  options.directions = {Directions::all(), Directions::z()};
+  options.tool = "tool";
+  RobotOverrides four;
+  four.free = {"joint_1", "joint_2", "joint_3", "joint_4"};
+  const Robot robot = load_robot(BURNISH_ROBOTS_DIR "/arm7", four);
+  const CheckReport report = check_derivatives(robot.model, options);
+  EXPECT_TRUE(report.pass) << report.text();
+  EXPECT_GT(report.rows[0].mu, 0.0);
+  EXPECT_EQ(report.rows[1].mu, 0.0);
+  EXPECT_NE(report.text().find("1 row checked with compliance mu"), std::string::npos);
+}
+
+class CorruptedBlock : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CorruptedBlock, IsReportedWithItsRowAndColumn) {
+  const Model model = model_of("arm7");
+  std::string row, column;
+  const CheckReport report = run_check(model, quick(), [&](std::vector<DerivativeBlock>& blocks) {
+    DerivativeBlock& block = block_named(blocks, GetParam());
+    const Eigen::Index i = block.value.rows() - 1, j = block.value.cols() / 2;
+    block.value(i, j) += 1e-4 * block.expected.cwiseAbs().maxCoeff();
+    row = block.rows[static_cast<std::size_t>(i)];
+    column = block.columns[static_cast<std::size_t>(j)];
+  });
+  EXPECT_FALSE(report.pass);
+  ASSERT_EQ(report.rows.size(), 1U);
+  const CheckRow& found = report.rows[0];
+  EXPECT_FALSE(found.pass);
+  EXPECT_NEAR(found.worst_error, 1e-4, 1e-6);
+  EXPECT_EQ(found.worst.block, GetParam());
+  EXPECT_EQ(found.worst.row, row);
+  EXPECT_EQ(found.worst.column, column);
+  EXPECT_NE(found.worst.value, found.worst.expected);
+  EXPECT_GE(found.worst.state, 0);
+  const std::string where = GetParam() + "(" + row + ", " + column + ") is ";
+  EXPECT_NE(report.text().find(where), std::string::npos) << report.text();
+  EXPECT_NE(report.text().find("FAIL: 1 of 1 row"), std::string::npos) << report.text();
+}
+
+TEST_P(CorruptedBlock, NanFails) {
+  for (const bool analytic : {true, false}) {
+    const CheckReport report =
+        run_check(model_of("arm7"), quick(), [&](std::vector<DerivativeBlock>& blocks) {
+          DerivativeBlock& block = block_named(blocks, GetParam());
+          (analytic ? block.value : block.expected)(0, 0) =
+              std::numeric_limits<double>::quiet_NaN();
+        });
+    EXPECT_FALSE(report.pass);
+    EXPECT_TRUE(std::isinf(report.rows[0].worst_error));
+    EXPECT_EQ(report.rows[0].worst.block, GetParam());
+  }
+}
+
+TEST_P(CorruptedBlock, SwappedSignOrMissingTermFails) {
+  const CheckReport negated = run_check(
+      model_of("arm7"), quick(),
+      [](std::vector<DerivativeBlock>& blocks) { block_named(blocks, GetParam()).value *= -1.0; });
+  EXPECT_NEAR(negated.rows[0].worst_error, 2.0, 1e-6);
+  const CheckReport missing =
+      run_check(model_of("arm7"), quick(), [](std::vector<DerivativeBlock>& blocks) {
+        block_named(blocks, GetParam()).value.setZero();
+      });
+  EXPECT_NEAR(missing.rows[0].worst_error, 1.0, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Blocks, CorruptedBlock, ::testing::ValuesIn(all_blocks),
+                         [](const auto& test) { return test.param; });
+
+TEST(Check, ComparesEveryBlock) {
+  std::vector<std::string> seen;
+  CheckOptions options = quick();
+  options.states = 1;
+  run_check(model_of("arm7"), options, [&](std::vector<DerivativeBlock>& blocks) {
+    for (const DerivativeBlock& block : blocks) seen.push_back(block.name);
+  });
+  EXPECT_EQ(seen, all_blocks);
+}
+
+TEST(Check, SameSeedSameReport) {
+  const Model model = model_of("crane");
+  CheckOptions options = quick();
+  EXPECT_EQ(check_derivatives(model, options).text(), check_derivatives(model, options).text());
+  CheckOptions other = options;
+  other.seed = 7;
+  EXPECT_NE(check_derivatives(model, options).rows[0].worst_error,
+            check_derivatives(model, other).rows[0].worst_error);
+}
+
+TEST(Check, DefaultToolIsNamedToolOrTheLastLeaf) {
+  EXPECT_EQ(check_derivatives(model_of("talos"), quick()).rows[0].bodies, "tool on world");
+  EXPECT_EQ(check_derivatives(model_of("crane"), quick()).rows[0].bodies, "right_tip on world");
+}
+
+TEST(Check, ProgressCountsRows) {
+  CheckOptions options = quick();
+  options.references = default_check_references();
+  std::vector<int> seen;
+  options.progress = [&](int done, int total) {
+    EXPECT_EQ(total, 4);
+    seen.push_back(done);
+  };
+  check_derivatives(model_of("arm7"), options);
+  EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4}));
+}
+
+TEST(Check, RefusesWhatCannotBeUsed) {
+  const Model model = model_of("arm7");
+  const auto sentence = [&](auto&& change) {
+    CheckOptions options = quick();
+    change(options);
+    return testing::refusal([&] { check_derivatives(model, options); });
+  };
+  EXPECT_EQ(sentence([](auto& o) { o.states = 0; }), "check: states is 0; wanted at least 1");
+  EXPECT_EQ(sentence([](auto& o) { o.tolerance = std::nan(""); }),
+            "check: tolerance is nan; wanted a positive number");
+  EXPECT_EQ(sentence([](auto& o) { o.references.clear(); }),
+            "check: references, directions, accelerations or gains are empty");
+  EXPECT_NE(sentence([](auto& o) { o.tool = "tol"; }).find("did you mean 'tool'?"),
+            std::string::npos);
+  EXPECT_NE(sentence([](auto& o) { o.base = "wrld"; }).find("'wrld'"), std::string::npos);
+}
+
+TEST(Differences, ExtrapolationIsExactToRounding) {
+  const auto values = [](int, double h) {
+    Eigen::VectorXd result(2);
+    result << std::sin(0.3 + h), 1e3 * std::exp(20.0 * h);
+    return result;
+  };
+  const Eigen::MatrixXd d = extrapolated_differences(values, 1, 1);
+  EXPECT_NEAR(d(0, 0), std::cos(0.3), 1e-12);
+  EXPECT_NEAR(d(1, 0) / 2e4, 1.0, 1e-9);
+}
+
+TEST(Differences, SmallerStepsAreUsedWhereTheFunctionBends) {
+  const auto values = [](int, double h) {
+    return Eigen::VectorXd::Constant(1, 1.0 / (0.003 + h * h + h));
+  };
+  EXPECT_NEAR(extrapolated_differences(values, 1, 1)(0, 0) * 0.003 * 0.003, -1.0, 1e-8);
+}
+
+TEST(Differences, NanStays) {
+  const auto values = [](int, double) {
+    return Eigen::VectorXd::Constant(1, std::numeric_limits<double>::quiet_NaN());
+  };
+  EXPECT_TRUE(std::isnan(extrapolated_differences(values, 1, 1)(0, 0)));
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,224 @@
+// Frames: velocity, acceleration, placement and their derivatives in Local, Centered and World.
+#include "derivatives/frame_kinematics.tpp"
+
+#include "burnish/base/error.hpp"
+#include "dynamics/inverse_dynamics.tpp"
+#include "dynamics/kinematics.tpp"
+#include "support/kernel_law.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr FrameAxes all_axes[] = {FrameAxes::Local, FrameAxes::Centered, FrameAxes::World};
+
+/// A frame at a state, for any scalar.
+template <class S>
+struct FrameRun {
+  FrameRun(const Tree& tree, const CompiledFrame& frame, const S* q, const S* v, const S* a)
+      : kinematics(tree), id(tree) {
+    update_kinematics(tree, q, v, kinematics);
+    accelerate(tree, kinematics, a, id);
+    update_frame(frame, kinematics, state);
+    update_frame_acceleration(tree, frame, kinematics, id, state);
+  }
+  Kinematics<S> kinematics;
+  InverseDynamics<S> id;
+  FrameState<S> state;
+};
+
+template <class S>
+void append(std::vector<S>& out, const Vec3<S>& x) {
+  out.insert(out.end(), {x.x, x.y, x.z});
+}
+template <class S>
+void append(std::vector<S>& out, const Motion<S>& m) {
+  append(out, m.linear);
+  append(out, m.angular);
+}
+
+/// Velocity over acceleration: 12 rows.
+struct MotionKernel {
+  template <class S>
+  std::vector<S> values(const S* q, const S* v, const S* a) const {
+    const FrameRun<S> run(tree, frame, q, v, a);
+    std::vector<S> out;
+    append(out, frame_velocity(axes, run.state));
+    append(out, frame_acceleration(axes, run.state));
+    return out;
+  }
+  template <class S>
+  Blocks<S> derivatives(const S* q, const S* v, const S* a) const {
+    const FrameRun<S> run(tree, frame, q, v, a);
+    const int n = tree.nv;
+    const std::vector<S> zeros(static_cast<std::size_t>(12 * n), S(0.0));
+    Blocks<S> out{zeros, zeros};
+    frame_velocity_derivative(frame, axes, run.kinematics, run.state, out.dq.data(), n);
+    frame_jacobian(frame, axes, run.kinematics, run.state, out.dv.data(), n);
+    frame_acceleration_derivatives(frame, axes, run.kinematics, run.id, run.state,
+                                   out.dq.data() + 6 * n, out.dv.data() + 6 * n, n);
+    return out;
+  }
+  const Tree& tree;
+  const CompiledFrame& frame;
+  FrameAxes axes;
+};
+
+/// Position, rotation error and placement error: 12 rows.
+struct PlacementKernel {
+  template <class S>
+  std::vector<S> values(const S* q, const S* v, const S* a) const {
+    const FrameRun<S> run(tree, frame, q, v, a);
+    const FrameError<S> error = frame_error(run.state, lift<S>(target_R), lift<S>(target_p));
+    std::vector<S> out;
+    append(out, error.position);
+    append(out, error.rotation);
+    append(out, error.placement);
+    return out;
+  }
+  template <class S>
+  Blocks<S> derivatives(const S* q, const S* v, const S* a) const {
+    const FrameRun<S> run(tree, frame, q, v, a);
+    const FrameError<S> error = frame_error(run.state, lift<S>(target_R), lift<S>(target_p));
+    const int n = tree.nv;
+    const std::vector<S> zeros(static_cast<std::size_t>(12 * n), S(0.0));
+    Blocks<S> out{zeros, zeros};
+    S* const dq = out.dq.data();
+    frame_position_derivative(frame, run.kinematics, run.state, dq, n);
+    frame_rotation_error_derivative(frame, run.kinematics, run.state, error, dq + 3 * n, n);
+    frame_placement_error_derivative(frame, run.kinematics, run.state, error, dq + 6 * n, n);
+    return out;
+  }
+  const Tree& tree;
+  const CompiledFrame& frame;
+  Mat3<double> target_R;
+  Vec3<double> target_p;
+};
+
+Mat3<double> some_rotation() {
+  return from_eigen(Eigen::Matrix3d(
+      Eigen::AngleAxisd(0.8, Eigen::Vector3d(0.3, -1.0, 0.4).normalized()).toRotationMatrix()));
+}
+
+class FrameKinematics : public OnRobots {
+ protected:
+  Tree tree{model};
+  CompiledFrame frame = compile_frame(model, GetParam().tool);
+};
+
+TEST_P(FrameKinematics, motion_derivatives_obey_the_kernel_law) {
+  for (const FrameAxes axes : all_axes) {
+    SCOPED_TRACE(name_of(axes));
+    expect_kernel_law(model, MotionKernel{tree, frame, axes});
+    expect_lanes_alike(model, MotionKernel{tree, frame, axes});
+  }
+}
+
+TEST_P(FrameKinematics, placement_derivatives_obey_the_kernel_law) {
+  const PlacementKernel kernel{tree, frame, some_rotation(), {0.3, -0.2, 0.9}};
+  expect_kernel_law(model, kernel);
+  expect_lanes_alike(model, kernel);
+}
+
+TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
+  std::mt19937_64 generator(3);
+  const KernelState s = random_state(model, generator);
+  const double step = 1e-6;
+  for (const FrameAxes axes : all_axes) {
+    SCOPED_TRACE(name_of(axes));
+    const MotionKernel kernel{tree, frame, axes};
+    const auto at = [&](double t) {
+      const Eigen::VectorXd q = integrate(model, s.q, s.v * t + s.a * (0.5 * t * t));
+      const Eigen::VectorXd v = s.v + s.a * t;
+      return as_vector(kernel.values<double>(q.data(), v.data(), s.a.data()));
+    };
+    const Eigen::VectorXd rate = (at(step) - at(-step)) / (2.0 * step);
+    EXPECT_LE(relative_error(at(0.0).tail(6), rate.head(6)), 1e-7);
+  }
+}
+
+TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
+  std::mt19937_64 generator(4);
+  const KernelState s = random_state(model, generator);
+  const Eigen::VectorXd other = random_vector(model.nv, 1.0, generator);
+  for (const FrameAxes axes : all_axes) {
+    const MotionKernel kernel{tree, frame, axes};
+    const Blocks<double> blocks = kernel.derivatives<double>(s.q.data(), s.v.data(), s.a.data());
+    const Eigen::MatrixXd J = as_matrix(blocks.dv, model.nv).topRows(6);
+    const auto at = [&](const Eigen::VectorXd& a) {
+      return as_vector(kernel.values<double>(s.q.data(), s.v.data(), a.data()));
+    };
+    EXPECT_LE(relative_error(J * s.v, at(s.a).head(6)), 1e-13);
+    EXPECT_LE(relative_error(J * (other - s.a), (at(other) - at(s.a)).tail(6)), 1e-12);
+  }
+}
+
+TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
+  std::mt19937_64 generator(5);
+  const KernelState s = random_state(model, generator);
+  const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
+  std::vector<double> turning(static_cast<std::size_t>(3 * model.nv), 0.0);
+  frame_rotation_derivative(frame, run.kinematics, run.state, turning.data(), model.nv);
+  const Eigen::MatrixXd local = as_matrix(turning, model.nv);
+  const std::vector<Dual> q = seeded_q(model, s.q), v = seeded_v(model, s.v);
+  const std::vector<Dual> a = constant_duals(s.a);
+  const FrameRun<Dual> dual(tree, frame, q.data(), v.data(), a.data());
+  for (int column_of_R = 0; column_of_R < 3; ++column_of_R) {
+    const Eigen::MatrixXd rate = d_dq(model, entries({column(dual.state.R, column_of_R)}));
+    // R (turning x e_j) = -R [e_j x] turning
+    const Vec3<double> e = column(Mat3<double>::identity(), column_of_R);
+    const Mat3<double> e_cross{{0.0, e.z, -e.y}, {-e.z, 0.0, e.x}, {e.y, -e.x, 0.0}};
+    const Eigen::MatrixXd wanted = -to_eigen(run.state.R) * to_eigen(e_cross) * local;
+    EXPECT_LE(relative_error(rate, wanted), 1e-13);
+  }
+}
+
+TEST_P(FrameKinematics, the_three_axes_describe_one_motion) {
+  std::mt19937_64 generator(6);
+  const KernelState s = random_state(model, generator);
+  const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
+  const auto local = frame_velocity(FrameAxes::Local, run.state);
+  const auto centered = frame_velocity(FrameAxes::Centered, run.state);
+  const Eigen::Matrix3d R = to_eigen(run.state.R);
+  EXPECT_LE((R * to_eigen(local.linear) - to_eigen(centered.linear)).norm(), 1e-12);
+  EXPECT_LE((R * to_eigen(local.angular) - to_eigen(centered.angular)).norm(), 1e-12);
+  // The point's acceleration is the spatial one plus w x v.
+  const auto spatial = frame_acceleration(FrameAxes::Local, run.state);
+  const auto point = frame_acceleration(FrameAxes::Centered, run.state);
+  const Eigen::Vector3d turning = to_eigen(cross(centered.angular, centered.linear));
+  EXPECT_LE((R * to_eigen(spatial.linear) + turning - to_eigen(point.linear)).norm(), 1e-12);
+}
+
+TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
+  std::mt19937_64 generator(7);
+  const KernelState s = random_state(model, generator);
+  const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
+  std::vector<double> out(static_cast<std::size_t>(6 * model.nv), 42.0);
+  frame_jacobian(frame, FrameAxes::World, run.kinematics, run.state, out.data(), model.nv);
+  for (int k = 0; k < model.nv; ++k) {
+    const bool supports =
+        std::find(frame.support.begin(), frame.support.end(), k) != frame.support.end();
+    EXPECT_EQ(out[static_cast<std::size_t>(k)] == 42.0, !supports) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(robots, FrameKinematics, ::testing::ValuesIn(test_robots()), robot_label);
+
+TEST(CompileFrame, knows_the_world_and_names_the_nearest_frame) {
+  const Model model = TestRobot{"arm7", Base::Fixed, "tool"}.model();
+  const CompiledFrame world = compile_frame(model, "world");
+  EXPECT_EQ(world.body, -1);
+  EXPECT_TRUE(world.support.empty());
+  testing::expect_words(testing::refusal([&] { compile_frame(model, "tol"); }),
+                        {"'tol'", "'tool'"});
+}
+
+TEST(CompileFrame, reads_names_of_axes) {
+  for (const FrameAxes axes : all_axes)
+    EXPECT_EQ(parse_frame_axes(std::string(name_of(axes))), axes);
+  testing::expect_words(testing::refusal([&] { parse_frame_axes("centred"); }),
+                        {"'centred'", "'centered'"});
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,103 @@
+// Robots, states and contacts that the contact tests draw from.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "burnish/base/error.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/model/state.hpp"
+
+namespace burnish::test {
+
+inline Model robot(const std::string& name) {
+  return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name).model;
+}
+
+struct RobotState {
+  Eigen::VectorXd q, v, tau;
+};
+
+inline Eigen::VectorXd uniform(int n, double bound, std::mt19937_64& generator) {
+  Eigen::VectorXd x(n);
+  for (double& entry : x)
+    entry = bound * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
+  return x;
+}
+
+inline RobotState random_state(const Model& model, std::mt19937_64& generator) {
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  const Eigen::VectorXd v = uniform(model.nv, 1.0, generator);
+  return {q, v, uniform(model.nv, 10.0, generator)};
+}
+
+/// Least eigenvalue of J M^-1 J^T scaled to a unit diagonal, at the last state.
+inline double independence(const ContactDynamics& dynamics) {
+  if (dynamics.rows() == 0) return 1.0;
+  const Eigen::MatrixXd J = dynamics.jacobian();
+  const Eigen::MatrixXd G = J * dynamics.mass_matrix().llt().solve(J.transpose());
+  const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd unit = scale.asDiagonal() * G * scale.asDiagonal();
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(unit).eigenvalues()[0];
+  return std::isfinite(least) ? least : 0.0;
+}
+
+/// A random state at which the contacts are far from redundant. Throws Error if there seems to be
+/// none.
+inline RobotState regular_state(const Model& model, ContactDynamics& dynamics,
+                                std::mt19937_64& generator, double least = 1e-3) {
+  for (int attempt = 0; attempt < 2000; ++attempt) {
+    const RobotState state = random_state(model, generator);
+    dynamics.acceleration(state.q, state.v, state.v);
+    if (independence(dynamics) > least) return state;
+  }
+  throw Error("no posture of " + model.name + " holds its contacts independently");
+}
+
+/// v without the part of it that moves the contacts.
+inline Eigen::VectorXd at_rest(ContactDynamics& dynamics, const Eigen::VectorXd& q,
+                               const Eigen::VectorXd& v) {
+  dynamics.acceleration(q, v, v);
+  const Eigen::MatrixXd J = dynamics.jacobian();
+  return v - J.completeOrthogonalDecomposition().solve(J * v);
+}
+
+inline Eigen::Matrix3d tilt() {
+  return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+}
+
+/// The four, the surface tilted, and local axes that are turned in the tool.
+inline std::vector<Reference> all_references() {
+  return {Reference::local(), Reference::centered(), Reference::surface(tilt()), Reference::world(),
+          Reference::local(tilt())};
+}
+
+inline ContactSpec contact(const std::string& tool, const std::string& base = "world",
+                           const Reference& reference = Reference::centered(),
+                           const Directions& directions = Directions::all(),
+                           Acceleration acceleration = Acceleration::TimeDerivative) {
+  ContactSpec spec;
+  spec.name = tool;
+  spec.tool = tool;
+  spec.base = base;
+  spec.reference = reference;
+  spec.directions = directions;
+  spec.acceleration = acceleration;
+  return spec;
+}
+
+/// Largest difference relative to the largest entry, which counts as at least `floor`.
+inline double relative_error(const Eigen::Ref<const Eigen::MatrixXd>& got,
+                             const Eigen::Ref<const Eigen::MatrixXd>& want, double floor = 1e-9) {
+  if (got.rows() != want.rows() || got.cols() != want.cols()) return 1e300;
+  if (want.size() == 0) return 0.0;
+  const double error = (got - want).cwiseAbs().maxCoeff();
+  return std::isfinite(error) ? error / std::max(want.cwiseAbs().maxCoeff(), floor) : 1e300;
+}
+
+}  // namespace burnish::test

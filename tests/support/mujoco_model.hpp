@@ -1,0 +1,75 @@
+// A burnish model handed to MuJoCo, and MuJoCo's answers in burnish's conventions: the same order
+// of v, twists of floating bodies in body axes, linear part first.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish::test {
+
+/// Two frames that MuJoCo holds together: at the tool's origin, or in all six directions.
+struct Tie {
+  enum class Kind { Connect, Weld };
+  Kind kind = Kind::Connect;
+  std::string tool;
+  std::string base = "world";
+};
+
+/// What MuJoCo's constraint solver finds.
+struct TiedMotion {
+  Eigen::VectorXd a;       ///< nv
+  Eigen::VectorXd lambda;  ///< per tie in world axes at the tool's origin: 3, or 6 for a weld
+};
+
+class MujocoModel {
+ public:
+  /// Throws Error with MuJoCo's sentence if it refuses the model.
+  explicit MujocoModel(const Model& model, const std::vector<Tie>& ties = {});
+
+  /// Loads a state; the others answer at it. Ties hold the frames where they are at that state.
+  void set_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+
+  Eigen::MatrixXd mass_matrix();
+  Eigen::VectorXd bias();
+  Eigen::VectorXd forward(const Eigen::VectorXd& tau);
+  Eigen::VectorXd inverse(const Eigen::VectorXd& a);
+
+  Eigen::Isometry3d placement(const std::string& frame) const;
+  /// World axes, at the frame's origin: 6 x nv, linear rows first.
+  Eigen::MatrixXd jacobian(const std::string& frame) const;
+
+  /// Solves with compliance mu (in m/s^2 per N of lambda) in place of MuJoCo's softness, and with
+  /// the drift of the constraint, which MuJoCo leaves out. The velocity of every tie between two
+  /// moving bodies, and of every weld, must be zero.
+  TiedMotion forward_tied(const Eigen::VectorXd& tau, double mu);
+
+ private:
+  struct Free {
+    void operator()(mjModel* model) const { mj_deleteModel(model); }
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+
+  int site(const std::string& frame) const;
+  void load_figures();
+  void place_ties();
+  void load_torque(const Eigen::VectorXd& tau);
+  Eigen::VectorXd acceleration_from(const double* qacc) const;
+  Vector6 drift(const std::string& frame);
+  Eigen::MatrixXd relative_jacobian(const Tie& tie) const;
+  Vector6 relative_drift(std::size_t tie);
+
+  Model model_;
+  std::vector<Tie> ties_;
+  std::unique_ptr<mjModel, Free> m_;
+  std::unique_ptr<mjData, Free> d_;
+  Eigen::MatrixXd T_;           ///< v = T qvel
+  Eigen::VectorXd correction_;  ///< dT/dt qvel, so that a = T qacc + correction
+};
+
+}  // namespace burnish::test
