@@ -14,7 +14,7 @@ namespace burnish::test {
 
 /// A robot of the sweep: where a single contact sits, and which two bodies touch each other.
 struct LawRobot {
-  std::string name;  ///< for load_robot, under the repository's robots
+  std::string name;  ///< as TestRobot takes it
   std::string tool;  ///< frame C2
   std::string base;  ///< frame C1 when two bodies move
 };

@@ -17,7 +17,8 @@ struct Blocks {
 };
 
 /// Largest difference of two matrices relative to the larger of 1 and their largest entry.
-inline double relative_error(const Eigen::MatrixXd& got, const Eigen::MatrixXd& wanted) {
+template <class A, class B>
+double relative_error(const Eigen::MatrixBase<A>& got, const Eigen::MatrixBase<B>& wanted) {
   if (got.size() == 0) return 0.0;
   return (got - wanted).cwiseAbs().maxCoeff() / std::max(1.0, wanted.cwiseAbs().maxCoeff());
 }

@@ -7,19 +7,52 @@
 
 #include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "support/trees.hpp"
 
 namespace burnish::test {
 
-/// A robot that comes with the repository, bolted down or floating, and a frame at its end.
+/// A robot that comes with the repository, or "every_joint": joints of every kind, in branches;
+/// bolted down or floating. `tool` is a frame at its end.
 struct TestRobot {
   std::string name;
   Base base;
   std::string tool;
 
   Model model() const {
+    if (name == "every_joint") return tree_of_every_joint();
     RobotOverrides overrides;
     overrides.base = base;
     return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name, overrides).model;
+  }
+  /// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
+  /// and the floating link.
+  Model tree_of_every_joint() const {
+    using enum JointType;
+    std::mt19937_64 generator(6);
+    TreeSpec tree;
+    tree.name = name;
+    const auto add = [&](const std::string& link, JointType type, const std::string& parent) {
+      JointSpec joint =
+          testing::joint("to_" + link, type, parent, link, testing::random_vector(generator));
+      joint.axis.normalize();
+      joint.placement = testing::random_placement(generator);
+      joint.armature = testing::uniform(generator, 0.0, 0.2);
+      tree.joints.push_back(joint);
+      tree.links.push_back({link, testing::random_inertia(generator), {}});
+    };
+    tree.links.push_back({"root", testing::random_inertia(generator), {}});
+    add("a", Revolute, "root");
+    add("b", Planar, "a");
+    add("c", Prismatic, "b");
+    add("d", Floating, "c");
+    add("e", Continuous, "d");
+    add("tip", Revolute, "e");
+    add("b_side", Continuous, "b");
+    add("d_side", Planar, "d");
+    add("root_side", Prismatic, "root");
+    ModelOptions options;
+    options.base = base;
+    return build_model(tree, options);
   }
   /// A name that a test case may have.
   std::string label() const {
@@ -34,7 +67,8 @@ inline std::vector<TestRobot> robots_on(Base base) {
   return {{"talos", base, "right_sole_link"},
           {"talos:right_arm", base, "tool"},
           {"arm7", base, "tool"},
-          {"crane", base, "left_tip"}};
+          {"crane", base, "left_tip"},
+          {"every_joint", base, "tip"}};
 }
 inline std::vector<TestRobot> floating_robots() { return robots_on(Base::FreeFlyer); }
 /// Every robot on both bases.
