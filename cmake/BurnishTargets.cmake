@@ -5,6 +5,17 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
+# What is installed finds its libraries beside it, wherever it is moved to.
+if(NOT DEFINED CMAKE_INSTALL_RPATH)
+  file(RELATIVE_PATH burnish_lib_from_bin
+    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  if(APPLE)
+    set(CMAKE_INSTALL_RPATH "@loader_path;@loader_path/${burnish_lib_from_bin}")
+  else()
+    set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${burnish_lib_from_bin}")
+  endif()
+endif()
+
 find_program(BURNISH_CCACHE ccache)
 if(BURNISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${BURNISH_CCACHE})
@@ -76,9 +87,11 @@ function(burnish_install_package)
   get_property(layers GLOBAL PROPERTY BURNISH_LAYERS)
   install(TARGETS ${layers} EXPORT burnishTargets)
   set(where ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
+  set(burnish_robots_install_dir ${CMAKE_INSTALL_DATADIR}/burnish/robots)
   install(EXPORT burnishTargets NAMESPACE burnish:: DESTINATION ${where})
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/burnishConfig.cmake.in
-    ${PROJECT_BINARY_DIR}/burnishConfig.cmake INSTALL_DESTINATION ${where})
+    ${PROJECT_BINARY_DIR}/burnishConfig.cmake INSTALL_DESTINATION ${where}
+    PATH_VARS burnish_robots_install_dir)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/burnishConfig.cmake

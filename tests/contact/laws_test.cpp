@@ -82,10 +82,11 @@ TEST_P(ContactLaws, power_is_torque_times_velocity_plus_force_times_contact_velo
 }
 
 TEST_P(ContactLaws, a_stuck_contact_has_no_power) {
+  ContactDynamics first(model_, {touch(Reference::local())});
   for (const Reference& reference : all_references()) {
     ContactDynamics dynamics(model_, {touch(reference)});
     for (int i = 0; i < 5; ++i) {
-      const RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
+      const RobotState state = regular_state(model_, first, generator_, 1e-2);
       const Eigen::VectorXd v = at_rest(dynamics, state.q, state.v);
       ASSERT_EQ(dynamics.forward(state.q, v, state.tau), Status::Ok);
       const double force = dynamics.lambda().norm();
@@ -212,14 +213,14 @@ TEST(TwoBodies, equal_one_body_where_the_base_cannot_move) {
   for (const Reference& reference : all_references())
     for (const Acceleration kind : accelerations) {
       ContactDynamics two(
-          model, {contact("left_tip", "right_tip", reference, Directions::linear(), kind)});
+          model, {contact("left_tip", "right_tip", reference, Directions::parse("x,z"), kind)});
       RobotState state = regular_state(model, two, generator, 1e-2);
       for (int k = 0; k < model.nv; ++k)
         if (model.armature[k] > 1.0) state.v[k] = 0.0;
       ASSERT_EQ(two.forward(state.q, state.v, state.tau), Status::Ok);
       const Eigen::Matrix3d base = frame_placement(model, state.q, "right_tip").linear();
       ContactDynamics one(model, {contact("left_tip", "world", in_world(base, reference),
-                                          Directions::linear(), kind)});
+                                          Directions::parse("x,z"), kind)});
       ASSERT_EQ(one.forward(state.q, state.v, state.tau), Status::Ok);
       EXPECT_LT(relative_error(two.a(), one.a()), 1e-9) << reference.name();
       EXPECT_LT(relative_error(two.lambda(), one.lambda()), 1e-9) << reference.name();
@@ -232,11 +233,12 @@ TEST(TwoBodies, equal_one_body_where_the_joints_of_the_base_are_locked) {
   const Model model = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/crane", overrides).model;
   std::mt19937_64 generator(29);
   for (const Reference& reference : all_references()) {
-    ContactDynamics two(model, {contact("left_tip", "right_tip", reference, Directions::linear())});
+    ContactDynamics two(model,
+                        {contact("left_tip", "right_tip", reference, Directions::parse("x,z"))});
     const RobotState state = regular_state(model, two, generator, 1e-2);
     const Eigen::Matrix3d base = frame_placement(model, state.q, "right_tip").linear();
     ContactDynamics one(
-        model, {contact("left_tip", "world", in_world(base, reference), Directions::linear())});
+        model, {contact("left_tip", "world", in_world(base, reference), Directions::parse("x,z"))});
     ASSERT_EQ(two.forward(state.q, state.v, state.tau), Status::Ok);
     ASSERT_EQ(one.forward(state.q, state.v, state.tau), Status::Ok);
     EXPECT_LT(relative_error(two.a(), one.a()), 1e-11) << reference.name();
@@ -255,9 +257,9 @@ TEST(TwoBodies, swapped_push_back) {
     ASSERT_EQ(left.forward(state.q, state.v, state.tau), Status::Ok);
     ASSERT_EQ(right.forward(state.q, state.v, state.tau), Status::Ok);
     EXPECT_LT(relative_error(right.a(), left.a()), 1e-9);
-    const Eigen::VectorXd push = left.wrench(0, Reference::world());
-    const Eigen::VectorXd back = right.wrench(0, Reference::world());
-    EXPECT_LT(relative_error(back, -push), 1e-9);
+    const Vector6 push = left.wrench(0, Reference::world());
+    const Vector6 back = right.wrench(0, Reference::world());
+    EXPECT_LT((back + push).norm(), 1e-9 * push.norm());
   }
 }
 

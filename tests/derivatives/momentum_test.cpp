@@ -1,6 +1,7 @@
 // Centre of mass, momentum and energy, and their derivatives.
 #include "derivatives/momentum.tpp"
 
+#include "burnish/base/views.hpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/mass_matrix.tpp"
@@ -139,7 +140,7 @@ TEST_P(FloatingMomentumOf, momentum_changes_by_gravity_and_the_wrench_on_the_bas
     const Eigen::Vector3d moment =
         R * tau.segment<3>(3) + Eigen::Vector3d(to_eigen(base.p)).cross(force);
     const Eigen::Vector3d weight = model.total_mass() * model.gravity;
-    Eigen::VectorXd wanted(6);
+    Vector6 wanted;
     wanted << force + weight, moment + Eigen::Vector3d(to_eigen(run.momentum.com)).cross(weight);
     EXPECT_LE(relative_error(rate, wanted), 1e-11);
   }
@@ -155,9 +156,10 @@ TEST_P(MomentumOf, centroidal_momentum_changes_by_moments_about_the_centre_of_ma
   const Eigen::VectorXd centroidal = as_matrix(run.derivatives.centroidal_dq, model.nv) * s.v +
                                      as_matrix(run.derivatives.centroidal_dv, model.nv) * s.a;
   const Eigen::Vector3d com = to_eigen(run.momentum.com);
-  const Eigen::Vector3d force = total.head(3);
-  Eigen::VectorXd wanted(6);
-  wanted << force, total.tail(3) - Eigen::Vector3d(com.cross(force));
+  const Eigen::Vector3d force = total.head<3>();
+  Vector6 wanted;
+  const Eigen::Vector3d moment = total.tail<3>();
+  wanted << force, moment - com.cross(force);
   EXPECT_LE(relative_error(centroidal, wanted), 1e-11);
 }
 

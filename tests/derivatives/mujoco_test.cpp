@@ -1,6 +1,9 @@
 // Dynamics and contact forces against MuJoCo, which shares no code with burnish.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <map>
+
 #include "support/contact_states.hpp"
 #include "support/mujoco_model.hpp"
 #include "support/trees.hpp"

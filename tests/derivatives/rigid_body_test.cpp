@@ -2,6 +2,8 @@
 // what it refuses.
 #include "burnish/derivatives/rigid_body.hpp"
 
+#include <limits>
+
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "support/kernel_law.hpp"
@@ -18,35 +20,35 @@ class RigidBodyOf : public OnRobots {
     ASSERT_EQ(body.update(s.q, s.v, s.a), Status::Ok);
     body.update_derivatives();
   }
-  /// d(value)/dq by central differences, v and a held.
-  Eigen::MatrixXd by_q(const std::function<Eigen::VectorXd(RigidBody&)>& value) const {
-    RigidBody other(model);
-    const double step = 1e-6;
-    Eigen::MatrixXd result(value(other).size(), model.nv);
-    for (int k = 0; k < model.nv; ++k) {
-      const Eigen::VectorXd h = step * Eigen::VectorXd::Unit(model.nv, k);
-      EXPECT_EQ(other.update(integrate(model, s.q, h), s.v, s.a), Status::Ok);
-      const Eigen::VectorXd after = value(other);
-      EXPECT_EQ(other.update(integrate(model, s.q, -h), s.v, s.a), Status::Ok);
-      result.col(k) = (after - value(other)) / (2.0 * step);
-    }
-    return result;
+  /// d(value)/dq by central differences, v and a held. `value` maps a RigidBody to a vector.
+  auto by_q(const auto& value) const {
+    return by(
+        [&](const Eigen::VectorXd& h) {
+          return KernelState{integrate(model, s.q, h), s.v, s.a};
+        },
+        value);
   }
   /// The same by v, q and a held.
-  Eigen::MatrixXd by_v(const std::function<Eigen::VectorXd(RigidBody&)>& value) const {
+  auto by_v(const auto& value) const {
+    return by([&](const Eigen::VectorXd& h) { return KernelState{s.q, s.v + h, s.a}; }, value);
+  }
+  auto by(const auto& moved, const auto& value) const {
+    using Value = decltype(value(std::declval<RigidBody&>()));
     RigidBody other(model);
+    const auto value_at = [&](const KernelState& at) {
+      EXPECT_EQ(other.update(at.q, at.v, at.a), Status::Ok);
+      return value(other);
+    };
     const double step = 1e-6;
-    Eigen::MatrixXd result(value(other).size(), model.nv);
+    Eigen::Matrix<double, Value::RowsAtCompileTime, Eigen::Dynamic> result(Value::RowsAtCompileTime,
+                                                                           model.nv);
     for (int k = 0; k < model.nv; ++k) {
       const Eigen::VectorXd h = step * Eigen::VectorXd::Unit(model.nv, k);
-      EXPECT_EQ(other.update(s.q, s.v + h, s.a), Status::Ok);
-      const Eigen::VectorXd after = value(other);
-      EXPECT_EQ(other.update(s.q, s.v - h, s.a), Status::Ok);
-      result.col(k) = (after - value(other)) / (2.0 * step);
+      result.col(k) = (value_at(moved(h)) - value_at(moved(-h))) / (2.0 * step);
     }
     return result;
   }
-  static Eigen::VectorXd scalar(double x) { return Eigen::VectorXd::Constant(1, x); }
+  static Eigen::Matrix<double, 1, 1> scalar(double x) { return Eigen::Matrix<double, 1, 1>(x); }
 
   RigidBody body{model};
   KernelState s;
@@ -58,10 +60,8 @@ TEST_P(RigidBodyOf, frame_derivatives_equal_differences) {
     SCOPED_TRACE(name_of(axes));
     FrameDerivatives d;
     body.frame_derivatives(tool, axes, d);
-    const auto velocity = [&](RigidBody& b) { return Eigen::VectorXd(b.velocity(tool, axes)); };
-    const auto acceleration = [&](RigidBody& b) {
-      return Eigen::VectorXd(b.acceleration(tool, axes));
-    };
+    const auto velocity = [&](RigidBody& b) { return b.velocity(tool, axes); };
+    const auto acceleration = [&](RigidBody& b) { return b.acceleration(tool, axes); };
     EXPECT_LE(relative_error(d.jacobian, by_v(velocity)), 1e-7);
     EXPECT_LE(relative_error(d.velocity_dq, by_q(velocity)), 1e-7);
     EXPECT_LE(relative_error(d.acceleration_dq, by_q(acceleration)), 1e-7);
@@ -75,12 +75,11 @@ TEST_P(RigidBodyOf, placement_derivatives_equal_differences) {
   target.translation() += Eigen::Vector3d(0.2, -0.1, 0.3);
   PlacementDerivatives d;
   body.placement_derivatives(tool, target, d);
-  const Eigen::MatrixXd error =
-      by_q([&](RigidBody& b) { return Eigen::VectorXd(b.placement_error(tool, target)); });
+  const Eigen::MatrixXd error = by_q([&](RigidBody& b) { return b.placement_error(tool, target); });
   EXPECT_LE(relative_error(d.placement_error, error), 1e-7);
   EXPECT_LE(relative_error(d.rotation_error, error.bottomRows(3)), 1e-7);
   const auto position = [&](RigidBody& b) {
-    return Eigen::VectorXd(b.placement(tool).translation());
+    return Eigen::Vector3d(b.placement(tool).translation());
   };
   EXPECT_LE(relative_error(d.position, by_q(position)), 1e-7);
   FrameDerivatives motion;
@@ -96,10 +95,10 @@ TEST_P(RigidBodyOf, placements_are_those_of_the_model) {
 }
 
 TEST_P(RigidBodyOf, momentum_derivatives_equal_differences) {
-  const auto com = [](RigidBody& b) { return Eigen::VectorXd(b.com()); };
-  const auto com_velocity = [](RigidBody& b) { return Eigen::VectorXd(b.com_velocity()); };
-  const auto momentum = [](RigidBody& b) { return Eigen::VectorXd(b.momentum()); };
-  const auto centroidal = [](RigidBody& b) { return Eigen::VectorXd(b.centroidal_momentum()); };
+  const auto com = [](RigidBody& b) { return b.com(); };
+  const auto com_velocity = [](RigidBody& b) { return b.com_velocity(); };
+  const auto momentum = [](RigidBody& b) { return b.momentum(); };
+  const auto centroidal = [](RigidBody& b) { return b.centroidal_momentum(); };
   const auto kinetic = [](RigidBody& b) { return scalar(b.kinetic_energy()); };
   const auto potential = [](RigidBody& b) { return scalar(b.potential_energy()); };
   EXPECT_LE(relative_error(body.com_dq(), by_q(com)), 1e-7);

@@ -1,6 +1,10 @@
 // Nothing is allocated after set-up: every evaluation of the doors inside an AllocationGuard.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
 #include "burnish/derivatives/rigid_body.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/robots.hpp"
@@ -15,10 +19,12 @@ TEST(AllocationGuard, sees_every_way_to_allocate) {
     call();
     return guard.count();
   };
+  // Volatile, so that the compiler drops none of the pairs.
   volatile std::size_t size = 100;
+  void* volatile kept = nullptr;
   EXPECT_EQ(allocations_of([] {}), 0);
-  EXPECT_GE(allocations_of([&] { std::free(std::malloc(size)); }), 1);
-  EXPECT_GE(allocations_of([&] { std::free(std::calloc(size, 1)); }), 1);
+  EXPECT_GE(allocations_of([&] { kept = std::malloc(size), std::free(kept); }), 1);
+  EXPECT_GE(allocations_of([&] { kept = std::calloc(size, 1), std::free(kept); }), 1);
   EXPECT_GE(allocations_of([&] { std::vector<double> x(size); }), 1);
   EXPECT_GE(allocations_of([&] { std::string x(size, 'x'); }), 1);
   EXPECT_GE(allocations_of([&] { Eigen::VectorXd::Zero(static_cast<long>(size)).eval(); }), 1);
@@ -68,7 +74,7 @@ TEST_P(NoAllocation, rigid_body) {
 }
 
 INSTANTIATE_TEST_SUITE_P(robots, NoAllocation, ::testing::ValuesIn(test_robots()),
-                         [](const auto& info) { return info.param.label(); });
+                         [](const auto& robot) { return robot.param.label(); });
 
 }  // namespace
 }  // namespace burnish::test

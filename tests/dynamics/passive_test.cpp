@@ -1,6 +1,9 @@
 // Damping and smoothed friction of joints.
 #include "burnish/dynamics/passive.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "support/kernel_law.hpp"
 #include "support/refusal.hpp"
 

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <vector>
+
 #include "burnish/math/pack.hpp"
 #include "support/autodiff.hpp"
 #include "support/robots.hpp"

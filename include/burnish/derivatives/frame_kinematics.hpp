@@ -1,6 +1,6 @@
 // Derivatives of a frame's placement, velocity and acceleration. Seen in world coordinates about
-// the world's origin, with lambda the body that joint k hangs on (Singh, Russell, Wensing, "Efficient
-// Analytical Derivatives of Rigid-Body Dynamics using Spatial Vector Algebra", 2022):
+// the world's origin, with lambda the body that joint k hangs on (Singh, Russell, Wensing,
+// "Efficient Analytical Derivatives of Rigid-Body Dynamics using Spatial Vector Algebra", 2022):
 //   dv/dq_k = S_k x v + psi'_k,                 psi'_k  = v_lambda x S_k,
 //   da/dq_k = S_k x a + psi'_k x v + psi''_k,   psi''_k = a_lambda x S_k + v_lambda x psi'_k,
 //   da/dv_k = S_k x v + psi'_k + dS_k/dt.

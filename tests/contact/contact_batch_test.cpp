@@ -1,0 +1,276 @@
+// Packed states equal single ones; a bad state is flagged in its own lane and disturbs no other.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "support/contact_states.hpp"
+
+namespace burnish::test {
+namespace {
+
+struct Touch {
+  std::string robot, tool, base;
+  double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
+};
+
+void PrintTo(const Touch& touch, std::ostream* out) { *out << touch.robot; }
+
+struct Batch {
+  Eigen::MatrixXd q, v, tau;
+};
+
+class BatchOf : public ::testing::TestWithParam<Touch> {
+ protected:
+  std::vector<ContactSpec> contacts(const Reference& reference) const {
+    ContactSpec one = contact(GetParam().tool, "world", reference, Directions::parse("x,z,ry"));
+    ContactSpec two = contact(GetParam().tool, GetParam().base, reference, Directions::y());
+    two.name = "second";
+    two.error = PoseError::Log6;
+    two.with_gains(40.0, 7.0);
+    return {one, two};
+  }
+
+  /// Well-conditioned states.
+  Batch states(int count, ContactDynamics& dynamics) {
+    Batch batch{Eigen::MatrixXd(model_.nq, count), Eigen::MatrixXd(model_.nv, count),
+                Eigen::MatrixXd(model_.nv, count)};
+    for (int i = 0; i < count; ++i) {
+      const RobotState s = regular_state(model_, dynamics, generator_, 1e-3);
+      batch.q.col(i) = s.q, batch.v.col(i) = s.v, batch.tau.col(i) = s.tau;
+    }
+    return batch;
+  }
+
+  /// Largest relative difference between state i of a batch and the same state alone.
+  double difference(const ContactDynamicsBatch& packed, ContactDynamics& single, const Batch& batch,
+                    int i) {
+    EXPECT_EQ(single.forward(batch.q.col(i), batch.v.col(i), batch.tau.col(i)), Status::Ok);
+    single.forward_derivatives();
+    double worst = relative_error(packed.a(i), single.a());
+    const auto compare = [&](const auto& got, const auto& want) {
+      worst = std::max(worst, relative_error(got, want));
+    };
+    compare(packed.lambda(i), single.lambda());
+    compare(packed.da_dq(i), single.da_dq());
+    compare(packed.da_dv(i), single.da_dv());
+    compare(packed.da_dtau(i), single.da_dtau());
+    compare(packed.dlambda_dq(i), single.dlambda_dq());
+    compare(packed.dlambda_dv(i), single.dlambda_dv());
+    compare(packed.dlambda_dtau(i), single.dlambda_dtau());
+    return worst;
+  }
+
+  Model model_ = robot(GetParam().robot);
+  std::mt19937_64 generator_{71};
+};
+
+TEST_P(BatchOf, any_size_equals_single_states) {
+  const int width = pack_width();
+  double worst = 0.0;
+  for (const Reference& reference : all_references()) {
+    ContactDynamics single(model_, contacts(reference));
+    ContactDynamicsBatch packed(model_, contacts(reference), 3 * width + 1);
+    for (const int count : {1, width - 1, width, width + 1, 3 * width + 1}) {
+      if (count < 1) continue;
+      const Batch batch = states(count, single);
+      ASSERT_EQ(packed.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
+      for (int i = 0; i < count; ++i) {
+        EXPECT_EQ(packed.status(i), Status::Ok);
+        worst = std::max(worst, difference(packed, single, batch, i));
+      }
+    }
+  }
+  RecordProperty("worst", std::to_string(worst * 1e12) + "e-12");
+  EXPECT_LT(worst, GetParam().rounding);
+}
+
+TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
+  const int count = 2 * pack_width() + 1;
+  ContactDynamics single(model_, contacts(Reference::centered()));
+  ContactDynamicsBatch whole(model_, contacts(Reference::centered()), count);
+  ContactDynamicsBatch cut(model_, contacts(Reference::centered()), count);
+  const Batch batch = states(count, single);
+  whole.forward_with_derivatives(batch.q, batch.v, batch.tau);
+  for (int i = 0; i < count; ++i) {
+    cut.forward_with_derivatives(batch.q.col(i), batch.v.col(i), batch.tau.col(i));
+    EXPECT_EQ(whole.a(i), cut.a(0));
+    EXPECT_EQ(whole.da_dq(i), cut.da_dq(0));
+    EXPECT_EQ(whole.dlambda_dtau(i), cut.dlambda_dtau(0));
+  }
+}
+
+TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
+  const int count = 2 * pack_width() + 1, bad = pack_width() / 2;
+  ContactDynamics single(model_, contacts(Reference::local()));
+  ContactDynamicsBatch packed(model_, contacts(Reference::local()), count);
+  const Batch good = states(count, single);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (int kind = 0; kind < 6; ++kind) {
+    Batch batch = good;
+    if (kind == 0) batch.q(model_.nq - 1, bad) = nan;
+    if (kind == 1) batch.v(0, bad) = infinity;
+    if (kind == 2) batch.tau(model_.nv - 1, bad) = nan;
+    if (kind == 3) batch.tau(0, bad) = -infinity;
+    if (kind == 4) batch.q(0, bad) = -infinity;
+    const bool turns = model_.joints[0].kind == JointKind::FreeFlyer;
+    if (kind == 5 && !turns) continue;
+    if (kind == 5) batch.q.block(3, bad, 4, 1) *= 1.1;
+    const Status expected = kind == 5 ? Status::NotNormalized : Status::NotFinite;
+    EXPECT_EQ(packed.forward_with_derivatives(batch.q, batch.v, batch.tau), expected);
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(packed.status(i), i == bad ? expected : Status::Ok);
+      if (i == bad) continue;
+      EXPECT_LT(difference(packed, single, good, i), GetParam().rounding)
+          << "kind " << kind << ", state " << i;
+    }
+    EXPECT_EQ(packed.a(bad), Eigen::VectorXd::Zero(model_.nv)) << kind;
+    EXPECT_EQ(packed.lambda(bad), Eigen::VectorXd::Zero(packed.rows())) << kind;
+    EXPECT_EQ(packed.da_dq(bad), RowMatrix::Zero(model_.nv, model_.nv)) << kind;
+    EXPECT_EQ(packed.da_dtau(bad), RowMatrix::Zero(model_.nv, model_.nv)) << kind;
+    EXPECT_EQ(packed.dlambda_dv(bad), RowMatrix::Zero(packed.rows(), model_.nv)) << kind;
+  }
+}
+
+TEST_P(BatchOf, refuses_wrong_sizes) {
+  ContactDynamics single(model_, contacts(Reference::world()));
+  ContactDynamicsBatch packed(model_, contacts(Reference::world()), 2);
+  const Batch three = states(3, single);
+  EXPECT_EQ(packed.forward(three.q, three.v, three.tau), Status::WrongSize);
+  const Batch two{three.q.leftCols(2), three.v.leftCols(2), three.tau.leftCols(2)};
+  EXPECT_EQ(packed.forward(two.q, two.v, two.tau), Status::Ok);
+  EXPECT_EQ(packed.forward(two.q, two.v, three.tau), Status::WrongSize);
+  EXPECT_EQ(packed.forward(two.q.topRows(1), two.v, two.tau), Status::WrongSize);
+  EXPECT_EQ(packed.forward(two.q.leftCols(0), two.v.leftCols(0), two.tau.leftCols(0)),
+            Status::WrongSize);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    robots, BatchOf,
+    ::testing::Values(Touch{"talos:fixed", "tool", "torso_1_link", 1e-11},
+                      Touch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
+                      Touch{"talos", "right_sole_link", "left_sole_link", 1e-11},
+                      Touch{"arm7", "tool", "link_1"}, Touch{"arm7:floating", "tool", "link_1"},
+                      Touch{"crane", "left_tip", "right_tip"},
+                      Touch{"crane:floating", "left_tip", "right_tip"}),
+    [](const auto& test) {
+      std::string name = test.param.robot;
+      for (char& c : name)
+        if (c == ':') c = '_';
+      return name;
+    });
+
+class BadInput : public ::testing::Test {
+ protected:
+  Model model_ = robot("crane:floating");
+  ContactDynamics dynamics_{model_, {contact("left_tip", "right_tip")}};
+  std::mt19937_64 generator_{73};
+  RobotState good_ = regular_state(model_, dynamics_, generator_);
+  const double nan_ = std::numeric_limits<double>::quiet_NaN();
+
+  void expect(Status wanted, const RobotState& state, const char* what) {
+    ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
+    EXPECT_EQ(dynamics_.forward(state.q, state.v, state.tau), wanted) << what;
+    EXPECT_EQ(dynamics_.forward_derivatives(), wanted) << what;
+    EXPECT_EQ(dynamics_.a(), Eigen::VectorXd::Zero(model_.nv)) << what;
+    EXPECT_EQ(dynamics_.lambda(), Eigen::VectorXd::Zero(6)) << what;
+    EXPECT_EQ(dynamics_.da_dq(), RowMatrix::Zero(model_.nv, model_.nv)) << what;
+    EXPECT_EQ(dynamics_.dlambda_dv(), RowMatrix::Zero(6, model_.nv)) << what;
+  }
+};
+
+TEST_F(BadInput, to_forward_dynamics_gives_a_status_and_zeros) {
+  RobotState bad = good_;
+  bad.q[7] = nan_;
+  expect(Status::NotFinite, bad, "NaN in q");
+  bad = good_;
+  bad.v[3] = -1.0 / 0.0;
+  expect(Status::NotFinite, bad, "infinite v");
+  bad = good_;
+  bad.tau[9] = nan_;
+  expect(Status::NotFinite, bad, "NaN in tau");
+  bad = good_;
+  bad.q.segment<4>(3) *= 1.001;
+  expect(Status::NotNormalized, bad, "quaternion");
+  bad = good_;
+  bad.q.segment<4>(3).setZero();
+  expect(Status::NotNormalized, bad, "zero quaternion");
+  bad = good_;
+  const Joint& slew = model_.joints[static_cast<std::size_t>(model_.joint_index("slew_joint"))];
+  bad.q.segment<2>(slew.q_index) *= 0.5;
+  expect(Status::NotNormalized, bad, "angle");
+}
+
+TEST_F(BadInput, of_wrong_size_gives_a_status_and_leaves_the_results) {
+  ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
+  const Eigen::VectorXd a = dynamics_.a(), long_v = Eigen::VectorXd::Zero(model_.nv + 1);
+  const Eigen::VectorXd short_q = good_.q.head(model_.nq - 1), none;
+  const auto check = [&](Status got, const char* what) {
+    EXPECT_EQ(got, Status::WrongSize) << what;
+    EXPECT_EQ(dynamics_.a(), a) << what;
+    EXPECT_EQ(dynamics_.forward_derivatives(), Status::NotEvaluated) << what;
+  };
+  check(dynamics_.forward(short_q, good_.v, good_.tau), "q");
+  check(dynamics_.forward(good_.q, long_v, good_.tau), "v");
+  check(dynamics_.forward(good_.q, good_.v, none), "tau");
+  check(dynamics_.inverse(good_.q, good_.v, a, dynamics_.lambda().head(5)), "lambda");
+  check(dynamics_.inverse(good_.q, good_.v, none, dynamics_.lambda()), "a");
+  check(dynamics_.acceleration(good_.q, good_.v, long_v), "a");
+  EXPECT_EQ(dynamics_.inverse_derivatives(), Status::NotEvaluated);
+  EXPECT_EQ(dynamics_.acceleration_derivatives(), Status::NotEvaluated);
+}
+
+TEST_F(BadInput, of_another_evaluation_is_refused_by_derivatives) {
+  const Eigen::VectorXd lambda = Eigen::VectorXd::Ones(6);
+  ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
+  EXPECT_EQ(dynamics_.inverse_derivatives(), Status::NotEvaluated);
+  EXPECT_EQ(dynamics_.acceleration_derivatives(), Status::NotEvaluated);
+  EXPECT_EQ(dynamics_.forward_derivatives(), Status::Ok);
+  ASSERT_EQ(dynamics_.inverse(good_.q, good_.v, good_.v, lambda), Status::Ok);
+  EXPECT_EQ(dynamics_.forward_derivatives(), Status::NotEvaluated);
+  EXPECT_EQ(dynamics_.inverse_derivatives(), Status::Ok);
+  ASSERT_EQ(dynamics_.forward(good_.q, good_.v, good_.tau), Status::Ok);
+  dynamics_.set_active(0, false);
+  EXPECT_EQ(dynamics_.forward_derivatives(), Status::NotEvaluated);
+}
+
+TEST_F(BadInput, to_inverse_dynamics_gives_a_status_and_zeros) {
+  const Eigen::VectorXd a = Eigen::VectorXd::Ones(model_.nv), lambda = Eigen::VectorXd::Ones(6);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model_.nv);
+  const auto check = [&](Status wanted, Status got, const char* what) {
+    EXPECT_EQ(got, wanted) << what;
+    EXPECT_EQ(dynamics_.tau(), zero) << what;
+    EXPECT_EQ(dynamics_.inverse_derivatives(), wanted) << what;
+    EXPECT_EQ(dynamics_.dtau_dq(), RowMatrix::Zero(model_.nv, model_.nv)) << what;
+  };
+  ASSERT_EQ(dynamics_.inverse(good_.q, good_.v, a, lambda), Status::Ok);
+  EXPECT_GT(dynamics_.tau().norm(), 0.0);
+  Eigen::VectorXd q = good_.q, bad_a = a, bad_lambda = lambda;
+  q[8] = nan_;
+  bad_a[0] = nan_;
+  bad_lambda[5] = nan_;
+  check(Status::NotFinite, dynamics_.inverse(q, good_.v, a, lambda), "NaN in q");
+  check(Status::NotFinite, dynamics_.inverse(good_.q, good_.v, bad_a, lambda), "NaN in a");
+  check(Status::NotFinite, dynamics_.inverse(good_.q, good_.v, a, bad_lambda), "NaN in lambda");
+}
+
+TEST_F(BadInput, to_contact_acceleration_gives_a_status_and_zeros) {
+  const Eigen::VectorXd a = Eigen::VectorXd::Ones(model_.nv);
+  const auto check = [&](Status wanted, Status got, const char* what) {
+    EXPECT_EQ(got, wanted) << what;
+    EXPECT_EQ(dynamics_.alpha(), Eigen::VectorXd::Zero(6)) << what;
+    EXPECT_EQ(dynamics_.acceleration_derivatives(), wanted) << what;
+    EXPECT_EQ(dynamics_.dalpha_dq(), RowMatrix::Zero(6, model_.nv)) << what;
+  };
+  ASSERT_EQ(dynamics_.acceleration(good_.q, good_.v, a), Status::Ok);
+  EXPECT_GT(dynamics_.alpha().norm(), 0.0);
+  Eigen::VectorXd q = good_.q, bad_a = a;
+  q[8] = nan_;
+  bad_a[0] = nan_;
+  check(Status::NotFinite, dynamics_.acceleration(q, good_.v, a), "NaN in q");
+  check(Status::NotFinite, dynamics_.acceleration(good_.q, good_.v, bad_a), "NaN in a");
+}
+
+}  // namespace
+}  // namespace burnish::test

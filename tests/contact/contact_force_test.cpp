@@ -1,0 +1,179 @@
+// What a contact force says, and that it stays the same force in every reference.
+#include <gtest/gtest.h>
+
+#include "support/contact_states.hpp"
+
+namespace burnish::test {
+namespace {
+
+ContactForce push(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
+                  const Reference& reference = Reference::centered()) {
+  ContactForce result;
+  result.contact = "pad";
+  result.on = "tool";
+  result.by = "world";
+  result.reference = reference;
+  result.value << force, moment;
+  result.tool_rotation = Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  result.base_rotation = Eigen::Matrix3d::Identity();
+  result.tool_position = Eigen::Vector3d(0.6, 0.0, 0.2);
+  return result;
+}
+
+TEST(ContactForceText, says_axis_bodies_and_point) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero(), up(0.0, 0.0, 30.0);
+  EXPECT_EQ(push(up, none).text(),
+            "30.0 N along +z of the world, on tool, by the world, at the tool's origin");
+  EXPECT_EQ(push(-up, none).text(),
+            "30.0 N along -z of the world, on tool, by the world, at the tool's origin");
+  EXPECT_EQ(push(up, none, Reference::local()).text(),
+            "30.0 N along +z of the tool's axes, on tool, by the world, at the tool's origin");
+  EXPECT_EQ(push(up, none, Reference::surface(tilt())).text(),
+            "30.0 N along +z of the surface, on tool, by the world, at the tool's origin");
+  ContactForce by_board = push(up, none);
+  by_board.by = "board";
+  EXPECT_EQ(by_board.text(),
+            "30.0 N along +z of the world, on tool, by board, at the tool's origin");
+}
+
+TEST(ContactForceText, says_components_and_moment_where_there_are_some) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  EXPECT_EQ(push({1.0, -2.5, 30.0}, none).text(),
+            "(1.00, -2.50, 30.0) N of the world, on tool, by the world, at the tool's origin");
+  EXPECT_EQ(push({0.0, 0.0, 30.0}, {0.0, -1.25, 0.0}).text(),
+            "30.0 N along +z and 1.25 Nm about -y of the world, on tool, by the world, at the "
+            "tool's origin");
+  EXPECT_EQ(push(none, none).text(),
+            "(0.00, 0.00, 0.00) N of the world, on tool, by the world, at the tool's origin");
+}
+
+TEST(ContactForceText, says_that_a_moment_about_the_worlds_origin_is_one) {
+  // 30 N upward, 0.6 m along x from the origin, where it has a moment of -18 Nm about y.
+  const ContactForce force = push({0.0, 0.0, 30.0}, Eigen::Vector3d::Zero());
+  EXPECT_EQ(force.in(Reference::world()).text(),
+            "30.0 N along +z and 18.0 Nm about -y of the world, on tool, by the world, about the "
+            "world's origin");
+}
+
+TEST(ContactForceConversion, turns_with_the_axes_of_the_tool) {
+  // The tool's x axis points down and its z axis along the world's x.
+  const ContactForce force = push({0.0, 0.0, 30.0}, {1.0, 0.0, 0.0});
+  Vector6 expected;
+  expected << -30.0, 0.0, 0.0, 0.0, 0.0, 1.0;
+  EXPECT_LT((force.in(Reference::local()).value - expected).norm(), 1e-12);
+  for (const Reference& reference : all_references())
+    EXPECT_LT((force.in(reference).in(Reference::centered()).value - force.value).norm(), 1e-12);
+}
+
+struct Touch {
+  std::string robot, tool, base;
+};
+
+void PrintTo(const Touch& touch, std::ostream* out) {
+  *out << touch.robot << ": " << touch.tool << " on " << touch.base;
+}
+
+class WrenchIn : public ::testing::TestWithParam<Touch> {
+ protected:
+  Model model_ = robot(GetParam().robot);
+  std::mt19937_64 generator_{41};
+};
+
+TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
+  for (const Reference& own : all_references()) {
+    ContactDynamics dynamics(
+        model_, {contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"))});
+    const RobotState state = regular_state(model_, dynamics, generator_);
+    ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
+    const ContactForce force = dynamics.force(0);
+    EXPECT_EQ(force.on, GetParam().tool);
+    EXPECT_EQ(force.by, GetParam().base);
+    const Eigen::VectorXd lambda = dynamics.lambda();
+    Vector6 held;
+    held << lambda[0], 0.0, lambda[1], 0.0, lambda[2], 0.0;
+    EXPECT_LT((force.value - held).norm(), 1e-13 * held.norm());
+    for (const Reference& other : all_references()) {
+      const Vector6 converted = force.in(other).value;
+      EXPECT_LT((dynamics.wrench(0, other) - converted).norm(), 1e-11 * converted.norm());
+    }
+  }
+}
+
+/// By differences of fourth order of the wrench in a reference.
+WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, const RobotState& s,
+                              const Reference& reference) {
+  const int n = model.nv;
+  WrenchDerivatives result{RowMatrix(6, n), RowMatrix(6, n), RowMatrix(6, n)};
+  const auto slope = [&](const auto& state_at) -> Vector6 {
+    const auto wrench = [&](double t) {
+      const RobotState at = state_at(t);
+      dynamics.forward(at.q, at.v, at.tau);
+      return dynamics.wrench(0, reference);
+    };
+    const double h = 2e-4;
+    const Vector6 narrow = (wrench(h) - wrench(-h)) / (2.0 * h);
+    const Vector6 wide = (wrench(2.0 * h) - wrench(-2.0 * h)) / (4.0 * h);
+    return (4.0 * narrow - wide) / 3.0;
+  };
+  for (int k = 0; k < n; ++k) {
+    const Eigen::VectorXd e = Eigen::VectorXd::Unit(n, k);
+    result.dq.col(k) = slope([&](double t) {
+      return RobotState{integrate(model, s.q, t * e), s.v, s.tau};
+    });
+    result.dv.col(k) = slope([&](double t) { return RobotState{s.q, s.v + t * e, s.tau}; });
+    result.dtau.col(k) = slope([&](double t) {
+                           return RobotState{s.q, s.v, s.tau + 1e3 * t * e};
+                         }) /
+                         1e3;
+  }
+  return result;
+}
+
+TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
+  for (const Reference& own : all_references()) {
+    ContactSpec spec = contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"));
+    spec.with_gains(60.0, 9.0);
+    ContactDynamics dynamics(model_, {spec}), other(model_, {spec});
+    const RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
+    ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
+    ASSERT_EQ(dynamics.forward_derivatives(), Status::Ok);
+    for (const Reference& target : all_references()) {
+      WrenchDerivatives got;
+      dynamics.wrench_derivatives(0, target, got);
+      const WrenchDerivatives want = differences(model_, other, state, target);
+      EXPECT_LT(relative_error(got.dq, want.dq), 1e-6) << own.name() << " in " << target.name();
+      EXPECT_LT(relative_error(got.dv, want.dv), 1e-6) << own.name() << " in " << target.name();
+      EXPECT_LT(relative_error(got.dtau, want.dtau), 1e-6) << own.name() << " in " << target.name();
+    }
+  }
+}
+
+TEST_P(WrenchIn, an_inactive_contact_is_zero) {
+  ContactDynamics dynamics(model_, {contact(GetParam().tool, GetParam().base)});
+  dynamics.set_active(0, false);
+  const RobotState state = random_state(model_, generator_);
+  ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
+  dynamics.forward_derivatives();
+  WrenchDerivatives got;
+  dynamics.wrench_derivatives(0, Reference::world(), got);
+  EXPECT_EQ(dynamics.wrench(0, Reference::world()), Vector6::Zero());
+  EXPECT_EQ(got.dq, RowMatrix::Zero(6, model_.nv));
+  EXPECT_EQ(got.dtau, RowMatrix::Zero(6, model_.nv));
+}
+
+INSTANTIATE_TEST_SUITE_P(all, WrenchIn,
+                         ::testing::Values(Touch{"arm7", "tool", "world"},
+                                           Touch{"talos", "right_sole_link", "world"},
+                                           Touch{"talos", "tool", "left_sole_link"},
+                                           Touch{"crane", "left_tip", "right_tip"},
+                                           Touch{"crane:floating", "left_tip", "right_tip"}),
+                         [](const auto& test) {
+                           std::string name =
+                               test.param.robot + "_" + test.param.tool + "_on_" + test.param.base;
+                           for (char& c : name)
+                             if (c == ':') c = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,2 @@
+// Compiled without the definitions that burnish's targets carry: must be refused, with a sentence.
+#include "burnish/model/model.hpp"

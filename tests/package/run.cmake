@@ -1,0 +1,59 @@
+# Installs burnish into a folder of its own, builds the project beside this file against it, runs it.
+# -DBUILD= the build to install, -DWORK= where to work, -DGENERATOR= -DCOMPILER= -DEIGEN= include
+# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DJOBS=
+cmake_minimum_required(VERSION 3.22)
+set(prefix ${WORK}/prefix)
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+function(run what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${what} failed:\n${out}")
+  endif()
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+run("installation" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+# Nothing of the source tree may be needed: the library moves.
+file(RENAME ${prefix} ${WORK}/moved)
+set(prefix ${WORK}/moved)
+
+foreach(native ON OFF)
+  set(consumer ${WORK}/consumer_native_${native})
+  run("configuring the consumer" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${consumer}
+    -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${prefix} -DCONSUMER_NATIVE=${native} -DCONSUMER_HEADERS=${HEADERS})
+  set(HEADERS OFF)  # once is enough
+  run("building the consumer" ${CMAKE_COMMAND} --build ${consumer} -j ${JOBS})
+  file(READ ${consumer}/robots_dir robots)
+  if(NOT robots STREQUAL "${prefix}/share/burnish/robots")
+    message(FATAL_ERROR "burnish_ROBOTS_DIR is ${robots}")
+  endif()
+  run("the consumer" ${CMAKE_COMMAND} -E env BURNISH_ROBOTS=${robots} ${consumer}/consumer)
+  string(STRIP "${output}" output)
+  if(NOT output MATCHES "^30.0 N along .z of the surface, on tool, by the world")
+    message(FATAL_ERROR "the consumer said: ${output}")
+  endif()
+  message(STATUS "consumer with -march=native ${native}: ${output}")
+  run("one layer alone" ${consumer}/one_layer)
+endforeach()
+
+# The installed command line runs from where it was moved to.
+if(EXISTS ${prefix}/bin/burnish)
+  run("the installed command line" ${CMAKE_COMMAND} -E env BURNISH_ROBOTS=${robots}
+    ${prefix}/bin/burnish show talos:right_arm)
+  message(STATUS "the installed command line runs")
+endif()
+
+set(flags "")
+if(X86)
+  set(flags -mavx2)
+endif()
+execute_process(COMMAND ${COMPILER} -std=c++20 ${flags} -fsyntax-only -I ${prefix}/include
+  -isystem ${EIGEN} ${CMAKE_CURRENT_LIST_DIR}/bare.cpp RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(result EQUAL 0 OR NOT errors MATCHES "link burnish::burnish in CMake, or define")
+  message(FATAL_ERROR "a consumer without the definitions was not refused as it should:\n${errors}")
+endif()
+message(STATUS "a consumer without the definitions is refused")
+message(STATUS "package: all good")
