@@ -1,6 +1,7 @@
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/math/pack.hpp"
@@ -28,9 +29,13 @@ void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vecto
 void scatter(const NativePack* from, int count, double* out, int stride, int lanes) {
   constexpr int block = native_lanes;
   int i = 0;
-  for (; i + block <= count; i += block)
+  for (; i + block <= count; i += block) {
+    NativePack rows[block];
+    std::copy_n(from + i, block, rows);
+    transpose(rows);
     for (int l = 0; l < lanes; ++l)
-      for (int k = 0; k < block; ++k) out[l * stride + i + k] = from[i + k].v[l];
+      std::memcpy(out + l * stride + i, &rows[l], block * sizeof(double));
+  }
   for (; i < count; ++i)
     for (int l = 0; l < lanes; ++l) out[l * stride + i] = from[i].v[l];
 }

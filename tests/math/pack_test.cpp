@@ -55,6 +55,15 @@ TYPED_TEST(PackLaw, a_nan_is_never_less_and_is_found_by_its_lane) {
   EXPECT_FALSE(lane_of(finite, Lanes<TypeParam>::count - 1));
 }
 
+TYPED_TEST(PackLaw, transposing_exchanges_packs_and_lanes) {
+  constexpr int n = Lanes<TypeParam>::count;
+  TypeParam rows[n];
+  for (int i = 0; i < n; ++i) rows[i] = numbered<TypeParam>(100.0 * i, 1.0);
+  transpose(rows);
+  for (int i = 0; i < n; ++i)
+    for (int l = 0; l < n; ++l) EXPECT_EQ(rows[i].lane(l), 100.0 * l + i);
+}
+
 TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {
   std::mt19937_64 generator(7);
   double worst = 0.0;

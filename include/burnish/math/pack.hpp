@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <utility>
 
 #include "burnish/math/scalar.hpp"
 
@@ -164,6 +165,32 @@ BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& co
   const Integer c_bits = std::bit_cast<Integer>(c_abs) ^ c_sign;
   sine.v = std::bit_cast<Vector>(s_bits);
   cosine.v = std::bit_cast<Vector>(c_bits);
+}
+
+namespace detail {
+/// Exchanges the lanes of a and b whose index differs in the bit `step`.
+template <int N, int step, int... lane>
+BURNISH_INLINE void exchange(Pack<N>& a, Pack<N>& b, std::integer_sequence<int, lane...>) {
+  const auto low =
+      __builtin_shufflevector(a.v, b.v, ((lane & step) == 0 ? lane : N + lane - step)...);
+  b.v = __builtin_shufflevector(a.v, b.v, ((lane & step) == 0 ? lane + step : N + lane)...);
+  a.v = low;
+}
+
+template <int N, int step>
+BURNISH_INLINE void exchange_rows(Pack<N>* rows) {
+  for (int i = 0; i < N; ++i)
+    if ((i & step) == 0)
+      exchange<N, step>(rows[i], rows[i + step], std::make_integer_sequence<int, N>{});
+}
+}  // namespace detail
+
+/// Transposes N packs of N lanes in place: lane l of pack i becomes lane i of pack l.
+template <int N>
+BURNISH_INLINE void transpose(Pack<N>* rows) {
+  if constexpr (N >= 2) detail::exchange_rows<N, 1>(rows);
+  if constexpr (N >= 4) detail::exchange_rows<N, 2>(rows);
+  if constexpr (N >= 8) detail::exchange_rows<N, 4>(rows);
 }
 
 /// The scalar with which a horizon is evaluated on this target.
