@@ -122,9 +122,7 @@ void ConstrainedDerivatives<S>::adapt_to_active(const ConstrainedDynamics<S>& dy
 }
 
 template <class S>
-void ConstrainedDerivatives<S>::fill_rhs(ConstrainedDynamics<S>& dynamics) {
-  adapt_to_active(dynamics);
-  dynamics.apply_forces();
+void ConstrainedDerivatives<S>::fill_contact_rows(ConstrainedDynamics<S>& dynamics) {
   const ActiveContacts& active = dynamics.active();
   for (const int c : active.contacts) {
     const CompiledContact& contact = dynamics.set().contacts()[c];
@@ -134,6 +132,14 @@ void ConstrainedDerivatives<S>::fill_rhs(ConstrainedDynamics<S>& dynamics) {
     const int offset = (n_ + active.first_row[c]) * n_;
     contact_acceleration_derivatives(contact, dynamics.kinematics(), dynamics.inverse_dynamics(),
                                      state, at, rhs_q.data() + offset, rhs_v.data() + offset, n_);
+  }
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics) {
+  const ActiveContacts& active = dynamics.active();
+  for (const int c : active.contacts) {
+    const CompiledContact& contact = dynamics.set().contacts()[c];
     if (!transport_couples_branches(contact)) continue;
     for (const ContactSupport& row : contact.support)
       for (const ContactSupport& column : contact.support) rhs_q[row.v * n_ + column.v] = S(0.0);
@@ -147,13 +153,18 @@ void ConstrainedDerivatives<S>::fill_rhs(ConstrainedDynamics<S>& dynamics) {
 
 template <class S>
 void ConstrainedDerivatives<S>::inverse(ConstrainedDynamics<S>& dynamics) {
-  fill_rhs(dynamics);
+  adapt_to_active(dynamics);
+  dynamics.apply_forces();
+  fill_joint_rows(dynamics);
   for (auto* matrix : {&rhs_q, &rhs_v}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
 void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
-  inverse(dynamics);
+  adapt_to_active(dynamics);
+  dynamics.apply_forces();
+  fill_contact_rows(dynamics);
+  for (auto* matrix : {&rhs_q, &rhs_v}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
@@ -247,7 +258,10 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
 
 template <class S>
 void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
-  fill_rhs(dynamics);
+  adapt_to_active(dynamics);
+  dynamics.apply_forces();
+  fill_contact_rows(dynamics);
+  fill_joint_rows(dynamics);
   invert_factor(dynamics);
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);

@@ -60,7 +60,8 @@ TEST_P(RepositoryRobot, HasItsToolFrames) {
 TEST_P(RepositoryRobot, HasPosturesWithinItsLimits) {
   const Robot robot = load(GetParam().name);
   const Model& model = robot.model;
-  for (const auto& [name, posture] : robot.postures) {
+  for (const auto& named : robot.postures) {
+    const std::string& name = named.first;
     const Eigen::VectorXd q = robot.posture(name);
     EXPECT_NO_THROW(check_configuration(model, q)) << name;
     for (int i = 0; i < model.nq; ++i) {
@@ -70,13 +71,15 @@ TEST_P(RepositoryRobot, HasPosturesWithinItsLimits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RepositoryRobot, ::testing::ValuesIn(robots), [](const auto& info) {
-  std::string label = info.param.name;
-  for (char& c : label) {
+std::string label(const ::testing::TestParamInfo<Expected>& robot) {
+  std::string text = robot.param.name;
+  for (char& c : text) {
     if (c == ':') c = '_';
   }
-  return label;
-});
+  return text;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RepositoryRobot, ::testing::ValuesIn(robots), label);
 
 TEST(Talos, StandsOnTheGroundInHalfSitting) {
   for (const char* name : {"talos", "talos:fixed"}) {

@@ -38,7 +38,9 @@ class ConstrainedDerivatives {
         related;  ///< rows of rhs that are not zero in these columns; v part, ascending
     std::vector<int> ancestors;  ///< entries of v above and in the segment
   };
-  void fill_rhs(ConstrainedDynamics<S>& dynamics);
+  /// The rows of rhs_q and rhs_v that belong to lambda, and those that belong to a.
+  void fill_contact_rows(ConstrainedDynamics<S>& dynamics);
+  void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
   void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
   void invert_factor(const ConstrainedDynamics<S>& dynamics);
   void by_torque(const ConstrainedDynamics<S>& dynamics);
