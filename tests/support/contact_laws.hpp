@@ -3,6 +3,7 @@
 // compared with automatic differentiation through the same kernels and with central differences.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct LawRobot {
   std::string base;  ///< frame C1 when two bodies move
 };
 const std::vector<LawRobot>& law_robots();
+
+/// How a test names it.
+inline void PrintTo(const LawRobot& robot, std::ostream* out) { *out << robot.name; }
 
 /// "local", "centered", "surface", "world".
 const std::vector<std::string>& law_references();

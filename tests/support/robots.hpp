@@ -1,6 +1,7 @@
 // The robots that the kernels are tested on, and random states of them.
 #pragma once
 
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -62,6 +63,9 @@ struct TestRobot {
     return text;
   }
 };
+
+/// How a test names it.
+inline void PrintTo(const TestRobot& robot, std::ostream* out) { *out << robot.label(); }
 
 inline std::vector<TestRobot> robots_on(Base base) {
   return {{"talos", base, "right_sole_link"},
