@@ -29,8 +29,8 @@ struct WrenchDerivatives {
 /// the result of the last call that fills them.
 ///
 /// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
-/// but for WrongSize and NotEvaluated, which leave them as they were. Derivatives belong to the last
-/// evaluation: those of another are refused with NotEvaluated.
+/// but for WrongSize and NotEvaluated, which leave them as they were. Derivatives belong to the
+/// last evaluation: those of another are refused with NotEvaluated.
 class ContactDynamics {
  public:
   /// Compiles the contacts against the model; throws Error as ContactSet does.
