@@ -43,8 +43,8 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
 }
 
 template <class S>
-void ConstrainedDynamics<S>::set_active(int contact, bool on) {
-  is_active_[contact] = on ? 1 : 0;
+void ConstrainedDynamics<S>::set_active(int contact, bool active) {
+  is_active_[contact] = active ? 1 : 0;
   ++active_version_;
   // Rows move: what another contact left where this one has no support must be zero again.
   std::fill(delassus_.T.begin(), delassus_.T.end(), S(0.0));

@@ -6,8 +6,8 @@
 namespace burnish {
 
 BlockMismatch compare(const DerivativeBlock& block) {
-  const Eigen::Index rows = static_cast<Eigen::Index>(block.rows.size());
-  const Eigen::Index columns = static_cast<Eigen::Index>(block.columns.size());
+  const auto rows = static_cast<Eigen::Index>(block.rows.size());
+  const auto columns = static_cast<Eigen::Index>(block.columns.size());
   if (block.value.rows() != rows || block.value.cols() != columns ||
       block.expected.rows() != rows || block.expected.cols() != columns) {
     throw Error("block " + block.name + ": the sizes of derivatives, differences and names differ");

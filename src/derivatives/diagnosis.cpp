@@ -72,8 +72,8 @@ ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
           combination -= part * done.combinations[b];
         }
       if (!immovable && rest.norm() > tolerance * y.norm()) {
-        done.basis.push_back(rest / rest.norm());
-        done.combinations.push_back(combination / rest.norm());
+        done.basis.emplace_back(rest / rest.norm());
+        done.combinations.emplace_back(combination / rest.norm());
         continue;
       }
       RedundantRow found{contact.spec.name, std::string(direction_names[d]), r, immovable, {}};

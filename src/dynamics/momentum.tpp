@@ -7,9 +7,9 @@ namespace burnish {
 
 template <class S>
 Momentum<S>::Momentum(const Tree& tree)
-    : composite(tree.joints.size()), composite_momentum(tree.joints.size()), mass(0.0) {
+    : composite(tree.joints.size()), composite_momentum(tree.joints.size()) {
   for (const TreeJoint& joint : tree.joints) mass += joint.mass;
-  inverse_mass = mass > 0.0 ? 1.0 / mass : 0.0;
+  if (mass > 0.0) inverse_mass = 1.0 / mass;
 }
 
 template <class S>

@@ -22,8 +22,8 @@ struct Momentum {
   Force<S> centroidal;                       ///< about the centre of mass
   S kinetic;                                 ///< v^T M v / 2, armature included, J
   S potential;                               ///< -mass gravity . com, zero at the world's origin, J
-  double mass;                               ///< kg; filled when made
-  double inverse_mass;                       ///< 1/kg; zero for a massless robot
+  double mass = 0.0;                         ///< kg; filled when made
+  double inverse_mass = 0.0;                 ///< 1/kg; zero for a massless robot
 };
 
 /// From the kinematics and v (nv).

@@ -138,7 +138,7 @@ BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& co
   // Adding 1.5 * 2^52 rounds to an integer that stands in the low bits of the sum.
   constexpr double shift = 6755399441055744.0;
   const Vector shifted = angle.v * 0.63661977236758134308 + shift;
-  const Integer quadrant = std::bit_cast<Integer>(shifted);
+  const auto quadrant = std::bit_cast<Integer>(shifted);
   const Vector k = shifted - shift;
   Vector r = angle.v - k * 1.57079632673412561417e+00;
   r = r - k * 6.07710050630396597660e-11;
