@@ -11,7 +11,9 @@ namespace {
 
 struct Touch {
   std::string robot, tool, base;
-  double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
+  /// What a robot may lose, relative: its mass matrix and contacts amplify the last bit, in which
+  /// the two kernels differ where the compiler fuses multiply and add in one of them only.
+  double rounding = 1e-12;
 };
 
 void PrintTo(const Touch& touch, std::ostream* out) { *out << touch.robot; }
@@ -146,20 +148,21 @@ TEST_P(BatchOf, refuses_wrong_sizes) {
             Status::WrongSize);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    robots, BatchOf,
-    ::testing::Values(Touch{"talos:fixed", "tool", "torso_1_link", 1e-11},
-                      Touch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
-                      Touch{"talos", "right_sole_link", "left_sole_link", 1e-11},
-                      Touch{"arm7", "tool", "link_1"}, Touch{"arm7:floating", "tool", "link_1"},
-                      Touch{"crane", "left_tip", "right_tip"},
-                      Touch{"crane:floating", "left_tip", "right_tip"}),
-    [](const auto& test) {
-      std::string name = test.param.robot;
-      for (char& c : name)
-        if (c == ':') c = '_';
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(robots, BatchOf,
+                         ::testing::Values(Touch{"talos:fixed", "tool", "torso_1_link", 1e-11},
+                                           Touch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
+                                           Touch{"talos", "right_sole_link", "left_sole_link",
+                                                 1e-11},
+                                           Touch{"arm7", "tool", "link_1", 1e-11},
+                                           Touch{"arm7:floating", "tool", "link_1", 1e-11},
+                                           Touch{"crane", "left_tip", "right_tip"},
+                                           Touch{"crane:floating", "left_tip", "right_tip"}),
+                         [](const auto& test) {
+                           std::string name = test.param.robot;
+                           for (char& c : name)
+                             if (c == ':') c = '_';
+                           return name;
+                         });
 
 class BadInput : public ::testing::Test {
  protected:
