@@ -19,6 +19,7 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       lambda(static_cast<std::size_t>(set.rows()), S(0.0)),
       tau(static_cast<std::size_t>(model.nv), S(0.0)),
       alpha(static_cast<std::size_t>(set.rows()), S(0.0)),
+      velocity_after(static_cast<std::size_t>(model.nv), S(0.0)),
       contact_states(static_cast<std::size_t>(set.size())),
       proximal_residual(1, S(0.0)),
       tree_(model),
@@ -29,6 +30,7 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       v_(static_cast<std::size_t>(model.nv), S(0.0)),
       rho_(static_cast<std::size_t>(set.rows()), S(0.0)),
       lambda_before_(static_cast<std::size_t>(set.rows()), S(0.0)),
+      at_rest_(static_cast<std::size_t>(model.nv), S(0.0)),
       state_status_(static_cast<std::size_t>(lanes), Status::Ok),
       status_(static_cast<std::size_t>(lanes), Status::Ok),
       kinematics_(tree_),
@@ -186,14 +188,18 @@ void ConstrainedDynamics<S>::solve_lambda() {
 }
 
 template <class S>
+void ConstrainedDynamics<S>::factorize_once() {
+  if (factorized_) return;
+  mark(factorize(tree_, mass_), Status::SingularMass, state_status_);
+  mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
+       Status::SingularContacts, state_status_);
+  factorized_ = true;
+}
+
+template <class S>
 void ConstrainedDynamics<S>::forward(const S* tau_in) {
   const int n = tree_.nv, m = active_.rows;
-  if (!factorized_) {
-    mark(factorize(tree_, mass_), Status::SingularMass, state_status_);
-    mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
-         Status::SingularContacts, state_status_);
-    factorized_ = true;
-  }
+  factorize_once();
   status_ = state_status_;
   load_finite(tau_in, n, a.data());
   // t = L^-T (tau - b); lambda = G^-1 (-alpha_0 - T^T t); a = L^-1 (t + T lambda)
@@ -214,6 +220,32 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
   load_finite(lambda.data(), m, lambda.data());
   clear_failed(a);
   clear_failed(lambda);
+}
+
+template <class S>
+void ConstrainedDynamics<S>::impact(const S* q, const S* v_before) {
+  const int n = tree_.nv, m = active_.rows;
+  set_state(q, at_rest_.data());
+  factorize_once();
+  status_ = state_status_;
+  load_finite(v_before, n, velocity_after.data());
+  // Lambda = G^-1 (-J v-); v+ - v- = L^-1 T Lambda
+  std::fill(a.begin(), a.end(), S(0.0));
+  std::fill(rho_.begin(), rho_.end(), S(0.0));
+  const S* const J = delassus_.jacobian_by_v.data();
+  const S* const T = delassus_.T.data();
+  const int stride = delassus_.stride;
+  for_each_supported([&](int k, int r) { rho_[r] -= J[k * stride + r] * velocity_after[k]; });
+  solve_lambda();
+  for_each_supported([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
+  solve_factor(tree_, mass_, a.data());
+  for (int k = 0; k < n; ++k) velocity_after[k] += a[k];
+  load_finite(a.data(), n, a.data());
+  load_finite(lambda.data(), m, lambda.data());
+  load_finite(velocity_after.data(), n, velocity_after.data());
+  clear_failed(a);
+  clear_failed(lambda);
+  clear_failed(velocity_after);
 }
 
 template <class S>

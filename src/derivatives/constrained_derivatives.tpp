@@ -66,10 +66,14 @@ inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
 
 template <class S>
 ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics)
-    : n_(dynamics.nv()), coriolis_(dynamics.tree().joints.size()) {
+    : n_(dynamics.nv()),
+      contacts_without_gains_(dynamics.set().contacts()),
+      coriolis_(dynamics.tree().joints.size()) {
   using namespace derivatives_detail;
   const Tree& tree = dynamics.tree();
   const ContactSet& set = dynamics.set();
+  for (CompiledContact& contact : contacts_without_gains_)
+    contact.proportional = contact.damped = false;
   const int all_rows = n_ + set.rows();
   const auto entries = static_cast<std::size_t>(all_rows * n_);
   for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
@@ -122,10 +126,11 @@ void ConstrainedDerivatives<S>::adapt_to_active(const ConstrainedDynamics<S>& dy
 }
 
 template <class S>
-void ConstrainedDerivatives<S>::fill_contact_rows(ConstrainedDynamics<S>& dynamics) {
+void ConstrainedDerivatives<S>::fill_contact_rows(ConstrainedDynamics<S>& dynamics,
+                                                  const std::vector<CompiledContact>& contacts) {
   const ActiveContacts& active = dynamics.active();
   for (const int c : active.contacts) {
-    const CompiledContact& contact = dynamics.set().contacts()[c];
+    const CompiledContact& contact = contacts[c];
     const ContactState<S>& state = dynamics.contact_states[c];
     const auto at = contact_accelerations(dynamics.tree(), contact, dynamics.kinematics(),
                                           dynamics.inverse_dynamics(), state);
@@ -163,8 +168,46 @@ template <class S>
 void ConstrainedDerivatives<S>::acceleration(ConstrainedDynamics<S>& dynamics) {
   adapt_to_active(dynamics);
   dynamics.apply_forces();
-  fill_contact_rows(dynamics);
+  fill_contact_rows(dynamics, dynamics.set().contacts());
   for (auto* matrix : {&rhs_q, &rhs_v}) dynamics.clear_failed(*matrix);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::fill_impact_rows(ConstrainedDynamics<S>& dynamics) {
+  // At rest the contact acceleration at joint accelerations v+ is J v+ in every reference and for
+  // every definition of it, so that its derivative by q is that of J v+; gravity is not in it.
+  InverseDynamics<S>& id = dynamics.inverse_dynamics();
+  accelerate(dynamics.tree(), dynamics.kinematics(), dynamics.velocity_after.data(), id);
+  fill_contact_rows(dynamics, contacts_without_gains_);
+  const Delassus<S>& d = dynamics.delassus();
+  for (const int c : dynamics.active().contacts) {
+    const int first = dynamics.active().first_row[c];
+    const int end = first + static_cast<int>(dynamics.set().contacts()[c].directions.size());
+    for (const ContactSupport& entry : dynamics.set().contacts()[c].support)
+      for (int r = first; r < end; ++r)
+        rhs_v[(n_ + r) * n_ + entry.v] = -d.jacobian_by_v[entry.v * d.stride + r];
+  }
+  // At rest M a + b is M a and the gravity torques; taking gravity out of the accelerations of
+  // axes and bodies leaves M a, and M dv - J^T Lambda with the velocity change that `a` holds.
+  dynamics.apply_forces();
+  const Motion<S> gravity{lift<S>(dynamics.tree().gravity), Vec3<S>::zero()};
+  for (int k = 0; k < n_; ++k) id.axis_acc[k] += cross(gravity, dynamics.kinematics().axes[k].axis);
+  for (int i = 0; i < dynamics.tree().bodies(); ++i)
+    id.force[i] += dynamics.kinematics().bodies[i].inertia * gravity;
+  fill_joint_rows(dynamics);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::impact(ConstrainedDynamics<S>& dynamics) {
+  adapt_to_active(dynamics);
+  fill_impact_rows(dynamics);
+  invert_factor(dynamics);
+  by_torque(dynamics);
+  by_state(dynamics, rhs_q, d_dq);
+  by_state(dynamics, rhs_v, d_dv);
+  // So far of the velocity change.
+  for (int k = 0; k < n_; ++k) d_dv[k * n_ + k] += S(1.0);
+  for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }
 
 template <class S>
@@ -260,7 +303,7 @@ template <class S>
 void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   adapt_to_active(dynamics);
   dynamics.apply_forces();
-  fill_contact_rows(dynamics);
+  fill_contact_rows(dynamics, dynamics.set().contacts());
   fill_joint_rows(dynamics);
   invert_factor(dynamics);
   by_torque(dynamics);

@@ -34,6 +34,15 @@ class ConstrainedDynamics {
   /// alpha + kd nu + kp e of the active rows at joint accelerations a (nv), without solving for a.
   void acceleration(const S* a);
 
+  /// Inelastic impact of the active contacts at q (nq) and the velocity before it, v_before (nv):
+  ///   M (v+ - v-) = J^T Lambda, J v+ = 0,
+  /// with the impulse Lambda of the environment on the robot; that is eq. (3) with velocities in
+  /// the place of accelerations, and mu and the proximal iterations act alike (tolerance and
+  /// residual are then in m/s). Gravity, bias, gains and error play no part. Fills velocity_after,
+  /// lambda (the impulse, Ns or Nms) and a (the velocity change v+ - v-), with the statuses of
+  /// forward. Needs no set_state: loads the state (q, 0) itself and leaves it loaded.
+  void impact(const S* q, const S* v_before);
+
   Status status(int lane) const { return status_[lane]; }
   /// The most severe status of all lanes.
   Status status() const;
@@ -42,12 +51,13 @@ class ConstrainedDynamics {
   int rows() const { return active_.rows; }
 
   // Results, valid after the call that fills them.
-  std::vector<S> a;                             ///< nv, by forward or inverse
-  std::vector<S> lambda;                        ///< rows, by forward or inverse
+  std::vector<S> a;                             ///< nv, by forward, inverse or impact
+  std::vector<S> lambda;                        ///< rows, by forward, inverse or impact
   std::vector<S> tau;                           ///< nv, by inverse
   std::vector<S> alpha;                         ///< rows, by acceleration
+  std::vector<S> velocity_after;                ///< nv, by impact
   std::vector<ContactState<S>> contact_states;  ///< per contact of the set
-  int proximal_iterations = 0;                  ///< by forward
+  int proximal_iterations = 0;                  ///< by forward or impact
   std::vector<S> proximal_residual;  ///< 1 entry: largest |mu (lambda - previous)|, m/s^2
 
   // Stages, for the derivatives that build on them.
@@ -72,6 +82,7 @@ class ConstrainedDynamics {
   void mark(const auto& bad, Status status, std::vector<Status>& of_lanes);
   /// Copies an input and marks the lanes that are not finite; they get zeros.
   void load_finite(const S* in, int count, S* out);
+  void factorize_once();
   void drift(S* out);
   /// Calls visit(k, r) for every entry k of v that moves the contact of an active row r.
   void for_each_supported(const auto& visit) const;
@@ -85,6 +96,7 @@ class ConstrainedDynamics {
   std::vector<char> is_active_;
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, rho_, lambda_before_;
+  std::vector<S> at_rest_;            ///< nv zeros
   std::vector<Status> state_status_;  ///< per lane, of the state and its factors
   std::vector<Status> status_;        ///< per lane, of the last evaluation
   bool factorized_ = false;

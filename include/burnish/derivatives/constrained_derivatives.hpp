@@ -24,11 +24,15 @@ class ConstrainedDerivatives {
   /// Of acceleration(), at the state and a last given to it: the lambda rows of rhs_q and rhs_v
   /// hold minus d(alpha + kd nu + kp e)/dq and /dv (d/da is J).
   void acceleration(ConstrainedDynamics<S>& dynamics);
+  /// Of impact(), at the state and velocity last given to it: d_dq, d_dv and d_dtau hold the
+  /// derivatives of velocity_after (the first nv rows) and of the impulse lambda by q, by the
+  /// velocity before and by an impulse on the joints (nv, Nms or Ns) that acts during the impact.
+  void impact(ConstrainedDynamics<S>& dynamics);
 
   /// Right-hand sides: rows of a hold dtau/dq (dtau/dv) at constant a and lambda, rows of lambda
   /// hold minus the derivative of the contact acceleration at constant a.
   std::vector<S> rhs_q, rhs_v;
-  /// Results of forward().
+  /// Results of forward() and impact().
   std::vector<S> d_dq, d_dv, d_dtau;
 
  private:
@@ -39,8 +43,11 @@ class ConstrainedDerivatives {
     std::vector<int> ancestors;  ///< entries of v above and in the segment
   };
   /// The rows of rhs_q and rhs_v that belong to lambda, and those that belong to a.
-  void fill_contact_rows(ConstrainedDynamics<S>& dynamics);
+  void fill_contact_rows(ConstrainedDynamics<S>& dynamics,
+                         const std::vector<CompiledContact>& contacts);
   void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
+  /// The same of an impact.
+  void fill_impact_rows(ConstrainedDynamics<S>& dynamics);
   void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
   void invert_factor(const ConstrainedDynamics<S>& dynamics);
   void by_torque(const ConstrainedDynamics<S>& dynamics);
@@ -50,6 +57,7 @@ class ConstrainedDerivatives {
                 std::vector<S>& out);
 
   int n_;
+  std::vector<CompiledContact> contacts_without_gains_;
   int version_ = -1;  ///< of the active contacts that the lists below were made for
   std::vector<Segment> segments_;
   std::vector<std::vector<int>> shared_ancestors_;  ///< of two segments

@@ -121,6 +121,13 @@ BURNISH_INLINE Pack<N> hyperbolic_tangent(const Pack<N>& a) {
   return r;
 }
 
+template <int N>
+BURNISH_INLINE Pack<N> natural_logarithm(const Pack<N>& a) {
+  Pack<N> r;
+  for (int i = 0; i < N; ++i) r.v[i] = std::log(a.v[i]);
+  return r;
+}
+
 /// Sine and cosine of every lane, within 2 units in the last place for |angle| up to 1e5 rad
 /// (three-part reduction by pi/2, then the minimax polynomials of the Cephes library on
 /// [-pi/4, pi/4]); beyond that lane by lane through the standard library.

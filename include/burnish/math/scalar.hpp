@@ -78,4 +78,11 @@ BURNISH_INLINE S hyperbolic_tangent(const S& a) {
   return tanh(a);
 }
 
+/// Of a positive number.
+template <class S>
+BURNISH_INLINE S natural_logarithm(const S& a) {
+  using std::log;
+  return log(a);
+}
+
 }  // namespace burnish

@@ -1,0 +1,89 @@
+// What a residual costs: a function of each of its entries, with its first two derivatives.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "burnish/math/scalar.hpp"
+
+namespace burnish {
+
+/// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+struct Penalty {
+  enum class Kind {
+    Square,          ///< r^2 / 2
+    Barrier,         ///< half the square of how far r is outside [lower, upper], zero inside
+    SmoothAbsolute,  ///< sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to
+                     ///< it
+    /// -log(s / width), s the distance to each limit, where s > width; below, and beyond the limit,
+    /// the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly.
+    LogBarrier,
+  };
+
+  Kind kind = Kind::Square;
+  /// Barriers: limits in the residual's unit; one entry for all rows, or one per row; infinite
+  /// where there is none. Empty: none.
+  Eigen::VectorXd lower, upper;
+  double width = 1.0;  ///< residual's unit, positive
+
+  static Penalty square() { return {}; }
+  static Penalty barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+  static Penalty at_least(double lower);
+  static Penalty smooth_absolute(double width);
+  static Penalty log_barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                             double width);
+
+  bool has_limits() const { return kind == Kind::Barrier || kind == Kind::LogBarrier; }
+};
+
+std::string name_of(Penalty::Kind kind);
+/// Reads "square", "barrier", "smooth_absolute" or "log_barrier". Throws Error with the nearest
+/// known name.
+Penalty::Kind parse_penalty(const std::string& name);
+
+/// phi and its derivatives at one residual entry.
+template <class S>
+struct PenaltyValue {
+  S value, slope, curvature;
+};
+
+/// lower and upper are used by the barriers only.
+template <class S>
+BURNISH_INLINE PenaltyValue<S> evaluate_penalty(Penalty::Kind kind, double lower, double upper,
+                                                double width, const S& r) {
+  switch (kind) {
+    case Penalty::Kind::Square:
+      return {S(0.5) * r * r, r, S(1.0)};
+    case Penalty::Kind::Barrier: {
+      // An infinite limit is never crossed: the comparison is false and the excess zero.
+      const auto below = less(r, S(lower)), above = less(S(upper), r);
+      const S excess = select(below, S(r - S(lower)), select(above, S(r - S(upper)), S(0.0)));
+      const S outside = select(mask_or(below, above), S(1.0), S(0.0));
+      return {S(0.5) * excess * excess, excess, outside};
+    }
+    case Penalty::Kind::SmoothAbsolute: {
+      const S root = square_root(S(r * r + S(width * width)));
+      const S inverse = S(1.0) / root;
+      return {root - S(width), r * inverse, S(width * width) * inverse * inverse * inverse};
+    }
+    case Penalty::Kind::LogBarrier:
+      break;
+  }
+  PenaltyValue<S> sum{S(0.0), S(0.0), S(0.0)};
+  const auto add = [&](double limit, double sign) {
+    if (!(limit > -1e300 && limit < 1e300)) return;
+    const S s = (r - S(limit)) * S(sign / width);  // distance in widths
+    const auto far = less(S(1.0), s);
+    const S safe = select(far, s, S(1.0));
+    const S inverse = S(1.0) / safe;
+    const S near = s - S(2.0);
+    sum.value += select(far, S(-natural_logarithm(safe)), S(S(0.5) * (near * near - S(1.0))));
+    sum.slope += select(far, S(-inverse), near) * S(sign / width);
+    sum.curvature += select(far, S(inverse * inverse), S(1.0)) * S(1.0 / (width * width));
+  };
+  add(lower, 1.0);
+  add(upper, -1.0);
+  return sum;
+}
+
+}  // namespace burnish

@@ -1,0 +1,106 @@
+// An optimal control problem of a robot in contact, compiled: what a solver solves.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/base/views.hpp"
+#include "burnish/ocp/node_view.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+#include "burnish/ocp/shooting_problem.hpp"
+
+namespace burnish {
+
+/// Knots of one stage that follow each other are evaluated as packs, one knot per lane.
+///
+/// Everything is allocated when the problem is made and by prepare(); the setters of targets, times
+/// and the initial state allocate nothing and may be called between the ticks of a controller.
+class Problem final : public ShootingProblem {
+ public:
+  /// Compiles the specification. Throws Error with one sentence that names the stage and the term.
+  explicit Problem(const ProblemSpec& spec);
+  ~Problem() override;
+  Problem(Problem&&) noexcept;
+  Problem& operator=(Problem&&) noexcept;
+
+  const ProblemSpec& spec() const;
+  const Model& model() const;
+  const StateLayout& layout() const;
+
+  /// Names of the stages, the last one "terminal", and which one a knot belongs to.
+  std::vector<std::string> stage_names() const;
+  int stage_of(int knot) const;
+  double time_of(int knot) const;  ///< s
+  double step_of(int knot) const;  ///< s; 0 at impacts and at the end
+  /// Index of a stage or of a term in a stage. Throw Error with the nearest known name.
+  int stage_index(const std::string& name) const;
+  int term_index(int stage, const std::string& name) const;
+
+  /// nx entries. Returns WrongSize, NotFinite, NotNormalized or Ok; a state that is refused changes
+  /// nothing.
+  Status set_initial_state(const ConstVectorRef& x);
+  /// Gives a knot another stage and time; signals are asked for their values there. Stage and
+  /// knot in range; the terminal knot keeps its stage. Call update_times() style helpers below for
+  /// whole horizons.
+  void set_knot(int knot, int stage, double time);
+  /// Drops knot 0, moves the others one forward and appends one of this stage at the time after the
+  /// last one; the terminal knot follows.
+  void advance(int stage);
+  /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
+  /// the residual says. Returns WrongSize or Ok.
+  Status set_target(int knot, int term, const ConstVectorRef& target);
+  /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
+  /// first. Returns WrongSize, NotFinite or Ok.
+  Status set_torque_bias(const ConstVectorRef& torque);
+
+  /// Where a state that does not move needs no control but this: nu entries of least norm that with
+  /// the contacts of a stage hold x at rest, together with the forces; `residual` of the rest, Nm.
+  struct QuasiStatic {
+    Eigen::VectorXd control;  ///< nu, Nm
+    Eigen::VectorXd force;    ///< rows of the stage's contacts, N and Nm
+    double residual = 0.0;    ///< largest torque that nothing balances, Nm
+  };
+  /// `force`, when not empty, prescribes the contact forces, and only the control is free.
+  QuasiStatic quasi_static(int stage, const ConstVectorRef& x,
+                           const Eigen::VectorXd& force = {}) const;
+
+  /// One term at a knot: r (rows) and dr/dz (rows x nz), z = (u, dq, dv, dtau).
+  Eigen::VectorXd residual(int knot, int term, const ConstVectorRef& x, const ConstVectorRef& u);
+  RowMatrix residual_derivative(int knot, int term, const ConstVectorRef& x,
+                                const ConstVectorRef& u);
+  /// Contact forces (rows of the stage's contacts, in their order) and joint accelerations at a
+  /// knot; empty where nothing solves for them.
+  Eigen::VectorXd forces(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
+  Eigen::VectorXd acceleration(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
+  std::vector<std::string> force_names(int knot) const;
+
+  // ShootingProblem
+  const StateShape& state() const override;
+  int knots() const override;
+  int controls(int knot) const override;
+  int max_controls() const override;
+  const double* initial_state() const override;
+  void integrate(const double* x, const double* dx, double* out) const override;
+  void difference(const double* x0, const double* x1, double* dx) const override;
+  const double* control_lower(int knot) const override;
+  const double* control_upper(int knot) const override;
+  void prepare(int workers) override;
+  std::span<const KnotRange> ranges() const override;
+  KnotValue roll(int worker, int knot, const double* x, const double* u, double* next) override;
+  void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
+                KnotValue* values) override;
+  void expand(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
+              KnotExpansion* out) override;
+  std::vector<std::string> state_names() const override;
+  std::vector<std::string> control_names() const override;
+  std::vector<std::string> term_names(int knot) const override;
+  std::vector<double> term_costs(int knot, const double* x, const double* u) override;
+  std::string knot_name(int knot) const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

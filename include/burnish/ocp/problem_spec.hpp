@@ -1,0 +1,86 @@
+// An optimal control problem as a user states it: a robot, contacts, stages of costs, a horizon.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/contact/solver_options.hpp"
+#include "burnish/model/model.hpp"
+#include "burnish/ocp/penalty.hpp"
+#include "burnish/ocp/residual.hpp"
+
+namespace burnish {
+
+/// weight * sum over rows i of weights_i phi(r_i), times the stage's step while time passes.
+struct CostTerm {
+  std::string name = {};  ///< unique in its stage; the residual's name if left empty
+  Residual residual;
+  double weight = 1.0;           ///< 1 / (unit of phi) / s while time passes; not negative
+  Eigen::VectorXd weights = {};  ///< per row, or empty for ones; not negative
+  /// Empty: a square, or what the residual says.
+  std::optional<Penalty> penalty = {};
+};
+
+/// How the state goes from one knot to the next.
+enum class Integrator {
+  SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
+  RungeKutta4,        ///< classical, the control held; costs are taken at the start of the step
+};
+
+/// Actuators as a first-order low-pass of the control, eq. (49) of the paper: dtau/dt = cutoff (u -
+/// tau). The torques join the state.
+struct TorqueModel {
+  enum class Discretization {
+    Exact,  ///< decay over a step: exp(-cutoff step)
+    Euler,  ///< 1 - cutoff step
+  };
+  double cutoff = 0.0;  ///< rad/s
+  Discretization discretization = Discretization::Exact;
+};
+
+/// Which joints are driven.
+struct Actuation {
+  /// Empty: every joint but a free-flying base.
+  std::vector<std::string> joints = {};
+  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it.
+  bool passive_torques = false;
+  double slip_velocity = 0.01;  ///< rad/s or m/s
+};
+
+/// A kind of knot: which contacts hold, what is aimed at, how long a step is.
+struct Stage {
+  std::string name = {};
+  std::vector<std::string> contacts = {};  ///< names of those that hold
+  std::vector<CostTerm> costs = {};
+  double step = 0.01;  ///< s
+  Integrator integrator = Integrator::SemiImplicitEuler;
+  /// The contacts are made here: velocities jump so that they hold (inelastic), no time passes,
+  /// there is no control, and costs are not multiplied by a step.
+  bool impact = false;
+};
+
+/// Consecutive knots of one stage.
+struct Phase {
+  std::string stage = {};
+  int knots = 1;
+};
+
+struct ProblemSpec {
+  Model model;
+  std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose
+  ContactSolver contact_solver = {};
+  Actuation actuation = {};
+  std::optional<TorqueModel> torque_model = {};
+  /// nu entries or one for all, Nm (N); empty: none.
+  Eigen::VectorXd control_lower = {}, control_upper = {};
+  std::vector<Stage> stages = {};
+  std::vector<Phase> horizon = {};
+  std::vector<CostTerm> terminal = {};  ///< costs of the last state
+  Eigen::VectorXd initial_state = {};   ///< (q, v), or (q, v, tau) with a torque model
+  double start_time = 0.0;              ///< s, of the first knot
+};
+
+}  // namespace burnish

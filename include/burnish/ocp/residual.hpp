@@ -1,0 +1,161 @@
+// What a cost term measures. Each residual is a plain value; its rows, their units and axes are
+// said here, and docs/costs.md has the same with pictures.
+//
+// A target may be left empty where that is said; its size is the residual's unless said otherwise.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/ocp/node_view.hpp"
+#include "burnish/ocp/signal.hpp"
+
+namespace burnish::residual {
+
+/// x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s), dtau (Nm, N). The target is a state of nx
+/// entries; empty: the initial state of the problem.
+struct State {
+  Signal target = {};
+};
+
+/// u - target, nu rows, Nm (N). Empty target: zero.
+struct Control {
+  Signal target = {};
+};
+
+/// q_j - target for revolute and prismatic joints, one row each, rad or m. No joints named: all of
+/// them that have a limit. Empty target: zero, as limits want it.
+struct JointPosition {
+  std::vector<std::string> joints = {};
+  Signal target = {};
+};
+
+/// v - target for the entries of the named joints, rad/s or m/s. No joints named: all but the
+/// free-flying base. Empty target: zero.
+struct JointVelocity {
+  std::vector<std::string> joints = {};
+  Signal target = {};
+};
+
+/// What the actuators apply to the named joints minus the target, Nm or N: the control, or with a
+/// torque model the torque state. No joints named: all actuated ones. Empty target: zero.
+struct JointTorque {
+  std::vector<std::string> joints = {};
+  Signal target = {};
+};
+
+/// Origin of a frame minus the target, 3 rows, m, written in `axes` (its columns, in the world).
+struct FramePosition {
+  std::string frame = {};
+  Signal target = {};  ///< 3 entries, world, m
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+/// log(R_target^T R), 3 rows, rad, target axes.
+struct FrameRotation {
+  std::string frame = {};
+  Signal target = {};  ///< quaternion x, y, z, w, of unit length
+};
+
+/// SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.
+struct FramePlacement {
+  std::string frame = {};
+  Signal target = {};  ///< position (m), quaternion x, y, z, w
+};
+
+/// Velocity of a frame minus the target, 6 rows: m/s, rad/s. Empty target: zero.
+struct FrameVelocity {
+  std::string frame = {};
+  FrameAxes axes = FrameAxes::Centered;
+  Signal target = {};
+};
+
+/// Force of an active contact minus the target: the held rows in the contact's own reference, or
+/// six rows in another one; N and Nm. Empty target: zero.
+struct ContactForce {
+  std::string contact = {};
+  std::optional<Reference> reference = {};
+  Signal target = {};
+};
+
+/// Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be kept above a
+/// limit: the default penalty is a barrier at 0. f_n is the force along `normal` (x, y or z of the
+/// reference: 0, 1, 2) and f_t what stands at a right angle to it.
+struct FrictionCone {
+  std::string contact = {};
+  double friction = 0.5;
+  int normal = 2;
+  std::optional<Reference> reference = {};  ///< default: the contact's own
+};
+
+/// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
+/// the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ m_x. Default penalty: a barrier at 0.
+struct CenterOfPressure {
+  std::string contact = {};
+  double half_x = 0.1;  ///< m
+  double half_y = 0.05;
+};
+
+/// Centre of mass minus the target, 3 rows, m, world.
+struct CenterOfMass {
+  Signal target = {};
+};
+
+/// Momentum about the centre of mass minus the target, 6 rows: kg m/s, kg m^2/s, world axes. Empty
+/// target: zero.
+struct CentroidalMomentum {
+  Signal target = {};
+};
+
+/// A residual of the user's own. Made by custom() from a plain struct; see examples/06.
+struct Custom {
+  std::string name = {};
+  int rows = 0;
+  std::vector<std::string> frames = {};  ///< that value and jacobian ask for, by place
+  std::vector<std::string> contacts = {};
+  std::function<void(const NodeView&, Eigen::Ref<Eigen::VectorXd>)> value = {};
+  /// d(value)/dz, rows x nz, handed over zeroed; empty: central differences.
+  std::function<void(const NodeView&, Eigen::Ref<RowMatrix>)> jacobian = {};
+};
+
+/// Any struct with `int rows` and `value(const NodeView&, Eigen::Ref<Eigen::VectorXd>) const`, and
+/// if wanted `name`, `frames`, `contacts` and `jacobian(const NodeView&, Eigen::Ref<RowMatrix>)
+/// const`.
+template <class User>
+Custom custom(User user) {
+  Custom result;
+  result.rows = user.rows;
+  if constexpr (requires { user.name; }) result.name = user.name;
+  if constexpr (requires { user.frames; }) result.frames = user.frames;
+  if constexpr (requires { user.contacts; }) result.contacts = user.contacts;
+  if constexpr (requires(const NodeView& at, Eigen::Ref<RowMatrix> out) { user.jacobian(at, out); })
+    result.jacobian = [user](const NodeView& at, Eigen::Ref<RowMatrix> out) {
+      user.jacobian(at, out);
+    };
+  result.value = [user = std::move(user)](const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) {
+    user.value(at, out);
+  };
+  return result;
+}
+
+}  // namespace burnish::residual
+
+namespace burnish {
+
+using Residual =
+    std::variant<residual::State, residual::Control, residual::JointPosition,
+                 residual::JointVelocity, residual::JointTorque, residual::FramePosition,
+                 residual::FrameRotation, residual::FramePlacement, residual::FrameVelocity,
+                 residual::ContactForce, residual::FrictionCone, residual::CenterOfPressure,
+                 residual::CenterOfMass, residual::CentroidalMomentum, residual::Custom>;
+
+/// Such as "frame position", for messages.
+std::string name_of(const Residual& residual);
+
+}  // namespace burnish

@@ -1,0 +1,123 @@
+// What a solver asks of a problem over time: sizes, arithmetic on states, roll out, expand.
+// There is no robot here: a state is a point x of nx numbers that moves along tangents dx of ndx.
+//
+// A horizon has N knots with a state, a control and a cost each, and a terminal state with a cost:
+//   minimise sum over k < N of l_k(x_k, u_k) + l_N(x_N)  subject to  x_(k+1) = f_k(x_k, u_k).
+// Derivatives are by z = (du, dx), controls first, dx the right tangent increment.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "burnish/base/status.hpp"
+
+namespace burnish {
+
+/// Entries of a configuration's tangent that belong together and whose sum is not plain addition
+/// (the six of a free-flyer, the three of a planar joint).
+struct LeadBlock {
+  int first;  ///< entry of dx
+  int size;
+};
+
+/// The state along the whole horizon. With second-order structure dx = (dq, dv, dtau): nv, nv and
+/// `filtered` entries; without it nv and filtered are zero.
+struct StateShape {
+  int nx = 0;
+  int ndx = 0;
+  int nv = 0;
+  int filtered = 0;               ///< torques that follow the control through a first-order filter
+  std::vector<LeadBlock> blocks;  ///< within dq
+};
+
+/// How the next state depends on z.
+enum class DynamicsForm {
+  Dense,  ///< dx' = F z, F: ndx x nz
+  /// dv' = P z with P: nv x nz, dq' = A dq + step B dv', dtau' = decay dtau + (1 - decay) du; A and
+  /// B are identities but for the lead blocks. Semi-implicit Euler, and impacts with step = 0.
+  SecondOrder,
+};
+
+/// First and second order of one knot, in memory that the solver owns and the problem fills.
+/// Matrices are row-major with `stride` between rows. nz = nu + ndx.
+struct KnotExpansion {
+  int stride = 0;
+  double* gradient = nullptr;  ///< nz: d(cost)/dz
+  double* hessian = nullptr;   ///< nz x nz, Gauss-Newton; only the lower triangle is read
+  double* dynamics = nullptr;  ///< P (nv x nz) or F (ndx x nz)
+  /// SecondOrder: per lead block, size x size each: A, then B (without step).
+  double* lead = nullptr;
+  double* decay = nullptr;  ///< SecondOrder: `filtered` entries
+  double step = 0.0;        ///< s
+  DynamicsForm form = DynamicsForm::Dense;
+};
+
+/// Outcome of one knot's values.
+struct KnotValue {
+  double cost = 0.0;
+  Status status = Status::Ok;
+  /// Cost term that is not finite, an index into term_names(knot); -1: none, or the dynamics.
+  int term = -1;
+};
+
+/// Knots begin to end - 1, evaluated together.
+struct KnotRange {
+  int begin, end;
+};
+
+/// States and controls of a horizon. x of knot k starts at k * nx, u at k * max_controls().
+struct TrajectoryView {
+  const double* x;
+  const double* u;
+};
+
+/// Functions of a problem are called with the number of the worker that calls, from 0 to workers -
+/// 1; different workers may call at the same time. None of them allocates or throws.
+class ShootingProblem {
+ public:
+  virtual ~ShootingProblem() = default;
+
+  virtual const StateShape& state() const = 0;
+  virtual int knots() const = 0;             ///< N; there are N + 1 states
+  virtual int controls(int knot) const = 0;  ///< nu of a knot; 0 at impacts and at the end (N)
+  virtual int max_controls() const = 0;
+  virtual const double* initial_state() const = 0;  ///< nx
+
+  /// x (+) dx and the dx with x0 (+) dx = x1. `out` may be x.
+  virtual void integrate(const double* x, const double* dx, double* out) const = 0;
+  virtual void difference(const double* x0, const double* x1, double* dx) const = 0;
+
+  /// Bounds of the controls of a knot, nu entries each, or null where there are none.
+  virtual const double* control_lower(int /*knot*/) const { return nullptr; }
+  virtual const double* control_upper(int /*knot*/) const { return nullptr; }
+
+  /// Makes room for this many workers. May allocate and throw.
+  virtual void prepare(int workers) = 0;
+
+  /// The knots 0 to N cut into ranges that do not depend on the number of workers; the last one
+  /// holds the terminal knot alone.
+  virtual std::span<const KnotRange> ranges() const = 0;
+
+  /// Cost and next state of one knot; `next` is not written at the end (knot N).
+  virtual KnotValue roll(int worker, int knot, const double* x, const double* u, double* next) = 0;
+
+  /// The same for a range: knot k of it writes next + k * nx and values[k], both counted from the
+  /// start of the horizon.
+  virtual void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
+                        KnotValue* values) = 0;
+
+  /// Like evaluate, and the expansion of each knot, out[k] counted from the start of the horizon.
+  virtual void expand(int worker, KnotRange range, TrajectoryView at, double* next,
+                      KnotValue* values, KnotExpansion* out) = 0;
+
+  /// For people: not called inside an iteration. Entries of dx, controls, cost terms.
+  virtual std::vector<std::string> state_names() const = 0;
+  virtual std::vector<std::string> control_names() const = 0;
+  virtual std::vector<std::string> term_names(int knot) const = 0;
+  /// Cost of each term of a knot, in the order of term_names.
+  virtual std::vector<double> term_costs(int knot, const double* x, const double* u) = 0;
+  virtual std::string knot_name(int knot) const = 0;  ///< such as "press, knot 12"
+};
+
+}  // namespace burnish

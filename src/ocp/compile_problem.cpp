@@ -1,0 +1,164 @@
+// A problem compiled: robot, actuators, contacts, stages; what can be refused is refused here.
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "burnish/model/state.hpp"
+#include "model/sentence.hpp"
+#include "ocp/compiled_problem.hpp"
+
+namespace burnish::ocp {
+namespace {
+
+StateLayout make_layout(const ProblemSpec& spec) {
+  StateLayout layout;
+  layout.nq = spec.model.nq;
+  layout.nv = spec.model.nv;
+  const auto add = [&](const Joint& joint) {
+    for (int k = 0; k < joint.nv; ++k) layout.actuated.push_back(joint.v_index + k);
+  };
+  for (const std::string& name : spec.actuation.joints) {
+    const Joint& joint = spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))];
+    if (std::find(layout.actuated.begin(), layout.actuated.end(), joint.v_index) !=
+        layout.actuated.end())
+      throw Error("actuation: joint " + in_quotes(name) + " is named twice");
+    add(joint);
+  }
+  if (spec.actuation.joints.empty())
+    for (const Joint& joint : spec.model.joints)
+      if (joint.kind != JointKind::FreeFlyer) add(joint);
+  layout.nu = static_cast<int>(layout.actuated.size());
+  if (layout.nu == 0) throw Error("actuation: no joint is driven; wanted at least one");
+  if (spec.torque_model) layout.filtered = layout.nu;
+  return layout;
+}
+
+StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
+  StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered, {}};
+  for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
+  return shape;
+}
+
+void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
+  const Eigen::VectorXd& x = spec.initial_state;
+  if (x.size() != layout.nx())
+    throw Error("initial_state has " + std::to_string(x.size()) + " entries; wanted " +
+                std::to_string(layout.nx()) + " (q: " + std::to_string(layout.nq) +
+                ", v: " + std::to_string(layout.nv) +
+                (layout.filtered > 0 ? ", tau: " + std::to_string(layout.filtered) : "") + ")");
+  check_configuration(spec.model, x.head(layout.nq), "initial_state");
+  check_tangent(spec.model, x.segment(layout.nq, layout.nv), "initial_state");
+  if (!x.allFinite()) throw Error("initial_state holds a NaN or an infinity in its torques");
+}
+
+void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
+  if (!spec.torque_model || stage.terminal || stage.impact) return;
+  const double cutoff = spec.torque_model->cutoff;
+  if (!(cutoff > 0.0) || !std::isfinite(cutoff))
+    throw Error("torque_model: a cut-off of " + number(cutoff) +
+                " rad/s; wanted a positive number");
+  const auto decay = [&](double time) {
+    return spec.torque_model->discretization == TorqueModel::Discretization::Exact
+               ? std::exp(-cutoff * time)
+               : 1.0 - cutoff * time;
+  };
+  stage.decay = decay(stage.step);
+  stage.half_decay = decay(0.5 * stage.step);
+  if (std::abs(stage.decay) > 1.0)
+    throw Error("stage " + in_quotes(stage.name) + ": the torque model of " + number(cutoff) +
+                " rad/s is unstable with Euler steps of " + number(stage.step) +
+                " s; wanted a step below " + number(2.0 / cutoff) +
+                " s or the exact discretisation");
+}
+
+CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem,
+                         const Stage& given) {
+  const std::string place = "stage " + in_quotes(given.name);
+  CompiledStage stage;
+  stage.name = given.name;
+  stage.impact = given.impact;
+  stage.integrator = given.integrator;
+  stage.step = given.impact ? 0.0 : given.step;
+  if (!given.impact && (!(given.step > 0.0) || !std::isfinite(given.step)))
+    throw Error(place + ": a step of " + number(given.step) + " s; wanted a positive number");
+  stage.nu = given.impact ? 0 : problem.layout.nu;
+  stage.solves_contacts = !given.impact;
+  stage.active.assign(static_cast<std::size_t>(problem.contacts.size()), 0);
+  for (const std::string& name : given.contacts) {
+    try {
+      stage.active[static_cast<std::size_t>(problem.contacts.index(name))] = 1;
+    } catch (const Error& error) {
+      throw Error(place + ": " + error.what());
+    }
+  }
+  if (given.impact && given.contacts.empty())
+    throw Error(place + ": an impact makes no contact; wanted at least one");
+  set_filter(spec, stage);
+  compile_terms(spec, problem, given.costs, place, stage);
+  return stage;
+}
+
+void check_weights(const std::vector<CompiledStage>& stages) {
+  bool any_weight = false, any_term = false;
+  for (const CompiledStage& stage : stages)
+    for (const CompiledTerm& term : stage.terms) {
+      any_term = true;
+      any_weight = any_weight || std::any_of(term.weights.begin(), term.weights.end(),
+                                             [](double w) { return w > 0.0; });
+    }
+  if (!any_term) throw Error("the problem has no cost terms; wanted at least one");
+  if (!any_weight) throw Error("all weights of the problem are zero; wanted at least one positive");
+}
+
+void find_largest(CompiledProblem& problem) {
+  for (const CompiledStage& stage : problem.stages) {
+    problem.has_impacts = problem.has_impacts || stage.impact;
+    problem.has_dense_stages =
+        problem.has_dense_stages || (stage.integrator == Integrator::RungeKutta4 && !stage.impact);
+    problem.largest_targets = std::max(problem.largest_targets, stage.targets);
+    problem.largest_terms = std::max(problem.largest_terms, static_cast<int>(stage.terms.size()));
+    for (const CompiledTerm& term : stage.terms) {
+      problem.largest_rows = std::max(problem.largest_rows, term.rows);
+      problem.largest_jacobian = std::max(problem.largest_jacobian, term.jacobian_size);
+      problem.has_custom =
+          problem.has_custom || std::holds_alternative<CustomResidual>(term.residual);
+    }
+  }
+}
+
+}  // namespace
+
+CompiledProblem::CompiledProblem(const ProblemSpec& spec)
+    : model(spec.model),
+      tree(model),
+      layout(make_layout(spec)),
+      blocks(tangent_blocks(tree)),
+      contacts(model, spec.contacts),
+      contact_solver(spec.contact_solver),
+      torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
+  shape = make_shape(layout, blocks);
+  if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
+  check_initial_state(spec, layout);
+  for (const Stage& given : spec.stages) {
+    for (const CompiledStage& other : stages)
+      if (other.name == given.name)
+        throw Error("stage " + in_quotes(given.name) + ": the name is used twice");
+    if (given.name.empty()) throw Error("a stage has no name");
+    stages.push_back(make_stage(spec, *this, given));
+  }
+  CompiledStage terminal;
+  terminal.name = "terminal";
+  terminal.terminal = true;
+  terminal.solves_contacts = false;
+  terminal.active.assign(static_cast<std::size_t>(contacts.size()), 0);
+  // With a torque model forces are known at the end too: of the contacts of the last stage.
+  if (layout.filtered > 0 && !spec.horizon.empty() && !stages.empty())
+    for (const CompiledStage& stage : stages)
+      if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
+  compile_terms(spec, *this, spec.terminal, "terminal", terminal);
+  stages.push_back(std::move(terminal));
+  check_weights(stages);
+  find_largest(*this);
+}
+
+}  // namespace burnish::ocp

@@ -1,0 +1,413 @@
+// Cost terms compiled: rows, targets, columns, and what is refused.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
+#include "ocp/compiled_problem.hpp"
+
+namespace burnish::ocp {
+namespace {
+
+/// One term on its way; knows where it stands for messages.
+struct TermBuilder {
+  const ProblemSpec& spec;
+  const CompiledProblem& problem;
+  const CostTerm& cost;
+  CompiledStage& stage;
+  CompiledTerm term;
+  std::string where;
+
+  [[noreturn]] void refuse(const std::string& what) const { throw Error(where + ": " + what); }
+
+  const StateLayout& layout() const { return problem.layout; }
+
+  void target(const Signal& signal, int size, const Eigen::VectorXd& fallback,
+              CompiledTerm::Load load = CompiledTerm::Load::Plain) {
+    term.signal = signal;
+    if (signal.empty()) {
+      if (fallback.size() == 0)
+        refuse("has no target; wanted " + std::to_string(size) + " entries");
+      term.signal = Signal(fallback);
+    }
+    if (term.signal.size() == 1 && size > 1 && term.signal.is_constant()) {
+      Eigen::VectorXd one(1);
+      term.signal.at(0.0, one);
+      term.signal = Signal(Eigen::VectorXd::Constant(size, one[0]));
+    }
+    if (term.signal.size() != size)
+      refuse("the target has " + std::to_string(term.signal.size()) + " entries; wanted " +
+             std::to_string(size));
+    if (term.signal.is_constant()) {
+      Eigen::VectorXd value(size);
+      term.signal.at(0.0, value);
+      if (!value.allFinite()) refuse("the target holds a NaN or an infinity");
+    }
+    term.signal_size = size;
+    term.load = load;
+    term.target_size = load == CompiledTerm::Load::Rotation    ? 9
+                       : load == CompiledTerm::Load::Placement ? 12
+                                                               : size;
+  }
+  void zero_target(const Signal& signal, int size) {
+    target(signal, size, Eigen::VectorXd::Zero(size));
+  }
+  void dense_block(int rows, std::vector<int> columns) {
+    if (!columns.empty()) term.blocks.push_back({0, rows, std::move(columns), false});
+  }
+  std::vector<int> all_columns() const {
+    std::vector<int> columns(static_cast<std::size_t>(layout().nz()));
+    std::iota(columns.begin(), columns.end(), 0);
+    return columns;
+  }
+  std::vector<int> support_columns(int frame, bool with_velocity) const {
+    std::vector<int> columns;
+    for (const int k : stage.frames[frame].support) columns.push_back(layout().column_q() + k);
+    if (with_velocity)
+      for (const int k : stage.frames[frame].support) columns.push_back(layout().column_v() + k);
+    return columns;
+  }
+
+  int frame(const std::string& name) {
+    const auto known = std::find(stage.frame_names.begin(), stage.frame_names.end(), name);
+    if (known != stage.frame_names.end())
+      return static_cast<int>(known - stage.frame_names.begin());
+    try {
+      stage.frames.push_back(compile_frame(problem.model, name));
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    stage.frame_names.push_back(name);
+    return static_cast<int>(stage.frames.size()) - 1;
+  }
+  int contact(const std::string& name) {
+    int index = -1;
+    try {
+      index = problem.contacts.index(name);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    if (stage.active[static_cast<std::size_t>(index)] == 0)
+      refuse("contact " + in_quotes(name) + " does not hold in this stage, so it has no force");
+    if (stage.impact) refuse("an impact stage has no contact forces, only impulses");
+    if (stage.terminal && layout().filtered == 0)
+      refuse(
+          "the terminal state has no control, so contact forces are unknown there; they are "
+          "known with a torque model, which puts the torques into the state");
+    stage.solves_contacts = true;
+    return index;
+  }
+  void unit_quaternion(int first) const {
+    if (!term.signal.is_constant()) return;
+    Eigen::VectorXd value(term.signal.size());
+    term.signal.at(0.0, value);
+    const double length = value.segment(first, 4).norm();
+    if (std::abs(length - 1.0) > 1e-6)
+      refuse("the target's quaternion has length " + std::to_string(length) + "; wanted 1");
+  }
+
+  void operator()(const residual::State& r) {
+    term.rows = layout().ndx();
+    target(r.target, layout().nx(), spec.initial_state);
+    StateDifference state{&problem.tree, layout().nq, layout().filtered, {}, problem.blocks};
+    std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
+    for (const TangentBlock& block : problem.blocks)
+      std::fill_n(in_block.begin() + block.first, block.size, char{1});
+    // One diagonal run between each two blocks, in the order that evaluate writes them.
+    int row = 0;
+    while (row < layout().ndx()) {
+      if (in_block[row] != 0) {
+        ++row;
+        continue;
+      }
+      JacobianBlock run{row, 0, {}, true};
+      for (; row < layout().ndx() && in_block[row] == 0; ++row, ++run.rows) {
+        run.columns.push_back(layout().nu + row);
+        state.diagonal_rows.push_back(row);
+      }
+      term.blocks.push_back(run);
+    }
+    for (const TangentBlock& block : problem.blocks) {
+      std::vector<int> columns(static_cast<std::size_t>(block.size));
+      std::iota(columns.begin(), columns.end(), layout().column_q() + block.first);
+      term.blocks.push_back({block.first, block.size, columns, false});
+    }
+    term.residual = state;
+  }
+
+  void select(Selection::Source source, std::vector<int> entries, int first_column,
+              const std::vector<int>& columns, const Signal& signal) {
+    term.rows = static_cast<int>(entries.size());
+    if (term.rows == 0) refuse("has no rows");
+    zero_target(signal, term.rows);
+    JacobianBlock block{0, term.rows, {}, true};
+    for (const int c : columns) block.columns.push_back(first_column + c);
+    term.blocks.push_back(block);
+    term.residual = Selection{source, std::move(entries)};
+  }
+  void operator()(const residual::Control& r) {
+    if (stage.nu == 0) refuse("there is no control here");
+    std::vector<int> entries(static_cast<std::size_t>(layout().nu));
+    std::iota(entries.begin(), entries.end(), 0);
+    select(Selection::Source::U, entries, 0, entries, r.target);
+  }
+  int joint(const std::string& name) const {
+    try {
+      return problem.model.joint_index(name);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+  }
+  void operator()(const residual::JointPosition& r) {
+    std::vector<int> entries, columns;
+    const auto add = [&](const Joint& j) {
+      entries.push_back(j.q_index);
+      columns.push_back(j.v_index);
+    };
+    const auto plain = [](const Joint& j) {
+      return j.kind == JointKind::Revolute || j.kind == JointKind::Prismatic;
+    };
+    for (const std::string& name : r.joints) {
+      const Joint& j = problem.model.joints[static_cast<std::size_t>(joint(name))];
+      if (!plain(j))
+        refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
+               "; wanted a revolute or prismatic one");
+      add(j);
+    }
+    if (r.joints.empty())
+      for (const Joint& j : problem.model.joints)
+        if (plain(j) && (std::isfinite(problem.model.q_lower[j.q_index]) ||
+                         std::isfinite(problem.model.q_upper[j.q_index])))
+          add(j);
+    select(Selection::Source::Q, entries, layout().column_q(), columns, r.target);
+  }
+  std::vector<int> velocity_entries(const std::vector<std::string>& joints) const {
+    std::vector<int> entries;
+    const auto add = [&](const Joint& j) {
+      for (int k = 0; k < j.nv; ++k) entries.push_back(j.v_index + k);
+    };
+    for (const std::string& name : joints)
+      add(problem.model.joints[static_cast<std::size_t>(joint(name))]);
+    if (joints.empty())
+      for (const Joint& j : problem.model.joints)
+        if (j.kind != JointKind::FreeFlyer) add(j);
+    return entries;
+  }
+  void operator()(const residual::JointVelocity& r) {
+    const std::vector<int> entries = velocity_entries(r.joints);
+    select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
+  }
+  void operator()(const residual::JointTorque& r) {
+    std::vector<int> entries;
+    for (const int k : velocity_entries(r.joints)) {
+      const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
+      if (found != layout().actuated.end()) {
+        entries.push_back(static_cast<int>(found - layout().actuated.begin()));
+      } else if (!r.joints.empty()) {
+        refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
+      }
+    }
+    const bool in_state = layout().filtered > 0;
+    if (!in_state && stage.nu == 0) refuse("there is no control here");
+    select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
+           in_state ? layout().column_tau() : 0, entries, r.target);
+  }
+
+  void operator()(const residual::FramePosition& r) {
+    term.rows = 3;
+    target(r.target, 3, {});
+    const int f = frame(r.frame);
+    if (!(r.axes * r.axes.transpose()).isIdentity(1e-6)) refuse("axes are not a rotation");
+    term.residual = FramePositionError{f, from_eigen(r.axes)};
+    dense_block(3, support_columns(f, false));
+  }
+  void operator()(const residual::FrameRotation& r) {
+    term.rows = 3;
+    target(r.target, 4, {}, CompiledTerm::Load::Rotation);
+    unit_quaternion(0);
+    const int f = frame(r.frame);
+    term.residual = FrameRotationError{f};
+    dense_block(3, support_columns(f, false));
+  }
+  void operator()(const residual::FramePlacement& r) {
+    term.rows = 6;
+    target(r.target, 7, {}, CompiledTerm::Load::Placement);
+    unit_quaternion(3);
+    const int f = frame(r.frame);
+    term.residual = FramePlacementError{f};
+    dense_block(6, support_columns(f, false));
+  }
+  void operator()(const residual::FrameVelocity& r) {
+    term.rows = 6;
+    zero_target(r.target, 6);
+    const int f = frame(r.frame);
+    term.residual = FrameVelocityError{f, r.axes};
+    dense_block(6, support_columns(f, true));
+  }
+
+  void operator()(const residual::ContactForce& r) {
+    const int c = contact(r.contact);
+    if (r.reference) {
+      term.rows = 6;
+      term.residual = WrenchError{c, *r.reference};
+    } else {
+      term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
+      term.residual = OwnForceError{c, term.rows};
+    }
+    zero_target(r.target, term.rows);
+    dense_block(term.rows, all_columns());
+  }
+  void needs_linear(int c) const {
+    const Directions held = problem.contacts.contacts()[c].spec.directions;
+    if ((held.bits & Directions::linear().bits) != Directions::linear().bits)
+      refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
+             held.text() + "; wanted x,y,z among them");
+  }
+  void operator()(const residual::FrictionCone& r) {
+    const int c = contact(r.contact);
+    needs_linear(c);
+    if (!(r.friction > 0.0))
+      refuse("friction is " + std::to_string(r.friction) + "; wanted more than 0");
+    if (r.normal < 0 || r.normal > 2)
+      refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
+    term.rows = 2;
+    term.residual =
+        ConeMargin{c, r.reference.value_or(problem.contacts.contacts()[c].spec.reference),
+                   r.friction, r.normal};
+    dense_block(2, all_columns());
+  }
+  void operator()(const residual::CenterOfPressure& r) {
+    const int c = contact(r.contact);
+    if (!(r.half_x > 0.0 && r.half_y > 0.0)) refuse("half lengths must be positive");
+    term.rows = 4;
+    term.residual = PressureMargin{c, r.half_x, r.half_y};
+    dense_block(4, all_columns());
+  }
+
+  void operator()(const residual::CenterOfMass& r) {
+    term.rows = 3;
+    target(r.target, 3, {});
+    stage.has_momentum = true;
+    term.residual = ComError{};
+    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(3, columns);
+  }
+  void operator()(const residual::CentroidalMomentum& r) {
+    term.rows = 6;
+    zero_target(r.target, 6);
+    stage.has_momentum = true;
+    term.residual = MomentumError{};
+    std::vector<int> columns(static_cast<std::size_t>(2 * layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(6, columns);
+  }
+  void operator()(const residual::Custom& r) {
+    if (r.rows < 1) refuse("has " + std::to_string(r.rows) + " rows; wanted at least 1");
+    if (!r.value) refuse("has no value function");
+    CustomResidual compiled{r, {}, {}};
+    for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
+    for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));
+    term.rows = r.rows;
+    term.residual = compiled;
+    dense_block(r.rows, all_columns());
+  }
+
+  bool is_margin() const {
+    return std::holds_alternative<residual::FrictionCone>(cost.residual) ||
+           std::holds_alternative<residual::CenterOfPressure>(cost.residual);
+  }
+  void finish_penalty() {
+    const Penalty penalty =
+        cost.penalty.value_or(is_margin() ? Penalty::at_least(0.0) : Penalty::square());
+    term.penalty = penalty.kind;
+    term.width = penalty.width;
+    if (!(penalty.width > 0.0)) refuse("the penalty's width is not positive");
+    const auto rows = static_cast<std::size_t>(term.rows);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto limits = [&](const Eigen::VectorXd& given, double none, const char* name) {
+      if (given.size() > 1 && given.size() != term.rows)
+        refuse("the penalty's " + std::string(name) + " limit has " + std::to_string(given.size()) +
+               " entries; wanted 1 or " + std::to_string(term.rows));
+      std::vector<double> result(rows, given.size() == 1 ? given[0] : none);
+      if (given.size() == term.rows) result.assign(given.begin(), given.end());
+      if (std::any_of(result.begin(), result.end(), [](double x) { return std::isnan(x); }))
+        refuse("the penalty's " + std::string(name) + " limit holds a NaN");
+      return result;
+    };
+    term.lower = limits(penalty.lower, -infinity, "lower");
+    term.upper = limits(penalty.upper, infinity, "upper");
+    for (std::size_t i = 0; i < rows; ++i)
+      if (term.lower[i] > term.upper[i])
+        refuse("the penalty's lower limit " + std::to_string(term.lower[i]) +
+               " is above the upper one " + std::to_string(term.upper[i]));
+  }
+  void finish_weights() {
+    if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))
+      refuse("weight is " + std::to_string(cost.weight) + "; wanted a number of at least 0");
+    if (cost.weights.size() != 0 && cost.weights.size() != term.rows)
+      refuse("has " + std::to_string(cost.weights.size()) + " row weights; wanted " +
+             std::to_string(term.rows));
+    const double scale = cost.weight * (stage.terminal || stage.impact ? 1.0 : stage.step);
+    for (int i = 0; i < term.rows; ++i) {
+      const double w = cost.weights.size() == 0 ? 1.0 : cost.weights[i];
+      if (!(w >= 0.0) || !std::isfinite(w))
+        refuse("row weight " + std::to_string(i) + " is " + std::to_string(w) +
+               "; wanted a number of at least 0");
+      term.weights.push_back(scale * w);
+    }
+  }
+};
+
+}  // namespace
+
+void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
+                   const std::vector<CostTerm>& costs, const std::string& place,
+                   CompiledStage& stage) {
+  for (const CostTerm& cost : costs) {
+    std::string name = cost.name.empty() ? name_of(cost.residual) : cost.name;
+    TermBuilder builder{spec, problem, cost, stage, {}, place + ", term " + in_quotes(name)};
+    for (const CompiledTerm& other : stage.terms)
+      if (other.name == name) builder.refuse("the name is used twice in this stage");
+    builder.term.name = std::move(name);
+    std::visit(builder, cost.residual);
+    builder.finish_penalty();
+    builder.finish_weights();
+    CompiledTerm& term = builder.term;
+    for (const JacobianBlock& block : term.blocks) term.jacobian_size += block.size();
+    term.target = stage.targets;
+    stage.targets += term.target_size;
+    stage.terms.push_back(std::move(term));
+  }
+}
+
+void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out) {
+  const auto store_rotation = [](const Eigen::Vector4d& quaternion, double* to) {
+    Eigen::Map<Eigen::Matrix3d>(to, 3, 3) =
+        Eigen::Quaterniond(quaternion.normalized()).toRotationMatrix();
+  };
+  switch (term.load) {
+    case CompiledTerm::Load::Plain:
+      std::copy_n(value.data(), term.signal_size, out);
+      break;
+    case CompiledTerm::Load::Rotation:
+      store_rotation(value.head<4>(), out);
+      break;
+    case CompiledTerm::Load::Placement:
+      std::copy_n(value.data(), 3, out);
+      store_rotation(value.segment<4>(3), out + 3);
+      break;
+  }
+}
+
+void load_target(const CompiledTerm& term, double time, Eigen::VectorXd& scratch, double* out) {
+  if (term.target_size == 0) return;
+  auto value = scratch.head(term.signal_size);
+  term.signal.at(time, value);
+  store_target(term, value, out);
+}
+
+}  // namespace burnish::ocp

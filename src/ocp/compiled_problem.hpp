@@ -1,0 +1,80 @@
+// A ProblemSpec compiled: names resolved, sizes fixed, lists made. Immutable but for the bias.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/dynamics/passive.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+#include "burnish/ocp/shooting_problem.hpp"
+#include "ocp/compiled_residual.hpp"
+
+namespace burnish::ocp {
+
+struct CompiledTerm {
+  std::string name;
+  CompiledResidual residual;
+  Signal signal;  ///< the target as the user gave it, or its default
+  int rows = 0;
+  int target = 0;       ///< first entry in the stage's targets
+  int target_size = 0;  ///< entries there
+  int signal_size = 0;  ///< entries of the signal
+  enum class Load { Plain, Rotation, Placement } load = Load::Plain;  ///< signal -> target entries
+  std::vector<double> weights;  ///< rows; weight, row weight and the step multiplied
+  Penalty::Kind penalty = Penalty::Kind::Square;
+  std::vector<double> lower, upper;  ///< rows
+  double width = 1.0;
+  std::vector<JacobianBlock> blocks;
+  int jacobian_size = 0;
+};
+
+struct CompiledStage {
+  std::string name;
+  std::vector<char> active;  ///< per contact of the problem
+  std::vector<CompiledFrame> frames;
+  std::vector<std::string> frame_names;
+  std::vector<CompiledTerm> terms;
+  int targets = 0;  ///< entries of all targets
+  int nu = 0;
+  bool terminal = false, impact = false;
+  bool solves_contacts = true;  ///< accelerations and forces are needed
+  bool has_momentum = false;
+  Integrator integrator = Integrator::SemiImplicitEuler;
+  double step = 0.0;                     ///< s
+  double decay = 1.0, half_decay = 1.0;  ///< of the torque filter over a step and over half of one
+};
+
+struct CompiledProblem {
+  CompiledProblem(const ProblemSpec& spec);
+
+  Model model;
+  Tree tree;
+  StateLayout layout;
+  StateShape shape;
+  std::vector<TangentBlock> blocks;
+  ContactSet contacts;
+  ContactSolver contact_solver;
+  std::optional<PassiveJoints> passive;
+  std::vector<double> torque_bias;    ///< nv, Nm (N): acts beside the actuators
+  std::vector<CompiledStage> stages;  ///< the terminal one last
+  int largest_rows = 0;               ///< of a term
+  int largest_jacobian = 0;
+  int largest_targets = 0;  ///< of a stage
+  int largest_terms = 0;
+  bool has_impacts = false;
+  bool has_dense_stages = false;  ///< RungeKutta4
+  bool has_custom = false;        ///< residuals
+};
+
+/// A target as the user writes it -> target entries of the term.
+void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out);
+/// The same from the term's signal at a time; scratch: at least signal_size entries.
+void load_target(const CompiledTerm& term, double time, Eigen::VectorXd& scratch, double* out);
+
+/// Makes the terms of a stage. `place` says where for messages, such as "stage 'press'".
+void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
+                   const std::vector<CostTerm>& costs, const std::string& place,
+                   CompiledStage& stage);
+
+}  // namespace burnish::ocp

@@ -1,0 +1,63 @@
+// A user's own residual inside the kernels: one lane at a time, in double.
+#pragma once
+
+#include <vector>
+
+#include "ocp/stage_dynamics.hpp"
+
+namespace burnish::ocp {
+
+/// One lane of a scene as the user sees it. Buffers are filled on load().
+template <class S>
+class LaneView final : public NodeView {
+ public:
+  explicit LaneView(const CompiledProblem& problem);
+  void load(const Scene<S>& scene, const CustomResidual& residual, int lane, double time);
+
+  const StateLayout& layout() const override { return *layout_; }
+  double time() const override { return time_; }
+  VectorView q() const override { return {q_.data(), q_.size()}; }
+  VectorView v() const override { return {v_.data(), v_.size()}; }
+  VectorView u() const override { return {u_.data(), u_.size()}; }
+  VectorView tau() const override { return {tau_.data(), tau_.size()}; }
+  VectorView acceleration() const override { return {a_.data(), a_.size()}; }
+  Eigen::Isometry3d placement(int frame) const override;
+  Vector6 velocity(int frame, FrameAxes axes) const override;
+  VectorView force(int contact) const override;
+  MatrixView jacobian(int frame, FrameAxes axes) const override;
+  MatrixView force_derivative(int contact) const override;
+
+ private:
+  const StateLayout* layout_;
+  const Scene<S>* scene_ = nullptr;
+  const CustomResidual* residual_ = nullptr;
+  int lane_ = 0;
+  double time_ = 0.0;
+  Eigen::VectorXd q_, v_, u_, tau_, a_, lambda_;
+  mutable std::vector<S> columns_;
+  mutable RowMatrix jacobian_, force_derivative_;
+};
+
+template <class S>
+class CustomLanes {
+ public:
+  explicit CustomLanes(const CompiledProblem& problem);
+  /// r: rows, J: rows x nz or null.
+  void evaluate(const CompiledStage& stage, const CustomResidual& residual, const Scene<S>& scene,
+                const double* times, S* r, S* J);
+
+ private:
+  void differences(const CompiledStage& stage, const CustomResidual& residual, double time);
+  void moved_value(const CompiledStage& stage, const CustomResidual& residual, double time, int z,
+                   double by, Eigen::VectorXd& out);
+
+  const CompiledProblem* problem_;
+  LaneView<S> view_;
+  StageDynamics<double> moved_;  ///< evaluates the states that differences ask for
+  LaneView<double> moved_view_;
+  Eigen::VectorXd value_, plus_, minus_;
+  RowMatrix jacobian_;
+  std::vector<double> x_, x_moved_, u_, dx_;
+};
+
+}  // namespace burnish::ocp

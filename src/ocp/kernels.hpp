@@ -1,0 +1,12 @@
+// What is instantiated elsewhere.
+#pragma once
+
+#include "burnish/math/pack.hpp"
+#include "ocp/node_kernel.hpp"
+
+namespace burnish {
+extern template class ConstrainedDynamics<double>;
+extern template class ConstrainedDynamics<NativePack>;
+extern template class ConstrainedDerivatives<double>;
+extern template class ConstrainedDerivatives<NativePack>;
+}  // namespace burnish

@@ -1,0 +1,72 @@
+// Value and expansion of one knot, or of one per lane: next state, costs, and their derivatives.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ocp/custom_lanes.hpp"
+#include "ocp/stage_dynamics.hpp"
+
+namespace burnish::ocp {
+
+/// Workspace of one worker. Allocates when made, never afterwards.
+template <class S>
+class NodeKernel {
+ public:
+  explicit NodeKernel(const CompiledProblem& problem);
+
+  /// Evaluates a stage at x (nx), u (nu), targets (stage.targets entries) and the time of each
+  /// lane, s. Fills next, cost, term_costs.
+  void values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
+              const double* times);
+  /// The same, and gradient, hessian, dynamics, lead.
+  void expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
+              const double* times);
+
+  Status status(int lane) const { return status_[static_cast<std::size_t>(lane)]; }
+  /// First term whose cost is not finite in a lane, or -1.
+  int bad_term(const CompiledStage& stage, int lane) const;
+  /// r and J (its blocks; may be null) of one term at x and u.
+  void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x, const S* u,
+                   const S* targets, const double* times, S* r, S* J);
+  /// Accelerations and forces alone, into dynamics().
+  void look(const CompiledStage& stage, const S* x, const S* u) { dynamics_.values(stage, x, u); }
+  const StageDynamics<S>& dynamics() const { return dynamics_; }
+
+  std::vector<S> next;  ///< nx
+  S cost;
+  std::vector<S> term_costs;     ///< of the stage's terms
+  std::vector<S> gradient;       ///< nz
+  std::vector<S> hessian;        ///< nz x nz, lower triangle
+  std::vector<S> dynamics_by_z;  ///< P (nv x nz), or F (ndx x nz) of Runge-Kutta stages
+  std::vector<S> lead;           ///< per block A, then B
+
+ private:
+  void residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
+                const double* times, S* r, S* J);
+  void add_costs(const CompiledStage& stage, const S* targets, const double* times, bool expand);
+  void add_block(const JacobianBlock& block, const S* J, const S* slope, const S* curvature);
+  void euler(const CompiledStage& stage, const S* x, const S* u);
+  void euler_derivative(const CompiledStage& stage);
+  void jump(const CompiledStage& stage, const S* x, bool with_derivatives);
+  void filter_torque(const S* x, const S* u, const S& decay, S* out) const;
+  void runge_kutta(const CompiledStage& stage, const S* x, const S* u, bool with_derivatives);
+  void runge_kutta_derivative(const CompiledStage& stage, int i);
+  /// From derivatives of the offsets to those of the point x (+) offset, in place.
+  void close_point(double decay, const S* offset, S* by_z);
+  bool in_block(int k) const;
+  void check_finite(const CompiledStage& stage, bool expanded);
+  void load_status();
+
+  const CompiledProblem* problem_;
+  StageDynamics<S> dynamics_;
+  std::optional<CustomLanes<S>> custom_;
+  std::vector<S> step_;  ///< nv: dq of the step
+  std::vector<S> r_, jacobian_, weighted_, slope_, curvature_, product_;
+  std::vector<int> row_list_;
+  std::vector<Status> status_;
+  // Runge-Kutta: the four stages' velocity and acceleration, the point of the next one, and by z.
+  std::vector<S> rates_, point_, offset_, rates_by_z_, point_by_z_;
+};
+
+}  // namespace burnish::ocp

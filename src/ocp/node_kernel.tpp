@@ -1,0 +1,270 @@
+// Definitions of node_kernel.hpp: costs, semi-implicit Euler steps and impacts.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "burnish/math/gram.hpp"
+#include "ocp/custom_lanes.tpp"
+#include "ocp/node_kernel.hpp"
+#include "ocp/residual_force.tpp"
+#include "ocp/residual_frame.tpp"
+#include "ocp/residual_momentum.tpp"
+#include "ocp/residual_state.tpp"
+#include "ocp/stage_dynamics.tpp"
+
+namespace burnish::ocp {
+
+template <class S>
+NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
+    : cost(0.0),
+      problem_(&problem),
+      dynamics_(problem),
+      status_(static_cast<std::size_t>(Lanes<S>::count), Status::Ok) {
+  const StateLayout& layout = problem.layout;
+  const auto room = [](int count) { return static_cast<std::size_t>(std::max(count, 1)); };
+  const int nz = layout.nz();
+  next.assign(room(layout.nx()), S(0.0));
+  term_costs.assign(room(problem.largest_terms), S(0.0));
+  gradient.assign(room(nz), S(0.0));
+  hessian.assign(room(nz * nz), S(0.0));
+  dynamics_by_z.assign(room((problem.has_dense_stages ? layout.ndx() : layout.nv) * nz), S(0.0));
+  int lead_size = 0;
+  for (const TangentBlock& block : problem.blocks) lead_size += 2 * block.size * block.size;
+  lead.assign(room(lead_size), S(0.0));
+  step_.assign(room(layout.nv), S(0.0));
+  for (auto* vector : {&r_, &slope_, &curvature_})
+    vector->assign(room(problem.largest_rows), S(0.0));
+  jacobian_.assign(room(problem.largest_jacobian), S(0.0));
+  weighted_ = jacobian_;
+  product_.assign(room(nz * nz), S(0.0));
+  row_list_.resize(room(problem.largest_rows));
+  std::iota(row_list_.begin(), row_list_.end(), 0);
+  if (problem.has_custom) custom_.emplace(problem);
+  if (!problem.has_dense_stages) return;
+  const int rates = layout.nv + layout.nv;
+  rates_.assign(room(4 * rates), S(0.0));
+  point_.assign(room(layout.nx()), S(0.0));
+  offset_.assign(room(2 * layout.nv), S(0.0));
+  rates_by_z_.assign(room(4 * rates * nz), S(0.0));
+  point_by_z_.assign(room(layout.ndx() * nz), S(0.0));
+}
+
+template <class S>
+void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
+                             const double* times, S* r, S* J) {
+  const Scene<S>& scene = dynamics_.scene();
+  std::visit(
+      [&](const auto& compiled) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(compiled)>, CustomResidual>) {
+          custom_->evaluate(stage, compiled, scene, times, r, J);
+        } else {
+          compiled.evaluate(scene, targets + term.target, r, J);
+        }
+      },
+      term.residual);
+}
+
+template <class S>
+void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x,
+                                const S* u, const S* targets, const double* times, S* r, S* J) {
+  dynamics_.values(stage, x, u);
+  if (J != nullptr) dynamics_.derivatives(stage);
+  residual(stage, term, targets, times, r, J);
+}
+
+template <class S>
+void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* slope,
+                              const S* curvature) {
+  const int nz = problem_->layout.nz();
+  const int columns = static_cast<int>(block.columns.size());
+  if (block.diagonal) {
+    for (int i = 0; i < block.rows; ++i) {
+      const int c = block.columns[i];
+      gradient[c] += J[i] * slope[i];
+      hessian[c * nz + c] += J[i] * J[i] * curvature[i];
+    }
+    return;
+  }
+  for (int i = 0; i < block.rows; ++i)
+    for (int k = 0; k < columns; ++k) {
+      gradient[block.columns[k]] += J[i * columns + k] * slope[i];
+      weighted_[i * columns + k] = J[i * columns + k] * curvature[i];
+    }
+  const std::span<const int> rows(row_list_.data(), static_cast<std::size_t>(block.rows));
+  const Strided<const S> left{weighted_.data(), columns}, right{J, columns};
+  const int first = block.columns[0];
+  const bool contiguous = block.columns[columns - 1] - first + 1 == columns;
+  // The lower triangle, in strips of rows.
+  for (int i = 0; i < columns; i += 4) {
+    const int end = std::min(i + 4, columns);
+    if (contiguous) {
+      gram<Gram::Add>(left, right, rows, i, end, 0, end,
+                      Strided<S>{hessian.data() + first * nz + first, nz});
+    } else {
+      gram<Gram::Set>(left, right, rows, i, end, 0, end, Strided<S>{product_.data(), columns});
+    }
+  }
+  if (contiguous) return;
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j <= i; ++j)
+      hessian[block.columns[i] * nz + block.columns[j]] += product_[i * columns + j];
+}
+
+template <class S>
+void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, const double* times,
+                              bool expand) {
+  cost = S(0.0);
+  for (std::size_t t = 0; t < stage.terms.size(); ++t) {
+    const CompiledTerm& term = stage.terms[t];
+    residual(stage, term, targets, times, r_.data(), expand ? jacobian_.data() : nullptr);
+    S sum(0.0), largest(0.0);
+    for (int i = 0; i < term.rows; ++i) {
+      const PenaltyValue<S> value =
+          evaluate_penalty(term.penalty, term.lower[i], term.upper[i], term.width, r_[i]);
+      const S w(term.weights[i]);
+      sum += w * value.value;
+      slope_[i] = w * value.slope;
+      curvature_[i] = w * value.curvature;
+      largest = select(less(largest, curvature_[i]), curvature_[i], largest);
+    }
+    term_costs[t] = sum;
+    cost += sum;
+    // Barriers are flat where no limit is near: nothing to add then.
+    if (!expand || !any(less(S(0.0), largest))) continue;
+    const S* J = jacobian_.data();
+    for (const JacobianBlock& block : term.blocks) {
+      add_block(block, J, slope_.data() + block.row, curvature_.data() + block.row);
+      J += block.size();
+    }
+  }
+}
+
+template <class S>
+void NodeKernel<S>::filter_torque(const S* x, const S* u, const S& decay, S* out) const {
+  const StateLayout& layout = problem_->layout;
+  const S gain = S(1.0) - decay;
+  for (int i = 0; i < layout.filtered; ++i) {
+    const int entry = layout.nq + layout.nv + i;
+    out[entry] = u == nullptr ? x[entry] : x[entry] * decay + u[i] * gain;
+  }
+}
+
+template <class S>
+void NodeKernel<S>::euler(const CompiledStage& stage, const S* x, const S* u) {
+  const StateLayout& layout = problem_->layout;
+  const S h(stage.step);
+  const S* const a = dynamics_.acceleration();
+  for (int k = 0; k < layout.nv; ++k) {
+    const S v = x[layout.nq + k] + h * a[k];
+    next[layout.nq + k] = v;
+    step_[k] = h * v;
+  }
+  integrate_configuration(problem_->tree, x, step_.data(), next.data());
+  filter_torque(x, u, S(stage.decay), next.data());
+}
+
+template <class S>
+void NodeKernel<S>::euler_derivative(const CompiledStage& stage) {
+  const StateLayout& layout = problem_->layout;
+  const int nv = layout.nv, nz = layout.nz();
+  const S h(stage.step);
+  const S* const by_z = dynamics_.derivative();
+  for (int i = 0; i < nv * nz; ++i) dynamics_by_z[i] = h * by_z[i];
+  for (int k = 0; k < nv; ++k) dynamics_by_z[k * nz + layout.column_v() + k] += S(1.0);
+  S* out = lead.data();
+  for (const TangentBlock& block : problem_->blocks) {
+    const int size = block.size * block.size;
+    integrate_jacobians(block, step_.data() + block.first, out, out + size);
+    out += 2 * size;
+  }
+}
+
+template <class S>
+void NodeKernel<S>::jump(const CompiledStage& stage, const S* x, bool with_derivatives) {
+  const StateLayout& layout = problem_->layout;
+  dynamics_.impact(stage, with_derivatives);
+  std::copy_n(x, layout.nx(), next.data());
+  std::copy_n(dynamics_.velocity_after(), layout.nv, next.data() + layout.nq);
+  if (!with_derivatives) return;
+  std::copy_n(dynamics_.derivative(), layout.nv * layout.nz(), dynamics_by_z.data());
+  S* out = lead.data();
+  for (const TangentBlock& block : problem_->blocks)
+    for (int which = 0; which < 2; ++which)
+      for (int i = 0; i < block.size; ++i)
+        for (int j = 0; j < block.size; ++j) *out++ = S(i == j ? 1.0 : 0.0);
+}
+
+template <class S>
+void NodeKernel<S>::load_status() {
+  for (int l = 0; l < Lanes<S>::count; ++l) status_[l] = dynamics_.status(l);
+}
+
+template <class S>
+void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
+                           const double* times) {
+  dynamics_.values(stage, x, u);
+  add_costs(stage, targets, times, false);
+  if (stage.impact) {
+    jump(stage, x, false);
+  } else if (!stage.terminal) {
+    if (stage.integrator == Integrator::RungeKutta4) {
+      load_status();
+      runge_kutta(stage, x, u, false);
+      check_finite(stage, false);
+      return;
+    }
+    euler(stage, x, u);
+  }
+  load_status();
+  check_finite(stage, false);
+}
+
+template <class S>
+void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
+                           const double* times) {
+  dynamics_.values(stage, x, u);
+  dynamics_.derivatives(stage);
+  std::fill(gradient.begin(), gradient.end(), S(0.0));
+  std::fill(hessian.begin(), hessian.end(), S(0.0));
+  add_costs(stage, targets, times, true);
+  load_status();
+  if (stage.impact) {
+    jump(stage, x, true);
+    load_status();
+  } else if (!stage.terminal) {
+    if (stage.integrator == Integrator::RungeKutta4) {
+      runge_kutta(stage, x, u, true);
+    } else {
+      euler(stage, x, u);
+      euler_derivative(stage);
+    }
+  }
+  check_finite(stage, true);
+}
+
+template <class S>
+void NodeKernel<S>::check_finite(const CompiledStage& stage, bool expanded) {
+  // 0 * x is zero for finite x and NaN otherwise.
+  S zero = cost * S(0.0);
+  if (!stage.terminal)
+    for (const S& entry : next) zero += entry * S(0.0);
+  if (expanded)
+    for (const S& entry : gradient) zero += entry * S(0.0);
+  const auto bad = mask_not(less(absolute(zero), S(1.0)));
+  if (!any(bad)) [[likely]]
+    return;
+  for (int l = 0; l < Lanes<S>::count; ++l)
+    if (lane_of(bad, l)) status_[l] = worst(status_[l], Status::NotFinite);
+}
+
+template <class S>
+int NodeKernel<S>::bad_term(const CompiledStage& stage, int lane) const {
+  for (std::size_t t = 0; t < stage.terms.size(); ++t)
+    if (!std::isfinite(Lanes<S>::get(term_costs[t], lane))) return static_cast<int>(t);
+  return -1;
+}
+
+}  // namespace burnish::ocp
+
+#include "ocp/runge_kutta.tpp"

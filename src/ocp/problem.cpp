@@ -1,0 +1,200 @@
+#include "burnish/ocp/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
+#include "ocp/problem_impl.hpp"
+
+namespace burnish {
+
+Problem::Problem(const ProblemSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
+Problem::~Problem() = default;
+Problem::Problem(Problem&&) noexcept = default;
+Problem& Problem::operator=(Problem&&) noexcept = default;
+
+const ProblemSpec& Problem::spec() const { return impl_->spec; }
+const Model& Problem::model() const { return impl_->compiled.model; }
+const StateLayout& Problem::layout() const { return impl_->compiled.layout; }
+
+std::vector<std::string> Problem::stage_names() const {
+  std::vector<std::string> names;
+  for (const ocp::CompiledStage& stage : impl_->compiled.stages) names.push_back(stage.name);
+  return names;
+}
+int Problem::stage_of(int knot) const { return impl_->stage_of.at(static_cast<std::size_t>(knot)); }
+double Problem::time_of(int knot) const { return impl_->times.at(static_cast<std::size_t>(knot)); }
+double Problem::step_of(int knot) const { return impl_->stage(knot).step; }
+
+int Problem::stage_index(const std::string& name) const {
+  const std::vector<std::string> names = stage_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Error("unknown stage " + in_quotes(name) + did_you_mean(name, names));
+  return static_cast<int>(found - names.begin());
+}
+
+int Problem::term_index(int stage, const std::string& name) const {
+  std::vector<std::string> names;
+  for (const ocp::CompiledTerm& term :
+       impl_->compiled.stages.at(static_cast<std::size_t>(stage)).terms)
+    names.push_back(term.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Error("unknown cost term " + in_quotes(name) + did_you_mean(name, names));
+  return static_cast<int>(found - names.begin());
+}
+
+Status Problem::set_initial_state(const ConstVectorRef& x) { return impl_->set_initial_state(x); }
+
+void Problem::set_knot(int knot, int stage, double time) { impl_->set_knot(knot, stage, time); }
+
+void Problem::advance(int stage) { impl_->advance(stage); }
+
+Status Problem::set_target(int knot, int term, const ConstVectorRef& target) {
+  const ocp::CompiledTerm& compiled = impl_->stage(knot).terms.at(static_cast<std::size_t>(term));
+  if (target.size() != compiled.signal_size) return Status::WrongSize;
+  ocp::store_target(compiled, target, impl_->targets_of(knot) + compiled.target);
+  return Status::Ok;
+}
+
+Status Problem::set_torque_bias(const ConstVectorRef& torque) {
+  std::vector<double>& bias = impl_->compiled.torque_bias;
+  if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;
+  if (!torque.allFinite()) return Status::NotFinite;
+  std::copy_n(torque.data(), bias.size(), bias.data());
+  return Status::Ok;
+}
+
+Eigen::VectorXd Problem::residual(int knot, int term, const ConstVectorRef& x,
+                                  const ConstVectorRef& u) {
+  const ocp::CompiledTerm& compiled = impl_->stage(knot).terms.at(static_cast<std::size_t>(term));
+  Eigen::VectorXd r(compiled.rows);
+  impl_->check_point(knot, x, u);
+  impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, x.data(), u.data(),
+                                   impl_->targets_of(knot), &impl_->times[knot], r.data(), nullptr);
+  return r;
+}
+
+RowMatrix Problem::residual_derivative(int knot, int term, const ConstVectorRef& x,
+                                       const ConstVectorRef& u) {
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  const ocp::CompiledTerm& compiled = stage.terms.at(static_cast<std::size_t>(term));
+  impl_->check_point(knot, x, u);
+  std::vector<double> r(static_cast<std::size_t>(compiled.rows));
+  std::vector<double> blocks(static_cast<std::size_t>(compiled.jacobian_size) + 1);
+  impl_->worker(0).one.residual_at(stage, compiled, x.data(), u.data(), impl_->targets_of(knot),
+                                   &impl_->times[knot], r.data(), blocks.data());
+  RowMatrix J = RowMatrix::Zero(compiled.rows, layout().nz());
+  const double* from = blocks.data();
+  for (const ocp::JacobianBlock& block : compiled.blocks) {
+    for (int i = 0; i < block.rows; ++i)
+      for (std::size_t c = 0; c < block.columns.size(); ++c) {
+        if (block.diagonal && static_cast<int>(c) != i) continue;
+        J(block.row + i, block.columns[c]) =
+            block.diagonal ? from[i]
+                           : from[i * static_cast<int>(block.columns.size()) + static_cast<int>(c)];
+      }
+    from += block.size();
+  }
+  return J;
+}
+
+Eigen::VectorXd Problem::forces(int knot, const ConstVectorRef& x, const ConstVectorRef& u) {
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  if (!stage.solves_contacts) return {};
+  const auto& dynamics = impl_->evaluate_one(knot, x, u).contact_dynamics();
+  return Eigen::Map<const Eigen::VectorXd>(dynamics.lambda.data(), dynamics.rows());
+}
+
+Eigen::VectorXd Problem::acceleration(int knot, const ConstVectorRef& x, const ConstVectorRef& u) {
+  if (!impl_->stage(knot).solves_contacts) return {};
+  return Eigen::Map<const Eigen::VectorXd>(
+      impl_->evaluate_one(knot, x, u).contact_dynamics().a.data(), layout().nv);
+}
+
+std::vector<std::string> Problem::force_names(int knot) const {
+  std::vector<std::string> names;
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  for (int c = 0; c < impl_->compiled.contacts.size(); ++c) {
+    if (stage.active[static_cast<std::size_t>(c)] == 0) continue;
+    const CompiledContact& contact =
+        impl_->compiled.contacts.contacts()[static_cast<std::size_t>(c)];
+    for (const int d : contact.directions)
+      names.push_back(contact.spec.name + "/" +
+                      std::string(direction_names[static_cast<std::size_t>(d)]));
+  }
+  return names;
+}
+
+const StateShape& Problem::state() const { return impl_->compiled.shape; }
+int Problem::knots() const { return static_cast<int>(impl_->stage_of.size()) - 1; }
+int Problem::controls(int knot) const { return impl_->stage(knot).nu; }
+int Problem::max_controls() const { return layout().nu; }
+const double* Problem::initial_state() const { return impl_->initial_state.data(); }
+
+void Problem::integrate(const double* x, const double* dx, double* out) const {
+  const StateLayout& l = layout();
+  for (int i = 0; i < l.nv + l.filtered; ++i) out[l.nq + i] = x[l.nq + i] + dx[l.nv + i];
+  integrate_configuration(impl_->compiled.tree, x, dx, out);
+}
+void Problem::difference(const double* x0, const double* x1, double* dx) const {
+  const StateLayout& l = layout();
+  difference_configuration(impl_->compiled.tree, x0, x1, dx);
+  for (int i = 0; i < l.nv + l.filtered; ++i) dx[l.nv + i] = x1[l.nq + i] - x0[l.nq + i];
+}
+
+const double* Problem::control_lower(int knot) const {
+  return controls(knot) == 0 || impl_->lower.empty() ? nullptr : impl_->lower.data();
+}
+const double* Problem::control_upper(int knot) const {
+  return controls(knot) == 0 || impl_->upper.empty() ? nullptr : impl_->upper.data();
+}
+
+void Problem::prepare(int workers) { impl_->prepare(workers); }
+std::span<const KnotRange> Problem::ranges() const { return impl_->ranges; }
+
+KnotValue Problem::roll(int worker, int knot, const double* x, const double* u, double* next) {
+  return impl_->roll(worker, knot, x, u, next);
+}
+void Problem::evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
+                       KnotValue* values) {
+  impl_->run(worker, range, at, next, values, nullptr);
+}
+void Problem::expand(int worker, KnotRange range, TrajectoryView at, double* next,
+                     KnotValue* values, KnotExpansion* out) {
+  impl_->run(worker, range, at, next, values, out);
+}
+
+std::vector<std::string> Problem::state_names() const {
+  const StateLayout& l = layout();
+  std::vector<std::string> names;
+  for (const char* part : {"q ", "v "})
+    for (int k = 0; k < l.nv; ++k) names.push_back(part + model().v_name(k));
+  for (int i = 0; i < l.filtered; ++i) names.push_back("tau " + model().v_name(l.actuated[i]));
+  return names;
+}
+std::vector<std::string> Problem::control_names() const {
+  std::vector<std::string> names;
+  for (const int k : layout().actuated) names.push_back(model().v_name(k));
+  return names;
+}
+std::vector<std::string> Problem::term_names(int knot) const {
+  std::vector<std::string> names;
+  for (const ocp::CompiledTerm& term : impl_->stage(knot).terms) names.push_back(term.name);
+  return names;
+}
+std::vector<double> Problem::term_costs(int knot, const double* x, const double* u) {
+  ocp::NodeKernel<double>& kernel = impl_->worker(0).one;
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  kernel.values(stage, x, u, impl_->targets_of(knot), &impl_->times[knot]);
+  return {kernel.term_costs.begin(),
+          kernel.term_costs.begin() + static_cast<std::ptrdiff_t>(stage.terms.size())};
+}
+std::string Problem::knot_name(int knot) const {
+  return impl_->stage(knot).terminal ? "the terminal state"
+                                     : impl_->stage(knot).name + ", knot " + std::to_string(knot);
+}
+
+}  // namespace burnish

@@ -1,0 +1,270 @@
+#include "ocp/problem_impl.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace ocp {
+
+Worker::Worker(const CompiledProblem& problem)
+    : one(problem),
+      pack(problem),
+      x(static_cast<std::size_t>(problem.layout.nx()), NativePack(0.0)),
+      u(static_cast<std::size_t>(problem.layout.nu), NativePack(0.0)),
+      targets(static_cast<std::size_t>(problem.largest_targets), NativePack(0.0)),
+      next(static_cast<std::size_t>(problem.layout.nx())) {}
+
+namespace {
+
+/// Lane l of rows x columns packs (row-major, `stride` between rows) to rows of out[l].
+void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
+                  double* const* out, int out_stride) {
+  constexpr int block = native_lanes;
+  for (int r = 0; r < rows; ++r) {
+    const NativePack* const row = from + r * stride;
+    int c = 0;
+    for (; c + block <= columns; c += block) {
+      NativePack tile[block];
+      std::copy_n(row + c, block, tile);
+      transpose(tile);
+      for (int l = 0; l < lanes; ++l)
+        for (int i = 0; i < block; ++i) out[l][r * out_stride + c + i] = tile[l].v[i];
+    }
+    for (; c < columns; ++c)
+      for (int l = 0; l < lanes; ++l) out[l][r * out_stride + c] = row[c].v[l];
+  }
+}
+
+std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* name) {
+  if (given.size() == 0) return {};
+  if (given.size() != 1 && given.size() != nu)
+    throw Error(std::string(name) + " has " + std::to_string(given.size()) +
+                " entries; wanted 1 or " + std::to_string(nu));
+  std::vector<double> result(static_cast<std::size_t>(nu), given[0]);
+  if (given.size() == nu) result.assign(given.begin(), given.end());
+  if (std::any_of(result.begin(), result.end(), [](double x) { return std::isnan(x); }))
+    throw Error(std::string(name) + " holds a NaN");
+  return result;
+}
+
+}  // namespace
+}  // namespace ocp
+
+Problem::Impl::Impl(const ProblemSpec& given)
+    : spec(given),
+      compiled(given),
+      initial_state(given.initial_state.begin(), given.initial_state.end()),
+      lower(ocp::bounds(given.control_lower, compiled.layout.nu, "control_lower")),
+      upper(ocp::bounds(given.control_upper, compiled.layout.nu, "control_upper")) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (lower.empty() && !upper.empty()) lower.assign(upper.size(), -infinity);
+  if (upper.empty() && !lower.empty()) upper.assign(lower.size(), infinity);
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    if (lower[i] > upper[i])
+      throw Error("control_lower " + number(lower[i]) + " is above control_upper " +
+                  number(upper[i]) + " at entry " + std::to_string(i));
+  int largest_signal = 1;
+  for (const ocp::CompiledStage& stage : compiled.stages)
+    for (const ocp::CompiledTerm& term : stage.terms)
+      largest_signal = std::max(largest_signal, term.signal_size);
+  signal_scratch.setZero(largest_signal);
+
+  double time = given.start_time;
+  std::vector<std::string> names;
+  for (const Stage& stage : given.stages) names.push_back(stage.name);
+  for (const Phase& phase : given.horizon) {
+    const auto found = std::find(names.begin(), names.end(), phase.stage);
+    if (found == names.end())
+      throw Error("horizon: unknown stage " + in_quotes(phase.stage) +
+                  did_you_mean(phase.stage, names));
+    if (phase.knots < 1)
+      throw Error("horizon: stage " + in_quotes(phase.stage) + " for " +
+                  std::to_string(phase.knots) + " knots; wanted at least 1");
+    for (int k = 0; k < phase.knots; ++k) {
+      stage_of.push_back(static_cast<int>(found - names.begin()));
+      times.push_back(time);
+      time += compiled.stages[static_cast<std::size_t>(stage_of.back())].step;
+    }
+  }
+  if (stage_of.empty()) throw Error("horizon: has no knots; wanted at least one");
+  stage_of.push_back(static_cast<int>(compiled.stages.size()) - 1);
+  times.push_back(time);
+  targets.assign(stage_of.size() * static_cast<std::size_t>(compiled.largest_targets), 0.0);
+  for (std::size_t k = 0; k < stage_of.size(); ++k) load_targets(static_cast<int>(k));
+  ranges.reserve(stage_of.size());
+  cut_ranges();
+  prepare(1);
+}
+
+void Problem::Impl::prepare(int count) {
+  while (static_cast<int>(workers.size()) < count)
+    workers.push_back(std::make_unique<ocp::Worker>(compiled));
+}
+
+Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
+  if (x.size() != static_cast<Eigen::Index>(initial_state.size())) return Status::WrongSize;
+  if (!x.allFinite()) return Status::NotFinite;
+  for (const TreeJoint& joint : compiled.tree.joints) {
+    const bool quaternion = joint.kind == JointKind::FreeFlyer;
+    if (!quaternion && joint.kind != JointKind::Continuous && joint.kind != JointKind::Planar)
+      continue;
+    const int entries = quaternion ? 4 : 2;
+    const int first = joint.q + joint_nq(joint.kind) - entries;
+    if (std::abs(x.segment(first, entries).squaredNorm() - 1.0) > 2e-6)
+      return Status::NotNormalized;
+  }
+  std::copy_n(x.data(), initial_state.size(), initial_state.data());
+  return Status::Ok;
+}
+
+void Problem::Impl::load_targets(int knot) {
+  for (const ocp::CompiledTerm& term : stage(knot).terms)
+    ocp::load_target(term, times[static_cast<std::size_t>(knot)], signal_scratch,
+                     targets_of(knot) + term.target);
+}
+
+void Problem::Impl::set_knot(int knot, int stage_index, double time) {
+  if (knot < static_cast<int>(stage_of.size()) - 1)
+    stage_of[static_cast<std::size_t>(knot)] = stage_index;
+  times[static_cast<std::size_t>(knot)] = time;
+  load_targets(knot);
+  cut_ranges();
+}
+
+void Problem::Impl::advance(int stage_index) {
+  const std::size_t last = stage_of.size() - 2;
+  std::copy(stage_of.begin() + 1, stage_of.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+            stage_of.begin());
+  std::copy(times.begin() + 1, times.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+            times.begin());
+  const auto width = static_cast<std::ptrdiff_t>(compiled.largest_targets);
+  std::copy(targets.begin() + width,
+            targets.begin() + (static_cast<std::ptrdiff_t>(last) + 1) * width, targets.begin());
+  stage_of[last] = stage_index;
+  times[last] = times[last + 1];
+  times[last + 1] += compiled.stages[static_cast<std::size_t>(stage_index)].step;
+  load_targets(static_cast<int>(last));
+  load_targets(static_cast<int>(last) + 1);
+  cut_ranges();
+}
+
+void Problem::Impl::cut_ranges() {
+  ranges.clear();
+  const int count = static_cast<int>(stage_of.size());
+  for (int begin = 0; begin < count;) {
+    int end = begin + 1;
+    while (end < count && end - begin < native_lanes &&
+           stage_of[static_cast<std::size_t>(end)] == stage_of[static_cast<std::size_t>(begin)])
+      ++end;
+    ranges.push_back({begin, end});
+    begin = end;
+  }
+}
+
+void Problem::Impl::check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const {
+  if (x.size() != compiled.layout.nx())
+    throw Error("x has " + std::to_string(x.size()) + " entries; wanted " +
+                std::to_string(compiled.layout.nx()));
+  if (stage(knot).nu > 0 && u.size() != compiled.layout.nu)
+    throw Error("u has " + std::to_string(u.size()) + " entries; wanted " +
+                std::to_string(compiled.layout.nu));
+}
+
+const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const ConstVectorRef& x,
+                                                              const ConstVectorRef& u) {
+  check_point(knot, x, u);
+  // A residual-free look at the dynamics: Runge-Kutta steps would leave their last point behind.
+  ocp::NodeKernel<double>& kernel = worker(0).one;
+  kernel.look(stage(knot), x.data(), u.data());
+  return kernel.dynamics();
+}
+
+KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double* u, double* next) {
+  ocp::NodeKernel<double>& kernel = worker(index).one;
+  const ocp::CompiledStage& at = stage(knot);
+  kernel.values(at, x, u, targets_of(knot), &times[static_cast<std::size_t>(knot)]);
+  if (!at.terminal) std::copy(kernel.next.begin(), kernel.next.end(), next);
+  return {kernel.cost, kernel.status(0),
+          kernel.status(0) == Status::NotFinite ? kernel.bad_term(at, 0) : -1};
+}
+
+void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView at) {
+  const int nx = compiled.layout.nx(), nu = compiled.layout.nu;
+  const int target_count = stage(range.begin).targets;
+  for (int l = 0; l < native_lanes; ++l) {
+    const auto knot = static_cast<std::ptrdiff_t>(std::min(range.begin + l, range.end - 1));
+    const double* const x = at.x + knot * nx;
+    for (int i = 0; i < nx; ++i) worker.x[static_cast<std::size_t>(i)].v[l] = x[i];
+    if (stage(range.begin).nu > 0) {
+      const double* const u = at.u + knot * nu;
+      for (int i = 0; i < nu; ++i) worker.u[static_cast<std::size_t>(i)].v[l] = u[i];
+    }
+    const double* const target = targets_of(static_cast<int>(knot));
+    for (int i = 0; i < target_count; ++i)
+      worker.targets[static_cast<std::size_t>(i)].v[l] = target[i];
+  }
+}
+
+void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* next,
+                        KnotValue* values, KnotExpansion* out) {
+  ocp::Worker& w = worker(index);
+  const ocp::CompiledStage& at_stage = stage(range.begin);
+  gather(w, range, at);
+  double lane_times[native_lanes];
+  for (int l = 0; l < native_lanes; ++l)
+    lane_times[l] = times[static_cast<std::size_t>(std::min(range.begin + l, range.end - 1))];
+  if (out != nullptr) {
+    w.pack.expand(at_stage, w.x.data(), w.u.data(), w.targets.data(), lane_times);
+    store_expansion(w, at_stage, range, out);
+  } else {
+    w.pack.values(at_stage, w.x.data(), w.u.data(), w.targets.data(), lane_times);
+  }
+  const int nx = compiled.layout.nx();
+  for (int k = range.begin; k < range.end; ++k) {
+    const int l = k - range.begin;
+    if (!at_stage.terminal)
+      for (int i = 0; i < nx; ++i)
+        next[static_cast<std::ptrdiff_t>(k) * nx + i] =
+            w.pack.next[static_cast<std::size_t>(i)].v[l];
+    const Status status = w.pack.status(l);
+    values[k] = {w.pack.cost.v[l], status,
+                 status == Status::NotFinite ? w.pack.bad_term(at_stage, l) : -1};
+  }
+}
+
+void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledStage& at_stage,
+                                    KnotRange range, KnotExpansion* out) const {
+  const StateLayout& layout = compiled.layout;
+  const int lanes = range.end - range.begin;
+  const int nz = layout.nz();
+  const int skip = at_stage.nu == 0 ? layout.nu : 0;  // z has no controls there
+  double* to[native_lanes];
+  const auto collect = [&](auto member) {
+    for (int l = 0; l < lanes; ++l) to[l] = out[range.begin + l].*member;
+  };
+  const int stride = out[range.begin].stride;
+  collect(&KnotExpansion::gradient);
+  ocp::scatter_rows(w.pack.gradient.data() + skip, 1, nz - skip, nz, lanes, to, stride);
+  collect(&KnotExpansion::hessian);
+  ocp::scatter_rows(w.pack.hessian.data() + skip * nz + skip, nz - skip, nz - skip, nz, lanes, to,
+                    stride);
+  if (at_stage.terminal) return;
+  const bool dense = at_stage.integrator == Integrator::RungeKutta4 && !at_stage.impact;
+  collect(&KnotExpansion::dynamics);
+  ocp::scatter_rows(w.pack.dynamics_by_z.data() + skip, dense ? layout.ndx() : layout.nv, nz - skip,
+                    nz, lanes, to, stride);
+  const int lead = compiled.blocks.empty() ? 0 : static_cast<int>(w.pack.lead.size());
+  collect(&KnotExpansion::lead);
+  if (lead > 0 && !dense) ocp::scatter_rows(w.pack.lead.data(), 1, lead, lead, lanes, to, lead);
+  for (int l = 0; l < lanes; ++l) {
+    KnotExpansion& knot = out[range.begin + l];
+    knot.form = dense ? DynamicsForm::Dense : DynamicsForm::SecondOrder;
+    knot.step = at_stage.step;
+    std::fill_n(knot.decay, layout.filtered, at_stage.decay);
+  }
+}
+
+}  // namespace burnish

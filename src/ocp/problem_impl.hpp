@@ -1,0 +1,67 @@
+// What a Problem holds: the compiled specification, the knots, a workspace per worker.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "burnish/ocp/problem.hpp"
+#include "ocp/kernels.hpp"
+
+namespace burnish::ocp {
+
+extern template class StageDynamics<double>;
+extern template class StageDynamics<NativePack>;
+extern template class NodeKernel<double>;
+extern template class NodeKernel<NativePack>;
+
+struct Worker {
+  explicit Worker(const CompiledProblem& problem);
+  NodeKernel<double> one;
+  NodeKernel<NativePack> pack;
+  std::vector<NativePack> x, u, targets;
+  std::vector<double> next;
+};
+
+}  // namespace burnish::ocp
+
+namespace burnish {
+
+struct Problem::Impl {
+  explicit Impl(const ProblemSpec& given);
+
+  const ocp::CompiledStage& stage(int knot) const {
+    return compiled.stages[static_cast<std::size_t>(stage_of.at(static_cast<std::size_t>(knot)))];
+  }
+  double* targets_of(int knot) {
+    return targets.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
+  }
+  ocp::Worker& worker(int index) { return *workers[static_cast<std::size_t>(index)]; }
+
+  Status set_initial_state(const ConstVectorRef& x);
+  void set_knot(int knot, int stage, double time);
+  void advance(int stage);
+  void load_targets(int knot);
+  void cut_ranges();
+  void prepare(int count);
+  void check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const;
+  const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
+                                                 const ConstVectorRef& u);
+  KnotValue roll(int index, int knot, const double* x, const double* u, double* next);
+  void run(int index, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
+           KnotExpansion* out);
+  void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at);
+  void store_expansion(const ocp::Worker& worker, const ocp::CompiledStage& stage, KnotRange range,
+                       KnotExpansion* out) const;
+
+  ProblemSpec spec;
+  ocp::CompiledProblem compiled;
+  std::vector<int> stage_of;    ///< per knot, N + 1
+  std::vector<double> times;    ///< per knot, s
+  std::vector<double> targets;  ///< per knot, largest_targets each
+  std::vector<KnotRange> ranges;
+  std::vector<double> initial_state, lower, upper;
+  Eigen::VectorXd signal_scratch;
+  std::vector<std::unique_ptr<ocp::Worker>> workers;
+};
+
+}  // namespace burnish

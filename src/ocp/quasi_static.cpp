@@ -1,0 +1,47 @@
+#include <Eigen/QR>
+
+#include "burnish/base/error.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "ocp/problem_impl.hpp"
+
+namespace burnish {
+
+Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
+                                           const Eigen::VectorXd& force) const {
+  const ocp::CompiledProblem& compiled = impl_->compiled;
+  const StateLayout& l = compiled.layout;
+  const ocp::CompiledStage& at = compiled.stages.at(static_cast<std::size_t>(stage));
+  if (x.size() < l.nq)
+    throw Error("quasi_static: x has " + std::to_string(x.size()) + " entries; wanted at least " +
+                std::to_string(l.nq));
+  // The system is not solved by forward(), which may be singular here, but read from it.
+  ContactDynamics dynamics(compiled.model, impl_->spec.contacts, {.mu = 1e-6});
+  for (int c = 0; c < compiled.contacts.size(); ++c)
+    dynamics.set_active(c, at.active[static_cast<std::size_t>(c)] != 0);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
+  if (dynamics.forward(x.head(l.nq), zero, zero) > Status::NotConverged)
+    throw Error("quasi_static: the state cannot be evaluated");
+  const int rows = dynamics.rows();
+  if (force.size() != 0 && force.size() != rows)
+    throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +
+                std::to_string(rows));
+  // S^T u + J^T lambda = b(q, 0) - bias.
+  const int unknown = l.nu + (force.size() == 0 ? rows : 0);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknown);
+  for (int i = 0; i < l.nu; ++i) A(l.actuated[static_cast<std::size_t>(i)], i) = 1.0;
+  Eigen::VectorXd b = dynamics.bias();
+  for (int k = 0; k < l.nv; ++k) b[k] -= compiled.torque_bias[static_cast<std::size_t>(k)];
+  if (force.size() == 0) {
+    A.rightCols(rows) = dynamics.jacobian().transpose();
+  } else {
+    b -= dynamics.jacobian().transpose() * force;
+  }
+  const Eigen::VectorXd solution = A.completeOrthogonalDecomposition().solve(b);
+  QuasiStatic result;
+  result.control = solution.head(l.nu);
+  result.force = force.size() == 0 ? Eigen::VectorXd(solution.tail(rows)) : force;
+  result.residual = (A * solution - b).cwiseAbs().maxCoeff();
+  return result;
+}
+
+}  // namespace burnish

@@ -1,0 +1,119 @@
+// Residuals of contact forces. All columns of z are theirs.
+#pragma once
+
+#include "derivatives/wrench_transport.tpp"
+#include "ocp/compiled_residual.hpp"
+
+namespace burnish::ocp {
+namespace force_detail {
+
+template <class S>
+void store(const Force<S>& f, S* out, int stride) {
+  const Vec3<S>* const parts[2] = {&f.linear, &f.angular};
+  for (int part = 0; part < 2; ++part) {
+    out[(3 * part) * stride] = parts[part]->x;
+    out[(3 * part + 1) * stride] = parts[part]->y;
+    out[(3 * part + 2) * stride] = parts[part]->z;
+  }
+}
+
+/// Six rows of a contact's wrench in a reference: w, and unless J is null dw/dz (6 x nz). An angle
+/// of the reference's axes or a step of its origin turns or moves a wrench that is held elsewhere:
+/// the transport term of the columns of q.
+template <class S>
+void wrench_in_reference(const Scene<S>& scene, int index, const Reference& reference, S* w, S* J) {
+  const ConstrainedDynamics<S>& dynamics = *scene.dynamics;
+  const CompiledContact& contact = dynamics.set().contacts()[index];
+  const int first = dynamics.active().first_row[index];
+  const int rows = static_cast<int>(contact.directions.size());
+  ContactState<S> state = dynamics.contact_states[index];
+  set_contact_force(contact, dynamics.lambda.data() + first, state);
+  const auto pose = reference_pose(reference, contact, dynamics.kinematics(), state);
+  store(wrench_in(pose, state.force_world), w, 1);
+  if (J == nullptr) return;
+
+  S map[36];  // wrench of a unit of each held row
+  ContactState<S> unit = state;
+  for (int r = 0; r < rows; ++r) {
+    S lambda[6];
+    for (int i = 0; i < rows; ++i) lambda[i] = S(i == r ? 1.0 : 0.0);
+    set_contact_force(contact, lambda, unit);
+    store(wrench_in(pose, unit.force_world), map + r, 6);
+  }
+  const StateLayout& layout = *scene.layout;
+  const int nz = layout.nz();
+  for (int d = 0; d < 6; ++d)
+    for (int c = 0; c < nz; ++c) {
+      S sum(0.0);
+      for (int r = 0; r < rows; ++r) sum += map[d * 6 + r] * scene.dlambda_dz[(first + r) * nz + c];
+      J[d * nz + c] = sum;
+    }
+  const auto zero = Motion<S>::zero();
+  for (const ContactSupport& entry : contact.support) {
+    const Motion<S>& axis = dynamics.kinematics().axes[entry.v].axis;
+    S transport[6];
+    store(wrench_rate(reference, pose, contact, state, entry.moves_tool ? axis : zero,
+                      entry.moves_base ? axis : zero, Force<S>::zero()),
+          transport, 1);
+    for (int d = 0; d < 6; ++d) J[d * nz + layout.column_q() + entry.v] += transport[d];
+  }
+}
+
+}  // namespace force_detail
+
+template <class S>
+void OwnForceError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
+  const int first = scene.dynamics->active().first_row[contact];
+  for (int i = 0; i < rows; ++i) r[i] = scene.dynamics->lambda[first + i] - target[i];
+  if (J == nullptr) return;
+  const int nz = scene.layout->nz();
+  std::copy_n(scene.dlambda_dz + first * nz, rows * nz, J);
+}
+
+template <class S>
+void WrenchError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
+  force_detail::wrench_in_reference(scene, contact, reference, r, J);
+  for (int i = 0; i < 6; ++i) r[i] -= target[i];
+}
+
+template <class S>
+void ConeMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
+  S w[6];
+  S* const dw = J == nullptr ? nullptr : scene.scratch;
+  force_detail::wrench_in_reference(scene, contact, reference, w, dw);
+  const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
+  const S smoothing(1e-6);  // (1e-3 N)^2
+  const S length = square_root(S(w[t1] * w[t1] + w[t2] * w[t2] + smoothing));
+  r[0] = S(friction) * w[normal] - length;
+  r[1] = w[normal];
+  if (J == nullptr) return;
+  const int nz = scene.layout->nz();
+  const S c1 = w[t1] / length, c2 = w[t2] / length;
+  for (int c = 0; c < nz; ++c) {
+    J[c] = S(friction) * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
+    J[nz + c] = dw[normal * nz + c];
+  }
+}
+
+template <class S>
+void PressureMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
+  S w[6];
+  S* const dw = J == nullptr ? nullptr : scene.scratch;
+  force_detail::wrench_in_reference(scene, contact, Reference::local(), w, dw);
+  const S hx(half_x), hy(half_y);
+  r[0] = hx * w[2] + w[4];
+  r[1] = hx * w[2] - w[4];
+  r[2] = hy * w[2] + w[3];
+  r[3] = hy * w[2] - w[3];
+  if (J == nullptr) return;
+  const int nz = scene.layout->nz();
+  for (int c = 0; c < nz; ++c) {
+    const S fz = dw[2 * nz + c], mx = dw[3 * nz + c], my = dw[4 * nz + c];
+    J[c] = hx * fz + my;
+    J[nz + c] = hx * fz - my;
+    J[2 * nz + c] = hy * fz + mx;
+    J[3 * nz + c] = hy * fz - mx;
+  }
+}
+
+}  // namespace burnish::ocp

@@ -1,0 +1,33 @@
+// Residuals of the whole robot's centre of mass and momentum.
+#pragma once
+
+#include <algorithm>
+
+#include "ocp/compiled_residual.hpp"
+
+namespace burnish::ocp {
+
+template <class S>
+void ComError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
+  const Vec3<S>& c = scene.momentum->com;
+  r[0] = c.x - target[0];
+  r[1] = c.y - target[1];
+  r[2] = c.z - target[2];
+  if (J != nullptr) std::copy_n(scene.momentum_derivatives->com_dq.data(), 3 * scene.layout->nv, J);
+}
+
+template <class S>
+void MomentumError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
+  const Force<S>& h = scene.momentum->centroidal;
+  const S values[6] = {h.linear.x, h.linear.y, h.linear.z, h.angular.x, h.angular.y, h.angular.z};
+  for (int i = 0; i < 6; ++i) r[i] = values[i] - target[i];
+  if (J == nullptr) return;
+  const int nv = scene.layout->nv;
+  const MomentumDerivatives<S>& d = *scene.momentum_derivatives;
+  for (int i = 0; i < 6; ++i) {
+    std::copy_n(d.centroidal_dq.data() + i * nv, nv, J + i * 2 * nv);
+    std::copy_n(d.centroidal_dv.data() + i * nv, nv, J + i * 2 * nv + nv);
+  }
+}
+
+}  // namespace burnish::ocp

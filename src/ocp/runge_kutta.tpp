@@ -1,0 +1,121 @@
+// Runge-Kutta steps of fourth order on the state's manifold: with y = (q, v, tau) and rates
+// k = (v, a), the points y_i = y (+) c_i h k_(i-1), c = (0, 1/2, 1/2, 1), and the step
+// h (k_1 + 2 k_2 + 2 k_3 + k_4) / 6. Torques between follow their filter exactly as the stage has
+// it.
+#pragma once
+
+#include "ocp/node_kernel.hpp"
+
+namespace burnish::ocp {
+
+template <class S>
+void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S* u,
+                                bool with_derivatives) {
+  const StateLayout& layout = problem_->layout;
+  const int nq = layout.nq, nv = layout.nv, nz = layout.nz();
+  constexpr double fraction[4] = {0.0, 0.5, 0.5, 1.0};
+  const double decay[4] = {1.0, stage.half_decay, stage.half_decay, stage.decay};
+  for (int i = 0; i < 4; ++i) {
+    if (i > 0) {
+      const S ch(fraction[i] * stage.step);
+      const S* const before = rates_.data() + (i - 1) * 2 * nv;
+      for (int k = 0; k < 2 * nv; ++k) offset_[k] = ch * before[k];
+      integrate_configuration(problem_->tree, x, offset_.data(), point_.data());
+      for (int k = 0; k < nv; ++k) point_[nq + k] = x[nq + k] + offset_[nv + k];
+      filter_torque(x, u, S(decay[i]), point_.data());
+      dynamics_.values(stage, point_.data(), u);
+      for (int l = 0; l < Lanes<S>::count; ++l) status_[l] = worst(status_[l], dynamics_.status(l));
+      if (with_derivatives) dynamics_.derivatives(stage);
+    }
+    S* const rate = rates_.data() + i * 2 * nv;
+    std::copy_n((i == 0 ? x : point_.data()) + nq, nv, rate);
+    std::copy_n(dynamics_.acceleration(), nv, rate + nv);
+    if (with_derivatives) runge_kutta_derivative(stage, i);
+  }
+  const S sixth(stage.step / 6.0), third(stage.step / 3.0);
+  const S weights[4] = {sixth, third, third, sixth};
+  std::fill(offset_.begin(), offset_.end(), S(0.0));
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 2 * nv; ++k) offset_[k] += weights[i] * rates_[i * 2 * nv + k];
+  integrate_configuration(problem_->tree, x, offset_.data(), next.data());
+  for (int k = 0; k < nv; ++k) next[nq + k] = x[nq + k] + offset_[nv + k];
+  filter_torque(x, u, S(stage.decay), next.data());
+  if (!with_derivatives) return;
+
+  S* const F = dynamics_by_z.data();
+  for (int r = 0; r < 2 * nv; ++r)
+    for (int c = 0; c < nz; ++c) {
+      S sum(0.0);
+      for (int i = 0; i < 4; ++i) sum += weights[i] * rates_by_z_[(i * 2 * nv + r) * nz + c];
+      F[r * nz + c] = sum;
+    }
+  close_point(stage.decay, offset_.data(), F);
+}
+
+template <class S>
+void NodeKernel<S>::close_point(double decay, const S* offset, S* by_z) {
+  const StateLayout& layout = problem_->layout;
+  const int nv = layout.nv, nz = layout.nz();
+  // Multi-entry joints: d(q (+) dq) = A dq0 + B d(dq).
+  for (const TangentBlock& block : problem_->blocks) {
+    S A[36], B[36], column[6];
+    integrate_jacobians(block, offset + block.first, A, B);
+    for (int c = 0; c < nz; ++c) {
+      for (int i = 0; i < block.size; ++i) column[i] = by_z[(block.first + i) * nz + c];
+      for (int i = 0; i < block.size; ++i) {
+        S sum(0.0);
+        for (int j = 0; j < block.size; ++j) sum += B[i * block.size + j] * column[j];
+        by_z[(block.first + i) * nz + c] = sum;
+      }
+    }
+    for (int i = 0; i < block.size; ++i)
+      for (int j = 0; j < block.size; ++j)
+        by_z[(block.first + i) * nz + layout.column_q() + block.first + j] += A[i * block.size + j];
+  }
+  for (int k = 0; k < nv; ++k) {
+    if (!in_block(k)) by_z[k * nz + layout.column_q() + k] += S(1.0);
+    by_z[(nv + k) * nz + layout.column_v() + k] += S(1.0);
+  }
+  for (int i = 0; i < layout.filtered; ++i) {
+    S* const row = by_z + (2 * nv + i) * nz;
+    std::fill_n(row, nz, S(0.0));
+    row[i] = S(1.0 - decay);
+    row[layout.column_tau() + i] = S(decay);
+  }
+}
+
+template <class S>
+bool NodeKernel<S>::in_block(int k) const {
+  return std::any_of(problem_->blocks.begin(), problem_->blocks.end(),
+                     [k](const TangentBlock& b) { return k >= b.first && k < b.first + b.size; });
+}
+
+template <class S>
+void NodeKernel<S>::runge_kutta_derivative(const CompiledStage& stage, int i) {
+  const StateLayout& layout = problem_->layout;
+  const int nv = layout.nv, nz = layout.nz(), ndx = layout.ndx();
+  constexpr double fraction[4] = {0.0, 0.5, 0.5, 1.0};
+  const double decay[4] = {1.0, stage.half_decay, stage.half_decay, stage.decay};
+  S* const X = point_by_z_.data();  // d(point i)/dz, ndx x nz
+  if (i == 0) {
+    std::fill(point_by_z_.begin(), point_by_z_.end(), S(0.0));
+    for (int k = 0; k < ndx; ++k) X[k * nz + layout.nu + k] = S(1.0);
+  } else {
+    const S ch(fraction[i] * stage.step);
+    const S* const before = rates_by_z_.data() + (i - 1) * 2 * nv * nz;
+    for (int k = 0; k < 2 * nv * nz; ++k) X[k] = ch * before[k];
+    close_point(decay[i], offset_.data(), X);
+  }
+  S* const rate = rates_by_z_.data() + i * 2 * nv * nz;
+  std::copy_n(X + nv * nz, nv * nz, rate);
+  // da/dz = (da/du held state) + da/dx dX/dz; with a torque model da/du is zero.
+  const S* const D = dynamics_.derivative();
+  for (int r = 0; r < nv; ++r)
+    for (int c = 0; c < nz; ++c) {
+      S sum = c < layout.nu ? D[r * nz + c] : S(0.0);
+      for (int k = 0; k < ndx; ++k) sum += D[r * nz + layout.nu + k] * X[k * nz + c];
+      rate[(nv + r) * nz + c] = sum;
+    }
+}
+
+}  // namespace burnish::ocp

@@ -1,0 +1,32 @@
+// What the residuals of a knot share: one kinematics, one contact solve.
+#pragma once
+
+#include "burnish/contact/constrained_dynamics.hpp"
+#include "burnish/derivatives/momentum.hpp"
+#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/ocp/node_view.hpp"
+
+namespace burnish::ocp {
+
+/// Filled by StageDynamics. Pointers that a stage has no use for are null.
+template <class S>
+struct Scene {
+  const StateLayout* layout = nullptr;
+  const S* q = nullptr;             ///< nq
+  const S* v = nullptr;             ///< nv
+  const S* torque_state = nullptr;  ///< filtered
+  const S* u = nullptr;             ///< nu
+  const S* tau = nullptr;           ///< nv, of the actuators
+  const ConstrainedDynamics<S>* dynamics = nullptr;
+  const FrameState<S>* frames = nullptr;  ///< of the stage, in its order
+  const CompiledFrame* compiled_frames = nullptr;
+  const Momentum<S>* momentum = nullptr;
+  S* scratch = nullptr;  ///< 12 x nv, for a residual that needs room
+
+  // While derivatives are asked for:
+  const S* da_dz = nullptr;       ///< nv x nz, row-major
+  const S* dlambda_dz = nullptr;  ///< active rows x nz, row-major
+  const MomentumDerivatives<S>* momentum_derivatives = nullptr;
+};
+
+}  // namespace burnish::ocp

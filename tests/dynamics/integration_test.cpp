@@ -1,0 +1,261 @@
+// q (+) dq and q1 (-) q0 over every kind of joint: against the arithmetic on Eigen vectors, and
+// their derivatives against differences and automatic differentiation.
+#include "dynamics/integration.tpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "support/allocation_guard.hpp"
+#include "support/kernel_law.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr double scales[] = {0.0, 1e-12, 1e-6, 1e-3, 0.1, 0.55, 1.0, 1.7};
+
+class Integration : public OnRobots {
+ protected:
+  Eigen::VectorXd plus(const Eigen::VectorXd& q, const Eigen::VectorXd& dq) const {
+    Eigen::VectorXd out(model.nq);
+    integrate_configuration(tree, q.data(), dq.data(), out.data());
+    return out;
+  }
+  Eigen::VectorXd minus(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0) const {
+    Eigen::VectorXd dq(model.nv);
+    difference_configuration(tree, q0.data(), q1.data(), dq.data());
+    return dq;
+  }
+
+  /// The whole nv x nv matrices: identities, and the blocks that are none.
+  struct Pair {
+    Eigen::MatrixXd first, second;
+  };
+  Pair assembled(double first, double second, const auto& jacobians,
+                 const Eigen::VectorXd& dq) const {
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Pair whole{first * Eigen::MatrixXd::Identity(model.nv, model.nv),
+               second * Eigen::MatrixXd::Identity(model.nv, model.nv)};
+    for (const TangentBlock& block : tangent_blocks(tree)) {
+      Rows a(block.size, block.size), b(block.size, block.size);
+      jacobians(block, dq.data() + block.first, a.data(), b.data());
+      whole.first.block(block.first, block.first, block.size, block.size) = a;
+      whole.second.block(block.first, block.first, block.size, block.size) = b;
+    }
+    return whole;
+  }
+  Pair of_plus(const Eigen::VectorXd& dq) const {
+    return assembled(1.0, 1.0, integrate_jacobians<double>, dq);
+  }
+  Pair of_minus(const Eigen::VectorXd& dq) const {
+    return assembled(-1.0, 1.0, difference_jacobians<double>, dq);
+  }
+
+  Tree tree{model};
+  std::mt19937_64 generator{91};
+};
+
+TEST_P(Integration, equals_the_arithmetic_on_vectors) {
+  for (const double scale : {0.0, 1e-12, 1e-5, 1e-3, 0.2, 1.0, 3.0, 10.0})
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd q = random_configuration(model, generator);
+      const Eigen::VectorXd dq = random_vector(model.nv, scale, generator);
+      const Eigen::VectorXd want = integrate(model, q, dq);
+      EXPECT_LE(relative_error(plus(q, dq), want), 1e-13) << scale;
+      Eigen::VectorXd in_place = q;
+      integrate_configuration(tree, in_place.data(), dq.data(), in_place.data());
+      EXPECT_EQ(in_place, plus(q, dq));
+    }
+}
+
+TEST_P(Integration, difference_equals_the_arithmetic_on_vectors) {
+  for (const double scale : {0.0, 1e-12, 1e-7, 1e-5, 1e-3, 0.2, 1.0, 3.0, 10.0})
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd q0 = random_configuration(model, generator);
+      const Eigen::VectorXd q1 = integrate(model, q0, random_vector(model.nv, scale, generator));
+      EXPECT_LE(relative_error(minus(q1, q0), difference(model, q0, q1)), 1e-13) << scale;
+    }
+}
+
+TEST_P(Integration, difference_undoes_integration_within_half_a_turn) {
+  for (const double scale : scales)
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd q = random_configuration(model, generator);
+      const Eigen::VectorXd dq = random_vector(model.nv, scale, generator);
+      EXPECT_LE(relative_error(minus(plus(q, dq), q), dq), 1e-13) << scale;
+    }
+}
+
+TEST_P(Integration, keeps_rotations_at_unit_length) {
+  Eigen::VectorXd q = random_configuration(model, generator);
+  const Eigen::VectorXd dq = random_vector(model.nv, 0.3, generator);
+  for (const Joint& joint : model.joints) {
+    if (joint.kind == JointKind::FreeFlyer) q.segment(joint.q_index + 3, 4) *= 1.0 + 5e-7;
+    if (joint.kind == JointKind::Continuous) q.segment(joint.q_index, 2) *= 1.0 - 5e-7;
+    if (joint.kind == JointKind::Planar) q.segment(joint.q_index + 2, 2) *= 1.0 + 5e-7;
+  }
+  for (int step = 0; step < 1000; ++step)
+    integrate_configuration(tree, q.data(), dq.data(), q.data());
+  EXPECT_LE((q - normalized(model, q)).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST_P(Integration, blocks_are_the_joints_of_several_entries) {
+  std::vector<TangentBlock> blocks = tangent_blocks(tree);
+  std::size_t found = 0;
+  for (const Joint& joint : model.joints) {
+    if (joint.nv == 1) continue;
+    ASSERT_LT(found, blocks.size());
+    EXPECT_EQ(blocks[found].first, joint.v_index);
+    EXPECT_EQ(blocks[found].size, joint.nv);
+    EXPECT_EQ(blocks[found].kind, joint.kind);
+    EXPECT_EQ(blocks[found++].q, joint.q_index);
+  }
+  EXPECT_EQ(found, blocks.size());
+}
+
+TEST_P(Integration, jacobians_equal_automatic_differentiation) {
+  const Tree& t = tree;
+  for (const double scale : scales)
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::VectorXd q = random_configuration(model, generator);
+      const Eigen::VectorXd dq = random_vector(model.nv, scale, generator);
+      std::vector<Dual> out(static_cast<std::size_t>(model.nq));
+      integrate_configuration(t, seeded_q(model, q).data(), seeded_v(model, dq).data(), out.data());
+      // tangent_map turns right increments of the result into rates of its entries.
+      const Eigen::MatrixXd map = tangent_map(model, values_of(out));
+      const Pair by = of_plus(dq);
+      EXPECT_LE(relative_error(map * by.first, d_dq(model, out)), 1e-13) << "by q, " << scale;
+      EXPECT_LE(relative_error(map * by.second, d_dv(model, out)), 1e-13) << "by dq, " << scale;
+
+      const Eigen::VectorXd q1 = plus(q, dq);
+      const Pair minus_by = of_minus(dq);
+      std::vector<Dual> apart(static_cast<std::size_t>(model.nv));
+      const std::vector<Dual> fixed = constant_duals(q), fixed_1 = constant_duals(q1);
+      difference_configuration(t, seeded_q(model, q).data(), fixed_1.data(), apart.data());
+      EXPECT_LE(relative_error(minus_by.first, d_dq(model, apart)), 1e-12) << "q0, " << scale;
+      difference_configuration(t, fixed.data(), seeded_q(model, q1).data(), apart.data());
+      EXPECT_LE(relative_error(minus_by.second, d_dq(model, apart)), 1e-12) << "q1, " << scale;
+    }
+}
+
+TEST_P(Integration, jacobians_equal_central_differences) {
+  const double h = 1e-5;
+  for (const double scale : scales) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    const Eigen::VectorXd dq = random_vector(model.nv, scale, generator);
+    const Eigen::VectorXd q1 = integrate(model, q, dq);
+    Pair plus_by{Eigen::MatrixXd(model.nv, model.nv), Eigen::MatrixXd(model.nv, model.nv)};
+    Pair minus_by = plus_by;
+    const auto increment = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+      return Eigen::VectorXd((difference(model, q1, a) - difference(model, q1, b)) / (2.0 * h));
+    };
+    for (int k = 0; k < model.nv; ++k) {
+      const Eigen::VectorXd e = h * Eigen::VectorXd::Unit(model.nv, k);
+      const Eigen::VectorXd forth = integrate(model, q, e), back = integrate(model, q, -e);
+      plus_by.first.col(k) = increment(plus(forth, dq), plus(back, dq));
+      plus_by.second.col(k) = increment(plus(q, dq + e), plus(q, dq - e));
+      minus_by.first.col(k) = (minus(q1, forth) - minus(q1, back)) / (2.0 * h);
+      minus_by.second.col(k) =
+          (minus(integrate(model, q1, e), q) - minus(integrate(model, q1, -e), q)) / (2.0 * h);
+    }
+    EXPECT_LE(relative_error(of_plus(dq).first, plus_by.first), 1e-8) << scale;
+    EXPECT_LE(relative_error(of_plus(dq).second, plus_by.second), 1e-8) << scale;
+    EXPECT_LE(relative_error(of_minus(dq).first, minus_by.first), 1e-8) << scale;
+    EXPECT_LE(relative_error(of_minus(dq).second, minus_by.second), 1e-8) << scale;
+  }
+}
+
+TEST_P(Integration, lanes_equal_single_states) {
+  using S = NativePack;
+  const auto nq = static_cast<std::size_t>(model.nq), nv = static_cast<std::size_t>(model.nv);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<Eigen::VectorXd> q, dq;
+    for (int l = 0; l < native_lanes; ++l) {
+      q.push_back(random_configuration(model, generator));
+      dq.push_back(random_vector(model.nv, scales[(round + l) % 8], generator));
+    }
+    const std::vector<S> packed_q = packed<S>(q), packed_dq = packed<S>(dq);
+    std::vector<S> out(nq), apart(nv);
+    integrate_configuration(tree, packed_q.data(), packed_dq.data(), out.data());
+    difference_configuration(tree, packed_q.data(), out.data(), apart.data());
+    for (int l = 0; l < native_lanes; ++l) {
+      const Eigen::VectorXd one =
+          plus(q[static_cast<std::size_t>(l)], dq[static_cast<std::size_t>(l)]);
+      EXPECT_LE(relative_error(as_vector(lane_values(out, l)), one), 1e-14);
+      EXPECT_LE(relative_error(as_vector(lane_values(apart, l)),
+                               minus(one, q[static_cast<std::size_t>(l)])),
+                1e-13);
+    }
+    for (const TangentBlock& block : tangent_blocks(tree)) {
+      const auto entries = static_cast<std::size_t>(block.size * block.size);
+      std::vector<S> packs[4];
+      std::vector<double> ones[4];
+      for (auto& matrix : packs) matrix.resize(entries);
+      for (auto& matrix : ones) matrix.resize(entries);
+      integrate_jacobians(block, &packed_dq[static_cast<std::size_t>(block.first)], packs[0].data(),
+                          packs[1].data());
+      difference_jacobians(block, &packed_dq[static_cast<std::size_t>(block.first)],
+                           packs[2].data(), packs[3].data());
+      for (int l = 0; l < native_lanes; ++l) {
+        const double* const step = dq[static_cast<std::size_t>(l)].data() + block.first;
+        integrate_jacobians(block, step, ones[0].data(), ones[1].data());
+        difference_jacobians(block, step, ones[2].data(), ones[3].data());
+        for (int i = 0; i < 4; ++i)
+          EXPECT_LE(relative_error(as_vector(lane_values(packs[i], l)), as_vector(ones[i])), 1e-14);
+      }
+    }
+  }
+}
+
+TEST_P(Integration, allocates_nothing) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  Eigen::VectorXd out(model.nq), dq = random_vector(model.nv, 1.0, generator);
+  double a[36], b[36];
+  const std::vector<TangentBlock> blocks = tangent_blocks(tree);
+  const AllocationGuard guard;
+  integrate_configuration(tree, q.data(), dq.data(), out.data());
+  difference_configuration(tree, q.data(), out.data(), dq.data());
+  for (const TangentBlock& block : blocks) {
+    integrate_jacobians(block, dq.data() + block.first, a, b);
+    difference_jacobians(block, dq.data() + block.first, a, b);
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(robots, Integration, ::testing::ValuesIn(test_robots()), robot_label);
+
+TEST(IntegrationAtHalfATurn, difference_is_finite_and_of_length_pi) {
+  const Model model = TestRobot{"every_joint", Base::FreeFlyer, "tip"}.model();
+  const Tree tree(model);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd q0 = model.q_neutral;
+    const Eigen::VectorXd turn = std::numbers::pi * Eigen::VectorXd::Unit(model.nv, 3 + axis);
+    Eigen::VectorXd q1(model.nq), dq(model.nv);
+    integrate_configuration(tree, q0.data(), turn.data(), q1.data());
+    difference_configuration(tree, q0.data(), q1.data(), dq.data());
+    EXPECT_NEAR(std::abs(dq[3 + axis]), std::numbers::pi, 1e-12);
+    EXPECT_NEAR(dq.norm(), std::numbers::pi, 1e-12);
+  }
+}
+
+TEST(IntegrationAtRest, jacobians_are_identities_to_the_bit) {
+  const Model model = TestRobot{"every_joint", Base::FreeFlyer, "tip"}.model();
+  for (const TangentBlock& block : tangent_blocks(Tree(model))) {
+    const double zero[6] = {};
+    double by[4][36];
+    integrate_jacobians(block, zero, by[0], by[1]);
+    difference_jacobians(block, zero, by[2], by[3]);
+    for (int i = 0; i < block.size; ++i)
+      for (int j = 0; j < block.size; ++j) {
+        const double unit = i == j ? 1.0 : 0.0;
+        const int at = i * block.size + j;
+        EXPECT_EQ(by[0][at], unit);
+        EXPECT_EQ(by[1][at], unit);
+        EXPECT_EQ(by[2][at], -unit);
+        EXPECT_EQ(by[3][at], unit);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace burnish::test
