@@ -14,5 +14,6 @@ inline constexpr int exit_usage = 2;   ///< bad usage or input
 void add_show(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
+void add_solve(CLI::App& app, int& exit_code);
 
 }  // namespace burnish::app

@@ -1,4 +1,5 @@
-// burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON.
+// burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
+// optimal control problems.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -19,10 +20,12 @@ constexpr const char* footer =
     "  burnish show talos:right_arm\n"
     "  burnish check my_arm.urdf --tool flange\n"
     "  burnish eval request.json\n"
+    "  burnish solve examples/problems/reaching.yaml\n"
     "\n"
     "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
     "crane, talos), with ':variant' behind it if wanted.\n"
-    "Exit codes: 0 fine; 1 a check failed or an evaluation had a bad status; 2 bad usage or input.";
+    "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status or a solve did not\n"
+    "converge; 2 bad usage or input.";
 
 /// Wipes the progress line, then ends as any program that was interrupted.
 extern "C" void interrupted(int signal) {
@@ -90,6 +93,7 @@ int run(int count, char** words) {
   add_show(app, exit_code);
   add_check(app, exit_code);
   add_eval(app, exit_code);
+  add_solve(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;

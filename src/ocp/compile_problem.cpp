@@ -137,6 +137,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       contact_solver(spec.contact_solver),
       torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
   shape = make_shape(layout, blocks);
+  if (!std::isfinite(spec.start_time))
+    throw Error("start_time is " + number(spec.start_time) + " s; wanted a finite number");
   if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
   check_initial_state(spec, layout);
   for (const Stage& given : spec.stages) {
@@ -144,6 +146,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       if (other.name == given.name)
         throw Error("stage " + in_quotes(given.name) + ": the name is used twice");
     if (given.name.empty()) throw Error("a stage has no name");
+    if (given.name == "terminal")
+      throw Error("stage 'terminal': the name is that of the end of the horizon");
     stages.push_back(make_stage(spec, *this, given));
   }
   CompiledStage terminal;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "burnish/base/error.hpp"
+#include "burnish/model/state.hpp"
 #include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
 
@@ -109,9 +110,21 @@ struct TermBuilder {
       refuse("the target's quaternion has length " + std::to_string(length) + "; wanted 1");
   }
 
+  void unit_configuration() const {
+    if (!term.signal.is_constant()) return;
+    Eigen::VectorXd value(term.signal.size());
+    term.signal.at(0.0, value);
+    try {
+      check_configuration(problem.model, value.head(layout().nq), "the target");
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+  }
+
   void operator()(const residual::State& r) {
     term.rows = layout().ndx();
     target(r.target, layout().nx(), spec.initial_state);
+    unit_configuration();
     StateDifference state{&problem.tree, layout().nq, layout().filtered, {}, problem.blocks};
     std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
     for (const TangentBlock& block : problem.blocks)
@@ -220,7 +233,8 @@ struct TermBuilder {
     term.rows = 3;
     target(r.target, 3, {});
     const int f = frame(r.frame);
-    if (!(r.axes * r.axes.transpose()).isIdentity(1e-6)) refuse("axes are not a rotation");
+    if (!(r.axes * r.axes.transpose()).isIdentity(1e-6) || r.axes.determinant() < 0.0)
+      refuse("axes are not a rotation");
     term.residual = FramePositionError{f, from_eigen(r.axes)};
     dense_block(3, support_columns(f, false));
   }
@@ -244,7 +258,10 @@ struct TermBuilder {
     term.rows = 6;
     zero_target(r.target, 6);
     const int f = frame(r.frame);
-    term.residual = FrameVelocityError{f, r.axes};
+    if (!(r.rotation * r.rotation.transpose()).isIdentity(1e-6))
+      refuse("rotation is not a rotation");
+    term.residual =
+        FrameVelocityError{f, r.axes, from_eigen(r.rotation), !r.rotation.isIdentity(0.0)};
     dense_block(6, support_columns(f, true));
   }
 
@@ -260,17 +277,17 @@ struct TermBuilder {
     zero_target(r.target, term.rows);
     dense_block(term.rows, all_columns());
   }
-  void needs_linear(int c) const {
+  void needs(int c, Directions wanted) const {
     const Directions held = problem.contacts.contacts()[c].spec.directions;
-    if ((held.bits & Directions::linear().bits) != Directions::linear().bits)
+    if ((held.bits & wanted.bits) != wanted.bits)
       refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
-             held.text() + "; wanted x,y,z among them");
+             held.text() + "; wanted " + wanted.text() + " among them");
   }
   void operator()(const residual::FrictionCone& r) {
     const int c = contact(r.contact);
-    needs_linear(c);
-    if (!(r.friction > 0.0))
-      refuse("friction is " + std::to_string(r.friction) + "; wanted more than 0");
+    needs(c, Directions::linear());
+    if (!(r.friction > 0.0) || !std::isfinite(r.friction))
+      refuse("friction is " + std::to_string(r.friction) + "; wanted a number above 0");
     if (r.normal < 0 || r.normal > 2)
       refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
     term.rows = 2;
@@ -281,7 +298,10 @@ struct TermBuilder {
   }
   void operator()(const residual::CenterOfPressure& r) {
     const int c = contact(r.contact);
-    if (!(r.half_x > 0.0 && r.half_y > 0.0)) refuse("half lengths must be positive");
+    needs(c, Directions::pad_z());
+    if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
+      refuse("half lengths are " + std::to_string(r.half_x) + " and " + std::to_string(r.half_y) +
+             " m; wanted positive numbers");
     term.rows = 4;
     term.residual = PressureMargin{c, r.half_x, r.half_y};
     dense_block(4, all_columns());
@@ -325,7 +345,9 @@ struct TermBuilder {
         cost.penalty.value_or(is_margin() ? Penalty::at_least(0.0) : Penalty::square());
     term.penalty = penalty.kind;
     term.width = penalty.width;
-    if (!(penalty.width > 0.0)) refuse("the penalty's width is not positive");
+    if (!(penalty.width > 0.0) || !std::isfinite(penalty.width))
+      refuse("the penalty's width is " + std::to_string(penalty.width) +
+             "; wanted a positive number");
     const auto rows = static_cast<std::size_t>(term.rows);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto limits = [&](const Eigen::VectorXd& given, double none, const char* name) {
@@ -340,10 +362,13 @@ struct TermBuilder {
     };
     term.lower = limits(penalty.lower, -infinity, "lower");
     term.upper = limits(penalty.upper, infinity, "upper");
-    for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (term.lower[i] == infinity || term.upper[i] == -infinity)
+        refuse("the penalty's limits of row " + std::to_string(i) + " leave nothing inside");
       if (term.lower[i] > term.upper[i])
         refuse("the penalty's lower limit " + std::to_string(term.lower[i]) +
                " is above the upper one " + std::to_string(term.upper[i]));
+    }
   }
   void finish_weights() {
     if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))

@@ -60,6 +60,8 @@ struct FramePlacementError {
 struct FrameVelocityError {
   int frame;
   FrameAxes axes;
+  Mat3<double> rotation;
+  bool turned;  ///< rotation is not the identity
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };

@@ -33,8 +33,13 @@ void LaneView<S>::load(const Scene<S>& scene, const CustomResidual& residual, in
   copy(scene.v, v_);
   copy(scene.u, u_);
   copy(scene.tau, tau_);
-  copy(scene.dynamics->a.data(), a_);
-  copy(scene.dynamics->lambda.data(), lambda_);
+  if (scene.solved) {
+    copy(scene.dynamics->a.data(), a_);
+    copy(scene.dynamics->lambda.data(), lambda_);
+  } else {
+    a_.setZero();
+    lambda_.setZero();
+  }
   if (scene.dlambda_dz == nullptr) return;
   for (int r = 0; r < scene.dynamics->rows(); ++r)
     for (int c = 0; c < layout_->nz(); ++c)

@@ -48,9 +48,27 @@ int Problem::term_index(int stage, const std::string& name) const {
 
 Status Problem::set_initial_state(const ConstVectorRef& x) { return impl_->set_initial_state(x); }
 
-void Problem::set_knot(int knot, int stage, double time) { impl_->set_knot(knot, stage, time); }
+namespace {
+void check_stage(const char* call, int stage, std::size_t stages) {
+  // The last one is the terminal stage, which no other knot can have.
+  if (stage < 0 || stage >= static_cast<int>(stages) - 1)
+    throw Error(std::string(call) + ": stage " + std::to_string(stage) + "; wanted 0 to " +
+                std::to_string(stages - 2));
+}
+}  // namespace
 
-void Problem::advance(int stage) { impl_->advance(stage); }
+void Problem::set_knot(int knot, int stage, double time) {
+  if (knot < 0 || knot > knots())
+    throw Error("set_knot: knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(knots()));
+  if (knot < knots()) check_stage("set_knot", stage, impl_->compiled.stages.size());
+  impl_->set_knot(knot, stage, time);
+}
+
+void Problem::advance(int stage) {
+  check_stage("advance", stage, impl_->compiled.stages.size());
+  impl_->advance(stage);
+}
 
 Status Problem::set_target(int knot, int term, const ConstVectorRef& target) {
   const ocp::CompiledTerm& compiled = impl_->stage(knot).terms.at(static_cast<std::size_t>(term));

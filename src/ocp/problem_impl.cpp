@@ -75,7 +75,7 @@ Problem::Impl::Impl(const ProblemSpec& given)
   double time = given.start_time;
   std::vector<std::string> names;
   for (const Stage& stage : given.stages) names.push_back(stage.name);
-  for (const Phase& phase : given.horizon) {
+  for (const HorizonSegment& phase : given.horizon) {
     const auto found = std::find(names.begin(), names.end(), phase.stage);
     if (found == names.end())
       throw Error("horizon: unknown stage " + in_quotes(phase.stage) +

@@ -64,4 +64,12 @@ struct Problem::Impl {
   std::vector<std::unique_ptr<ocp::Worker>> workers;
 };
 
+namespace ocp {
+/// For the checker: what a Problem holds.
+struct ProblemInside {
+  static auto& of(Problem& problem) { return *problem.impl_; }
+  static const auto& of(const Problem& problem) { return *problem.impl_; }
+};
+}  // namespace ocp
+
 }  // namespace burnish

@@ -91,17 +91,30 @@ void FramePlacementError::evaluate(const Scene<S>& scene, const S* target, S* r,
 template <class S>
 void FrameVelocityError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
   const FrameState<S>& state = scene.frames[frame];
-  frame_detail::store(frame_velocity(axes, state), r);
+  const Mat3<S> A = lift<S>(rotation);
+  const Motion<S> v = frame_velocity(axes, state);
+  frame_detail::store(Motion<S>{transpose_times(A, v.linear), transpose_times(A, v.angular)}, r);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];
   if (J == nullptr) return;
   const CompiledFrame& compiled = scene.compiled_frames[frame];
   const Kinematics<S>& kinematics = scene.dynamics->kinematics();
   const int nv = scene.layout->nv;
   const int half = static_cast<int>(compiled.support.size());
+  const int columns = 2 * half;
   frame_velocity_derivative(compiled, axes, kinematics, state, scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, 2 * half, 0);
+  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, columns, 0);
   frame_jacobian(compiled, axes, kinematics, state, scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, 2 * half, half);
+  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, columns, half);
+  if (!turned) return;
+  for (int part = 0; part < 6; part += 3)
+    for (int c = 0; c < columns; ++c) {
+      S* const entry = J + part * columns + c;
+      const Vec3<S> column{entry[0], entry[columns], entry[2 * columns]};
+      const Vec3<S> rotated = transpose_times(A, column);
+      entry[0] = rotated.x;
+      entry[columns] = rotated.y;
+      entry[2 * columns] = rotated.z;
+    }
 }
 
 }  // namespace burnish::ocp

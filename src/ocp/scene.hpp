@@ -18,6 +18,7 @@ struct Scene {
   const S* u = nullptr;             ///< nu
   const S* tau = nullptr;           ///< nv, of the actuators
   const ConstrainedDynamics<S>* dynamics = nullptr;
+  bool solved = false;                    ///< a and lambda of `dynamics` are those of this knot
   const FrameState<S>* frames = nullptr;  ///< of the stage, in its order
   const CompiledFrame* compiled_frames = nullptr;
   const Momentum<S>* momentum = nullptr;

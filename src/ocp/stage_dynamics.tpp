@@ -85,6 +85,7 @@ void StageDynamics<S>::values(const CompiledStage& stage, const S* x, const S* u
   for (std::size_t f = 0; f < stage.frames.size(); ++f)
     update_frame(stage.frames[f], dynamics_.kinematics(), frames_[f]);
   scene_.compiled_frames = stage.frames.data();
+  scene_.solved = stage.solves_contacts;
   if (stage.has_momentum)
     update_momentum(problem_->tree, dynamics_.kinematics(), scene_.v, momentum_);
   scene_.da_dz = nullptr;

@@ -2,14 +2,13 @@
 // of v, twists of floating bodies in body axes, linear part first.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "burnish/contact/contact.hpp"
 #include "burnish/model/model.hpp"
+#include "sim/mujoco_coordinates.hpp"
+#include "sim/mujoco_description.hpp"
 
 namespace burnish::test {
 
@@ -50,13 +49,7 @@ class MujocoModel {
   TiedMotion forward_tied(const Eigen::VectorXd& tau, double mu);
 
  private:
-  struct Free {
-    void operator()(mjModel* model) const { mj_deleteModel(model); }
-    void operator()(mjData* data) const { mj_deleteData(data); }
-  };
-
   int site(const std::string& frame) const;
-  void load_figures();
   void place_ties();
   void load_torque(const Eigen::VectorXd& tau);
   Eigen::VectorXd acceleration_from(const double* qacc) const;
@@ -66,10 +59,9 @@ class MujocoModel {
 
   Model model_;
   std::vector<Tie> ties_;
-  std::unique_ptr<mjModel, Free> m_;
-  std::unique_ptr<mjData, Free> d_;
-  Eigen::MatrixXd T_;           ///< v = T qvel
-  Eigen::VectorXd correction_;  ///< dT/dt qvel, so that a = T qacc + correction
+  mujoco::ModelPointer m_;
+  mujoco::DataPointer d_;
+  mujoco::Coordinates coordinates_;
 };
 
 }  // namespace burnish::test

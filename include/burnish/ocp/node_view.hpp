@@ -36,7 +36,8 @@ class NodeView {
   virtual VectorView u() const = 0;  ///< nu, zero at the end of the horizon
   /// nv: what the actuators apply, Nm (N).
   virtual VectorView tau() const = 0;
-  virtual VectorView acceleration() const = 0;  ///< nv, rad/s^2 (m/s^2)
+  /// nv, rad/s^2 (m/s^2); zero where nothing solves for it (impacts, the end of the horizon).
+  virtual VectorView acceleration() const = 0;
 
   virtual Eigen::Isometry3d placement(int frame) const = 0;
   virtual Vector6 velocity(int frame, FrameAxes axes) const = 0;

@@ -55,9 +55,11 @@ BURNISH_INLINE PenaltyValue<S> evaluate_penalty(Penalty::Kind kind, double lower
     case Penalty::Kind::Square:
       return {S(0.5) * r * r, r, S(1.0)};
     case Penalty::Kind::Barrier: {
-      // An infinite limit is never crossed: the comparison is false and the excess zero.
+      // An infinite limit is never crossed: the comparison is false and the excess zero. A NaN
+      // crosses none either, and stays a NaN.
       const auto below = less(r, S(lower)), above = less(S(upper), r);
-      const S excess = select(below, S(r - S(lower)), select(above, S(r - S(upper)), S(0.0)));
+      const S excess =
+          select(below, S(r - S(lower)), select(above, S(r - S(upper)), S(r * S(0.0))));
       const S outside = select(mask_or(below, above), S(1.0), S(0.0));
       return {S(0.5) * excess * excess, excess, outside};
     }
@@ -69,7 +71,7 @@ BURNISH_INLINE PenaltyValue<S> evaluate_penalty(Penalty::Kind kind, double lower
     case Penalty::Kind::LogBarrier:
       break;
   }
-  PenaltyValue<S> sum{S(0.0), S(0.0), S(0.0)};
+  PenaltyValue<S> sum{S(r * S(0.0)), S(0.0), S(0.0)};
   const auto add = [&](double limit, double sign) {
     if (!(limit > -1e300 && limit < 1e300)) return;
     const S s = (r - S(limit)) * S(sign / width);  // distance in widths

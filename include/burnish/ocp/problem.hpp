@@ -11,6 +11,9 @@
 #include "burnish/ocp/shooting_problem.hpp"
 
 namespace burnish {
+namespace ocp {
+struct ProblemInside;
+}
 
 /// Knots of one stage that follow each other are evaluated as packs, one knot per lane.
 ///
@@ -38,14 +41,13 @@ class Problem final : public ShootingProblem {
   int term_index(int stage, const std::string& name) const;
 
   /// nx entries. Returns WrongSize, NotFinite, NotNormalized or Ok; a state that is refused changes
-  /// nothing.
+  /// nothing. Targets that are the specification's initial state stay that.
   Status set_initial_state(const ConstVectorRef& x);
-  /// Gives a knot another stage and time; signals are asked for their values there. Stage and
-  /// knot in range; the terminal knot keeps its stage. Call update_times() style helpers below for
-  /// whole horizons.
+  /// Gives a knot another stage and time; signals are asked for their values there. The terminal
+  /// knot keeps its stage. Throws Error for a knot or stage that there is not.
   void set_knot(int knot, int stage, double time);
   /// Drops knot 0, moves the others one forward and appends one of this stage at the time after the
-  /// last one; the terminal knot follows.
+  /// last one; the terminal knot follows. Throws Error for a stage that there is not.
   void advance(int stage);
   /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
   /// the residual says. Returns WrongSize or Ok.
@@ -99,6 +101,7 @@ class Problem final : public ShootingProblem {
   std::string knot_name(int knot) const override;
 
  private:
+  friend struct ocp::ProblemInside;  // the checker reads what was compiled
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

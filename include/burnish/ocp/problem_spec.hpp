@@ -42,7 +42,7 @@ struct TorqueModel {
 };
 
 /// Which joints are driven.
-struct Actuation {
+struct ActuationSpec {
   /// Empty: every joint but a free-flying base.
   std::vector<std::string> joints = {};
   /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it.
@@ -63,7 +63,7 @@ struct Stage {
 };
 
 /// Consecutive knots of one stage.
-struct Phase {
+struct HorizonSegment {
   std::string stage = {};
   int knots = 1;
 };
@@ -72,12 +72,12 @@ struct ProblemSpec {
   Model model;
   std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose
   ContactSolver contact_solver = {};
-  Actuation actuation = {};
+  ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
   /// nu entries or one for all, Nm (N); empty: none.
   Eigen::VectorXd control_lower = {}, control_upper = {};
   std::vector<Stage> stages = {};
-  std::vector<Phase> horizon = {};
+  std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< costs of the last state
   Eigen::VectorXd initial_state = {};   ///< (q, v), or (q, v, tau) with a torque model
   double start_time = 0.0;              ///< s, of the first knot

@@ -74,6 +74,8 @@ struct FrameVelocity {
   std::string frame = {};
   FrameAxes axes = FrameAxes::Centered;
   Signal target = {};
+  /// Columns: the axes that both parts are written in, seen in `axes`; such as those of a surface.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
 /// Force of an active contact minus the target: the held rows in the contact's own reference, or

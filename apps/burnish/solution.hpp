@@ -1,0 +1,40 @@
+// A solved problem as a record of named columns, as JSON, and as plots.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/files/problem_file.hpp"
+#include "burnish/solver/ddp.hpp"
+
+namespace burnish::app {
+
+/// What the costs of a problem follow, for plots.
+struct Followed {
+  std::vector<std::string> frames;  ///< with a target position
+  std::vector<std::string> forces;  ///< rows such as "table_force_z_centered", of all contacts
+};
+Followed followed(const ProblemSpec& spec);
+
+/// One row per state: time, stage, q, v, tau, u, forces of each contact in its own reference with
+/// their targets, positions of frames with theirs. NaN where there is none.
+Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& us);
+
+/// Feedforward and gains of each knot with the names of rows and columns, and the state and control
+/// that they are about: u = u_k + feedforward + gain (x (-) x_k). Where the solver did not
+/// converge, its last policy belongs to an earlier trajectory, and a policy of this one is made.
+nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
+
+nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
+                                    const DdpSolver& solver);
+
+/// states.svg, torques.svg, cost.svg, and where there is something in them forces.svg and path.svg.
+/// Returns the names of the files.
+std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
+                                     const DdpSummary& summary,
+                                     const std::filesystem::path& folder);
+
+}  // namespace burnish::app

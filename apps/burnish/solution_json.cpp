@@ -1,0 +1,125 @@
+#include <cmath>
+#include <limits>
+
+#include "json_text.hpp"
+#include "solution.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string word(StopReason reason) {
+  switch (reason) {
+    case StopReason::Converged:
+      return "converged";
+    case StopReason::MaxIterations:
+      return "max_iterations";
+    case StopReason::TimeBudget:
+      return "time_budget";
+    case StopReason::NotEvaluated:
+      return "not_evaluated";
+    case StopReason::NotPositiveDefinite:
+      return "not_positive_definite";
+    case StopReason::NoStep:
+      return "no_step";
+    case StopReason::Callback:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+Json knots_json(const Problem& problem, const DdpSolver& policy, const MatrixView& xs,
+                const MatrixView& us) {
+  Json knots = Json::array();
+  for (int k = 0; k < problem.knots(); ++k) {
+    const int nu = problem.controls(k);
+    const VectorView feedforward = policy.feedforward(k);
+    knots.push_back({{"knot", k},
+                     {"name", problem.knot_name(k)},
+                     {"time", problem.time_of(k)},
+                     {"x", numbers_json(xs.row(k).transpose())},
+                     {"u", numbers_json(us.row(k).head(nu).transpose())},
+                     {"feedforward", numbers_json(feedforward)},
+                     {"gain", matrix_json(policy.gain(k))}});
+  }
+  return knots;
+}
+
+}  // namespace
+
+Json gains_json(Problem& problem, DdpSolver& solver) {
+  const RowMatrix xs = solver.xs(), us = solver.us();
+  std::vector<std::string> x_names;
+  const StateLayout& layout = problem.layout();
+  for (int i = 0; i < layout.nq; ++i) x_names.push_back("q " + problem.model().q_name(i));
+  for (int i = 0; i < layout.nv; ++i) x_names.push_back("v " + problem.model().v_name(i));
+  for (int i = 0; i < layout.filtered; ++i)
+    x_names.push_back("tau " +
+                      problem.model().v_name(layout.actuated[static_cast<std::size_t>(i)]));
+  Json json{{"policy", "u = u_k + feedforward + gain * (x (-) x_k)"},
+            {"rows", problem.control_names()},
+            {"columns", problem.state_names()},
+            {"x_names", x_names},
+            {"row_units", "Nm (N)"},
+            {"column_units", "q: rad (m), v: rad/s (m/s), tau: Nm (N)"}};
+  const MatrixView x_view(xs.data(), xs.rows(), xs.cols()), u_view(us.data(), us.rows(), us.cols());
+  const StopReason reason = solver.summary().reason;
+  if (reason == StopReason::Converged) {
+    json["knots"] = knots_json(problem, solver, x_view, u_view);
+    return json;
+  }
+  // One direction from here; where it leads to is not used.
+  DdpOptions options = solver.options();
+  options.max_iterations = 1;
+  options.time_budget = std::numeric_limits<double>::infinity();
+  options.callback = {};
+  DdpSolver once(problem, options);
+  once.set_guess(xs, us);
+  const StopReason policy = once.solve().reason;
+  const bool made = policy != StopReason::NotEvaluated && policy != StopReason::NotPositiveDefinite;
+  json["knots"] = made ? knots_json(problem, once, x_view, u_view) : Json::array();
+  return json;
+}
+
+Json summary_json(const std::string& file, Problem& problem, const DdpSolver& solver) {
+  const DdpSummary& s = solver.summary();
+  const CostReport report = solver.cost_report();
+  Json terms = Json::object();
+  for (const CostReport::Entry& term : report.terms) terms[term.name] = number_json(term.cost);
+  Json log = Json::array();
+  for (const DdpProgress& p : s.log)
+    log.push_back({{"iteration", p.iteration},
+                   {"cost", number_json(p.cost)},
+                   {"expected_improvement", number_json(p.expected_improvement)},
+                   {"largest_gap", number_json(p.largest_gap)},
+                   {"step_length", p.step_length},
+                   {"regularization", p.regularization},
+                   {"seconds", p.seconds}});
+  return {{"problem", file},
+          {"robot", problem.model().name},
+          {"knots", problem.knots()},
+          {"stages", problem.stage_names()},
+          {"reason", word(s.reason)},
+          {"sentence", solver.text()},
+          {"converged", s.reason == StopReason::Converged},
+          {"iterations", s.iterations},
+          {"cost", number_json(s.cost)},
+          {"feasible", s.feasible},
+          {"largest_gap", number_json(s.largest_gap)},
+          {"expected_improvement", number_json(s.expected_improvement)},
+          {"stop_tolerance", s.options.stop_tolerance},
+          {"gap_tolerance", s.options.gap_tolerance},
+          {"threads", s.options.threads},
+          {"seconds",
+           {{"total", s.seconds.total},
+            {"expand", s.seconds.expand},
+            {"backward", s.seconds.backward},
+            {"trial", s.seconds.trial}}},
+          {"cost_by_term", terms},
+          {"log", log}};
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/report/svg_plot.hpp"
+#include "solution.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* time_axis = "time [s]";
+
+Curve curve(const Trace& trace, const std::string& column, const std::string& name) {
+  return {.name = name, .x = trace.column("time"), .y = trace.column(column)};
+}
+
+bool has_values(const Eigen::VectorXd& values) {
+  return std::any_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Columns that begin with `prefix`, at most seven to a panel, as many as a palette tells apart.
+std::vector<Panel> grouped(const Trace& trace, const std::string& prefix, const std::string& unit,
+                           const std::string& title, const std::string& label) {
+  constexpr std::size_t most = 7;
+  std::vector<std::string> columns;
+  for (const TraceColumn& column : trace.columns())
+    if (column.name.rfind(prefix, 0) == 0 && column.unit == unit) columns.push_back(column.name);
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i % most == 0)
+      panels.push_back({.title = i == 0 ? title : "", .x_label = time_axis, .y_label = label});
+    panels.back().curves.push_back(curve(trace, columns[i], columns[i].substr(prefix.size())));
+  }
+  return panels;
+}
+
+PlotSpec states(const Trace& trace) {
+  PlotSpec plot{.title = "States"};
+  const auto add = [&](const char* prefix, const char* unit, const char* title) {
+    for (Panel& panel : grouped(trace, prefix, unit, title, fmt::format("[{}]", unit)))
+      plot.panels.push_back(std::move(panel));
+  };
+  add("q_", "m", "position");
+  add("q_", "rad", "joint angle");
+  add("q_", "-", "cosine and sine, or quaternion");
+  add("v_", "m/s", "velocity");
+  add("v_", "rad/s", "angular velocity");
+  return plot;
+}
+
+/// One panel per joint; limits are drawn where the torque comes near them.
+PlotSpec torques(const Problem& problem, const Trace& trace) {
+  PlotSpec plot{.title = "Torques (dashed: control, where it differs)", .columns = 2};
+  plot.panel_width = 460;
+  plot.panel_height = 190;
+  const Model& model = problem.model();
+  for (const int k : problem.layout().actuated) {
+    const std::string name = model.v_name(k);
+    const TraceColumn& column =
+        trace.columns()[static_cast<std::size_t>(trace.index("tau_" + name))];
+    Panel panel{.x_label = time_axis, .y_label = fmt::format("[{}]", column.unit)};
+    panel.curves.push_back(curve(trace, "tau_" + name, ""));
+    double largest = 0.0;
+    for (const double tau : panel.curves[0].y)
+      if (std::isfinite(tau)) largest = std::max(largest, std::abs(tau));
+    if (problem.layout().filtered > 0) {
+      panel.curves.push_back(curve(trace, "u_" + name, ""));
+      panel.curves.back().dashed = true;
+    }
+    const double limit = model.effort_limit[k];
+    panel.title = name;
+    if (std::isfinite(limit) && limit > 0.0) {
+      panel.title +=
+          fmt::format(": at most {:.0f} % of {:g} {}", 100.0 * largest / limit, limit, column.unit);
+      for (const double side : {-limit, limit})
+        if (largest > 0.5 * limit)
+          panel.curves.push_back({.x = panel.curves[0].x,
+                                  .y = Eigen::VectorXd::Constant(panel.curves[0].x.size(), side),
+                                  .color = 6,
+                                  .dashed = true});
+    }
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
+PlotSpec forces(const Problem& problem, const Trace& trace) {
+  PlotSpec plot{.title = "Contact forces on the robot (dashed: targets)"};
+  const Followed wanted = followed(problem.spec());
+  for (const ContactSpec& contact : problem.spec().contacts) {
+    const std::string name = contact.name.empty() ? contact.tool : contact.name;
+    for (const bool moment : {false, true}) {
+      const std::string prefix = name + (moment ? "_moment_" : "_force_");
+      Panel panel{.title = fmt::format("{}, {} axes", name, contact.reference.name()),
+                  .x_label = time_axis,
+                  .y_label = moment ? "moment [Nm]" : "force [N]"};
+      int color = 0;
+      for (const std::string& column : wanted.forces) {
+        if (column.rfind(prefix, 0) != 0) continue;
+        panel.curves.push_back(curve(trace, column, column.substr(prefix.size(), 1)));
+        panel.curves.back().color = color;
+        Curve target = curve(trace, column + "_target", "");
+        target.color = color++;
+        target.dashed = true;
+        if (has_values(target.y)) panel.curves.push_back(std::move(target));
+      }
+      if (!panel.curves.empty()) plot.panels.push_back(std::move(panel));
+    }
+  }
+  return plot;
+}
+
+PlotSpec paths(const Problem& problem, const Trace& trace) {
+  PlotSpec plot{.title = "Paths of frames, world (dashed: targets)", .columns = 2};
+  plot.panel_width = 460;
+  plot.panel_height = 340;
+  for (const std::string& frame : followed(problem.spec()).frames) {
+    const auto column = [&](char axis, const char* more) {
+      return fmt::format("{}_{}_world{}", frame, axis, more);
+    };
+    for (const auto& [a, b] : {std::pair{'x', 'y'}, {'x', 'z'}}) {
+      Panel panel{.title = fmt::format("{}, {} and {}", frame, a, b),
+                  .x_label = fmt::format("{} [m]", a),
+                  .y_label = fmt::format("{} [m]", b),
+                  .equal_aspect = true};
+      for (const char* more : {"", "_target"})
+        panel.curves.push_back({.x = trace.column(column(a, more)),
+                                .y = trace.column(column(b, more)),
+                                .dashed = *more != '\0'});
+      plot.panels.push_back(std::move(panel));
+    }
+    Panel over_time{.title = frame, .x_label = time_axis, .y_label = "position [m]"};
+    Panel error{
+        .title = frame + ", distance from the target", .x_label = time_axis, .y_label = "[mm]"};
+    Eigen::VectorXd squared = Eigen::VectorXd::Zero(trace.rows());
+    int color = 0;
+    for (const char axis : {'x', 'y', 'z'}) {
+      over_time.curves.push_back(curve(trace, column(axis, ""), std::string(1, axis)));
+      over_time.curves.back().color = color;
+      over_time.curves.push_back(curve(trace, column(axis, "_target"), ""));
+      over_time.curves.back().color = color++;
+      over_time.curves.back().dashed = true;
+      squared +=
+          (trace.column(column(axis, "")) - trace.column(column(axis, "_target"))).cwiseAbs2();
+    }
+    error.curves.push_back({.x = trace.column("time"), .y = 1e3 * squared.cwiseSqrt()});
+    plot.panels.push_back(std::move(over_time));
+    plot.panels.push_back(std::move(error));
+  }
+  return plot;
+}
+
+PlotSpec costs(const DdpSummary& summary) {
+  PlotSpec plot{.title = "Iterations"};
+  Curve cost, expected, gap;
+  const auto size = static_cast<Eigen::Index>(summary.log.size());
+  for (Curve* each : {&cost, &expected, &gap}) {
+    each->x = Eigen::VectorXd::LinSpaced(size, 1.0, static_cast<double>(size));
+    each->y.resize(size);
+  }
+  bool positive = true;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const DdpProgress& at = summary.log[static_cast<std::size_t>(i)];
+    cost.y[i] = at.cost;
+    expected.y[i] = at.expected_improvement;
+    gap.y[i] = at.largest_gap;
+    positive = positive && at.cost > 0.0;
+  }
+  const auto panel = [&](const char* title, const Curve& line, bool log) {
+    plot.panels.push_back({.title = title, .x_label = "iteration", .curves = {line}, .log_y = log});
+  };
+  panel("cost", cost, positive);
+  panel("expected improvement of the cost", expected, true);
+  panel("largest gap", gap, true);
+  return plot;
+}
+
+}  // namespace
+
+std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
+                                     const DdpSummary& summary, const fs::path& folder) {
+  std::vector<std::string> names;
+  const auto write = [&](const char* name, const PlotSpec& plot) {
+    if (plot.panels.empty()) return;
+    write_svg_plot(plot, folder / name);
+    names.emplace_back(name);
+  };
+  write("states.svg", states(trace));
+  write("torques.svg", torques(problem, trace));
+  write("forces.svg", forces(problem, trace));
+  write("path.svg", paths(problem, trace));
+  write("cost.svg", costs(summary));
+  return names;
+}
+
+}  // namespace burnish::app

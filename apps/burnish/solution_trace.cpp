@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "burnish/dynamics/placement.hpp"
+#include "solution.hpp"
+
+namespace burnish::app {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::string contact_name(const ContactSpec& contact) {
+  return contact.name.empty() ? contact.tool : contact.name;
+}
+
+std::vector<int> held(const ContactSpec& contact) {
+  std::vector<int> directions;
+  for (int d = 0; d < 6; ++d)
+    if (contact.directions.has(d)) directions.push_back(d);
+  return directions;
+}
+
+/// "table_force_z_centered", "foot_moment_x_local".
+std::string force_column(const ContactSpec& contact, int direction) {
+  const char axis = "xyz"[direction % 3];
+  return contact_name(contact) + (direction < 3 ? "_force_" : "_moment_") + axis + "_" +
+         contact.reference.name();
+}
+
+bool slides(const Joint& joint) { return joint.kind == JointKind::Prismatic; }
+
+void add_state_columns(const Problem& problem, std::vector<TraceColumn>& columns) {
+  const Model& model = problem.model();
+  const StateLayout& layout = problem.layout();
+  for (const Joint& joint : model.joints)
+    for (int i = 0; i < joint.nq; ++i) {
+      const bool plain = joint.kind == JointKind::Revolute || slides(joint);
+      const bool metres = slides(joint) || (joint.kind == JointKind::FreeFlyer && i < 3) ||
+                          (joint.kind == JointKind::Planar && i < 2);
+      columns.push_back({"q_" + model.q_name(joint.q_index + i), metres  ? "m"
+                                                                 : plain ? "rad"
+                                                                         : "-"});
+    }
+  const auto per_entry = [&](const std::string& prefix, int k, const char* linear,
+                             const char* angular) {
+    const Joint& joint =
+        model.joints[static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(k)])];
+    const int entry = k - joint.v_index;
+    const bool is_linear = slides(joint) || (joint.kind == JointKind::FreeFlyer && entry < 3) ||
+                           (joint.kind == JointKind::Planar && entry < 2);
+    columns.push_back({prefix + model.v_name(k), is_linear ? linear : angular});
+  };
+  for (int k = 0; k < model.nv; ++k) per_entry("v_", k, "m/s", "rad/s");
+  for (const int k : layout.actuated) per_entry("tau_", k, "N", "Nm");
+  for (const int k : layout.actuated) per_entry("u_", k, "N", "Nm");
+}
+
+std::vector<TraceColumn> columns_of(const Problem& problem) {
+  std::vector<TraceColumn> columns{{"time", "s"}, {"stage", "-"}};
+  add_state_columns(problem, columns);
+  for (const ContactSpec& contact : problem.spec().contacts)
+    for (const int d : held(contact)) {
+      const char* unit = d < 3 ? "N" : "Nm";
+      columns.push_back({force_column(contact, d), unit});
+      columns.push_back({force_column(contact, d) + "_target", unit});
+    }
+  for (const std::string& frame : followed(problem.spec()).frames)
+    for (const char* what : {"", "_target"})
+      for (const char axis : {'x', 'y', 'z'})
+        columns.push_back({frame + "_" + axis + "_world" + what, "m"});
+  return columns;
+}
+
+/// Fills one row of a trace.
+struct RowWriter {
+  Problem& problem;
+  Trace& trace;
+  int knot;
+  Eigen::VectorXd x, u;
+  double* row;
+
+  double& at(const std::string& column) { return row[trace.index(column)]; }
+  const std::vector<CostTerm>& terms() const {
+    const auto stage = static_cast<std::size_t>(problem.stage_of(knot));
+    const ProblemSpec& spec = problem.spec();
+    return stage < spec.stages.size() ? spec.stages[stage].costs : spec.terminal;
+  }
+  static Eigen::VectorXd value(const Signal& signal, int rows, double time) {
+    if (signal.empty()) return Eigen::VectorXd::Zero(rows);
+    Eigen::VectorXd result(signal.size());
+    signal.at(time, result);
+    return result.size() == 1 ? Eigen::VectorXd::Constant(rows, result[0]) : result;
+  }
+
+  void state() {
+    const StateLayout& layout = problem.layout();
+    const bool last = knot == problem.knots();
+    row[0] = problem.time_of(knot);
+    row[1] = problem.stage_of(knot);
+    int column = 2;
+    for (int i = 0; i < layout.nq + layout.nv; ++i) row[column++] = x[i];
+    for (int i = 0; i < layout.nu; ++i)
+      row[column++] = layout.filtered > 0 ? x[layout.nq + layout.nv + i] : last ? nothing : u[i];
+    for (int i = 0; i < layout.nu; ++i) row[column++] = last ? nothing : u[i];
+  }
+
+  void forces() {
+    const std::vector<std::string> names = problem.force_names(knot);
+    const Eigen::VectorXd forces = problem.forces(knot, x, u);
+    std::map<std::string, double> by_name;
+    for (Eigen::Index i = 0; i < forces.size(); ++i)
+      by_name[names[static_cast<std::size_t>(i)]] = forces[i];
+    const bool known = knot < problem.knots() || forces.size() > 0;
+    for (const ContactSpec& contact : problem.spec().contacts)
+      for (const int d : held(contact)) {
+        const std::string name =
+            contact_name(contact) + "/" + std::string(direction_names[static_cast<std::size_t>(d)]);
+        const auto found = by_name.find(name);
+        // A contact that is open has no force; at the end forces are not known.
+        at(force_column(contact, d)) = found != by_name.end() ? found->second
+                                       : known                ? 0.0
+                                                              : nothing;
+        at(force_column(contact, d) + "_target") = nothing;
+      }
+    for (const CostTerm& term : terms()) {
+      const auto* wanted = std::get_if<residual::ContactForce>(&term.residual);
+      if (wanted == nullptr || wanted->reference || term.weight == 0.0) continue;
+      for (const ContactSpec& contact : problem.spec().contacts) {
+        if (contact_name(contact) != wanted->contact) continue;
+        const Eigen::VectorXd target = value(wanted->target, contact.directions.count(), row[0]);
+        int i = 0;
+        for (const int d : held(contact)) at(force_column(contact, d) + "_target") = target[i++];
+      }
+    }
+  }
+
+  void frames() {
+    const Model& model = problem.model();
+    for (const std::string& frame : followed(problem.spec()).frames) {
+      const Eigen::Vector3d p = frame_placement(model, x.head(model.nq), frame).translation();
+      Eigen::Vector3d target = Eigen::Vector3d::Constant(nothing);
+      for (const CostTerm& term : terms()) {
+        if (const auto* r = std::get_if<residual::FramePosition>(&term.residual))
+          if (r->frame == frame) target = value(r->target, 3, row[0]);
+        if (const auto* r = std::get_if<residual::FramePlacement>(&term.residual))
+          if (r->frame == frame) target = value(r->target, 7, row[0]).head(3);
+      }
+      for (int i = 0; i < 3; ++i) {
+        const std::string column = frame + "_" + "xyz"[i] + "_world";
+        at(column) = p[i];
+        at(column + "_target") = target[i];
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Followed followed(const ProblemSpec& spec) {
+  Followed result;
+  const auto add = [&](const std::string& frame) {
+    if (std::find(result.frames.begin(), result.frames.end(), frame) == result.frames.end())
+      result.frames.push_back(frame);
+  };
+  const auto look = [&](const std::vector<CostTerm>& terms) {
+    for (const CostTerm& term : terms) {
+      if (const auto* r = std::get_if<residual::FramePosition>(&term.residual)) add(r->frame);
+      if (const auto* r = std::get_if<residual::FramePlacement>(&term.residual)) add(r->frame);
+    }
+  };
+  for (const Stage& stage : spec.stages) look(stage.costs);
+  look(spec.terminal);
+  for (const ContactSpec& contact : spec.contacts)
+    for (const int d : held(contact)) result.forces.push_back(force_column(contact, d));
+  return result;
+}
+
+Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& us) {
+  const int knots = problem.knots();
+  Trace trace(columns_of(problem), knots + 1);
+  for (int k = 0; k <= knots; ++k) {
+    const int nu = problem.controls(k);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.max_controls());
+    if (nu > 0) u.head(nu) = us.row(k).head(nu).transpose();
+    RowWriter writer{problem, trace, k, xs.row(k).transpose(), u, trace.add_row()};
+    writer.state();
+    writer.forces();
+    writer.frames();
+  }
+  return trace;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,46 @@
+// An optimal control problem in a YAML file: what docs/optimal_control.md describes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "burnish/model/robot.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "burnish/solver/options.hpp"
+
+namespace burnish {
+
+/// Where the solver starts from.
+struct WarmStart {
+  enum class Kind {
+    Hold,   ///< the initial state at every knot, with the controls that hold it in the knot's stage
+    Still,  ///< the initial state at every knot, zero controls
+    File,   ///< a trajectory.csv of an earlier solve
+  };
+  Kind kind = Kind::Hold;
+  std::filesystem::path file = {};  ///< File: where it is
+};
+
+/// What a problem file says.
+struct ProblemFile {
+  std::string description = {};
+  Robot robot;
+  ProblemSpec spec;  ///< compiles: it has been tried
+  DdpOptions solver = {};
+  WarmStart guess = {};
+};
+
+/// Reads a problem file. Relative names in it are looked up in its folder. Throws Error with one
+/// sentence that names the file, the line, the keys that lead to the place, and what was wanted.
+ProblemFile read_problem_file(const std::filesystem::path& file);
+
+/// States (N + 1 rows of nx) and controls (N rows of max_controls) to start from.
+struct TrajectoryGuess {
+  RowMatrix xs, us;
+};
+
+/// Throws Error where a file cannot be read, has not the problem's columns, or not its number of
+/// knots.
+TrajectoryGuess make_guess(const Problem& problem, const WarmStart& start);
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+// What a controller is to the simulation: measurements in, a torque out.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "burnish/base/status.hpp"
+#include "burnish/base/views.hpp"
+
+namespace burnish {
+
+/// What the sensors say at a tick.
+struct Measurement {
+  double time = 0.0;    ///< s
+  Eigen::VectorXd q;    ///< nq
+  Eigen::VectorXd v;    ///< nv
+  Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
+  /// Of the force sensor: the surface's force on the tool, N, world axes.
+  Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
+};
+
+/// Where a polishing task stands.
+enum class Phase { Reach, Approach, Ramp, Track, Retreat };
+
+/// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at
+/// and how it fares, for the record.
+struct Command {
+  Eigen::VectorXd tau;  ///< nv, Nm or N; zero for a floating base
+  Phase phase = Phase::Reach;
+  double target_force = 0.0;  ///< N, how hard the surface shall push back along its normal
+  Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();  ///< m, of the tip frame's origin
+  /// What the controller believes the surface's force on the tool to be, N, world axes.
+  Eigen::Vector3d force_estimate_world = Eigen::Vector3d::Zero();
+  Status status = Status::Ok;
+  double solve_time = 0.0;       ///< s of wall clock, where an optimal control problem was solved
+  int iterations = 0;            ///< of its solver
+  bool missed_deadline = false;  ///< its solution came later than it was due
+};
+
+/// Runs at a fixed period. Ticks allocate nothing and throw nothing.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  virtual int nv() const = 0;
+  /// Forgets all ticks before.
+  virtual void reset() noexcept = 0;
+  /// The command that follows a measurement, at once; valid until the next call. Numerical trouble
+  /// shows in its status, and its torque is then one that can be applied.
+  virtual const Command& tick(const Measurement& measurement) noexcept = 0;
+
+ protected:
+  Controller() = default;
+  Controller(const Controller&) = default;
+  Controller& operator=(const Controller&) = default;
+};
+
+}  // namespace burnish

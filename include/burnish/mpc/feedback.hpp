@@ -1,0 +1,52 @@
+// The plan of a solve as a controller between two solves: a policy along the horizon.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "burnish/base/views.hpp"
+#include "burnish/ocp/shooting_problem.hpp"
+
+namespace burnish {
+
+class DdpSolver;
+
+/// u = feedforward + gain (x (-) state): the triple that linear feedback controllers of
+/// ros2_control take.
+struct LinearFeedback {
+  Eigen::VectorXd feedforward;  ///< nu, Nm (N)
+  Eigen::MatrixXd gain;   ///< nu x ndx: by position, velocity and, with a torque model, torque
+  Eigen::VectorXd state;  ///< nx, (q, v) or (q, v, tau)
+};
+
+/// A copy of the first knots of a solution. Allocates when made, never afterwards.
+class FeedbackPlan {
+ public:
+  /// Room for `knots` knots of the problem's horizon; step: s between them.
+  FeedbackPlan(const ShootingProblem& problem, int knots, double step);
+
+  /// Copies the solver's trajectory and gains, to hold from `time` on.
+  void load(const DdpSolver& solver, double time) noexcept;
+  bool empty() const { return !loaded_; }
+  double start() const { return start_; }  ///< s
+
+  /// The policy at a time: the controls and gains of the knot that it falls into, about a state
+  /// between that knot's and the next one's. `out` has its sizes from make_feedback().
+  void at(double time, LinearFeedback& out) const noexcept;
+  LinearFeedback make_feedback() const;
+  /// feedforward + gain (x (-) state).
+  void control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
+               Eigen::VectorXd& u) const noexcept;
+
+ private:
+  const ShootingProblem* problem_;
+  int knots_;
+  double step_, start_ = 0.0;
+  bool loaded_ = false;
+  RowMatrix x_, u_;
+  std::vector<Eigen::MatrixXd> gain_;
+  mutable Eigen::VectorXd dx_;
+};
+
+}  // namespace burnish

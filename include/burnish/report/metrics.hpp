@@ -1,0 +1,78 @@
+// How well a run polished, from its trace: the measures by which controllers are compared.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+struct MetricsSpec {
+  double start = 0.0;                                    ///< s, of the window
+  double end = std::numeric_limits<double>::infinity();  ///< s, of the window
+  /// Of the surface as it is, towards the robot; any length but zero. The force is measured along
+  /// it, the position across it.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  double average = 0.010;  ///< s, of the moving average of the force, centred; 0: none
+};
+
+/// Over the control ticks of the window that solved something.
+struct SolverFigures {
+  int ticks = 0;
+  double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< s
+  double mean_iterations = 0.0;
+  int missed_deadlines = 0;
+};
+
+/// All of the window unless it says otherwise, on true forces and positions, SI units.
+struct Metrics {
+  double start = 0.0, end = 0.0;  ///< s, of the rows found
+  int rows = 0;
+
+  double force_mean = 0.0;  ///< N, along the normal
+  // Error of the averaged force against the target.
+  double force_mae = 0.0;   ///< N
+  double force_rmse = 0.0;  ///< N
+  double force_peak = 0.0;  ///< N, largest absolute
+  // The same of the force in every row.
+  double force_rmse_raw = 0.0;        ///< N
+  double force_peak_raw = 0.0;        ///< N
+  double estimate_rmse = 0.0;         ///< N, of what the controller believes, along the normal
+  double without_contact = 0.0;       ///< share of rows
+  std::optional<double> impact_peak;  ///< N, in the 50 ms from the first contact of the run on
+  std::optional<double> overshoot;    ///< N, averaged force above the target, from the end of the
+                                      ///< ramp to the window's start; at least 0
+
+  double position_mean = 0.0;      ///< m, distance to the target across the normal
+  double position_rmse = 0.0;      ///< m
+  double position_p95 = 0.0;       ///< m
+  double orientation_drift = 0.0;  ///< rad, largest rotation since the window's start
+
+  double joint_margin = 0.0;   ///< rad (m), smallest distance to a position limit
+  std::string tightest_joint;  ///< whose it is; empty without limits
+  double torque_margin = 1.0;  ///< part of a joint's effort limit that was never used, smallest
+  std::string tightest_torque;
+  double limited_torque = 0.0;  ///< share of rows with a joint at its effort limit
+
+  std::optional<SolverFigures> solver;  ///< where a controller reports solve times
+};
+
+/// From a trace of ClosedLoop. Throws Error for a missing column, a zero normal, and a window
+/// without rows.
+Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec = {});
+
+struct NamedMetrics {
+  std::string name;
+  Metrics metrics;
+};
+
+/// One line per run under a line of names and one of units, in columns: N, mm, degrees, ms, %.
+std::string metrics_table(const std::vector<NamedMetrics>& runs);
+/// All figures of one run, one per line: name, value, unit, what it means.
+std::string metrics_text(const Metrics& metrics);
+
+}  // namespace burnish

@@ -1,0 +1,57 @@
+// What happens to a torque between the controller and the joint.
+#pragma once
+
+#include <vector>
+
+#include "burnish/base/views.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/random.hpp"
+
+namespace burnish {
+
+/// One plant step of the actuation: the torque after each part, nv each, Nm or N.
+struct ActuationStep {
+  Eigen::VectorXd command;  ///< as it came
+  Eigen::VectorXd delayed;
+  Eigen::VectorXd tracked;  ///< behind the first-order lag
+  Eigen::VectorXd noise;    ///< added to what follows scale and bias
+  Eigen::VectorXd applied;  ///< to the plant: scaled, biased, noisy, within the limits
+  int limited = 0;          ///< joints at their effort limit
+  bool held = false;        ///< the command was not finite: the one before it was taken
+};
+
+/// The chain delay, lag, scale and bias (or torque loop), noise, limits. Called once per plant
+/// step; allocates nothing after construction and throws nothing.
+class Actuation {
+ public:
+  /// dt: the plant's step, s. Throws Error as check_disturbances() does.
+  Actuation(const Model& model, const Disturbances& disturbances, double dt);
+
+  /// Back to the start, with the same random numbers to come. The lag starts at zero torque, and
+  /// so does the delay unless `tau` (nv) says what was applied before.
+  void reset() noexcept;
+  void reset(const ConstVectorRef& tau) noexcept;
+
+  /// The torque for the plant's next step; `command` has nv entries. It is step().applied.
+  const Eigen::VectorXd& apply(const ConstVectorRef& command) noexcept;
+
+  const ActuationStep& step() const { return step_; }
+  const Eigen::VectorXd& scale() const { return scale_; }  ///< nv, as drawn or given
+  const Eigen::VectorXd& bias() const { return bias_; }    ///< nv, as drawn or given
+  int delay_steps() const { return delay_steps_; }
+
+ private:
+  void delay() noexcept;
+  void distort() noexcept;
+
+  Disturbances disturbances_;
+  std::vector<char> motor_;  ///< nv: whether the entry has one
+  Eigen::VectorXd limit_, scale_, bias_, at_rest_;
+  Eigen::MatrixXd queue_;  ///< nv x delay_steps, a ring
+  int delay_steps_ = 0, next_ = 0;
+  double tracking_ = 1.0;  ///< part of the distance to the command that the lag covers in a step
+  RandomStream noise_, sensor_noise_;
+  ActuationStep step_;
+};
+
+}  // namespace burnish

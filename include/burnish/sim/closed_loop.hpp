@@ -1,0 +1,65 @@
+// A controller and a plant, with the disturbances between them, and the record of their run.
+#pragma once
+
+#include <memory>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/sim/actuation.hpp"
+#include "burnish/sim/controller.hpp"
+#include "burnish/sim/plant.hpp"
+#include "burnish/sim/sensing.hpp"
+
+namespace burnish {
+
+struct ClosedLoopOptions {
+  double control_period = 1e-3;  ///< s, a multiple of the plant's step
+  double max_duration = 20.0;    ///< s that the trace has room for
+  int record_every = 1;          ///< plant steps per row of the trace
+};
+
+/// Advances the plant by its own step; the controller ticks at the start of every control period
+/// and its torque is held until the next. One row of the trace is a plant step: time, state, tool,
+/// measurement and command are those at its start, forces and torques those during it.
+///
+/// Columns, `<joint>` standing for a name of Model::v_name (of q_name for q):
+///     time [s], phase [-], status [-]                  of Command
+///     tool_x|y|z_world [m], tool_rx|ry|rz_start [rad]  true placement of the tip's frame; its
+///                                                      rotation since reset(), in its axes then
+///     target_x|y|z_world [m], target_force [N]         what the controller aims at
+///     measured_force_x|y|z_world [N], estimated_force_x|y|z_world [N], push_x|y|z_world [N]
+///     q_<joint>, measured_q_<joint>, v_<joint>, measured_v_<joint>
+///     tau_command_<joint>, tau_applied_<joint>, tau_measured_<joint>, tau_friction_<joint>
+///     tool_force_x|y|z_world [N]                       true, of the surface on the tool
+///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
+///     solve_time [s], iterations [-], missed_deadline [-]
+///     tick [-]                                         1 where the controller ticked
+class ClosedLoop {
+ public:
+  /// Plant and controller must outlive the loop. Throws Error for periods that do not fit, for a
+  /// controller of another size and for bad disturbances. The disturbances of model and scene are
+  /// not applied here: build the plant with plant_model() and plant_scene().
+  ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances = {},
+             const ClosedLoopOptions& options = {});
+  ~ClosedLoop();
+  ClosedLoop(ClosedLoop&&) noexcept;
+  ClosedLoop& operator=(ClosedLoop&&) noexcept;
+
+  /// Puts the plant into a state and everything else to its start. The motors start at the torque
+  /// of the controller's first command, as if the robot had been held.
+  [[nodiscard]] Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
+  /// One plant step: the plant's status. Allocates nothing.
+  [[nodiscard]] Status step() noexcept;
+  /// Steps until `duration` s have passed, or until the plant's status is above NotConverged.
+  [[nodiscard]] Status run(double duration) noexcept;
+
+  const Trace& trace() const;
+  const Actuation& actuation() const;
+  const Measurement& measurement() const;  ///< of the last tick
+  const Command& command() const;          ///< of the last tick
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

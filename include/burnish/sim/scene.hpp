@@ -1,0 +1,51 @@
+// What the tool meets: a flat surface of any position and orientation, and a round tip.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "burnish/model/model.hpp"
+
+namespace burnish {
+
+/// A plane. All vectors in the world.
+struct SurfaceSpec {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< any point on it, m
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the material, towards the robot
+  double friction = 0.0;                              ///< Coulomb coefficient mu
+  double stiffness = 1e5;                             ///< N/m; rigid plants pass it over
+  /// Ns/m; rigid plants pass it over. MuJoCo's convex friction cone lifts a sliding tip by
+  /// mu * damping * speed: contact is lost unless damping < force / (mu * speed), and below a third
+  /// of that the force is clean.
+  double damping = 500.0;
+  double half_size = 0.4;  ///< m, of the square that is drawn; to the physics the plane is infinite
+};
+
+/// A sphere about the origin of a frame. It touches a plane at one point, and the normal force
+/// passes through the frame's origin.
+struct ToolTipSpec {
+  std::string frame = "tool";
+  double radius = 0.02;  ///< m
+};
+
+struct SceneSpec {
+  SurfaceSpec surface = {};
+  ToolTipSpec tip = {};
+};
+
+/// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
+/// normal, negative friction or damping, stiffness, radius or size that are not positive, an
+/// unknown tip frame and one that does not move.
+SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
+
+/// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between
+/// tip and surface along `normal` (world, any length). Throws Error as checked_scene() does.
+SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          const Eigen::Vector3d& normal, SceneSpec scene = {},
+                          double clearance = 0.0);
+
+/// Distance from the tip to the surface, m; negative inside. The position of the tip's frame is in
+/// the world, the scene's normal of length one.
+double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
+
+}  // namespace burnish

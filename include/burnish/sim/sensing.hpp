@@ -1,0 +1,44 @@
+// What a controller gets to see of a plant.
+#pragma once
+
+#include "burnish/dynamics/tree.hpp"
+#include "burnish/sim/controller.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/plant.hpp"
+#include "burnish/sim/random.hpp"
+
+namespace burnish {
+
+/// The chain noise, encoder, differences and filters. Called once per tick of the controller;
+/// allocates nothing after construction and throws nothing.
+class Sensing {
+ public:
+  /// Throws Error as check_disturbances() does.
+  Sensing(const Model& model, const Disturbances& disturbances);
+
+  /// Forgets all measurements, with the same random numbers to come.
+  void reset() noexcept;
+
+  /// Reads the plant; `applied` (nv) is the motors' torque during the plant's last step. The first
+  /// measurement after reset() starts the filters: differences begin at the true velocity. With
+  /// velocities by finite differences, entries of a floating base stay true.
+  const Measurement& measure(const Plant& plant, const ConstVectorRef& applied) noexcept;
+
+ private:
+  void measure_position(const Plant& plant) noexcept;
+  void measure_velocity(const Plant& plant) noexcept;
+  void measure_force(const Plant& plant) noexcept;
+
+  Disturbances disturbances_;
+  std::vector<Joint> joints_;
+  Tree tree_;
+  RandomStream torque_random_, position_random_, velocity_random_, force_random_;
+  bool started_ = false;
+  double elapsed_ = 0.0;         ///< s since the last measurement
+  Eigen::VectorXd q_before_;     ///< nq, as measured
+  Eigen::VectorXd differences_;  ///< nv, filtered
+  Eigen::VectorXd work_;         ///< nv
+  Measurement measurement_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,83 @@
+// How a DdpSolver works, each tolerance beside the inequality it enters.
+#pragma once
+
+#include <functional>
+#include <limits>
+
+namespace burnish {
+
+/// How a direction becomes the next iterate.
+enum class StepUpdate {
+  /// The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After a
+  /// step
+  /// of length 1 the trajectory is feasible and stays so (feasibility-driven DDP).
+  Rollout,
+  /// States and controls move along the solution of the linear-quadratic problem; every knot is
+  /// evaluated on its own, in packs and threads. Gaps vanish with convergence.
+  MultipleShooting,
+};
+
+/// Levenberg term, added to the diagonal of Quu, in cost per squared unit of control.
+struct Regularization {
+  double initial = 0.0;
+  /// Below this there is none: a decrease ends at 0, an increase from 0 begins here.
+  double smallest = 1e-9;
+  double largest = 1e9;                ///< needed more than this: the solver gives up
+  double factor = 10.0;                ///< of an increase, and 1 / factor of a decrease
+  double decrease_above = 0.5;         ///< decreases after a step of length > this
+  double increase_at_or_below = 0.01;  ///< increases after a step of length <= this
+};
+
+/// The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken.
+struct LineSearch {
+  int halvings = 9;  ///< the smallest length is 2^-halvings
+  /// Rollout, expected improvement dV(alpha) >= 0: taken if
+  /// cost - trial > sufficient_decrease * dV(alpha).
+  double sufficient_decrease = 0.1;
+  /// Rollout, dV(alpha) < 0 (closing gaps costs): taken if
+  /// cost - trial > allowed_increase * dV(alpha).
+  double allowed_increase = 2.0;
+  /// MultipleShooting, merit = cost + penalty * sum |gap|_1 with slope D: taken if
+  /// trial <= merit + merit_decrease * alpha * D.
+  double merit_decrease = 1e-4;
+  /// MultipleShooting: the penalty makes D <= -merit_share * penalty * sum |gap|_1.
+  double merit_share = 0.5;
+  /// Rounding of a sum of costs: every comparison above is relaxed by rounding * |cost|.
+  double rounding = 1e-14;
+};
+
+/// What a callback sees after each iteration.
+struct DdpProgress {
+  int iteration = 0;  ///< from 1
+  double cost = 0.0;
+  /// |d1 + d2 / 2|: what the quadratic model said before the step that the whole step would save.
+  double expected_improvement = 0.0;
+  double largest_gap = 0.0;
+  double step_length = 0.0;  ///< 0: no length was acceptable
+  double regularization = 0.0;
+  double penalty = 0.0;  ///< of gaps in the merit; MultipleShooting only
+  bool feasible = false;
+  double seconds = 0.0;  ///< since the solve began
+};
+
+struct DdpOptions {
+  StepUpdate update = StepUpdate::Rollout;
+  int max_iterations = 100;
+  /// Seconds, looked at between phases and between trials; the best iterate so far is kept. At
+  /// least the guess is evaluated.
+  double time_budget = std::numeric_limits<double>::infinity();
+  int threads = 1;
+  /// Converged if feasible and expected improvement < stop_tolerance (in units of cost).
+  double stop_tolerance = 1e-9;
+  /// Feasible if every |entry of a gap| <= gap_tolerance.
+  double gap_tolerance = 1e-9;
+  LineSearch line_search = {};
+  Regularization regularization = {};
+  /// Called after each iteration; must not throw. Stops the solve by returning false.
+  std::function<bool(const DdpProgress&)> callback = nullptr;
+
+  /// Throws Error with a sentence naming the option that is out of range.
+  void check() const;
+};
+
+}  // namespace burnish

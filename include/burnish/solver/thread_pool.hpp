@@ -1,0 +1,54 @@
+// Workers made once, that share the pieces of a loop and sleep in between.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace burnish {
+
+/// A fixed number of workers; the thread that calls is worker 0. Which worker takes which piece is
+/// left to chance, so that results are the same for any number of workers if each piece writes only
+/// what is its own. Nothing is allocated after construction. One call at a time.
+class ThreadPool {
+ public:
+  /// Starts workers - 1 threads. Throws Error for less than one worker.
+  explicit ThreadPool(int workers);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  int workers() const { return static_cast<int>(threads_.size()) + 1; }
+
+  /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all are
+  /// done. `body` must not throw.
+  template <class Body>
+  void for_each(int pieces, Body&& body) {
+    using Target = std::remove_reference_t<Body>;
+    run(
+        pieces,
+        [](void* context, int worker, int piece) {
+          (*static_cast<Target*>(context))(worker, piece);
+        },
+        const_cast<void*>(static_cast<const void*>(&body)));  // NOLINT(*-const-cast)
+  }
+
+ private:
+  using Call = void (*)(void* context, int worker, int piece);
+  void run(int pieces, Call call, void* context);
+  void take_pieces(int worker);
+  void serve(int worker);
+
+  std::vector<std::thread> threads_;
+  Call call_ = nullptr;
+  void* context_ = nullptr;
+  int pieces_ = 0;
+  std::atomic<int> next_{0};
+  std::atomic<int> busy_{0};             ///< threads that have not finished the round
+  std::atomic<std::uint32_t> round_{0};  ///< of work; threads wait for the next
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace burnish

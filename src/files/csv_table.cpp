@@ -1,0 +1,78 @@
+#include "files/csv_table.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "burnish/base/error.hpp"
+#include "model/parse_number.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::files {
+namespace {
+
+std::vector<std::string> cells_of(std::string line) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  std::vector<std::string> cells;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t comma = line.find(',', begin);
+    cells.push_back(line.substr(begin, comma - begin));
+    if (comma == std::string::npos) return cells;
+    begin = comma + 1;
+  }
+}
+
+/// "force_z [N]" -> "force_z".
+std::string name_of_cell(const std::string& cell) {
+  std::string name = cell.substr(0, cell.rfind('['));
+  const std::size_t first = name.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return name.substr(first, name.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
+bool CsvTable::has(const std::string& name) const {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Eigen::VectorXd CsvTable::column(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Error(file + ": column " + in_quotes(name) + " is missing" + did_you_mean(name, names));
+  Eigen::VectorXd result = values.col(found - names.begin());
+  if (!result.allFinite()) throw Error(file + ": column " + in_quotes(name) + " has empty cells");
+  return result;
+}
+
+CsvTable read_csv(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  if (!stream || !std::getline(stream, line))
+    throw Error(file.string() + ": the file cannot be read; a table was wanted");
+  CsvTable table{file.string(), {}, {}};
+  for (const std::string& cell : cells_of(line)) table.names.push_back(name_of_cell(cell));
+  const std::size_t columns = table.names.size();
+  std::vector<double> values;
+  for (int number = 2; std::getline(stream, line); ++number) {
+    if (line.empty() || line == "\r") continue;
+    const std::vector<std::string> cells = cells_of(line);
+    const std::string place = file.string() + ": line " + std::to_string(number) + ": ";
+    if (cells.size() != columns)
+      throw Error(place + "it has " + std::to_string(cells.size()) + " cells; wanted " +
+                  std::to_string(columns));
+    for (const std::string& cell : cells) {
+      const auto value = cell.empty() ? std::optional(std::numeric_limits<double>::quiet_NaN())
+                                      : parse_number(cell);
+      if (!value) throw Error(place + in_quotes(cell) + " is no number");
+      values.push_back(*value);
+    }
+  }
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto rows = static_cast<Eigen::Index>(values.size() / columns);
+  table.values = Eigen::Map<const Rows>(values.data(), rows, static_cast<Eigen::Index>(columns));
+  return table;
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,24 @@
+// A table of numbers with named columns: "name [unit],..." and then rows.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace burnish::files {
+
+struct CsvTable {
+  std::string file;
+  std::vector<std::string> names;  ///< without units
+  Eigen::MatrixXd values;          ///< rows x columns; an empty cell is a NaN
+
+  bool has(const std::string& name) const;
+  /// Throws Error with the nearest known name, or where a cell is no finite number.
+  Eigen::VectorXd column(const std::string& name) const;
+};
+
+/// Throws Error naming the file and the line.
+CsvTable read_csv(const std::filesystem::path& file);
+
+}  // namespace burnish::files

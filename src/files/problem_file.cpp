@@ -1,0 +1,177 @@
+#include "burnish/files/problem_file.hpp"
+
+#include <algorithm>
+
+#include "files/read_costs.hpp"
+#include "files/read_parts.hpp"
+#include "files/read_solver.hpp"
+
+namespace burnish::files {
+namespace {
+
+/// Names of the contacts that hold in a stage.
+std::vector<std::string> read_stage_contacts(const YamlReader& stage, const FileScene& scene) {
+  const auto given = stage.find("contacts");
+  if (!given || (given->is_list() && given->entries().empty())) return {};
+  std::vector<std::string> names = given->texts();
+  for (const std::string& name : names) given->named([&] { scene.contact(name); });
+  return names;
+}
+
+Stage read_stage(const std::string& name, const YamlReader& reader, const FileScene& scene,
+                 const std::optional<YamlReader>& shared) {
+  reader.allow_only({"contacts", "costs", "step", "integrator", "impact"});
+  Stage stage{.name = name};
+  stage.contacts = read_stage_contacts(reader, scene);
+  if (const auto step = reader.find("step")) stage.step = step->positive();
+  if (const auto integrator = reader.find("integrator"))
+    stage.integrator = integrator->word({"semi_implicit_euler", "runge_kutta_4"}) == "runge_kutta_4"
+                           ? Integrator::RungeKutta4
+                           : Integrator::SemiImplicitEuler;
+  if (const auto impact = reader.find("impact")) stage.impact = impact->yes_or_no();
+  if (const auto costs = reader.find("costs"))
+    stage.costs = read_costs(scene, shared, stage.contacts, *costs);
+  return stage;
+}
+
+/// A list of {stage: knots} and {repeat: times, of: [...]}.
+void read_horizon(const YamlReader& reader, const ProblemSpec& spec,
+                  std::vector<HorizonSegment>& horizon) {
+  std::vector<std::string> known;
+  for (const Stage& stage : spec.stages) known.push_back(stage.name);
+  for (const YamlReader& entry : reader.entries()) {
+    if (entry.has("repeat")) {
+      entry.allow_only({"repeat", "of"});
+      std::vector<HorizonSegment> once;
+      read_horizon(entry["of"], spec, once);
+      for (int i = entry["repeat"].count(1); i > 0; --i)
+        horizon.insert(horizon.end(), once.begin(), once.end());
+      continue;
+    }
+    if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
+    entry.allow_only(known);
+    for (const auto& [stage, knots] : entry.items()) horizon.push_back({stage, knots.count(1)});
+  }
+  if (horizon.empty()) reader.refuse("it has no knots; wanted stages with their knots");
+}
+
+/// Reads start: configuration, velocity and time; torques come when the stages are known.
+void read_start(const YamlReader& reader, const Robot& robot, ProblemSpec& spec) {
+  reader.allow_only({"posture", "q", "velocity", "torques", "time"});
+  if (reader.has("posture") && reader.has("q"))
+    reader.refuse("keys 'posture' and 'q' are both stated; state one");
+  for (const char* key : {"posture", "q"})
+    if (const auto q = reader.find(key))
+      spec.initial_state.head(spec.model.nq) = read_configuration(robot, *q);
+  if (const auto v = reader.find("velocity")) {
+    std::vector<RowGroup> groups;
+    for (const Joint& joint : spec.model.joints) groups.push_back({joint.name, joint.nv});
+    spec.initial_state.segment(spec.model.nq, spec.model.nv) = read_rows(*v, groups, 0.0);
+  }
+  if (const auto time = reader.find("time")) spec.start_time = time->number();
+}
+
+/// Torques at the start, where they are part of the state: those that hold the robot, unless said.
+void set_torques(const std::optional<YamlReader>& given, const std::vector<std::string>& contacts,
+                 const FileScene& scene, ProblemSpec& spec) {
+  if (!spec.torque_model) {
+    if (given) given->refuse("torques are part of the state only with a 'torque_model'");
+    return;
+  }
+  auto tau = spec.initial_state.tail(scene.controls());
+  if (!given || is_hold(*given)) {
+    const HeldForces forces = given ? read_held_forces(scene, contacts, *given) : HeldForces();
+    tau = hold(spec, contacts, scene.q, forces).control;
+    return;
+  }
+  std::vector<RowGroup> rows;
+  for (const Joint* joint : scene.driven()) rows.push_back({joint->name, joint->nv});
+  tau = read_rows(*given, rows, 0.0);
+}
+
+/// Name of the stage that the horizon begins with; empty where the horizon is badly formed.
+std::string first_stage(const YamlReader& horizon) {
+  if (horizon.is_list()) {
+    const std::vector<YamlReader> entries = horizon.entries();
+    return entries.empty() ? "" : first_stage(entries.front());
+  }
+  if (const auto repeated = horizon.find("of")) return first_stage(*repeated);
+  return horizon.is_map() && !horizon.items().empty() ? horizon.items().front().first : "";
+}
+
+/// Its contacts.
+std::vector<std::string> first_contacts(const YamlReader& top, const FileScene& scene) {
+  const auto stage = top["stages"].find(first_stage(top["horizon"]));
+  return stage ? read_stage_contacts(*stage, scene) : std::vector<std::string>();
+}
+
+/// What does not depend on the stages: everything that `hold` and `here` need.
+void read_scene(const YamlReader& top, ProblemFile& result) {
+  ProblemSpec& spec = result.spec;
+  const Model& model = spec.model;
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+  spec.initial_state.head(model.nq) = result.robot.reference_configuration();
+  if (const auto start = top.find("start")) read_start(*start, result.robot, spec);
+  if (const auto contacts = top.find("contacts"))
+    for (const auto& [name, contact] : contacts->items())
+      spec.contacts.push_back(
+          read_contact(name, contact, model, spec.initial_state.head(model.nq)));
+  if (const auto solver = top.find("contact_solver"))
+    spec.contact_solver = read_contact_solver(*solver);
+  if (const auto actuation = top.find("actuation"))
+    spec.actuation = read_actuation(*actuation, model);
+  if (const auto torque_model = top.find("torque_model"))
+    spec.torque_model = read_torque_model(*torque_model);
+}
+
+void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spec) {
+  const auto shared = top.find("terms");
+  if (shared) check_shared(*shared);
+  for (const auto& [name, stage] : top["stages"].items())
+    spec.stages.push_back(read_stage(name, stage, scene, shared));
+  read_horizon(top["horizon"], spec, spec.horizon);
+  if (const auto terminal = top.find("terminal")) {
+    // The contacts of the last stage: with a torque model their forces are known at the end too.
+    std::vector<std::string> contacts;
+    for (const Stage& stage : spec.stages)
+      if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;
+    spec.terminal = read_costs(scene, shared, contacts, *terminal);
+  }
+}
+
+ProblemFile read(const YamlReader& top, const std::filesystem::path& folder) {
+  top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
+                  "torque_model", "control_bounds", "terms", "stages", "horizon", "terminal",
+                  "solver", "guess"});
+  ProblemFile result;
+  if (const auto text = top.find("description")) result.description = text->text();
+  result.robot = read_robot(top["robot"], folder);
+  result.spec.model = result.robot.model;
+  read_scene(top, result);
+  ProblemSpec& spec = result.spec;
+  const FileScene scene{result.robot, spec, spec.initial_state.head(spec.model.nq), folder};
+  if (spec.torque_model) {
+    spec.initial_state.conservativeResize(spec.model.nq + spec.model.nv + scene.controls());
+    spec.initial_state.tail(scene.controls()).setZero();
+  }
+  const auto start = top.find("start");
+  set_torques(start ? start->find("torques") : std::nullopt, first_contacts(top, scene), scene,
+              spec);
+  if (const auto bounds = top.find("control_bounds")) read_bounds(*bounds, scene, spec);
+  read_stages(top, scene, spec);
+  if (const auto solver = top.find("solver")) result.solver = read_solver(*solver);
+  if (const auto guess = top.find("guess")) result.guess = read_guess(*guess, folder);
+  top.named([&] { Problem{spec}; });
+  return result;
+}
+
+}  // namespace
+}  // namespace burnish::files
+
+namespace burnish {
+
+ProblemFile read_problem_file(const std::filesystem::path& file) {
+  return files::read(files::YamlReader::load(file), file.parent_path());
+}
+
+}  // namespace burnish

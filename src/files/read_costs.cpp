@@ -1,0 +1,334 @@
+#include "files/read_costs.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "files/here.hpp"
+#include "files/read_penalty.hpp"
+
+namespace burnish::files {
+namespace {
+
+/// A cost term on its way: what its keys say, and what its rows are.
+struct CostReader {
+  const FileScene& scene;
+  const std::vector<std::string>& contacts;
+  const YamlReader& reader;
+  PenaltyRows rows = {};
+
+  const Model& model() const { return scene.model(); }
+
+  void keys(std::vector<std::string> own) const {
+    own.insert(own.end(), {"type", "weight", "weights", "penalty"});
+    reader.allow_only(own);
+  }
+
+  Signal target(std::optional<Eigen::VectorXd> here,
+                TargetSpace::Kind kind = TargetSpace::Kind::Plain) const {
+    const auto given = reader.find("target");
+    if (!given) return {};
+    std::vector<RowGroup> groups = rows.rows;
+    if (kind == TargetSpace::Kind::Rotation) groups = {{"quaternion", 4}};
+    if (kind == TargetSpace::Kind::Placement) groups = {{"xyz", 3}, {"quaternion", 4}};
+    return read_target(scene, {groups, std::move(here), kind}, *given);
+  }
+
+  std::string frame() const {
+    const YamlReader name = reader["frame"];
+    name.named([&] { compile_frame(model(), name.text()); });
+    return name.text();
+  }
+  const ContactSpec& contact() const {
+    const YamlReader name = reader["contact"];
+    return name.named([&]() -> const ContactSpec& { return scene.contact(name.text()); });
+  }
+  std::optional<Reference> reference() const {
+    const auto given = reader.find("reference");
+    return given ? std::optional(read_reference(*given)) : std::nullopt;
+  }
+
+  /// The joints that are named, or those that `otherwise` accepts.
+  std::vector<const Joint*> joints(const std::function<bool(const Joint&)>& otherwise) const {
+    std::vector<const Joint*> result;
+    if (const auto names = reader.find("joints")) {
+      for (const std::string& name : names->texts())
+        result.push_back(&model().joints[static_cast<std::size_t>(
+            names->named([&] { return model().joint_index(name); }))]);
+      return result;
+    }
+    for (const Joint& joint : model().joints)
+      if (otherwise(joint)) result.push_back(&joint);
+    return result;
+  }
+  std::vector<std::string> joint_names() const {
+    const auto names = reader.find("joints");
+    return names ? names->texts() : std::vector<std::string>();
+  }
+  /// Fills rows with entries of v of these joints and the limits in `largest` (nv).
+  void set_rows(const std::vector<const Joint*>& from, const Eigen::VectorXd& largest) {
+    for (const Joint* joint : from) rows.rows.push_back({joint->name, joint->nv});
+    rows.upper.resize(rows_of(rows.rows));
+    int row = 0;
+    for (const Joint* joint : from)
+      for (int k = 0; k < joint->nv; ++k) rows.upper[row++] = largest[joint->v_index + k];
+    rows.lower = -rows.upper;
+  }
+
+  Residual state() {
+    keys({"target"});
+    const auto given = reader.find("target");
+    if (!given || given->is("here")) return residual::State{};
+    Eigen::VectorXd x = scene.spec.initial_state;
+    const auto set_q = [&](const YamlReader& q) {
+      x.head(model().nq) = read_configuration(scene.robot, q);
+    };
+    if (given->is_list()) return residual::State{given->numbers(x.size())};
+    given->allow_only({"posture", "q", "velocity"});
+    if (given->has("posture") && given->has("q"))
+      given->refuse("keys 'posture' and 'q' are both stated; state one");
+    if (const auto posture = given->find("posture")) set_q(*posture);
+    if (const auto q = given->find("q")) set_q(*q);
+    if (const auto v = given->find("velocity")) {
+      std::vector<RowGroup> groups;
+      for (const Joint& joint : model().joints) groups.push_back({joint.name, joint.nv});
+      x.segment(model().nq, model().nv) = read_rows(*v, groups, 0.0);
+    }
+    return residual::State{x};
+  }
+
+  /// The torque, force or both of `hold`, taken from a robot at rest at the start.
+  Holding holding(const YamlReader& given) const {
+    return hold(scene.spec, contacts, scene.q, read_held_forces(scene, contacts, given));
+  }
+
+  Residual control() {
+    keys({"target"});
+    set_rows(scene.driven(), model().effort_limit);
+    const auto given = reader.find("target");
+    if (given && is_hold(*given)) return residual::Control{holding(*given).control};
+    return residual::Control{target({})};
+  }
+  Residual joint_position() {
+    keys({"joints", "target"});
+    const auto limited = [&](const Joint& joint) {
+      return joint.nq == 1 && (std::isfinite(model().q_lower[joint.q_index]) ||
+                               std::isfinite(model().q_upper[joint.q_index]));
+    };
+    const std::vector<const Joint*> from = joints(limited);
+    Eigen::VectorXd here(static_cast<Eigen::Index>(from.size()));
+    rows.lower = rows.upper = here;
+    Eigen::Index i = 0;
+    for (const Joint* joint : from) {
+      rows.rows.push_back({joint->name, 1});
+      here[i] = scene.q[joint->q_index];
+      rows.lower[i] = model().q_lower[joint->q_index];
+      rows.upper[i++] = model().q_upper[joint->q_index];
+    }
+    return residual::JointPosition{joint_names(), target(here)};
+  }
+  Residual joint_velocity() {
+    keys({"joints", "target"});
+    set_rows(joints([](const Joint& j) { return j.kind != JointKind::FreeFlyer; }),
+             model().velocity_limit);
+    return residual::JointVelocity{joint_names(), target({})};
+  }
+  Residual joint_torque() {
+    keys({"joints", "target"});
+    const std::vector<const Joint*> driven = scene.driven();
+    const std::vector<const Joint*> from = reader.has("joints") ? joints({}) : driven;
+    set_rows(from, model().effort_limit);
+    const auto given = reader.find("target");
+    if (!given || !is_hold(*given)) return residual::JointTorque{joint_names(), target({})};
+    const Eigen::VectorXd control = holding(*given).control;
+    Eigen::VectorXd torque(rows_of(rows.rows));
+    int row = 0, entry = 0;
+    for (const Joint* wanted : from) {
+      entry = 0;
+      for (const Joint* joint : driven) {
+        if (joint == wanted) torque.segment(row, joint->nv) = control.segment(entry, joint->nv);
+        entry += joint->nv;
+      }
+      row += wanted->nv;
+    }
+    return residual::JointTorque{joint_names(), torque};
+  }
+
+  Residual frame_position() {
+    keys({"frame", "target", "axes"});
+    rows.rows = direction_rows(Directions::linear());
+    residual::FramePosition result{frame(), {}};
+    result.target = target(placement_here(model(), scene.q, result.frame).head(3));
+    if (const auto axes = reader.find("axes")) result.axes = read_axes(*axes);
+    return result;
+  }
+  Residual frame_rotation() {
+    keys({"frame", "target"});
+    rows.rows = direction_rows(Directions::angular());
+    const std::string name = frame();
+    return residual::FrameRotation{
+        name, target(placement_here(model(), scene.q, name).tail(4), TargetSpace::Kind::Rotation)};
+  }
+  Residual frame_placement() {
+    keys({"frame", "target"});
+    rows.rows = direction_rows(Directions::all());
+    const std::string name = frame();
+    return residual::FramePlacement{
+        name, target(placement_here(model(), scene.q, name), TargetSpace::Kind::Placement)};
+  }
+  Residual frame_velocity() {
+    keys({"frame", "axes", "rotation", "target"});
+    rows.rows = direction_rows(Directions::all());
+    residual::FrameVelocity result{frame()};
+    if (const auto axes = reader.find("axes"))
+      result.axes = axes->named([&] { return parse_frame_axes(axes->text()); });
+    if (const auto rotation = reader.find("rotation")) result.rotation = read_axes(*rotation);
+    result.target = target({});
+    return result;
+  }
+  Residual contact_force() {
+    keys({"contact", "reference", "target"});
+    const ContactSpec& spec = contact();
+    residual::ContactForce result{reader["contact"].text(), reference(), {}};
+    rows.rows = direction_rows(result.reference ? Directions::all() : spec.directions);
+    const auto given = reader.find("target");
+    if (given && is_hold(*given)) {
+      if (result.reference)
+        given->refuse("'hold' gives the force in the contact's own reference; leave out the other");
+      const HeldForces forces = holding(*given).forces;
+      const auto found = forces.find(result.contact);
+      if (found == forces.end()) given->refuse("the contact does not hold in this stage");
+      result.target = found->second;
+    } else {
+      result.target = target({});
+    }
+    return result;
+  }
+  Residual friction_cone() {
+    keys({"contact", "reference", "friction", "normal"});
+    rows.rows = {{"cone", 1}, {"normal", 1}};
+    contact();
+    residual::FrictionCone result{reader["contact"].text()};
+    result.reference = reference();
+    if (const auto friction = reader.find("friction")) result.friction = friction->positive();
+    if (const auto normal = reader.find("normal"))
+      result.normal = normal->word({"x", "y", "z"})[0] - 'x';
+    return result;
+  }
+  Residual center_of_pressure() {
+    keys({"contact", "half_x", "half_y"});
+    rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_above", 1}, {"y_below", 1}};
+    contact();
+    return residual::CenterOfPressure{reader["contact"].text(), reader["half_x"].positive(),
+                                      reader["half_y"].positive()};
+  }
+  Residual com() {
+    keys({"target"});
+    rows.rows = direction_rows(Directions::linear());
+    return residual::CenterOfMass{target(center_of_mass(model(), scene.q))};
+  }
+  Residual momentum() {
+    keys({"target"});
+    rows.rows = direction_rows(Directions::all());
+    return residual::CentroidalMomentum{target({})};
+  }
+
+  /// {q: ..., v: ..., tau: ...}, each as read_rows has it.
+  Eigen::VectorXd state_weights(const YamlReader& given) const {
+    std::vector<RowGroup> v, tau;
+    for (const Joint& joint : model().joints) v.push_back({joint.name, joint.nv});
+    if (scene.spec.torque_model)
+      for (const Joint* joint : scene.driven()) tau.push_back({joint->name, joint->nv});
+    const int nv = model().nv, nu = rows_of(tau);
+    if (given.is_list()) return given.numbers(2 * nv + nu);
+    if (!given.is_map()) return Eigen::VectorXd::Constant(2 * nv + nu, given.not_negative());
+    given.allow_only(nu > 0 ? std::vector<std::string>{"q", "v", "tau"}
+                            : std::vector<std::string>{"q", "v"});
+    Eigen::VectorXd result = Eigen::VectorXd::Ones(2 * nv + nu);
+    if (const auto q = given.find("q")) result.head(nv) = read_rows(*q, v, 1.0);
+    if (const auto rates = given.find("v")) result.segment(nv, nv) = read_rows(*rates, v, 1.0);
+    if (const auto torques = given.find("tau")) result.tail(nu) = read_rows(*torques, tau, 1.0);
+    return result;
+  }
+};
+
+using Read = Residual (CostReader::*)();
+struct CostType {
+  const char* name;
+  Read read;
+};
+constexpr CostType types[] = {
+    {"state", &CostReader::state},
+    {"control", &CostReader::control},
+    {"joint_position", &CostReader::joint_position},
+    {"joint_velocity", &CostReader::joint_velocity},
+    {"joint_torque", &CostReader::joint_torque},
+    {"frame_position", &CostReader::frame_position},
+    {"frame_rotation", &CostReader::frame_rotation},
+    {"frame_placement", &CostReader::frame_placement},
+    {"frame_velocity", &CostReader::frame_velocity},
+    {"contact_force", &CostReader::contact_force},
+    {"friction_cone", &CostReader::friction_cone},
+    {"center_of_pressure", &CostReader::center_of_pressure},
+    {"center_of_mass", &CostReader::com},
+    {"centroidal_momentum", &CostReader::momentum},
+};
+
+Read read_type(const YamlReader& type) {
+  std::vector<std::string> known;
+  for (const CostType& candidate : types) known.emplace_back(candidate.name);
+  const std::string name = type.word(known);
+  for (const CostType& candidate : types)
+    if (name == candidate.name) return candidate.read;
+  type.refuse("is no cost");
+}
+
+CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& contacts,
+                   const std::string& name, const YamlReader& reader) {
+  CostReader cost{scene, contacts, reader};
+  const Read read = read_type(reader["type"]);
+  CostTerm term{.name = name, .residual = (cost.*read)()};
+  if (const auto weight = reader.find("weight")) term.weight = weight->not_negative();
+  if (const auto weights = reader.find("weights"))
+    term.weights = read == &CostReader::state ? cost.state_weights(*weights)
+                                              : read_rows(*weights, cost.rows.rows, 1.0);
+  if (const auto penalty = reader.find("penalty")) term.penalty = read_penalty(cost.rows, *penalty);
+  return term;
+}
+
+}  // namespace
+
+void check_shared(const YamlReader& shared) {
+  for (const auto& [name, term] : shared.items()) read_type(term["type"]);
+}
+
+std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<YamlReader>& shared,
+                                 const std::vector<std::string>& contacts,
+                                 const YamlReader& reader) {
+  std::vector<std::string> known;
+  if (shared)
+    for (const auto& [name, term] : shared->items()) known.push_back(name);
+  std::vector<CostTerm> terms;
+  for (const auto& [name, value] : reader.items()) {
+    if (value.is_map() && value.has("type")) {
+      terms.push_back(read_cost(scene, contacts, name, value));
+      continue;
+    }
+    const auto base = shared ? shared->find(name) : std::nullopt;
+    if (!base)
+      value.refuse(known.empty()
+                       ? "wanted a cost with a 'type'; the file has no 'terms' to refer to"
+                       : "no term of this name; wanted a cost with a 'type', or a name "
+                         "among the file's 'terms'" +
+                             did_you_mean(name, known));
+    if (value.is_map()) {
+      terms.push_back(read_cost(scene, contacts, name, base->changed_by(value)));
+    } else {
+      const double weight = value.not_negative();
+      terms.push_back(read_cost(scene, contacts, name, *base));
+      terms.back().weight = weight;
+    }
+  }
+  return terms;
+}
+
+}  // namespace burnish::files

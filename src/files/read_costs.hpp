@@ -1,0 +1,17 @@
+// Cost terms of a problem file.
+#pragma once
+
+#include "files/read_target.hpp"
+
+namespace burnish::files {
+
+/// Reads `costs` of a stage: {name: weight of a shared term, or {type: ..., ...}, or changes of a
+/// shared term}. `shared` is the file's key `terms`, where there is one. `contacts` hold.
+std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<YamlReader>& shared,
+                                 const std::vector<std::string>& contacts,
+                                 const YamlReader& reader);
+
+/// Refuses shared terms that are badly formed even where no stage uses them.
+void check_shared(const YamlReader& shared);
+
+}  // namespace burnish::files

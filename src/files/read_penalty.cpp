@@ -1,0 +1,67 @@
+#include "files/read_penalty.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace burnish::files {
+namespace {
+
+/// The robot's limits, a share of them about their middle.
+void set_robot_limits(const PenaltyRows& rows, double share, const YamlReader& reader,
+                      Penalty& penalty) {
+  if (rows.lower.size() == 0)
+    reader.refuse("the robot states no limits for this cost; wanted 'lower' or 'upper'");
+  penalty.lower = rows.lower;
+  penalty.upper = rows.upper;
+  for (Eigen::Index i = 0; i < rows.lower.size(); ++i) {
+    const double middle = 0.5 * (rows.lower[i] + rows.upper[i]);
+    if (!std::isfinite(middle)) continue;
+    penalty.lower[i] = middle + share * (rows.lower[i] - middle);
+    penalty.upper[i] = middle + share * (rows.upper[i] - middle);
+  }
+}
+
+void read_limits(const PenaltyRows& rows, const YamlReader& reader, Penalty& penalty) {
+  if (reader.is("limits")) return set_robot_limits(rows, 1.0, reader, penalty);
+  const bool log = penalty.kind == Penalty::Kind::LogBarrier;
+  reader.allow_only(log ? std::vector<std::string>{"lower", "upper", "limits", "width"}
+                        : std::vector<std::string>{"lower", "upper", "limits"});
+  if (const auto share = reader.find("limits"))
+    set_robot_limits(rows, share->positive(), *share, penalty);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (const auto lower = reader.find("lower"))
+    penalty.lower = read_rows(*lower, rows.rows, -infinity);
+  if (const auto upper = reader.find("upper"))
+    penalty.upper = read_rows(*upper, rows.rows, infinity);
+  if (penalty.lower.size() == 0 && penalty.upper.size() == 0)
+    reader.refuse("it has no limits; wanted 'lower', 'upper' or 'limits'");
+}
+
+}  // namespace
+
+Penalty read_penalty(const PenaltyRows& rows, const YamlReader& reader) {
+  Penalty penalty;
+  if (!reader.is_map()) {
+    penalty.kind = reader.named([&] { return parse_penalty(reader.text()); });
+    if (penalty.kind != Penalty::Kind::Square)
+      reader.refuse(
+          "it has no numbers; wanted them behind it, such as {barrier: {lower: 0}} or "
+          "{smooth_absolute: 0.01}");
+    return penalty;
+  }
+  reader.allow_only({"square", "barrier", "smooth_absolute", "log_barrier"});
+  const auto items = reader.items();
+  if (items.size() != 1) reader.refuse("wanted one penalty");
+  const auto& [name, value] = items.front();
+  penalty.kind = parse_penalty(name);
+  if (penalty.kind == Penalty::Kind::Square) value.refuse("a square has nothing behind it");
+  if (penalty.kind == Penalty::Kind::SmoothAbsolute) {
+    penalty.width = value.positive();
+    return penalty;
+  }
+  read_limits(rows, value, penalty);
+  if (penalty.kind == Penalty::Kind::LogBarrier) penalty.width = value["width"].positive();
+  return penalty;
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,13 @@
+// Solver options and the solver's start in a problem file.
+#pragma once
+
+#include "burnish/files/problem_file.hpp"
+#include "files/yaml_reader.hpp"
+
+namespace burnish::files {
+
+DdpOptions read_solver(const YamlReader& reader);
+/// `folder`: of the problem file.
+WarmStart read_guess(const YamlReader& reader, const std::filesystem::path& folder);
+
+}  // namespace burnish::files

@@ -1,0 +1,187 @@
+#include "files/read_target.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "files/csv_table.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::files {
+namespace {
+
+using Out = Eigen::Ref<Eigen::VectorXd>;
+
+Eigen::VectorXd here_of(const TargetSpace& space, const YamlReader& reader) {
+  if (!space.here) reader.refuse("'here' means nothing for this cost; wanted numbers");
+  return *space.here;
+}
+
+/// A fixed point of the space: numbers, `here`, or {here: offset}.
+Eigen::VectorXd read_point(const TargetSpace& space, const YamlReader& reader) {
+  if (reader.is("here")) return here_of(space, reader);
+  if (reader.is_number()) return Eigen::VectorXd::Constant(space.size(), reader.number());
+  if (reader.is_list()) return reader.numbers(space.size());
+  if (reader.has("here")) {
+    reader.allow_only({"here"});
+    return here_of(space, reader) + read_point(space, reader["here"]);
+  }
+  return read_rows(reader, space.rows, 0.0);
+}
+
+double number_at(const YamlReader& reader, const char* key, double otherwise) {
+  const auto found = reader.find(key);
+  return found ? found->number() : otherwise;
+}
+
+Signal read_circle(const TargetSpace& space, const YamlReader& reader) {
+  if (space.size() != 3) reader.refuse("a circle is for targets of 3 entries");
+  reader.allow_only({"center", "start", "radius", "rate", "axes", "phase"});
+  Eigen::Vector3d a = Eigen::Vector3d::UnitX(), b = Eigen::Vector3d::UnitY();
+  if (const auto axes = reader.find("axes")) {
+    const std::vector<YamlReader> two = axes->entries();
+    if (two.size() != 2) axes->refuse("wanted two axes of 3 numbers each");
+    a = two[0].vector3();
+    b = two[1].vector3();
+    if (std::abs(a.norm() - 1.0) > 1e-3 || std::abs(b.norm() - 1.0) > 1e-3 ||
+        std::abs(a.dot(b)) > 1e-3)
+      axes->refuse("wanted two axes of length 1 at a right angle");
+  }
+  const double radius = reader["radius"].positive(), rate = reader["rate"].number();
+  const double phase = number_at(reader, "phase", 0.0);
+  if (reader.has("center") == reader.has("start"))
+    reader.refuse("wanted either 'center' or 'start', where the path is at time 0");
+  Eigen::Vector3d center;
+  if (const auto given = reader.find("center")) {
+    center = read_point(space, *given);
+  } else {
+    center =
+        read_point(space, reader["start"]) - radius * (std::cos(phase) * a + std::sin(phase) * b);
+  }
+  return Signal::over_time(3, [=](double t, Out p) {
+    const double angle = rate * t + phase;
+    p = center + radius * (std::cos(angle) * a + std::sin(angle) * b);
+  });
+}
+
+Signal read_line(const TargetSpace& space, const YamlReader& reader) {
+  reader.allow_only({"from", "to", "start", "duration", "profile"});
+  const Eigen::VectorXd from = read_point(space, reader["from"]);
+  const Eigen::VectorXd to = read_point(space, reader["to"]);
+  const double start = number_at(reader, "start", 0.0);
+  const double duration = reader["duration"].positive();
+  const auto profile = reader.find("profile");
+  const bool smooth = !profile || profile->word({"smooth", "constant_speed"}) == "smooth";
+  return Signal::over_time(space.size(), [=](double t, Out p) {
+    double s = std::clamp((t - start) / duration, 0.0, 1.0);
+    // At rest at both ends, with no jump of the acceleration.
+    if (smooth) s = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+    p = from + s * (to - from);
+  });
+}
+
+Signal read_sine(const TargetSpace& space, const YamlReader& reader) {
+  reader.allow_only({"center", "amplitude", "rate", "phase"});
+  const Eigen::VectorXd center = read_point(space, reader["center"]);
+  const Eigen::VectorXd amplitude = read_rows(reader["amplitude"], space.rows, 0.0);
+  const double rate = reader["rate"].number(), phase = number_at(reader, "phase", 0.0);
+  return Signal::over_time(
+      space.size(), [=](double t, Out p) { p = center + std::sin(rate * t + phase) * amplitude; });
+}
+
+/// Row before `time` and how far it is towards the next one.
+std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double time) {
+  const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+  if (after == 0) return {0, 0.0};
+  if (after == times.size()) return {times.size() - 2, 1.0};
+  return {after - 1, (time - times[after - 1]) / (times[after] - times[after - 1])};
+}
+
+Signal read_points(const FileScene& scene, const TargetSpace& space, const YamlReader& reader) {
+  reader.allow_only({"file", "columns", "relative_to"});
+  const YamlReader file = reader["file"];
+  const CsvTable table = file.named([&] { return read_csv(beside(scene.folder, file.text())); });
+  const YamlReader columns = reader["columns"];
+  const std::vector<std::string> names = columns.texts();
+  if (static_cast<int>(names.size()) != space.size())
+    columns.refuse("it names " + std::to_string(names.size()) + " columns; wanted " +
+                   std::to_string(space.size()));
+  const Eigen::VectorXd times = file.named([&] { return table.column("time"); });
+  if (times.size() < 2) file.refuse("the table has fewer than two rows");
+  for (Eigen::Index i = 1; i < times.size(); ++i)
+    if (!(times[i] > times[i - 1])) file.refuse("its times do not grow from row to row");
+  Eigen::MatrixXd points(space.size(), times.size());
+  for (int i = 0; i < space.size(); ++i)
+    points.row(i) =
+        columns.named([&] { return table.column(names[static_cast<std::size_t>(i)]); }).transpose();
+  if (const auto origin = reader.find("relative_to")) {
+    if (space.kind != TargetSpace::Kind::Plain) origin->refuse("rotations have no offset");
+    points.colwise() += read_point(space, *origin);
+  }
+  const int turned = space.kind == TargetSpace::Kind::Plain ? 0 : 4;
+  return Signal::over_time(space.size(), [=](double t, Out p) {
+    const auto [row, share] = between(times, t);
+    p = points.col(row);
+    // q and -q are the same rotation: go the short way.
+    const double sign =
+        turned > 0 && points.col(row).tail(4).dot(points.col(row + 1).tail(4)) < 0.0 ? -1.0 : 1.0;
+    const Eigen::Index plain = p.size() - turned;
+    p.head(plain) += share * (points.col(row + 1) - points.col(row)).head(plain);
+    p.tail(turned) += share * (sign * points.col(row + 1) - points.col(row)).tail(turned);
+    if (turned > 0) p.tail(4).normalize();
+  });
+}
+
+Signal read_constant(const TargetSpace& space, const YamlReader& reader) {
+  if (space.kind == TargetSpace::Kind::Rotation) {
+    const Eigen::Quaterniond rotation = read_rotation(reader);
+    Eigen::VectorXd xyzw(4);
+    xyzw << rotation.x(), rotation.y(), rotation.z(), rotation.w();
+    return xyzw;
+  }
+  if (space.kind == TargetSpace::Kind::Placement) {
+    const Eigen::Isometry3d placement = read_placement(reader);
+    Eigen::VectorXd seven(7);
+    seven.head<3>() = placement.translation();
+    seven.tail<4>() = Eigen::Quaterniond(placement.linear()).coeffs();
+    return seven;
+  }
+  return read_point(space, reader);
+}
+
+}  // namespace
+
+std::vector<RowGroup> direction_rows(Directions directions) {
+  std::vector<RowGroup> rows;
+  for (int d = 0; d < 6; ++d)
+    if (directions.has(d))
+      rows.push_back({std::string(direction_names[static_cast<std::size_t>(d)]), 1});
+  return rows;
+}
+
+Signal read_target(const FileScene& scene, const TargetSpace& space, const YamlReader& reader) {
+  static const std::vector<std::string> paths{"circle", "line", "sine", "points"};
+  if (reader.is("here")) return here_of(space, reader);
+  for (const std::string& name : paths) {
+    const auto path = reader.find(name);
+    if (!path) continue;
+    reader.allow_only({name});
+    if (name == "points") return read_points(scene, space, *path);
+    if (space.kind != TargetSpace::Kind::Plain)
+      path->refuse("a rotation goes along no such path; wanted a constant, 'here' or 'points'");
+    if (name == "circle") return read_circle(space, *path);
+    return name == "line" ? read_line(space, *path) : read_sine(space, *path);
+  }
+  if (reader.is_text())
+    reader.refuse(in_quotes(reader.text()) + " is no target; wanted numbers, 'here' or a path (" +
+                  either(paths) + ")");
+  if (reader.is_map() && space.kind == TargetSpace::Kind::Plain && !reader.has("here")) {
+    std::vector<std::string> known = paths;
+    known.insert(known.end(), {"here", "other"});
+    for (const RowGroup& group : space.rows) known.push_back(group.name);
+    reader.allow_only(known);
+  }
+  return read_constant(space, reader);
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,136 @@
+#include "files/read_values.hpp"
+
+#include <cmath>
+
+#include "burnish/model/state.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::files {
+namespace {
+
+Eigen::Quaterniond from_rpy(const Eigen::Vector3d& rpy) {
+  return Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
+}
+
+Eigen::Quaterniond quaternion_of(const YamlReader& reader) {
+  const Eigen::Vector4d xyzw = reader.numbers(4);
+  // Files are rounded.
+  if (std::abs(xyzw.norm() - 1.0) > 1e-3)
+    reader.refuse("the quaternion has length " + number(xyzw.norm()) + "; wanted 1");
+  return Eigen::Quaterniond(Eigen::Vector4d(xyzw.normalized()));
+}
+
+/// The rotation of a map with rpy or quaternion, or the identity.
+Eigen::Quaterniond rotation_in(const YamlReader& reader) {
+  if (reader.has("rpy") && reader.has("quaternion"))
+    reader.refuse("keys 'rpy' and 'quaternion' are both stated; state one");
+  if (reader.has("rpy")) return from_rpy(reader["rpy"].vector3());
+  if (reader.has("quaternion")) return quaternion_of(reader["quaternion"]);
+  return Eigen::Quaterniond::Identity();
+}
+
+}  // namespace
+
+Eigen::Isometry3d read_placement(const YamlReader& reader) {
+  reader.allow_only({"xyz", "rpy", "quaternion"});
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (const auto xyz = reader.find("xyz")) result.translation() = xyz->vector3();
+  result.linear() = rotation_in(reader).toRotationMatrix();
+  return result;
+}
+
+Eigen::Quaterniond read_rotation(const YamlReader& reader) {
+  if (reader.is_list()) return quaternion_of(reader);
+  reader.allow_only({"rpy", "quaternion"});
+  return rotation_in(reader);
+}
+
+Reference read_reference(const YamlReader& reader) {
+  if (!reader.is_map()) return reader.named([&] { return Reference::parse(reader.text()); });
+  reader.allow_only({"surface", "local"});
+  if (reader.has("surface") && reader.has("local"))
+    reader.refuse("keys 'surface' and 'local' are both stated; state one");
+  const bool surface = reader.has("surface");
+  const YamlReader axes = reader[surface ? "surface" : "local"];
+  axes.allow_only({"normal", "rpy", "quaternion"});
+  if (const auto normal = axes.find("normal")) {
+    if (!surface || axes.items().size() > 1)
+      axes.refuse("a normal goes with 'surface' and stands alone");
+    return normal->named([&] { return Reference::surface_with_normal(normal->vector3()); });
+  }
+  const Eigen::Matrix3d rotation = rotation_in(axes).toRotationMatrix();
+  return surface ? Reference::surface(rotation) : Reference::local(rotation);
+}
+
+Eigen::Matrix3d read_axes(const YamlReader& reader) {
+  reader.allow_only({"normal", "rpy", "quaternion"});
+  const auto normal = reader.find("normal");
+  if (!normal) return read_rotation(reader).toRotationMatrix();
+  if (reader.items().size() > 1) reader.refuse("a normal stands alone");
+  return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
+}
+
+Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader) {
+  if (reader.is_list()) {
+    const Eigen::VectorXd q = reader.numbers(robot.model.nq);
+    reader.named([&] { check_configuration(robot.model, q); });
+    return q;
+  }
+  if (!reader.is_map()) return reader.named([&] { return robot.posture(reader.text()); });
+  Posture posture;
+  if (const auto from = reader.find("from")) {
+    from->named([&] { robot.posture(from->text()); });
+    posture = robot.postures.at(from->text());
+  } else if (!robot.default_posture.empty()) {
+    posture = robot.postures.at(robot.default_posture);
+  }
+  for (const auto& [joint, value] : reader.items()) {
+    if (joint == "from") continue;
+    if (value.is_list()) {
+      const Eigen::VectorXd values = value.numbers();
+      posture[joint] = {values.begin(), values.end()};
+    } else {
+      posture[joint] = {value.number()};
+    }
+  }
+  return reader.named([&] { return configuration(robot.model, posture); });
+}
+
+int rows_of(const std::vector<RowGroup>& groups) {
+  int sum = 0;
+  for (const RowGroup& group : groups) sum += group.size;
+  return sum;
+}
+
+Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
+                          double otherwise) {
+  const int rows = rows_of(groups);
+  if (reader.is_list()) return reader.numbers(rows);
+  if (!reader.is_map()) return Eigen::VectorXd::Constant(rows, reader.number());
+  std::vector<std::string> known{"other"};
+  for (const RowGroup& group : groups) known.push_back(group.name);
+  reader.allow_only(known);
+  if (const auto other = reader.find("other")) otherwise = other->number();
+  Eigen::VectorXd result = Eigen::VectorXd::Constant(rows, otherwise);
+  int row = 0;
+  for (const RowGroup& group : groups) {
+    if (const auto value = reader.find(group.name)) {
+      if (value->is_list()) {
+        result.segment(row, group.size) = value->numbers(group.size);
+      } else {
+        result.segment(row, group.size).setConstant(value->number());
+      }
+    }
+    row += group.size;
+  }
+  return result;
+}
+
+std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ? path : folder / path;
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,26 @@
+// Small things that several parts of a problem file hold.
+#pragma once
+
+#include "files/scene.hpp"
+
+namespace burnish::files {
+
+/// {xyz: [m], rpy: [rad] or quaternion: [x, y, z, w]}; both optional.
+Eigen::Isometry3d read_placement(const YamlReader& reader);
+/// {rpy: ...} or {quaternion: ...} or four numbers.
+Eigen::Quaterniond read_rotation(const YamlReader& reader);
+/// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}}.
+Reference read_reference(const YamlReader& reader);
+/// Columns of axes: {normal: [...]}, {rpy: [...]} or {quaternion: [...]}.
+Eigen::Matrix3d read_axes(const YamlReader& reader);
+/// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers.
+Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader);
+/// One number for all rows, a list, or {name: number or list, ..., other: number}.
+Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
+                          double otherwise);
+int rows_of(const std::vector<RowGroup>& groups);
+
+/// The file that a name in a problem file means.
+std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace burnish::files

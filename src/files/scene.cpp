@@ -1,0 +1,121 @@
+#include "files/scene.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::files {
+namespace {
+
+std::string name_of_contact(const ContactSpec& contact) {
+  return contact.name.empty() ? contact.tool : contact.name;
+}
+
+std::vector<const Joint*> driven_joints(const ProblemSpec& spec) {
+  std::vector<const Joint*> result;
+  for (const std::string& name : spec.actuation.joints)
+    result.push_back(&spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))]);
+  if (spec.actuation.joints.empty())
+    for (const Joint& joint : spec.model.joints)
+      if (joint.kind != JointKind::FreeFlyer) result.push_back(&joint);
+  return result;
+}
+
+bool holds(const std::vector<std::string>& contacts, const std::string& name) {
+  return std::find(contacts.begin(), contacts.end(), name) != contacts.end();
+}
+
+}  // namespace
+
+const ContactSpec& FileScene::contact(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const ContactSpec& contact : spec.contacts) {
+    known.push_back(name_of_contact(contact));
+    if (known.back() == name) return contact;
+  }
+  throw Error("contact " + in_quotes(name) + " is not known" +
+              (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
+}
+
+std::vector<const Joint*> FileScene::driven() const { return driven_joints(spec); }
+
+int FileScene::controls() const {
+  int sum = 0;
+  for (const Joint* joint : driven()) sum += joint->nv;
+  return sum;
+}
+
+Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
+             const Eigen::VectorXd& q, const HeldForces& prescribed) {
+  const int nv = spec.model.nv;
+  // Forward dynamics may be singular here; its bias and Jacobian are what is read.
+  ContactDynamics dynamics(spec.model, spec.contacts, {.mu = 1e-6});
+  for (std::size_t c = 0; c < spec.contacts.size(); ++c)
+    dynamics.set_active(static_cast<int>(c), holds(contacts, name_of_contact(spec.contacts[c])));
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nv);
+  if (dynamics.forward(q, zero, zero) > Status::NotConverged)
+    throw Error("the robot cannot be held: its dynamics at the start cannot be evaluated");
+  // S^T u + J^T lambda = b, the prescribed lambda on the right.
+  const std::vector<const Joint*> driven = driven_joints(spec);
+  int nu = 0;
+  for (const Joint* joint : driven) nu += joint->nv;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(nv, nu + dynamics.rows());
+  int column = 0;
+  for (const Joint* joint : driven)
+    for (int k = 0; k < joint->nv; ++k) A(joint->v_index + k, column++) = 1.0;
+  Eigen::VectorXd b = dynamics.bias();
+  int row = 0;
+  std::vector<std::pair<std::string, int>> free;  // contact, first column
+  Holding result;
+  for (const ContactSpec& contact : spec.contacts) {
+    const std::string name = name_of_contact(contact);
+    if (!holds(contacts, name)) continue;
+    const int rows = contact.directions.count();
+    const Eigen::MatrixXd J_T = dynamics.jacobian().middleRows(row, rows).transpose();
+    row += rows;
+    const auto given = prescribed.find(name);
+    if (given != prescribed.end()) {
+      b -= J_T * given->second;
+      result.forces[name] = given->second;
+      continue;
+    }
+    A.middleCols(column, rows) = J_T;
+    free.emplace_back(name, column);
+    column += rows;
+  }
+  const Eigen::VectorXd solution = A.leftCols(column).completeOrthogonalDecomposition().solve(b);
+  result.control = solution.head(nu);
+  for (const auto& [name, first] : free) {
+    const auto same = std::find_if(spec.contacts.begin(), spec.contacts.end(),
+                                   [&](const auto& c) { return name_of_contact(c) == name; });
+    result.forces[name] = solution.segment(first, same->directions.count());
+  }
+  result.residual = (A.leftCols(column) * solution - b).cwiseAbs().maxCoeff();
+  return result;
+}
+
+bool is_hold(const YamlReader& reader) { return reader.is("hold") || reader.has("hold"); }
+
+HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
+                            const YamlReader& reader) {
+  HeldForces forces;
+  if (reader.is("hold")) return forces;
+  reader.allow_only({"hold"});
+  for (const auto& [name, value] : reader["hold"].items()) {
+    const std::string& contact_name = name;
+    const ContactSpec& contact =
+        reader["hold"].named([&]() -> const ContactSpec& { return scene.contact(contact_name); });
+    if (!holds(contacts, name)) value.refuse("this contact does not hold in the stage");
+    const int rows = contact.directions.count();
+    forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
+                                     : Eigen::VectorXd(value.numbers(rows));
+    if (forces[name].size() != rows)
+      value.refuse("it is one number; wanted a list of " + std::to_string(rows) + " (" +
+                   contact.directions.text() + ")");
+  }
+  return forces;
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,54 @@
+// What the parts of a problem file need to know of what was read before them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "burnish/model/robot.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+#include "files/yaml_reader.hpp"
+
+namespace burnish::files {
+
+/// Rows that belong together under one name: a joint and its entries, or a direction.
+struct RowGroup {
+  std::string name;
+  int size = 1;
+};
+
+struct FileScene {
+  const Robot& robot;
+  const ProblemSpec& spec;  ///< robot, contacts and actuation are filled
+  Eigen::VectorXd q;        ///< at the start
+  std::filesystem::path folder;
+
+  const Model& model() const { return spec.model; }
+  /// Index of a contact by name; throws Error with the nearest known name.
+  const ContactSpec& contact(const std::string& name) const;
+  std::vector<const Joint*> driven() const;
+  int controls() const;
+};
+
+/// Forces that are prescribed while the robot holds still: contact name -> its rows.
+using HeldForces = std::map<std::string, Eigen::VectorXd>;
+
+/// Controls and contact forces of least norm that hold the robot at `q` in a stage with these
+/// contacts, some of the forces prescribed.
+struct Holding {
+  Eigen::VectorXd control;  ///< nu, Nm (N)
+  HeldForces forces;        ///< of each contact that holds, N and Nm
+  double residual = 0.0;    ///< largest torque that nothing balances, Nm
+};
+Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
+             const Eigen::VectorXd& q, const HeldForces& prescribed);
+
+/// Reads `hold` or `{hold: {contact: force rows}}`.
+HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
+                            const YamlReader& reader);
+
+/// True for `hold` and `{hold: ...}`.
+bool is_hold(const YamlReader& reader);
+
+}  // namespace burnish::files

@@ -1,0 +1,72 @@
+// Trajectories that a solver starts from.
+#include "burnish/files/problem_file.hpp"
+#include "files/csv_table.hpp"
+#include "files/scene.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+/// Controls of each stage that hold the initial state; impacts have none. Torques that are part of
+/// the initial state go on where the contacts are those of the start.
+std::vector<Eigen::VectorXd> holding_controls(const Problem& problem) {
+  const ProblemSpec& spec = problem.spec();
+  const StateLayout& layout = problem.layout();
+  const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), layout.nx());
+  const std::vector<std::string>& first =
+      spec.stages[static_cast<std::size_t>(problem.stage_of(0))].contacts;
+  std::vector<Eigen::VectorXd> controls;
+  for (const Stage& stage : spec.stages) {
+    if (stage.impact) {
+      controls.push_back(Eigen::VectorXd::Zero(layout.nu));
+    } else if (layout.filtered > 0 && stage.contacts == first) {
+      controls.push_back(x.tail(layout.filtered));
+    } else {
+      controls.push_back(files::hold(spec, stage.contacts, x.head(layout.nq), {}).control);
+    }
+  }
+  return controls;
+}
+
+void read_trajectory(const Problem& problem, const std::filesystem::path& file,
+                     TrajectoryGuess& guess) {
+  const files::CsvTable table = files::read_csv(file);
+  if (table.values.rows() != problem.knots() + 1)
+    throw Error(file.string() + ": it has " + std::to_string(table.values.rows()) +
+                " rows; the problem has " + std::to_string(problem.knots() + 1) + " states");
+  const StateLayout& layout = problem.layout();
+  const Model& model = problem.model();
+  for (int i = 0; i < layout.nq; ++i) guess.xs.col(i) = table.column("q_" + model.q_name(i));
+  for (int i = 0; i < layout.nv; ++i)
+    guess.xs.col(layout.nq + i) = table.column("v_" + model.v_name(i));
+  for (int i = 0; i < layout.nu; ++i) {
+    const std::string name = model.v_name(layout.actuated[static_cast<std::size_t>(i)]);
+    if (layout.filtered > 0) guess.xs.col(layout.nq + layout.nv + i) = table.column("tau_" + name);
+    guess.us.col(i) = table.column("u_" + name).head(problem.knots());
+  }
+}
+
+}  // namespace
+
+TrajectoryGuess make_guess(const Problem& problem, const WarmStart& start) {
+  const int knots = problem.knots(), nx = problem.state().nx;
+  TrajectoryGuess guess;
+  guess.xs.resize(knots + 1, nx);
+  guess.us.setZero(knots, problem.max_controls());
+  if (start.kind == WarmStart::Kind::File) {
+    read_trajectory(problem, start.file, guess);
+    return guess;
+  }
+  guess.xs.rowwise() = Eigen::Map<const Eigen::RowVectorXd>(problem.initial_state(), nx);
+  if (start.kind == WarmStart::Kind::Still) return guess;
+  const std::vector<Eigen::VectorXd> controls = holding_controls(problem);
+  const int filtered = problem.layout().filtered;
+  for (int k = 0; k < knots; ++k) {
+    const Eigen::VectorXd& control = controls[static_cast<std::size_t>(problem.stage_of(k))];
+    guess.us.row(k) = control.transpose();
+    if (problem.controls(k) > 0) guess.xs.row(k + 1).tail(filtered) = control.head(filtered);
+  }
+  return guess;
+}
+
+}  // namespace burnish

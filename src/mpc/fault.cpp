@@ -1,0 +1,75 @@
+#include "burnish/mpc/fault.hpp"
+
+#include <cstdio>
+
+namespace burnish {
+
+std::string_view name_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::None:
+      return "no fault";
+    case FaultKind::StaleMeasurement:
+      return "stale measurement";
+    case FaultKind::BadMeasurement:
+      return "bad measurement";
+    case FaultKind::OutOfRange:
+      return "joint out of range";
+    case FaultKind::SolverFailed:
+      return "solver failed";
+    case FaultKind::SolverLate:
+      return "solver late";
+    case FaultKind::ContactLost:
+      return "contact lost";
+    case FaultKind::UnexpectedContact:
+      return "unexpected contact";
+    case FaultKind::ForceLimit:
+      return "force limit";
+    case FaultKind::SpeedLimit:
+      return "speed limit";
+  }
+  return "no fault";
+}
+
+namespace {
+/// What value and limit of a fault are.
+const char* words(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::StaleMeasurement:
+      return "%s at %.4f s: no new measurement for %.4g s; allowed are %.4g s";
+    case FaultKind::BadMeasurement:
+      return "%s at %.4f s: not a state for %.4g s; allowed are %.4g s";
+    case FaultKind::OutOfRange:
+      return "%s at %.4f s: position %.4g; the limit is %.4g";
+    case FaultKind::SolverFailed:
+      return "%s at %.4f s: no usable plan for %.0f updates; allowed are %.0f";
+    case FaultKind::SolverLate:
+      return "%s at %.4f s: %.0f updates in a row past their deadline; allowed are %.0f";
+    case FaultKind::ContactLost:
+      return "%s at %.4f s: no force for %.4g s while it was wanted; allowed are %.4g s";
+    case FaultKind::UnexpectedContact:
+      return "%s at %.4f s: %.4g N while no contact was wanted; allowed are %.4g N";
+    case FaultKind::ForceLimit:
+      return "%s at %.4f s: %.4g N at the tool; allowed are %.4g N";
+    case FaultKind::SpeedLimit:
+      return "%s at %.4f s: a speed of %.4g; allowed is %.4g";
+    case FaultKind::None:
+      break;
+  }
+  return "%s";
+}
+}  // namespace
+
+std::string FaultReport::text() const {
+  char buffer[256];
+  // The format is one of those above.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+  std::snprintf(buffer, sizeof buffer, words(kind), std::string(name_of(kind)).c_str(), time, value,
+                limit);
+#pragma GCC diagnostic pop
+  std::string sentence = buffer;
+  if (joint >= 0) sentence += " (entry " + std::to_string(joint) + " of v)";
+  return sentence;
+}
+
+}  // namespace burnish

@@ -1,0 +1,53 @@
+#include "burnish/mpc/feedback.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/solver/ddp.hpp"
+
+namespace burnish {
+
+FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, int knots, double step)
+    : problem_(&problem),
+      knots_(std::min(knots, problem.knots())),
+      step_(step),
+      x_(RowMatrix::Zero(knots_ + 1, problem.state().nx)),
+      u_(RowMatrix::Zero(knots_, problem.max_controls())),
+      gain_(static_cast<std::size_t>(knots_),
+            Eigen::MatrixXd::Zero(problem.max_controls(), problem.state().ndx)),
+      dx_(Eigen::VectorXd::Zero(problem.state().ndx)) {}
+
+void FeedbackPlan::load(const DdpSolver& solver, double time) noexcept {
+  x_ = solver.xs().topRows(knots_ + 1);
+  u_ = solver.us().topRows(knots_);
+  for (int k = 0; k < knots_; ++k)
+    if (problem_->controls(k) > 0) gain_[static_cast<std::size_t>(k)] = solver.gain(k);
+  start_ = time;
+  loaded_ = true;
+}
+
+LinearFeedback FeedbackPlan::make_feedback() const {
+  return {Eigen::VectorXd::Zero(u_.cols()), Eigen::MatrixXd::Zero(u_.cols(), dx_.size()),
+          Eigen::VectorXd::Zero(x_.cols())};
+}
+
+void FeedbackPlan::at(double time, LinearFeedback& out) const noexcept {
+  const double elapsed = std::clamp((time - start_) / step_, 0.0, static_cast<double>(knots_));
+  const int k = std::min(static_cast<int>(elapsed), knots_ - 1);
+  const double fraction = elapsed - k;
+  out.feedforward = u_.row(k).transpose();
+  out.gain = gain_[static_cast<std::size_t>(k)];
+  const double* const here = x_.data() + k * x_.cols();
+  problem_->difference(here, here + x_.cols(), dx_.data());
+  dx_ *= fraction;
+  problem_->integrate(here, dx_.data(), out.state.data());
+}
+
+void FeedbackPlan::control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
+                           Eigen::VectorXd& u) const noexcept {
+  problem_->difference(feedback.state.data(), x.data(), dx_.data());
+  u = feedback.feedforward;
+  u.noalias() += feedback.gain * dx_;
+}
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#include "burnish/mpc/model_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+
+namespace burnish {
+
+struct TorqueErrorObserver::Impl {
+  Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given)
+      : options(given),
+        dynamics(model),
+        body(model),
+        frame(body.frame(tool)),
+        velocity(Eigen::VectorXd::Zero(model.nv)),
+        error(Eigen::VectorXd::Zero(model.nv)),
+        total(Eigen::VectorXd::Zero(model.nv)),
+        innovation(Eigen::VectorXd::Zero(model.nv)) {
+    if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
+      throw Error("model error: a bandwidth of " + std::to_string(given.bandwidth) +
+                  " rad/s; wanted a positive number");
+    if (!(given.limit > 0.0))
+      throw Error("model error: a limit of " + std::to_string(given.limit) +
+                  "; wanted a positive number");
+  }
+
+  ModelErrorOptions options;
+  ContactDynamics dynamics;
+  RigidBody body;
+  int frame;
+  FrameDerivatives derivatives;
+  bool started = false;
+  Eigen::VectorXd velocity, error, total, innovation;
+};
+
+TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
+                                         const ModelErrorOptions& options)
+    : impl_(std::make_unique<Impl>(model, tool, options)) {
+  // Resized on first use: here, rather than in a tick.
+  impl_->body.frame_derivatives(impl_->frame, FrameAxes::Centered, impl_->derivatives);
+}
+TorqueErrorObserver::~TorqueErrorObserver() = default;
+TorqueErrorObserver::TorqueErrorObserver(TorqueErrorObserver&&) noexcept = default;
+TorqueErrorObserver& TorqueErrorObserver::operator=(TorqueErrorObserver&&) noexcept = default;
+
+void TorqueErrorObserver::reset() noexcept {
+  impl_->started = false;
+  impl_->error.setZero();
+}
+
+const Eigen::VectorXd& TorqueErrorObserver::torque_error() const { return impl_->error; }
+
+Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef& v,
+                                   const ConstVectorRef& tau, const Eigen::Vector3d& force_world,
+                                   double dt) noexcept {
+  Impl& d = *impl_;
+  if (tau.size() != d.total.size()) return Status::WrongSize;
+  if (!tau.allFinite() || !force_world.allFinite() || !std::isfinite(dt)) return Status::NotFinite;
+  Status status = d.body.update(q, v);
+  if (status > Status::NotConverged) return status;
+  if (!d.started) {
+    d.velocity = v;
+    d.started = true;
+  }
+  d.body.frame_derivatives(d.frame, FrameAxes::Centered, d.derivatives);
+  d.total = tau + d.error;
+  d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
+  status = d.dynamics.forward(q, v, d.total);
+  if (status > Status::NotConverged) return status;
+  const double w = d.options.bandwidth;
+  d.innovation = v - d.velocity;
+  d.velocity += dt * d.dynamics.a() + 2.0 * w * dt * d.innovation;
+  d.error.noalias() += w * w * dt * (d.dynamics.mass_matrix() * d.innovation);
+  d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);
+  return status;
+}
+
+}  // namespace burnish

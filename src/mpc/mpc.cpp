@@ -1,0 +1,25 @@
+#include "burnish/mpc/mpc.hpp"
+
+#include "mpc/mpc_impl.hpp"
+
+namespace burnish {
+
+MpcController::MpcController(MpcSpec spec) : impl_(std::make_unique<Impl>(std::move(spec))) {}
+MpcController::~MpcController() = default;
+
+int MpcController::nv() const { return impl_->problem.layout().nv; }
+void MpcController::reset() noexcept { impl_->reset(); }
+const Command& MpcController::tick(const Measurement& measurement) noexcept {
+  return impl_->tick(measurement);
+}
+const FaultReport& MpcController::fault() const { return impl_->fault; }
+const LinearFeedback& MpcController::feedback() const { return impl_->policy; }
+const Eigen::VectorXd& MpcController::torque_error() const {
+  return impl_->observer.torque_error();
+}
+double MpcController::force_error() const { return impl_->force_error; }
+const Schedule& MpcController::schedule() const { return impl_->schedule; }
+const Problem& MpcController::problem() const { return impl_->problem; }
+MatrixView MpcController::plan() const { return impl_->solver.xs(); }
+
+}  // namespace burnish

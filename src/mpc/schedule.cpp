@@ -1,0 +1,71 @@
+#include "burnish/mpc/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+
+Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases)) {
+  if (phases_.empty()) throw Error("a schedule has no phases; wanted at least one");
+  double start = 0.0;
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const double duration = phases_[i].duration;
+    if (!(duration > 0.0))
+      throw Error("phase " + std::to_string(i) + " of a schedule lasts " +
+                  std::to_string(duration) + " s; wanted a positive time");
+    if (std::isinf(duration) && i + 1 < phases_.size())
+      throw Error("phase " + std::to_string(i) + " of a schedule never ends, but " +
+                  std::to_string(phases_.size() - i - 1) + " follow it");
+    starts_.push_back(start);
+    start += duration;
+  }
+}
+
+void Schedule::reset() noexcept {
+  time_ = 0.0;
+  current_ = 0;
+}
+
+int Schedule::phase_at(double time) const noexcept {
+  int phase = 0;
+  while (phase + 1 < static_cast<int>(phases_.size()) &&
+         time >= starts_[static_cast<std::size_t>(phase) + 1])
+    ++phase;
+  return phase;
+}
+
+bool Schedule::finished() const noexcept {
+  return std::isfinite(phases_.back().duration) &&
+         time_ >= starts_.back() + phases_.back().duration;
+}
+
+void Schedule::jump_to(int phase) noexcept {
+  time_ = starts_[static_cast<std::size_t>(phase)];
+  current_ = phase;
+}
+
+bool Schedule::advance(double dt, bool contact) noexcept {
+  const double before = time_;
+  time_ += dt;
+  const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
+  const bool last = current_ + 1 == static_cast<int>(phases_.size());
+  const double end = last ? std::numeric_limits<double>::infinity()
+                          : starts_[static_cast<std::size_t>(current_) + 1];
+  if (phase.until_contact && !last) {
+    if (contact) {
+      time_ = end;
+      ++current_;
+      return before + dt != end;
+    }
+    const double latest = std::max(starts_[static_cast<std::size_t>(current_)], end - phase.hold);
+    if (time_ < latest) return false;
+    time_ = latest;
+    return true;
+  }
+  if (time_ >= end) ++current_;
+  return false;
+}
+
+}  // namespace burnish

@@ -1,0 +1,266 @@
+#include "ocp/check_point.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "derivatives/check_differences.hpp"
+
+namespace burnish::ocp {
+namespace {
+
+constexpr double largest_angle = std::numbers::pi - 0.1;  // rad
+constexpr double smallest_step = 2e-4;  // that differences fall back to, and every one below
+
+double floor_of(const Eigen::VectorXd& values) {
+  return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
+}
+
+/// F of a knot, ndx x nz, from P and the lead blocks.
+Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& knot, int nu) {
+  const int nz = nu + shape.ndx, nv = shape.nv;
+  const Eigen::Map<const RowMatrix, 0, Eigen::OuterStride<>> given(
+      knot.dynamics, knot.form == DynamicsForm::Dense ? shape.ndx : nv, nz,
+      Eigen::OuterStride<>(knot.stride));
+  if (knot.form == DynamicsForm::Dense) return given;
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(shape.ndx, nz);
+  F.middleRows(nv, nv) = given;
+  F.topRows(nv) = knot.step * given;
+  F.block(0, nu, nv, nv) += Eigen::MatrixXd::Identity(nv, nv);
+  const double* lead = knot.lead;
+  for (const LeadBlock& block : shape.blocks) {
+    const int n = block.size;
+    const Eigen::Map<const RowMatrix> A(lead, n, n), B(lead + n * n, n, n);
+    F.middleRows(block.first, n) = knot.step * B * given.middleRows(block.first, n);
+    F.block(block.first, nu + block.first, n, n) += A;
+    lead += 2 * n * n;
+  }
+  for (int i = 0; i < shape.filtered; ++i) {
+    if (nu > 0) F(2 * nv + i, i) = 1.0 - knot.decay[i];
+    F(2 * nv + i, nu + 2 * nv + i) = knot.decay[i];
+  }
+  return F;
+}
+
+}  // namespace
+
+CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::VectorXd u)
+    : problem_(problem),
+      knot_(knot),
+      nu_(problem.controls(knot)),
+      nz_(nu_ + problem.state().ndx),
+      x_(std::move(x)),
+      u_(std::move(u)),
+      terms_(ProblemInside::of(problem).stage(knot).terms) {
+  int row = knot == problem.knots() ? 0 : problem.state().ndx;
+  for (const CompiledTerm& term : terms_) {
+    first_row_.push_back(row);
+    row += term.rows;
+  }
+  first_row_.push_back(row);
+  next_ = Eigen::VectorXd::Zero(problem.state().nx);
+  status_ = problem.roll(0, knot, x_.data(), u_.data(), next_.data()).status;
+  if (status_ != Status::Ok) return;
+  here_ = stacked(x_, u_);
+  expand();
+}
+
+Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::VectorXd& u) {
+  Eigen::VectorXd result(first_row_.back() + static_cast<Eigen::Index>(terms_.size()));
+  Eigen::VectorXd next(x.size());
+  const Status status = problem_.roll(0, knot_, x.data(), u.data(), next.data()).status;
+  if (status != Status::Ok)
+    return Eigen::VectorXd::Constant(result.size(), std::numeric_limits<double>::quiet_NaN());
+  if (knot_ < problem_.knots()) problem_.difference(next_.data(), next.data(), result.data());
+  const std::vector<double> costs = problem_.term_costs(knot_, x.data(), u.data());
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const int term = static_cast<int>(t);
+    result.segment(first_row(term), terms_[t].rows) = problem_.residual(knot_, term, x, u);
+    result[cost_row(term)] = costs[t];
+  }
+  return result;
+}
+
+Eigen::VectorXd CheckPoint::moved(int k, double h) {
+  const auto known = cache_.find({k, h});
+  if (known != cache_.end()) return known->second;
+  Eigen::VectorXd x = x_, u = u_;
+  if (k < nu_) {
+    u[k] += h;
+  } else {
+    const Eigen::VectorXd dx = h * Eigen::VectorXd::Unit(problem_.state().ndx, k - nu_);
+    problem_.integrate(x_.data(), dx.data(), x.data());
+  }
+  return cache_.emplace(std::pair{k, h}, stacked(x, u)).first->second;
+}
+
+Eigen::MatrixXd CheckPoint::differences(int first, int count) {
+  return extrapolated_differences(
+      [&](int k, double h) { return Eigen::VectorXd(moved(k, h).segment(first, count)); }, nz_,
+      count);
+}
+
+std::vector<DerivativeBlock> CheckPoint::split(const std::string& name,
+                                               const std::vector<std::string>& rows,
+                                               const Eigen::MatrixXd& value,
+                                               const Eigen::MatrixXd& expected,
+                                               double floor) const {
+  const StateShape& shape = problem_.state();
+  std::vector<std::string> names = nu_ > 0 ? problem_.control_names() : std::vector<std::string>{};
+  for (std::string& control : names) control.insert(0, "u ");
+  for (const std::string& state : problem_.state_names()) names.push_back(state);
+  std::vector<DerivativeBlock> blocks;
+  int first = 0;
+  const auto add = [&](const char* by, int count) {
+    if (count > 0)
+      blocks.push_back({"d" + name + "_d" + by,
+                        rows,
+                        {names.begin() + first, names.begin() + first + count},
+                        value.middleCols(first, count),
+                        expected.middleCols(first, count),
+                        floor});
+    first += count;
+  };
+  add("u", nu_);
+  add("q", shape.nv);
+  add("v", shape.nv);
+  add("tau", shape.filtered);
+  return blocks;
+}
+
+void CheckPoint::expand() {
+  const StateShape& shape = problem_.state();
+  const auto knots = static_cast<std::size_t>(problem_.knots() + 1);
+  const int stride = shape.ndx + problem_.max_controls();
+  std::vector<double> x(knots * static_cast<std::size_t>(shape.nx)), next = x;
+  std::vector<double> u(knots * static_cast<std::size_t>(problem_.max_controls()));
+  std::copy_n(x_.data(), shape.nx, x.data() + static_cast<std::ptrdiff_t>(knot_) * shape.nx);
+  std::copy_n(u_.data(), nu_,
+              u.data() + static_cast<std::ptrdiff_t>(knot_) * problem_.max_controls());
+  std::vector<KnotValue> values(knots);
+  std::vector<KnotExpansion> out(knots);
+  Eigen::VectorXd decay(shape.filtered);
+  RowMatrix hessian(stride, stride), dynamics(stride, stride);
+  int lead_size = 0;
+  for (const LeadBlock& block : shape.blocks) lead_size += 2 * block.size * block.size;
+  Eigen::VectorXd lead(lead_size);
+  gradient_.resize(stride);
+  KnotExpansion& knot = out[static_cast<std::size_t>(knot_)];
+  knot.stride = stride;
+  knot.gradient = gradient_.data();
+  knot.hessian = hessian.data();
+  knot.dynamics = dynamics.data();
+  knot.lead = lead.data();
+  knot.decay = decay.data();
+  problem_.expand(0, {knot_, knot_ + 1}, {x.data(), u.data()}, next.data(), values.data(),
+                  out.data());
+  gradient_.conservativeResize(nz_);
+  if (knot_ < problem_.knots()) dynamics_ = dense_dynamics(shape, knot, nu_);
+}
+
+std::vector<DerivativeBlock> CheckPoint::next_state() {
+  const int ndx = problem_.state().ndx;
+  return split("next", problem_.state_names(), dynamics_, differences(0, ndx), 1e-5);
+}
+
+std::vector<DerivativeBlock> CheckPoint::residual(int term) {
+  const int rows = term_at(term).rows;
+  const Eigen::MatrixXd J = problem_.residual_derivative(knot_, term, x_, u_).rightCols(nz_);
+  return split("r", row_names(problem_, term_at(term)), J, differences(first_row(term), rows),
+               floor_of(here_.segment(first_row(term), rows)));
+}
+
+bool CheckPoint::near_seam(int term) const {
+  const CompiledTerm& compiled = term_at(term);
+  if (compiled.penalty != Penalty::Kind::Barrier && compiled.penalty != Penalty::Kind::LogBarrier)
+    return false;
+  const RowMatrix J = problem_.residual_derivative(knot_, term, x_, u_);
+  const double width = compiled.penalty == Penalty::Kind::LogBarrier ? compiled.width : 0.0;
+  for (int i = 0; i < compiled.rows; ++i) {
+    const double r = here_[first_row(term) + i];
+    const auto row = static_cast<std::size_t>(i);
+    const double apart = std::min(std::abs(r - compiled.lower[row] - width),
+                                  std::abs(r - compiled.upper[row] + width));
+    if (apart < 2.0 * smallest_step * J.row(i).cwiseAbs().maxCoeff()) return true;
+  }
+  return false;
+}
+
+std::vector<DerivativeBlock> CheckPoint::cost(int term) {
+  if (near_seam(term)) return {};
+  // The stage with this term alone, through the same code as all terms.
+  auto& impl = ProblemInside::of(problem_);
+  CompiledStage alone = impl.stage(knot_);
+  alone.terms = {term_at(term)};
+  NodeKernel<double>& kernel = impl.worker(0).one;
+  kernel.expand(alone, x_.data(), u_.data(), impl.targets_of(knot_),
+                &impl.times[static_cast<std::size_t>(knot_)]);
+  const Eigen::Map<const Eigen::RowVectorXd> all(kernel.gradient.data(), problem_.layout().nz());
+  return split("cost", {term_at(term).name}, all.tail(nz_), differences(cost_row(term), 1),
+               floor_of(here_.segment(cost_row(term), 1)));
+}
+
+std::vector<DerivativeBlock> CheckPoint::all_costs() {
+  const int count = static_cast<int>(terms_.size());
+  for (int t = 0; t < count; ++t)
+    if (near_seam(t)) return {};
+  const Eigen::RowVectorXd expected = differences(cost_row(0), count).colwise().sum();
+  return split("cost", {"sum"}, gradient_.transpose(), expected,
+               floor_of(here_.segment(cost_row(0), count)));
+}
+
+bool CheckPoint::near_half_turn() const {
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const Eigen::VectorXd r = here_.segment(first_row_[t], terms_[t].rows);
+    if (terms_[t].load != CompiledTerm::Load::Plain && r.tail<3>().norm() > largest_angle)
+      return true;
+  }
+  return false;
+}
+
+namespace {
+struct RowNames {
+  const Problem& problem;
+  const CompiledTerm& term;
+  using Names = std::vector<std::string>;
+  static Names directions(int first, int count) {
+    return {direction_names.begin() + first, direction_names.begin() + first + count};
+  }
+  Names operator()(const StateDifference&) const { return problem.state_names(); }
+  Names operator()(const Selection& r) const {
+    Names names;
+    for (const int entry : r.entries) {
+      const bool of_actuators =
+          r.source == Selection::Source::U || r.source == Selection::Source::TorqueState;
+      names.push_back(r.source == Selection::Source::Q ? problem.model().q_name(entry)
+                      : of_actuators ? problem.control_names()[static_cast<std::size_t>(entry)]
+                                     : problem.model().v_name(entry));
+    }
+    return names;
+  }
+  Names operator()(const FramePositionError&) const { return directions(0, 3); }
+  Names operator()(const FrameRotationError&) const { return directions(3, 3); }
+  Names operator()(const OwnForceError& r) const {
+    Names names;
+    const auto& contacts = ProblemInside::of(problem).compiled.contacts.contacts();
+    for (const int d : contacts[static_cast<std::size_t>(r.contact)].directions)
+      names.emplace_back(direction_names[static_cast<std::size_t>(d)]);
+    return names;
+  }
+  Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
+  Names operator()(const PressureMargin&) const { return {"-x", "+x", "+y", "-y"}; }
+  Names operator()(const ComError&) const { return directions(0, 3); }
+  Names operator()(const CustomResidual&) const {
+    Names names;
+    for (int i = 0; i < term.rows; ++i) names.push_back("row " + std::to_string(i));
+    return names;
+  }
+  Names operator()(const auto& /*six rows*/) const { return directions(0, 6); }
+};
+}  // namespace
+
+std::vector<std::string> row_names(const Problem& problem, const CompiledTerm& term) {
+  return std::visit(RowNames{problem, term}, term.residual);
+}
+
+}  // namespace burnish::ocp

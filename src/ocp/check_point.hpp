@@ -1,0 +1,56 @@
+// One knot at one state: its derivatives, and the same from differences.
+#pragma once
+
+#include <map>
+
+#include "derivatives/check_blocks.hpp"
+#include "ocp/problem_impl.hpp"
+
+namespace burnish::ocp {
+
+class CheckPoint {
+ public:
+  CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::VectorXd u);
+
+  Status status() const { return status_; }
+  const Eigen::VectorXd& x() const { return x_; }
+  /// Whether a rotation residual is so close to half a turn that differences may jump.
+  bool near_half_turn() const;
+
+  /// Blocks by u, q, v and tau. Nothing at the end of the horizon.
+  std::vector<DerivativeBlock> next_state();
+  std::vector<DerivativeBlock> residual(int term);
+  /// Empty where a barrier has its seam too close by.
+  std::vector<DerivativeBlock> cost(int term);
+  std::vector<DerivativeBlock> all_costs();
+
+ private:
+  /// The next state as a tangent from that at x, residuals and costs of all terms.
+  Eigen::VectorXd stacked(const Eigen::VectorXd& x, const Eigen::VectorXd& u);
+  Eigen::VectorXd moved(int k, double h);
+  Eigen::MatrixXd differences(int first, int count);
+  std::vector<DerivativeBlock> split(const std::string& name, const std::vector<std::string>& rows,
+                                     const Eigen::MatrixXd& value, const Eigen::MatrixXd& expected,
+                                     double floor) const;
+  void expand();
+  bool near_seam(int term) const;
+  const CompiledTerm& term_at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
+  int first_row(int term) const { return first_row_[static_cast<std::size_t>(term)]; }
+  int cost_row(int term) const { return first_row(static_cast<int>(terms_.size())) + term; }
+
+  Problem& problem_;
+  int knot_, nu_, nz_;
+  Eigen::VectorXd x_, u_;
+  const std::vector<CompiledTerm>& terms_;
+  std::vector<int> first_row_;  ///< of each term in the stacked values, then of the costs
+  Status status_ = Status::Ok;
+  Eigen::VectorXd next_, here_;
+  Eigen::MatrixXd dynamics_;  ///< ndx x nz
+  Eigen::VectorXd gradient_;  ///< nz
+  std::map<std::pair<int, double>, Eigen::VectorXd> cache_;
+};
+
+/// What the rows of a residual are called.
+std::vector<std::string> row_names(const Problem& problem, const CompiledTerm& term);
+
+}  // namespace burnish::ocp

@@ -1,0 +1,233 @@
+// What will not go well with a problem, in sentences.
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/base/error.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+#include "burnish/ocp/check.hpp"
+#include "model/sentence.hpp"
+#include "ocp/problem_impl.hpp"
+#include "ocp/reach.hpp"
+
+namespace burnish {
+namespace {
+
+using ocp::CompiledTerm;
+using ocp::ProblemInside;
+
+/// The first knot at which something is said of a term, and how many more there are.
+struct Finding {
+  int knot = -1;
+  int more = 0;
+  std::string what;
+  void add(int at, const std::string& sentence) {
+    if (knot >= 0) {
+      ++more;
+      return;
+    }
+    knot = at;
+    what = sentence;
+  }
+};
+
+const std::string* reaching_frame(const Residual& residual) {
+  if (const auto* r = std::get_if<residual::FramePosition>(&residual)) return &r->frame;
+  if (const auto* r = std::get_if<residual::FramePlacement>(&residual)) return &r->frame;
+  return nullptr;
+}
+
+std::string out_of_reach(const std::string& frame, const ocp::Reach& reach,
+                         const Eigen::Vector3d& target) {
+  const double apart = (target - reach.origin).norm();
+  if (!(apart > reach.distance + 1e-6)) return "";
+  if (reach.joint.empty())
+    return "nothing moves " + in_quotes(frame) + ", and the target is " + number(apart) +
+           " m from it";
+  return "the target is " + number(apart) + " m from joint " + in_quotes(reach.joint) +
+         "; the robot brings " + in_quotes(frame) + " at most " + number(reach.distance) +
+         " m from there";
+}
+
+/// What is wrong with the target of a term at a knot; empty: nothing.
+std::string target_complaint(const Problem& problem, int knot, const CompiledTerm& term,
+                             const std::string* frame) {
+  const auto& impl = ProblemInside::of(problem);
+  const double* const stored = impl.targets.data() +
+                               static_cast<std::ptrdiff_t>(knot) * impl.compiled.largest_targets +
+                               term.target;
+  const Eigen::Map<const Eigen::VectorXd> target(stored, term.target_size);
+  if (!target.allFinite()) return "the target holds a NaN or an infinity";
+  if (term.load != CompiledTerm::Load::Plain) {
+    Eigen::VectorXd given(term.signal_size);
+    term.signal.at(problem.time_of(knot), given);
+    const double length = given.tail<4>().norm();
+    if (std::abs(length - 1.0) > 1e-6)
+      return "the target's quaternion has length " + number(length) + "; wanted 1";
+  }
+  if (frame == nullptr) return "";
+  return out_of_reach(*frame, ocp::reach_of(problem.model(), *frame), target.head<3>());
+}
+
+void about_targets(const Problem& problem, std::vector<std::string>& sentences) {
+  const auto& impl = ProblemInside::of(problem);
+  const ProblemSpec& spec = problem.spec();
+  for (std::size_t s = 0; s < impl.compiled.stages.size(); ++s) {
+    const ocp::CompiledStage& stage = impl.compiled.stages[s];
+    const std::vector<CostTerm>& costs = stage.terminal ? spec.terminal : spec.stages[s].costs;
+    for (std::size_t t = 0; t < costs.size(); ++t) {
+      Finding finding;
+      for (int k = 0; k <= problem.knots(); ++k) {
+        if (problem.stage_of(k) != static_cast<int>(s)) continue;
+        const std::string what =
+            target_complaint(problem, k, stage.terms[t], reaching_frame(costs[t].residual));
+        if (!what.empty()) finding.add(k, what);
+      }
+      if (finding.knot < 0) continue;
+      sentences.push_back(
+          problem.knot_name(finding.knot) + ", term " + in_quotes(stage.terms[t].name) + ": " +
+          finding.what +
+          (finding.more > 0 ? " (and at " + std::to_string(finding.more) + " more knots)" : ""));
+    }
+  }
+}
+
+void about_initial_state(const Problem& problem, std::vector<std::string>& sentences) {
+  const Model& model = problem.model();
+  const StateLayout& l = problem.layout();
+  const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), l.nx());
+  const auto compare = [&](const std::string& name, double value, double lower, double upper) {
+    if (value >= lower - 1e-9 && value <= upper + 1e-9) return;
+    sentences.push_back("initial state: " + name + " is " + number(value) + "; its limits are " +
+                        number(lower) + " and " + number(upper));
+  };
+  for (const Joint& joint : model.joints)
+    if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic)
+      compare("joint " + in_quotes(joint.name), x[joint.q_index], model.q_lower[joint.q_index],
+              model.q_upper[joint.q_index]);
+  for (int k = 0; k < l.nv; ++k)
+    compare("the velocity of " + in_quotes(model.v_name(k)), x[l.nq + k], -model.velocity_limit[k],
+            model.velocity_limit[k]);
+  for (int i = 0; i < l.filtered; ++i) {
+    const int k = l.actuated[static_cast<std::size_t>(i)];
+    compare("the torque of " + in_quotes(model.v_name(k)), x[l.nq + l.nv + i],
+            -model.effort_limit[k], model.effort_limit[k]);
+  }
+}
+
+/// What contact forces cannot balance of S u = b, as M u = c: the null space of J maps both.
+struct Balance {
+  Eigen::MatrixXd M;
+  Eigen::VectorXd c;
+};
+
+Balance balance_of(const Problem& problem, const ocp::CompiledStage& stage,
+                   const Eigen::VectorXd& q) {
+  const auto& impl = ProblemInside::of(problem);
+  const StateLayout& l = problem.layout();
+  ContactDynamics dynamics(problem.model(), problem.spec().contacts, {.mu = 1e-6});
+  for (int c = 0; c < impl.compiled.contacts.size(); ++c)
+    dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nv);
+  dynamics.acceleration(q, rest, rest);
+  Eigen::MatrixXd N = Eigen::MatrixXd::Identity(l.nv, l.nv);
+  if (dynamics.rows() > 0) {
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(dynamics.jacobian().transpose());
+    const Eigen::MatrixXd Q = qr.householderQ();
+    N = Q.rightCols(l.nv - qr.rank());
+  }
+  Eigen::VectorXd b = dynamics.bias();
+  for (int k = 0; k < l.nv; ++k) b[k] -= impl.compiled.torque_bias[static_cast<std::size_t>(k)];
+  Balance balance{Eigen::MatrixXd(N.cols(), l.nu), N.transpose() * b};
+  for (int i = 0; i < l.nu; ++i)
+    balance.M.col(i) = N.row(l.actuated[static_cast<std::size_t>(i)]).transpose();
+  return balance;
+}
+
+/// Largest entry of M u - c that no u within the bounds removes: coordinate descent.
+double least_imbalance(const Balance& balance, const std::vector<double>& lower,
+                       const std::vector<double>& upper, Eigen::VectorXd u) {
+  const Eigen::MatrixXd G = balance.M.transpose() * balance.M;
+  const Eigen::VectorXd g = balance.M.transpose() * balance.c;
+  const auto clamped = [&](Eigen::Index i, double value) {
+    const auto place = static_cast<std::size_t>(i);
+    return std::clamp(value, lower[place], upper[place]);
+  };
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = clamped(i, u[i]);
+  for (int sweep = 0; sweep < 10000; ++sweep) {
+    double moved = 0.0;
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      if (G(i, i) < 1e-12) continue;
+      const double next = clamped(i, u[i] + (g[i] - G.row(i).dot(u)) / G(i, i));
+      moved = std::max(moved, std::abs(next - u[i]));
+      u[i] = next;
+    }
+    if (moved < 1e-9) break;
+  }
+  return balance.c.size() == 0 ? 0.0 : (balance.M * u - balance.c).cwiseAbs().maxCoeff();
+}
+
+void about_bounds(const Problem& problem, std::vector<std::string>& sentences) {
+  const auto& impl = ProblemInside::of(problem);
+  if (impl.lower.empty()) return;
+  const StateLayout& l = problem.layout();
+  const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), l.nx());
+  for (std::size_t s = 0; s + 1 < impl.compiled.stages.size(); ++s) {
+    const ocp::CompiledStage& stage = impl.compiled.stages[s];
+    if (stage.impact) continue;
+    const Problem::QuasiStatic rest = problem.quasi_static(static_cast<int>(s), x);
+    const Balance balance = balance_of(problem, stage, x.head(l.nq));
+    const double scale =
+        std::max(1.0, balance.c.size() == 0 ? 0.0 : balance.c.cwiseAbs().maxCoeff());
+    // Where even boundless controls leave something, the robot falls: not what bounds are for.
+    if (rest.residual > 1e-6 * scale) continue;
+    if (least_imbalance(balance, impl.lower, impl.upper, rest.control) < 1e-4 * scale) continue;
+    int worst = 0;
+    double most = 0.0;
+    for (int i = 0; i < l.nu; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      const double over =
+          std::max(impl.lower[place] - rest.control[i], rest.control[i] - impl.upper[place]);
+      if (over <= most) continue;
+      most = over;
+      worst = i;
+    }
+    sentences.push_back("stage " + in_quotes(stage.name) +
+                        ": the control bounds cannot hold the initial posture at rest: " +
+                        in_quotes(problem.control_names()[static_cast<std::size_t>(worst)]) +
+                        " needs " + number(rest.control[worst]) + ", its bounds are " +
+                        number(impl.lower[static_cast<std::size_t>(worst)]) + " and " +
+                        number(impl.upper[static_cast<std::size_t>(worst)]));
+  }
+}
+
+void about_contacts(const Problem& problem, std::vector<std::string>& sentences) {
+  const auto& impl = ProblemInside::of(problem);
+  if (impl.compiled.contact_solver.mu > 0.0) return;
+  const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
+  for (const ocp::CompiledStage& stage : impl.compiled.stages) {
+    if (stage.terminal) continue;
+    std::vector<int> active;
+    for (int c = 0; c < impl.compiled.contacts.size(); ++c)
+      if (stage.active[static_cast<std::size_t>(c)] != 0) active.push_back(c);
+    if (active.empty()) continue;
+    for (const RedundantRow& row :
+         diagnose(problem.model(), impl.compiled.contacts, q, active).redundant)
+      sentences.push_back("stage " + in_quotes(stage.name) + ", initial posture: " + row.text() +
+                          "; wanted independent rows, or mu > 0");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> complaints(const Problem& problem) {
+  std::vector<std::string> sentences;
+  about_targets(problem, sentences);
+  about_initial_state(problem, sentences);
+  about_bounds(problem, sentences);
+  about_contacts(problem, sentences);
+  return sentences;
+}
+
+}  // namespace burnish

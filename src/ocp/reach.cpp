@@ -1,0 +1,29 @@
+#include "ocp/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish::ocp {
+
+Reach reach_of(const Model& model, const std::string& frame) {
+  const Frame& found = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
+  if (found.body < 0) return {found.placement.translation(), 0.0, ""};
+  Reach reach{{}, found.placement.translation().norm(), ""};
+  for (int j = found.body; j >= 0;) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    if (joint.kind == JointKind::FreeFlyer || joint.kind == JointKind::Planar) return {};
+    if (joint.kind == JointKind::Prismatic)
+      reach.distance +=
+          std::max(std::abs(model.q_lower[joint.q_index]), std::abs(model.q_upper[joint.q_index]));
+    if (joint.parent < 0) {
+      reach.origin = joint.placement.translation();
+      reach.joint = joint.name;
+    } else {
+      reach.distance += joint.placement.translation().norm();
+    }
+    j = joint.parent;
+  }
+  return reach;
+}
+
+}  // namespace burnish::ocp

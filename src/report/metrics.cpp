@@ -1,0 +1,202 @@
+#include "burnish/report/metrics.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/sim/controller.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double impact_time = 0.05;  // s
+
+/// Rows of a trace by their time.
+struct Window {
+  int first, last;  ///< last is behind the window
+  int size() const { return last - first; }
+};
+
+Window window_of(const Trace::Column& time, double start, double end) {
+  // Half a nanosecond of rounding, so that a window from 3 s holds the row at 3 s.
+  constexpr double slack = 5e-10;
+  Window result{0, static_cast<int>(time.size())};
+  while (result.first < result.last && time[result.first] < start - slack) ++result.first;
+  while (result.last > result.first && time[result.last - 1] > end + slack) --result.last;
+  return result;
+}
+
+/// Three columns as a vector per row.
+class Vectors {
+ public:
+  Vectors(const Trace& trace, const std::string& what, const std::string& frame)
+      : Vectors(trace, what + "_x_" + frame, what + "_y_" + frame, what + "_z_" + frame) {}
+  Vectors(const Trace& trace, const std::string& x, const std::string& y, const std::string& z)
+      : x_(trace.column(x)), y_(trace.column(y)), z_(trace.column(z)) {}
+  Eigen::Vector3d operator[](int row) const { return {x_[row], y_[row], z_[row]}; }
+
+ private:
+  Trace::Column x_, y_, z_;
+};
+
+/// Mean over the rows within half of `width` rows on either side, fewer at the ends.
+Eigen::VectorXd averaged(const Eigen::VectorXd& x, int width) {
+  const int n = static_cast<int>(x.size()), before = width / 2, behind = width - before;
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1);
+  for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
+  Eigen::VectorXd result(n);
+  for (int i = 0; i < n; ++i) {
+    const int from = std::max(0, i - before), to = std::min(n, std::max(i + behind, i + 1));
+    result[i] = (sums[to] - sums[from]) / (to - from);
+  }
+  return result;
+}
+
+double rms(const Eigen::VectorXd& x) {
+  return std::sqrt(x.squaredNorm() / static_cast<double>(x.size()));
+}
+
+/// The smallest entry that a share of all entries does not exceed.
+double percentile(std::vector<double> x, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(x.size())));
+  const std::size_t at = std::min(std::max<std::size_t>(rank, 1), x.size()) - 1;
+  std::nth_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(at), x.end());
+  return x[at];
+}
+double percentile(const Eigen::VectorXd& x, double share) {
+  return percentile(std::vector<double>(x.data(), x.data() + x.size()), share);
+}
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turned) {
+  const double angle = turned.norm();
+  if (angle < 1e-12) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
+}
+
+/// Along the normal, in every row.
+Eigen::VectorXd along(const Trace& trace, const std::string& what, const Eigen::Vector3d& normal) {
+  const Vectors force(trace, what, "world");
+  Eigen::VectorXd result(trace.rows());
+  for (int row = 0; row < trace.rows(); ++row) result[row] = normal.dot(force[row]);
+  return result;
+}
+
+void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& window,
+                   const Eigen::Vector3d& normal, Metrics& metrics) {
+  const Trace::Column time = trace.column("time");
+  const Eigen::VectorXd target = trace.column("target_force");
+  const Eigen::VectorXd force = along(trace, "tool_force", normal);
+  const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
+  const Eigen::VectorXd smooth =
+      averaged(force, std::max(1, static_cast<int>(std::lround(spec.average / dt))));
+  const int first = window.first, n = window.size();
+  const Eigen::VectorXd error = (smooth - target).segment(first, n);
+  const Eigen::VectorXd raw = (force - target).segment(first, n);
+  metrics.force_mean = force.segment(first, n).mean();
+  metrics.force_mae = error.cwiseAbs().mean();
+  metrics.force_rmse = rms(error);
+  metrics.force_peak = error.cwiseAbs().maxCoeff();
+  metrics.force_rmse_raw = rms(raw);
+  metrics.force_peak_raw = raw.cwiseAbs().maxCoeff();
+  metrics.estimate_rmse = rms((along(trace, "estimated_force", normal) - force).segment(first, n));
+  const Trace::Column in_contact = trace.column("in_contact");
+  metrics.without_contact = 1.0 - in_contact.segment(first, n).mean();
+
+  const Trace::Column phase = trace.column("phase");
+  for (int row = 0, touched = -1; row < trace.rows(); ++row) {
+    if (touched < 0 && in_contact[row] != 0.0) touched = row;
+    if (touched >= 0 && time[row] <= time[touched] + impact_time)
+      metrics.impact_peak = std::max(metrics.impact_peak.value_or(0.0), force[row]);
+    if (phase[row] == static_cast<double>(Phase::Track) && row < first)
+      metrics.overshoot =
+          std::max({metrics.overshoot.value_or(0.0), smooth[row] - target[row], 0.0});
+  }
+}
+
+void measure_motion(const Trace& trace, const Window& window, const Eigen::Vector3d& normal,
+                    Metrics& metrics) {
+  const Vectors tool(trace, "tool", "world"), target(trace, "target", "world");
+  const Vectors turned(trace, "tool_rx_start", "tool_ry_start", "tool_rz_start");
+  const Eigen::Matrix3d start = rotation_of(turned[window.first]);
+  Eigen::VectorXd error(window.size());
+  for (int row = window.first; row < window.last; ++row) {
+    const Eigen::Vector3d off = tool[row] - target[row];
+    error[row - window.first] = (off - normal.dot(off) * normal).norm();
+    const Eigen::Matrix3d since = start.transpose() * rotation_of(turned[row]);
+    metrics.orientation_drift =
+        std::max(metrics.orientation_drift, std::abs(Eigen::AngleAxisd(since).angle()));
+  }
+  metrics.position_mean = error.mean();
+  metrics.position_rmse = rms(error);
+  metrics.position_p95 = percentile(error, 0.95);
+}
+
+void measure_margins(const Trace& trace, const Model& model, const Window& window,
+                     Metrics& metrics) {
+  double joint_margin = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < model.nq; ++k) {
+    const auto q = trace.column("q_" + model.q_name(k)).segment(window.first, window.size());
+    const double margin =
+        std::min(q.minCoeff() - model.q_lower[k], model.q_upper[k] - q.maxCoeff());
+    if (!(margin < joint_margin)) continue;
+    joint_margin = margin;
+    metrics.tightest_joint = model.q_name(k);
+  }
+  metrics.joint_margin = joint_margin;
+  for (int k = 0; k < model.nv; ++k) {
+    if (!std::isfinite(model.effort_limit[k]) || model.effort_limit[k] <= 0.0) continue;
+    const auto tau =
+        trace.column("tau_applied_" + model.v_name(k)).segment(window.first, window.size());
+    const double margin = 1.0 - tau.cwiseAbs().maxCoeff() / model.effort_limit[k];
+    if (!metrics.tightest_torque.empty() && margin >= metrics.torque_margin) continue;
+    metrics.torque_margin = margin;
+    metrics.tightest_torque = model.v_name(k);
+  }
+  const auto limited = trace.column("limited_joints").segment(window.first, window.size());
+  metrics.limited_torque = (limited.array() > 0.0).cast<double>().mean();
+}
+
+void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) {
+  const Trace::Column tick = trace.column("tick"), solve_time = trace.column("solve_time");
+  const Trace::Column iterations = trace.column("iterations");
+  const Trace::Column missed = trace.column("missed_deadline");
+  std::vector<double> times;
+  SolverFigures figures;
+  for (int row = window.first; row < window.last; ++row) {
+    if (tick[row] == 0.0 || solve_time[row] <= 0.0) continue;
+    times.push_back(solve_time[row]);
+    figures.mean_iterations += iterations[row];
+    figures.missed_deadlines += missed[row] != 0.0 ? 1 : 0;
+  }
+  if (times.empty()) return;
+  figures.ticks = static_cast<int>(times.size());
+  figures.mean_iterations /= static_cast<double>(times.size());
+  figures.median = percentile(times, 0.5);
+  figures.p99 = percentile(times, 0.99);
+  figures.maximum = *std::max_element(times.begin(), times.end());
+  metrics.solver = figures;
+}
+
+}  // namespace
+
+Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec) {
+  if (!(spec.normal_world.allFinite() && spec.normal_world.norm() > 1e-9))
+    throw Error("the surface's normal has no direction; wanted one to measure along");
+  const Trace::Column time = trace.column("time");
+  const Window window = window_of(time, spec.start, spec.end);
+  if (window.size() == 0)
+    throw Error("no row of the trace is between " + std::to_string(spec.start) + " s and " +
+                std::to_string(spec.end) + " s; wanted a window within the run");
+  const Eigen::Vector3d normal = spec.normal_world.normalized();
+  Metrics metrics;
+  metrics.start = time[window.first];
+  metrics.end = time[window.last - 1];
+  metrics.rows = window.size();
+  measure_force(trace, spec, window, normal, metrics);
+  measure_motion(trace, window, normal, metrics);
+  measure_margins(trace, model, window, metrics);
+  measure_solver(trace, window, metrics);
+  return metrics;
+}
+
+}  // namespace burnish

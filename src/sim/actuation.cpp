@@ -1,0 +1,111 @@
+#include "burnish/sim/actuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/random_streams.hpp"
+
+namespace burnish {
+namespace {
+
+std::vector<char> motors(const Model& model) {
+  std::vector<char> result(static_cast<std::size_t>(model.nv), 1);
+  for (const Joint& joint : model.joints)
+    if (joint.kind == JointKind::FreeFlyer)
+      std::fill_n(result.begin() + joint.v_index, joint.nv, static_cast<char>(0));
+  return result;
+}
+
+/// `given`, or `centre` and what is drawn within the range about it.
+Eigen::VectorXd drawn(const std::vector<char>& motor, const Eigen::VectorXd& given, double centre,
+                      double range, RandomStream random) {
+  if (given.size() > 0) return given;
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(motor.size()), centre);
+  for (std::size_t k = 0; k < motor.size(); ++k)
+    if (motor[k] != 0) result[static_cast<Eigen::Index>(k)] += random.uniform(-range, range);
+  return result;
+}
+
+}  // namespace
+
+Actuation::Actuation(const Model& model, const Disturbances& disturbances, double dt)
+    : disturbances_((check_disturbances(model, disturbances), disturbances)),
+      motor_(motors(model)),
+      limit_(model.effort_limit),
+      scale_(drawn(motor_, disturbances.torque_scale, 1.0, disturbances.torque_scale_range,
+                   {disturbances.seed, streams::torque_scale})),
+      bias_(drawn(motor_, disturbances.torque_bias, 0.0, disturbances.torque_bias_range,
+                  {disturbances.seed, streams::torque_bias})),
+      at_rest_(Eigen::VectorXd::Zero(model.nv)),
+      delay_steps_(static_cast<int>(std::lround(disturbances.command_delay / dt))),
+      tracking_(disturbances.torque_cutoff > 0.0 ? -std::expm1(-disturbances.torque_cutoff * dt)
+                                                 : 1.0),
+      noise_(disturbances.seed, streams::torque_noise),
+      sensor_noise_(disturbances.seed, streams::torque_loop) {
+  queue_ = Eigen::MatrixXd::Zero(model.nv, delay_steps_);
+  for (Eigen::VectorXd* x :
+       {&step_.command, &step_.delayed, &step_.tracked, &step_.noise, &step_.applied})
+    *x = at_rest_;
+}
+
+void Actuation::reset() noexcept { reset(at_rest_); }
+
+void Actuation::reset(const ConstVectorRef& tau) noexcept {
+  if (tau.size() != at_rest_.size()) return;
+  noise_ = RandomStream(disturbances_.seed, streams::torque_noise);
+  sensor_noise_ = RandomStream(disturbances_.seed, streams::torque_loop);
+  next_ = 0;
+  queue_.colwise() = tau;
+  step_.command = step_.delayed = step_.tracked = step_.applied = tau;
+  step_.noise.setZero();
+  step_.limited = 0;
+  step_.held = false;
+}
+
+const Eigen::VectorXd& Actuation::apply(const ConstVectorRef& command) noexcept {
+  step_.held = command.size() != at_rest_.size() || !command.allFinite();
+  if (!step_.held) step_.command = command;
+  delay();
+  if (tracking_ < 1.0)
+    step_.tracked += tracking_ * (step_.delayed - step_.tracked);
+  else
+    step_.tracked = step_.delayed;
+  distort();
+  return step_.applied;
+}
+
+void Actuation::delay() noexcept {
+  if (delay_steps_ == 0) {
+    step_.delayed = step_.command;
+    return;
+  }
+  step_.delayed = queue_.col(next_);
+  queue_.col(next_) = step_.command;
+  next_ = (next_ + 1) % delay_steps_;
+}
+
+void Actuation::distort() noexcept {
+  const bool loop = disturbances_.torque_loop;
+  step_.limited = 0;
+  for (Eigen::Index k = 0; k < limit_.size(); ++k) {
+    double& noise = step_.noise[k];
+    noise = 0.0;
+    if (motor_[static_cast<std::size_t>(k)] == 0) {
+      step_.applied[k] = step_.tracked[k];
+      continue;
+    }
+    if (disturbances_.torque_noise > 0.0) noise += disturbances_.torque_noise * noise_.normal();
+    // The loop brings the sensor's reading to what is wanted, its noise included.
+    if (loop && disturbances_.torque_sensor_noise > 0.0)
+      noise -= disturbances_.torque_sensor_noise * sensor_noise_.normal();
+    const double wanted = loop ? step_.tracked[k] : scale_[k] * step_.tracked[k] + bias_[k];
+    double& applied = step_.applied[k];
+    applied = wanted + noise;
+    if (!disturbances_.torque_limits || std::abs(applied) <= limit_[k]) continue;
+    applied = std::copysign(limit_[k], applied);
+    ++step_.limited;
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,250 @@
+#include "burnish/sim/closed_loop.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+void add_axes(std::vector<TraceColumn>& columns, const std::string& what, const char* unit) {
+  for (const char* axis : {"x", "y", "z"}) columns.push_back({what + "_" + axis + "_world", unit});
+}
+
+/// Units of the entries of v: of a position, a rate or a torque.
+std::string unit_of_v(const Model& model, int k, const char* turning, const char* sliding) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_of_v[k])];
+  const int entry = k - joint.v_index;
+  const bool slides = joint.kind == JointKind::Prismatic ||
+                      (joint.kind == JointKind::Planar && entry < 2) ||
+                      (joint.kind == JointKind::FreeFlyer && entry < 3);
+  return slides ? sliding : turning;
+}
+
+std::string unit_of_q(const Model& model, int k) {
+  for (const Joint& joint : model.joints) {
+    const int entry = k - joint.q_index;
+    if (entry < 0 || entry >= joint.nq) continue;
+    if (joint.kind == JointKind::Revolute) return "rad";
+    if (joint.kind == JointKind::Prismatic) return "m";
+    const int lengths = joint.kind == JointKind::FreeFlyer ? 3
+                        : joint.kind == JointKind::Planar  ? 2
+                                                           : 0;
+    return entry < lengths ? "m" : "-";
+  }
+  return "-";
+}
+
+void add_entries_of_v(std::vector<TraceColumn>& columns, const Model& model, const char* what,
+                      const char* turning, const char* sliding) {
+  for (int k = 0; k < model.nv; ++k)
+    columns.push_back({what + model.v_name(k), unit_of_v(model, k, turning, sliding)});
+}
+
+/// In the order in which record_state() and record_step() write.
+std::vector<TraceColumn> columns_of(const Model& model) {
+  std::vector<TraceColumn> columns{{"time", "s"}, {"phase", "-"}, {"status", "-"}};
+  add_axes(columns, "tool", "m");
+  for (const char* axis : {"rx", "ry", "rz"})
+    columns.push_back({std::string("tool_") + axis + "_start", "rad"});
+  add_axes(columns, "target", "m");
+  columns.push_back({"target_force", "N"});
+  for (const char* what : {"measured_force", "estimated_force", "push"})
+    add_axes(columns, what, "N");
+  for (const char* what : {"q_", "measured_q_"})
+    for (int k = 0; k < model.nq; ++k)
+      columns.push_back({what + model.q_name(k), unit_of_q(model, k)});
+  for (const char* what : {"v_", "measured_v_"})
+    add_entries_of_v(columns, model, what, "rad/s", "m/s");
+  for (const char* what : {"tau_command_", "tau_applied_", "tau_measured_", "tau_friction_"})
+    add_entries_of_v(columns, model, what, "Nm", "N");
+  add_axes(columns, "tool_force", "N");
+  for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
+    columns.push_back({what, "-"});
+  columns.push_back({"solve_time", "s"});
+  for (const char* what : {"iterations", "missed_deadline", "tick"}) columns.push_back({what, "-"});
+  return columns;
+}
+
+/// Plant steps per control period.
+int steps_per_tick(double control_period, double dt) {
+  const double ratio = control_period / dt;
+  const double steps = std::round(ratio);
+  if (!(steps >= 1.0 && steps < 1e6 && std::abs(ratio - steps) < 1e-6 * steps))
+    throw Error("the control period is " + number(control_period) +
+                " s; wanted a multiple of the plant's step of " + number(dt) + " s");
+  return static_cast<int>(steps);
+}
+
+int rows_for(const ClosedLoopOptions& options, double dt) {
+  if (options.record_every < 1)
+    throw Error("record_every is " + std::to_string(options.record_every) +
+                "; wanted a positive number of steps");
+  if (!(options.max_duration >= 0.0 && options.max_duration / dt < 1e9))
+    throw Error("max_duration is " + number(options.max_duration) +
+                "; wanted a number of seconds that a trace has room for");
+  return static_cast<int>(std::ceil(options.max_duration / dt)) / options.record_every + 2;
+}
+
+/// Writes a row from left to right.
+class Row {
+ public:
+  explicit Row(double* at) : at_(at) {}
+  void put(double value) { *at_++ = value; }
+  void put(Status value) { put(static_cast<double>(value)); }
+  void put(bool value) { put(value ? 1.0 : 0.0); }
+  void put(const Eigen::Ref<const Eigen::VectorXd>& values) {
+    for (const double value : values) put(value);
+  }
+  double* end() const { return at_; }
+
+ private:
+  double* at_;
+};
+
+}  // namespace
+
+struct ClosedLoop::Impl {
+  Impl(Plant& driven, Controller& driver, const Disturbances& disturbances,
+       const ClosedLoopOptions& chosen)
+      : plant(&driven),
+        controller(&driver),
+        pushes(disturbances.pushes),
+        record_every(chosen.record_every),
+        ticks(steps_per_tick(chosen.control_period, driven.dt())),
+        actuation(driven.model(), disturbances, driven.dt()),
+        sensing(driven.model(), disturbances),
+        body(driven.model()),
+        tip(body.frame(driven.scene().tip.frame)),
+        trace(columns_of(driven.model()), rows_for(chosen, driven.dt())) {
+    measurement.q = driven.model().q_neutral;
+    measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
+    command.tau = measurement.v;
+  }
+
+  double* record_state(double* to) noexcept;
+  void record_step(double* to, Status status, bool ticked) const noexcept;
+  void place_tool() noexcept;
+
+  Plant* plant;
+  Controller* controller;
+  std::vector<Push> pushes;
+  int record_every, ticks;
+  Actuation actuation;
+  Sensing sensing;
+  RigidBody body;
+  int tip;
+  Trace trace;
+  long steps = 0;
+  Measurement measurement;
+  Command command;
+  Eigen::Vector3d push_world = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d start_R_world = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_tool_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d turned = Eigen::Vector3d::Zero();  ///< since the start, rad
+};
+
+ClosedLoop::ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances,
+                       const ClosedLoopOptions& options)
+    : impl_(std::make_unique<Impl>(plant, controller, disturbances, options)) {
+  if (controller.nv() != plant.model().nv)
+    throw Error("the controller has " + std::to_string(controller.nv()) +
+                " torques; wanted the plant's " + std::to_string(plant.model().nv));
+}
+ClosedLoop::~ClosedLoop() = default;
+ClosedLoop::ClosedLoop(ClosedLoop&&) noexcept = default;
+ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
+
+Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
+  const Status status = impl_->plant->reset(q, v);
+  if (status > Status::NotConverged) return status;
+  impl_->controller->reset();
+  impl_->sensing.reset();
+  impl_->actuation.reset();
+  impl_->trace.clear();
+  impl_->steps = 0;
+  if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok)
+    impl_->start_R_world = impl_->body.placement(impl_->tip).linear();
+  return status;
+}
+
+Status ClosedLoop::step() noexcept {
+  Impl& loop = *impl_;
+  const bool ticks = loop.steps % loop.ticks == 0;
+  if (ticks) {
+    loop.measurement = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
+    loop.command = loop.controller->tick(loop.measurement);
+    if (loop.steps == 0 && loop.command.tau.allFinite()) loop.actuation.reset(loop.command.tau);
+  }
+  loop.push_world = push_at(loop.pushes, loop.plant->time());
+  const Eigen::VectorXd& tau = loop.actuation.apply(loop.command.tau);
+  double* row = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
+  if (row != nullptr) row = loop.record_state(row);
+  const Status status = loop.plant->step(tau, loop.push_world);
+  if (row != nullptr) loop.record_step(row, status, ticks);
+  ++loop.steps;
+  return status;
+}
+
+Status ClosedLoop::run(double duration) noexcept {
+  const long end = impl_->steps + std::lround(duration / impl_->plant->dt());
+  Status status = Status::Ok;
+  while (impl_->steps < end && status <= Status::NotConverged) status = worst(status, step());
+  return status;
+}
+
+void ClosedLoop::Impl::place_tool() noexcept {
+  if (body.update(plant->q(), plant->v()) != Status::Ok) return;
+  const Eigen::Isometry3d placement = body.placement(tip);
+  p_tool_world = placement.translation();
+  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(start_R_world.transpose() * placement.linear()));
+  turned = rotation.angle() * rotation.axis();
+}
+
+/// What is known before the plant's step; the entry behind it.
+double* ClosedLoop::Impl::record_state(double* to) noexcept {
+  place_tool();
+  Row row(to);
+  row.put(plant->time());
+  row.put(static_cast<double>(command.phase));
+  row.put(command.status);
+  row.put(p_tool_world);
+  row.put(turned);
+  row.put(command.p_target_world);
+  row.put(command.target_force);
+  row.put(measurement.tool_force_world);
+  row.put(command.force_estimate_world);
+  row.put(push_world);
+  row.put(plant->q());
+  row.put(measurement.q);
+  row.put(plant->v());
+  row.put(measurement.v);
+  row.put(actuation.step().command);
+  row.put(actuation.step().applied);
+  row.put(measurement.tau);
+  return row.end();
+}
+
+void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const noexcept {
+  Row row(to);
+  row.put(plant->friction_torque());
+  row.put(plant->contact_force_world());
+  row.put(plant->in_contact());
+  row.put(status);
+  row.put(static_cast<double>(actuation.step().limited));
+  row.put(actuation.step().held);
+  row.put(command.solve_time);
+  row.put(static_cast<double>(command.iterations));
+  row.put(command.missed_deadline);
+  row.put(ticked);
+}
+
+const Trace& ClosedLoop::trace() const { return impl_->trace; }
+const Actuation& ClosedLoop::actuation() const { return impl_->actuation; }
+const Measurement& ClosedLoop::measurement() const { return impl_->measurement; }
+const Command& ClosedLoop::command() const { return impl_->command; }
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#include "sim/coulomb.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr int max_sweeps = 100;
+constexpr double tolerance = 1e-10;  // on the change of any torque or force in a sweep, Nm or N
+
+/// Friction against the speed that would be left without it: w is the speed per unit force over the
+/// step. Stops what it can stop, else slides.
+double friction_against(double speed, double w, double viscous, double coulomb) {
+  if (std::abs(speed) <= w * coulomb) return -speed / w;
+  const double slowed = speed - std::copysign(w * coulomb, speed);
+  return (slowed / (1.0 + w * viscous) - speed) / w;
+}
+
+}  // namespace
+
+CoulombStep::CoulombStep(int nv)
+    : joint_viscous(Eigen::VectorXd::Zero(nv)),
+      joint_coulomb(Eigen::VectorXd::Zero(nv)),
+      tangents(Eigen::MatrixXd::Zero(2, nv)),
+      torque_(Eigen::VectorXd::Zero(nv)),
+      joint_torque_(Eigen::VectorXd::Zero(nv)),
+      u_(Eigen::VectorXd::Zero(nv)),
+      tip_response_(Eigen::MatrixXd::Zero(nv, 2)) {}
+
+void CoulombStep::reset() noexcept {
+  torque_.setZero();
+  joint_torque_.setZero();
+  sliding_force_.setZero();
+}
+
+void CoulombStep::solve(const Eigen::VectorXd& v_free, const MatrixView& A, double h) noexcept {
+  const bool slides = tip_viscous > 0.0 || tip_coulomb > 0.0;
+  if (!slides) sliding_force_.setZero();
+  tip_response_ = A.lazyProduct(tangents.transpose());
+  u_ = v_free + h * (A.lazyProduct(joint_torque_) + tip_response_.lazyProduct(sliding_force_));
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double change = solve_joints(A, h);
+    if (slides) change = std::max(change, solve_tip(h));
+    if (change < tolerance) break;
+  }
+  torque_ = joint_torque_ + tangents.transpose().lazyProduct(sliding_force_);
+}
+
+double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < u_.size(); ++k) {
+    const double w = h * A(k, k);
+    // A joint that the contact holds has no speed to lose.
+    if (joint_viscous[k] + joint_coulomb[k] == 0.0 || w < 1e-12) continue;
+    const double without = u_[k] - w * joint_torque_[k];
+    const double next = friction_against(without, w, joint_viscous[k], joint_coulomb[k]);
+    const double change = next - joint_torque_[k];
+    joint_torque_[k] = next;
+    u_ += h * change * A.col(k);
+    largest = std::max(largest, std::abs(change));
+  }
+  return largest;
+}
+
+/// Both tangents at once, with the larger of their responses: the friction is along the sliding.
+double CoulombStep::solve_tip(double h) noexcept {
+  const Eigen::Matrix2d W = h * tangents.lazyProduct(tip_response_);
+  const double w = 0.5 * (W.trace() + std::hypot(W(0, 0) - W(1, 1), 2.0 * W(0, 1)));
+  if (w < 1e-12) return 0.0;
+  const Eigen::Vector2d without = tangents.lazyProduct(u_) - w * sliding_force_;
+  const double speed = without.norm();
+  Eigen::Vector2d next = Eigen::Vector2d::Zero();
+  if (speed > 0.0) next = without / speed * friction_against(speed, w, tip_viscous, tip_coulomb);
+  const Eigen::Vector2d change = next - sliding_force_;
+  sliding_force_ = next;
+  u_ += h * tip_response_.lazyProduct(change);
+  return change.norm();
+}
+
+}  // namespace burnish

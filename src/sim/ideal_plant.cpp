@@ -1,0 +1,369 @@
+#include "burnish/sim/ideal_plant.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/integration.hpp"
+#include "model/sentence.hpp"
+#include "sim/coulomb.hpp"
+#include "sim/manifold_step.hpp"
+#include "sim/state_check.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double smallest_gap = 1e-6;  // m: a gap below this at reset is contact
+
+void check(const IdealPlantOptions& options) {
+  const auto refuse = [](const char* name, double value, const char* wanted) {
+    throw Error(std::string("the ideal plant's ") + name + " is " + number(value) + "; wanted " +
+                wanted);
+  };
+  if (!(std::isfinite(options.dt) && options.dt > 0.0))
+    refuse("dt", options.dt, "a positive number of seconds");
+  const std::array<std::pair<const char*, double>, 3> others{
+      {{"tip_viscous", options.tip_viscous},
+       {"stabilize_kp", options.stabilize_kp},
+       {"stabilize_kd", options.stabilize_kd}}};
+  for (const auto& [name, value] : others)
+    if (!(std::isfinite(value) && value >= 0.0))
+      refuse(name, value, "a number that is not negative");
+}
+
+/// One row along the normal, at the distance of the tip's radius.
+ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options) {
+  ContactSpec spec;
+  spec.name = "tip";
+  spec.tool = scene.tip.frame;
+  spec.reference = Reference::surface_with_normal(scene.surface.normal);
+  spec.directions = Directions::z();
+  spec.target.translation() = scene.surface.point + scene.tip.radius * scene.surface.normal;
+  spec.with_gains(options.stabilize_kp, options.stabilize_kd);
+  return spec;
+}
+
+/// The state and its rates at the stages of a step.
+struct Workspace {
+  explicit Workspace(const Model& model)
+      : q(model.q_neutral), tau(Eigen::VectorXd::Zero(model.nv)) {
+    for (Eigen::VectorXd* x : {&v, &u, &rate, &u_sum, &a_sum, &v_free, &response})
+      *x = Eigen::VectorXd::Zero(model.nv);
+    M = Eigen::MatrixXd::Zero(model.nv, model.nv);
+  }
+  Eigen::VectorXd q, v;          ///< of a stage
+  Eigen::VectorXd u, rate;       ///< increment from the step's start, and its rate
+  Eigen::VectorXd u_sum, a_sum;  ///< weighted over the stages
+  Eigen::VectorXd tau;           ///< of the step, pushes and friction included
+  Eigen::VectorXd v_free, response;
+  Eigen::MatrixXd M;
+};
+
+class IdealPlant final : public Plant {
+ public:
+  IdealPlant(const Model& model, const SceneSpec& scene, const IdealPlantOptions& options);
+
+  const Model& model() const override { return model_; }
+  const SceneSpec& scene() const override { return scene_; }
+  double dt() const override { return options_.dt; }
+  double time() const override { return static_cast<double>(steps_) * options_.dt; }
+  const Eigen::VectorXd& q() const override { return q_; }
+  const Eigen::VectorXd& v() const override { return v_; }
+  const Eigen::Vector3d& contact_force_world() const override { return force_; }
+  bool in_contact() const override { return in_contact_; }
+  const Eigen::VectorXd& friction_torque() const override { return friction_; }
+
+  Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override;
+  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override;
+  void save(PlantSnapshot& snapshot) const override;
+  Status restore(const PlantSnapshot& snapshot) noexcept override;
+
+ private:
+  void start(const ConstVectorRef& q, const ConstVectorRef& v);
+  Status advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
+  Status find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
+  Status find_friction();
+  Status integrate(double h);
+  Status stage(double h, double weight);
+  Status make_contact();
+  double gap_at(const Eigen::VectorXd& q);
+  bool has_friction() const;
+  void report(double normal_force);
+  void set_touching(bool touching);
+  void accept();
+  /// What a snapshot holds behind its eight single numbers.
+  std::array<const Eigen::VectorXd*, 5> vectors() const {
+    return {&q_, &v_, &friction_, &coulomb_.joint_torque(), &coulomb_.torque()};
+  }
+  int snapshot_size() const { return 8 + model_.nq + 4 * model_.nv; }
+
+  Model model_;
+  Tree tree_;
+  SceneSpec scene_;
+  IdealPlantOptions options_;
+  Eigen::Matrix3d axes_;  ///< of the surface: tangents, normal
+  ContactDynamics dynamics_;
+  RigidBody body_;
+  int tip_;
+  FrameDerivatives tip_motion_;
+  CoulombStep coulomb_;
+  Workspace work_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+
+  long steps_ = 0;
+  Eigen::VectorXd q_, v_;
+  Eigen::VectorXd q_next_, v_next_;
+  bool touching_ = false;   ///< the contact is active
+  double impulse_ = 0.0;    ///< of an impact in this step, Ns
+  double force_sum_ = 0.0;  ///< mean normal force over the stages of integrate(), N
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  bool in_contact_ = false;
+  Eigen::VectorXd friction_;
+  PlantSnapshot before_;
+};
+
+IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPlantOptions& options)
+    : model_(model),
+      tree_(model),
+      scene_(checked_scene(model, scene)),
+      options_((check(options), options)),
+      axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
+      dynamics_(model, {contact_of(scene_, options)}),
+      body_(model),
+      tip_(body_.frame(scene_.tip.frame)),
+      coulomb_(model.nv),
+      work_(model),
+      factor_(model.nv),
+      q_(model.q_neutral),
+      v_(Eigen::VectorXd::Zero(model.nv)),
+      q_next_(q_),
+      v_next_(v_),
+      friction_(v_) {
+  coulomb_.joint_viscous = model.damping;
+  coulomb_.joint_coulomb = model.friction;
+  body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
+  start(q_, v_);
+  save(before_);
+}
+
+void IdealPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
+  q_ = q;
+  v_ = v;
+  steps_ = 0;
+  force_.setZero();
+  in_contact_ = false;
+  friction_.setZero();
+  coulomb_.reset();
+  set_touching(gap_at(q_) <= smallest_gap);
+}
+
+Status IdealPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
+  const Status status = check_state(model_, q, v);
+  if (status == Status::Ok) start(q, v);
+  return status;
+}
+
+double IdealPlant::gap_at(const Eigen::VectorXd& q) {
+  work_.v.setZero();
+  if (body_.update(q, work_.v) != Status::Ok) return 0.0;
+  return gap(scene_, body_.placement(tip_).translation());
+}
+
+bool IdealPlant::has_friction() const {
+  const bool tip = touching_ && (scene_.surface.friction > 0.0 || options_.tip_viscous > 0.0);
+  return tip || !model_.damping.isZero(0.0) || !model_.friction.isZero(0.0);
+}
+
+Status IdealPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
+  if (tau.size() != model_.nv) return Status::WrongSize;
+  if (!tau.allFinite() || !push_world.allFinite()) return Status::NotFinite;
+  save(before_);
+  const Status status = advance(tau, push_world);
+  if (status <= Status::NotConverged) return status;
+  (void)restore(before_);
+  return status;
+}
+
+/// One step; where the tip reaches the surface, two parts with an impact between them.
+Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
+  const double h = options_.dt;
+  impulse_ = 0.0;
+  Status status = find_forces(tau, push_world);
+  status = worst(status, integrate(h));
+  if (touching_ && force_sum_ < 0.0) {
+    set_touching(false);
+    status = find_forces(tau, push_world);
+    status = worst(status, integrate(h));
+  }
+  if (status > Status::NotConverged) return status;
+  double normal_force = force_sum_;
+  const double gap_before = touching_ ? 0.0 : gap_at(q_);
+  const double gap_after = touching_ ? 0.0 : gap_at(q_next_);
+  if (gap_after < 0.0 && gap_after < gap_before) {
+    // The gap shrinks all but linearly within a step.
+    const double free = h * std::clamp(gap_before / (gap_before - gap_after), 0.0, 1.0);
+    status = integrate(free);
+    accept();
+    status = worst(status, make_contact());
+    status = worst(status, integrate(h - free));
+    normal_force = force_sum_ * (h - free) / h;
+  }
+  accept();
+  ++steps_;
+  report(normal_force);
+  return worst(status, q_.allFinite() && v_.allFinite() ? Status::Ok : Status::NotFinite);
+}
+
+/// Torques of pushes and friction, held over the step; breaks the contact where it would pull.
+Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
+  Status status = body_.update(q_, v_);
+  if (status > Status::NotConverged) return status;
+  body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
+  work_.tau =
+      tau + tip_motion_.jacobian.topRows(3).transpose().lazyProduct(push_world) + coulomb_.torque();
+  status = dynamics_.forward(q_, v_, work_.tau);
+  if (status > Status::NotConverged) return status;
+  if (touching_ && dynamics_.lambda()[0] < 0.0) {
+    set_touching(false);
+    status = dynamics_.forward(q_, v_, work_.tau);
+    if (status > Status::NotConverged) return status;
+  }
+  if (!has_friction()) {
+    work_.tau -= coulomb_.torque();
+    coulomb_.reset();
+    return status;
+  }
+  return worst(status, find_friction());
+}
+
+Status IdealPlant::find_friction() {
+  // The sliding velocity is that of the contact point, a radius below the tip's origin.
+  const Eigen::Vector3d arm = -scene_.tip.radius * axes_.col(2);
+  for (int t = 0; t < 2; ++t) {
+    const Eigen::Vector3d tangent = axes_.col(t), moment = arm.cross(tangent);
+    coulomb_.tangents.row(t) = tangent.transpose().lazyProduct(tip_motion_.jacobian.topRows(3)) +
+                               moment.transpose().lazyProduct(tip_motion_.jacobian.bottomRows(3));
+  }
+  coulomb_.tip_coulomb = touching_ ? scene_.surface.friction * dynamics_.lambda()[0] : 0.0;
+  coulomb_.tip_viscous = touching_ ? options_.tip_viscous : 0.0;
+  const Status status = dynamics_.forward_derivatives();
+  if (status > Status::NotConverged) return status;
+  const MatrixView A = dynamics_.da_dtau();
+  const double h = options_.dt;
+  work_.v_free = v_ + h * dynamics_.a();
+  work_.v_free -= h * A.lazyProduct(coulomb_.torque());
+  work_.tau -= coulomb_.torque();
+  coulomb_.solve(work_.v_free, A, h);
+  work_.tau += coulomb_.torque();
+  return status;
+}
+
+/// From (q_, v_) over h s into (q_next_, v_next_).
+Status IdealPlant::integrate(double h) {
+  work_.u.setZero();
+  work_.v = v_;
+  work_.u_sum.setZero();
+  work_.a_sum.setZero();
+  force_sum_ = 0.0;
+  Status status = stage(0.5 * h, 1.0 / 6.0);
+  status = worst(status, stage(0.5 * h, 1.0 / 3.0));
+  status = worst(status, stage(h, 1.0 / 3.0));
+  status = worst(status, stage(h, 1.0 / 6.0));
+  work_.u_sum *= h;
+  integrate_configuration(tree_, q_.data(), work_.u_sum.data(), q_next_.data());
+  v_next_ = v_ + h * work_.a_sum;
+  return status;
+}
+
+/// Rates at work_'s state, added with their weight; then work_ moves on to the next stage, `h` s
+/// from the step's start.
+Status IdealPlant::stage(double h, double weight) {
+  integrate_configuration(tree_, q_.data(), work_.u.data(), work_.q.data());
+  increment_rate(model_, work_.u, work_.v, work_.rate);
+  const Status status = dynamics_.forward(work_.q, work_.v, work_.tau);
+  work_.u_sum += weight * work_.rate;
+  work_.a_sum += weight * dynamics_.a();
+  if (touching_ && status <= Status::NotConverged) force_sum_ += weight * dynamics_.lambda()[0];
+  work_.u = h * work_.rate;
+  work_.v = v_ + h * dynamics_.a();
+  return status;
+}
+
+/// The plastic impact at (q_, v_): the impulse along the normal that leaves no velocity along it.
+Status IdealPlant::make_contact() {
+  set_touching(true);
+  const Status status = dynamics_.forward(q_, v_, work_.tau);
+  if (status > Status::NotConverged) return status;
+  const auto normal = dynamics_.jacobian().row(0);
+  work_.M = dynamics_.mass_matrix();
+  work_.response = normal.transpose();
+  factor_.compute(work_.M);
+  factor_.solveInPlace(work_.response);
+  const double inverse_mass = normal.dot(work_.response);
+  if (factor_.info() != Eigen::Success || !(inverse_mass > 0.0)) return Status::SingularContacts;
+  impulse_ = std::max(-normal.dot(v_) / inverse_mass, 0.0);
+  v_ += impulse_ * work_.response;
+  return status;
+}
+
+void IdealPlant::set_touching(bool touching) {
+  touching_ = touching;
+  dynamics_.set_active(0, touching);
+}
+
+void IdealPlant::accept() {
+  q_ = q_next_;
+  v_ = v_next_;
+}
+
+void IdealPlant::report(double normal_force) {
+  const double total = std::max(normal_force + impulse_ / options_.dt, 0.0);
+  const Eigen::Vector2d& sliding = coulomb_.sliding_force();
+  force_ = total * axes_.col(2);
+  if (touching_) force_ += sliding[0] * axes_.col(0) + sliding[1] * axes_.col(1);
+  in_contact_ = touching_ && total > 0.0;
+  friction_ = coulomb_.joint_torque();
+}
+
+void IdealPlant::save(PlantSnapshot& snapshot) const {
+  snapshot.numbers.resize(snapshot_size());
+  Eigen::VectorXd& to = snapshot.numbers;
+  to[0] = static_cast<double>(steps_);
+  to[1] = touching_ ? 1.0 : 0.0;
+  to[2] = in_contact_ ? 1.0 : 0.0;
+  to.segment<3>(3) = force_;
+  to.segment<2>(6) = coulomb_.sliding_force();
+  Eigen::Index at = 8;
+  for (const Eigen::VectorXd* x : vectors()) {
+    to.segment(at, x->size()) = *x;
+    at += x->size();
+  }
+}
+
+Status IdealPlant::restore(const PlantSnapshot& snapshot) noexcept {
+  const Eigen::VectorXd& from = snapshot.numbers;
+  if (from.size() != snapshot_size()) return Status::WrongSize;
+  steps_ = std::lround(from[0]);
+  set_touching(from[1] != 0.0);
+  in_contact_ = from[2] != 0.0;
+  force_ = from.segment<3>(3);
+  const int nq = model_.nq, nv = model_.nv;
+  q_ = from.segment(8, nq);
+  v_ = from.segment(8 + nq, nv);
+  friction_ = from.segment(8 + nq + nv, nv);
+  coulomb_.start_at(from.segment(8 + nq + 2 * nv, nv), from.segment<2>(6),
+                    from.segment(8 + nq + 3 * nv, nv));
+  return Status::Ok;
+}
+
+}  // namespace
+
+std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
+                                        const IdealPlantOptions& options) {
+  return std::make_unique<IdealPlant>(model, scene, options);
+}
+
+}  // namespace burnish

@@ -1,0 +1,119 @@
+#include "sim/mujoco_engine.hpp"
+
+#include <cmath>
+
+#include "burnish/contact/reference.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::mujoco {
+namespace {
+
+void check(const MujocoPlantOptions& options) {
+  const auto refuse_unless = [](bool good, const char* name, double value, const char* wanted) {
+    if (!good)
+      throw Error(std::string("the MuJoCo plant's ") + name + " is " + number(value) + "; wanted " +
+                  wanted);
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  refuse_unless(positive(options.dt), "dt", options.dt, "a positive number of seconds");
+  refuse_unless(options.impedance > 0.0 && options.impedance < 1.0, "impedance", options.impedance,
+                "a number between 0 and 1");
+  refuse_unless(positive(options.friction_ratio), "friction_ratio", options.friction_ratio,
+                "a positive number");
+  refuse_unless(std::isfinite(options.tolerance) && options.tolerance >= 0.0, "tolerance",
+                options.tolerance, "a number that is not negative");
+  refuse_unless(options.max_iterations > 0, "max_iterations", options.max_iterations,
+                "a positive number");
+}
+
+/// Tip and surface meet each other and nothing else.
+Additions additions_for(const Model& model, const SceneSpec& scene,
+                        const MujocoPlantOptions& options) {
+  const SurfaceSpec& surface = scene.surface;
+  const Frame& tip = model.frames[static_cast<std::size_t>(model.frame_index(scene.tip.frame))];
+  Additions result;
+  result.joint_stops = options.joint_stops;
+  result.options = R"(cone="elliptic" integrator="Euler" timestep=")" + numbers(options.dt) +
+                   "\" impratio=\"" + numbers(options.friction_ratio) + "\" tolerance=\"" +
+                   numbers(options.tolerance) + "\" iterations=\"" +
+                   std::to_string(options.max_iterations) + "\"";
+  const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
+                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
+  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+  at.translation() = surface.point;
+  at.linear() = Reference::surface_with_normal(surface.normal).rotation;
+  result.world = R"(<geom name="surface" type="plane")" + pose_attributes(at) + " size=\"" +
+                 numbers(surface.half_size, surface.half_size, 0.01) + "\"" + common +
+                 " contype=\"2\" conaffinity=\"1\"/>\n";
+  result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
+                            " size=\"" + numbers(scene.tip.radius) + "\"" + common +
+                            " contype=\"1\" conaffinity=\"2\"/>\n";
+  // Room for friction and limits of every entry, and for contacts.
+  result.sections = "<size njmax=\"" + std::to_string(4 * model.nv + 40) + "\" nconmax=\"8\"/>\n";
+  return result;
+}
+
+/// The spring and damper of the contact, on both geoms.
+void load_contact(const SurfaceSpec& surface, const MujocoPlantOptions& options, mjModel& m,
+                  int surface_geom, int tip_geom) {
+  const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
+                                 m.body_invweight0[2 * m.geom_bodyid[surface_geom]];
+  const double d = options.impedance, R = (1.0 - d) / d * inverse_inertia;
+  for (const int geom : {surface_geom, tip_geom}) {
+    mjtNum* solref = m.geom_solref + mjNREF * geom;
+    solref[0] = -surface.stiffness * R * d;
+    solref[1] = -surface.damping * R * d;
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.geom_solimp + mjNIMP * geom, constant, mjNIMP);
+  }
+}
+
+/// Damping and Coulomb friction of the joints. MuJoCo lets a joint creep under friction by R/B per
+/// unit of torque: an impedance close to one and a rate that halves the creep in a step keep a
+/// light joint below 1e-3 rad/s per Nm.
+void load_joint_friction(const Model& model, mjModel& m) {
+  constexpr mjtNum d = 0.999;
+  for (int k = 0; k < model.nv; ++k) {
+    m.dof_damping[k] = model.damping[k];
+    m.dof_frictionloss[k] = model.friction[k];
+    m.dof_solref[mjNREF * k] = 0.0;
+    m.dof_solref[mjNREF * k + 1] = -0.5 * d / m.opt.timestep;
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.dof_solimp + mjNIMP * k, constant, mjNIMP);
+  }
+}
+
+}  // namespace
+
+Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options)
+    : model(robot),
+      scene(checked_scene(robot, wanted)),
+      m((check(options), compile(describe(robot, additions_for(robot, scene, options))))),
+      d(mj_makeData(m.get())),
+      coordinates(robot, *m),
+      tip_geom(mj_name2id(m.get(), mjOBJ_GEOM, "tip")),
+      surface_geom(mj_name2id(m.get(), mjOBJ_GEOM, "surface")),
+      tip_site(
+          mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
+      tip_body(m->geom_bodyid[tip_geom]) {
+  load_figures(model, *m, *d);
+  load_joint_friction(model, *m);
+  load_contact(scene.surface, options, *m, surface_geom, tip_geom);
+}
+
+Eigen::Vector3d Engine::contact_force_world() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < d->ncon; ++i) {
+    const mjContact& contact = d->contact[i];
+    const bool second = contact.geom2 == tip_geom && contact.geom1 == surface_geom;
+    const bool first = contact.geom1 == tip_geom && contact.geom2 == surface_geom;
+    if (!first && !second) continue;
+    mjtNum wrench[6], force[3];
+    mj_contactForce(m.get(), d.get(), i, wrench);
+    mju_rotVecMatT(force, wrench, contact.frame);  // rows of the frame are its axes
+    sum += (second ? 1.0 : -1.0) * Eigen::Map<const Eigen::Vector3d>(force);
+  }
+  return sum;
+}
+
+}  // namespace burnish::mujoco

@@ -1,0 +1,26 @@
+// MuJoCo loaded with a robot, a tip and a surface.
+#pragma once
+
+#include "burnish/sim/mujoco_plant.hpp"
+#include "sim/mujoco_coordinates.hpp"
+#include "sim/mujoco_description.hpp"
+
+namespace burnish::mujoco {
+
+/// Everything that make_mujoco_plant() compiles, open to be looked into.
+struct Engine {
+  Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options);
+
+  Model model;
+  SceneSpec scene;
+  ModelPointer m;
+  DataPointer d;
+  Coordinates coordinates;
+  int tip_geom, surface_geom, tip_site, tip_body;
+
+  /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
+  /// the two geoms by their types, so the ids say which way it points.
+  Eigen::Vector3d contact_force_world() const;
+};
+
+}  // namespace burnish::mujoco

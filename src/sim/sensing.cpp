@@ -1,0 +1,105 @@
+#include "burnish/sim/sensing.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "burnish/dynamics/integration.hpp"
+#include "sim/random_streams.hpp"
+
+namespace burnish {
+namespace {
+
+/// Part of the way that a first-order low-pass goes in a time; all of it without a cut-off.
+double low_pass(double cutoff, double elapsed) {
+  return cutoff > 0.0 ? -std::expm1(-cutoff * elapsed) : 1.0;
+}
+
+/// The joint's angle at the nearest mark of its encoder.
+void quantize(const Joint& joint, double step, double* q) {
+  if (joint.kind == JointKind::Revolute) q[0] = step * std::round(q[0] / step);
+  if (joint.kind != JointKind::Continuous) return;
+  const double angle = step * std::round(std::atan2(q[1], q[0]) / step);
+  q[0] = std::cos(angle), q[1] = std::sin(angle);
+}
+
+}  // namespace
+
+Sensing::Sensing(const Model& model, const Disturbances& disturbances)
+    : disturbances_((check_disturbances(model, disturbances), disturbances)),
+      joints_(model.joints),
+      tree_(model),
+      torque_random_(disturbances.seed, streams::torque_sensor),
+      position_random_(disturbances.seed, streams::position),
+      velocity_random_(disturbances.seed, streams::velocity),
+      force_random_(disturbances.seed, streams::force),
+      q_before_(model.q_neutral),
+      differences_(Eigen::VectorXd::Zero(model.nv)),
+      work_(differences_) {
+  measurement_.q = model.q_neutral;
+  measurement_.v = measurement_.tau = differences_;
+}
+
+void Sensing::reset() noexcept {
+  const std::uint64_t seed = disturbances_.seed;
+  torque_random_ = RandomStream(seed, streams::torque_sensor);
+  position_random_ = RandomStream(seed, streams::position);
+  velocity_random_ = RandomStream(seed, streams::velocity);
+  force_random_ = RandomStream(seed, streams::force);
+  started_ = false;
+}
+
+const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& applied) noexcept {
+  elapsed_ = plant.time() - measurement_.time;
+  measurement_.time = plant.time();
+  measure_position(plant);
+  measure_velocity(plant);
+  measurement_.tau = applied + plant.friction_torque();
+  if (disturbances_.torque_sensor_noise > 0.0)
+    for (double& tau : measurement_.tau)
+      tau += disturbances_.torque_sensor_noise * torque_random_.normal();
+  measure_force(plant);
+  started_ = true;
+  return measurement_;
+}
+
+void Sensing::measure_position(const Plant& plant) noexcept {
+  Eigen::VectorXd& q = measurement_.q;
+  q = plant.q();
+  if (disturbances_.position_noise > 0.0) {
+    for (double& entry : work_) entry = disturbances_.position_noise * position_random_.normal();
+    integrate_configuration(tree_, q.data(), work_.data(), q.data());
+  }
+  if (disturbances_.encoder_bits == 0) return;
+  const double step = std::ldexp(2.0 * std::numbers::pi, -disturbances_.encoder_bits);
+  for (const Joint& joint : joints_) quantize(joint, step, q.data() + joint.q_index);
+}
+
+void Sensing::measure_velocity(const Plant& plant) noexcept {
+  Eigen::VectorXd& v = measurement_.v;
+  v = plant.v();
+  if (disturbances_.finite_difference_velocity) {
+    if (!started_) differences_ = v;
+    if (started_ && elapsed_ > 0.0) {
+      difference_configuration(tree_, q_before_.data(), measurement_.q.data(), work_.data());
+      const double part = low_pass(disturbances_.velocity_cutoff, elapsed_);
+      differences_ += part * (work_ / elapsed_ - differences_);
+    }
+    for (const Joint& joint : joints_)
+      if (joint.kind != JointKind::FreeFlyer)
+        v.segment(joint.v_index, joint.nv) = differences_.segment(joint.v_index, joint.nv);
+    q_before_ = measurement_.q;
+  }
+  if (disturbances_.velocity_noise > 0.0)
+    for (double& entry : v) entry += disturbances_.velocity_noise * velocity_random_.normal();
+}
+
+void Sensing::measure_force(const Plant& plant) noexcept {
+  Eigen::Vector3d reading = plant.contact_force_world();
+  if (disturbances_.force_noise > 0.0)
+    for (double& entry : reading) entry += disturbances_.force_noise * force_random_.normal();
+  const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
+  Eigen::Vector3d& force = measurement_.tool_force_world;
+  force += part * (reading - force);
+}
+
+}  // namespace burnish

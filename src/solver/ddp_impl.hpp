@@ -1,0 +1,120 @@
+// What a DdpSolver holds, and the phases of an iteration.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "burnish/solver/buffer.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "burnish/solver/riccati.hpp"
+#include "burnish/solver/thread_pool.hpp"
+
+namespace burnish {
+
+/// A trajectory, and what is known of it.
+struct Iterate {
+  std::vector<double> xs, us;
+  double cost = 0.0;
+  bool feasible = false;
+  Buffer gaps;  ///< row k: what leads to state k, (x0 or f(x_(k-1), u_(k-1))) (-) x_k
+  double gap_sum = 0.0, largest_gap = 0.0;
+  int gap_knot = 0, gap_entry = 0;
+};
+
+/// What the quadratic model says of the direction.
+struct Direction {
+  double slope = 0.0;      ///< d1: of the cost saved, without what the gaps add in a rollout
+  double curvature = 0.0;  ///< d2
+  /// MultipleShooting: gradient of the cost along the direction, and the change of the model.
+  double cost_slope = 0.0, model_change = 0.0;
+};
+
+struct DdpSolver::Impl {
+  Impl(ShootingProblem& shooting_problem, DdpOptions wanted);
+
+  using Clock = std::chrono::steady_clock;
+
+  // Set-up.
+  void apply_options(DdpOptions wanted);
+  void allocate();
+  void start();
+
+  // One iteration; each phase returns false when the solve is over (the reason is set).
+  void iterate();
+  bool make_direction();
+  bool judge_direction(bool& again);
+  bool line_search(double& length);
+  bool after_search(double length);
+
+  // Phases.
+  bool expand(Iterate& at);
+  bool take_values(Iterate& at);
+  bool take_gaps(Iterate& at);
+  bool backward();
+  void linear_rollout();
+  double penalty_for_direction();
+  double largest_multiplier();
+  bool roll_trial(double length, double& gap_improvement);
+  bool shooting_trial(double length, bool with_expansion);
+  bool accept_rollout(double length, double gap_improvement) const;
+  bool accept_shooting(double length) const;
+  void take_trial(double length);
+  double merit(const Iterate& of) const { return of.cost + penalty * of.gap_sum; }
+
+  // Bookkeeping.
+  bool increase_regularization();
+  void decrease_regularization();
+  bool fail_at(int knot, const KnotValue& value);
+  bool find_not_finite();
+  bool stop(StopReason reason);
+  bool out_of_time() const { return since(began) >= options.time_budget; }
+  static double since(Clock::time_point from) {
+    return std::chrono::duration<double>(Clock::now() - from).count();
+  }
+  void finish();
+
+  double* gap(Iterate& of, int knot) const { return of.gaps.data() + knot * value_stride; }
+  double* hessian_gap(int knot) { return hessian_gaps.data() + knot * value_stride; }
+  double* dx(int knot) { return dxs.data() + knot * value_stride; }
+  double* du(int knot) { return dus.data() + knot * control_stride; }
+  ValueStorage value(int knot);
+  PolicyStorage policy(int knot);
+  ControlBox box(int knot) const {
+    return {lower[knot], upper[knot], current.us.data() + knot * nu_max};
+  }
+  void clamp(int knot, double* u) const;
+
+  ShootingProblem& problem;
+  DdpOptions options;
+  StateShape state;
+  int N, nx, ndx, nu_max;
+  RiccatiRecursion recursion;
+  int value_stride, gain_stride, control_stride;
+  std::unique_ptr<ThreadPool> pool;
+
+  std::vector<int> controls;
+  std::vector<const double*> lower, upper;
+  std::span<const KnotRange> ranges;
+
+  Iterate current, trial, best;
+  bool best_is_current = true;
+  std::vector<double> next;
+  std::vector<KnotValue> values;
+  std::vector<KnotExpansion> expansions;
+  std::vector<Buffer> expansion_memory, value_memory, policy_memory;
+  Buffer hessian_gaps, dxs, dus, z, scratch;
+
+  // State of a solve.
+  Clock::time_point began;
+  DdpSummary summary;
+  bool expanded = false;  ///< the expansions are those of the current iterate
+  bool searched_at_floor = false;
+  Direction direction;
+  double regularization = 0.0;
+  double regularization_floor = 0.0;  ///< what Quu was seen to need
+  double penalty = 0.0;
+  KnotValue trial_failure;
+  int trial_failure_knot = -1;
+};
+
+}  // namespace burnish

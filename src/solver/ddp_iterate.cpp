@@ -1,0 +1,153 @@
+// The iterations of a solve.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/ddp_impl.hpp"
+
+namespace burnish {
+
+bool DdpSolver::Impl::increase_regularization() {
+  const Regularization& rule = options.regularization;
+  if (regularization >= rule.largest) return false;
+  regularization = std::min(rule.largest, std::max(rule.smallest, regularization * rule.factor));
+  return true;
+}
+
+void DdpSolver::Impl::decrease_regularization() {
+  const Regularization& rule = options.regularization;
+  regularization /= rule.factor;
+  if (regularization < rule.smallest) regularization = 0.0;
+  regularization = std::max(regularization, regularization_floor);
+}
+
+/// Expansions of the current iterate, the recursion with as much regularisation as it needs, and
+/// what they promise.
+bool DdpSolver::Impl::make_direction() {
+  if (!expanded) {
+    if (!expand(current)) {
+      fail_at(trial_failure_knot, trial_failure);
+      return stop(StopReason::NotEvaluated);
+    }
+    expanded = true;
+    if (out_of_time()) return stop(StopReason::TimeBudget);
+    if (summary.iterations >= options.max_iterations) return stop(StopReason::MaxIterations);
+  }
+  while (!backward()) {
+    if (find_not_finite()) return stop(StopReason::NotEvaluated);
+    if (!increase_regularization()) return stop(StopReason::NotPositiveDefinite);
+    regularization_floor = regularization;
+    if (out_of_time()) return stop(StopReason::TimeBudget);
+  }
+  summary.knot = summary.control = -1;
+  if (!std::isfinite(direction.slope) || !std::isfinite(direction.model_change) ||
+      !std::isfinite(value(0).hessian[0])) {
+    if (!find_not_finite()) fail_at(0, {0.0, Status::NotFinite, -1});
+    return stop(StopReason::NotEvaluated);
+  }
+  summary.regularization = regularization;
+  summary.expected_improvement = std::abs(direction.slope + 0.5 * direction.curvature);
+  return true;
+}
+
+/// Stops where nothing is left to gain. Much regularisation makes any step look as if it gained
+/// nothing, so that only the least that the recursion accepts counts; `again` asks for that one.
+bool DdpSolver::Impl::judge_direction(bool& again) {
+  again = false;
+  if (current.feasible && summary.expected_improvement < options.stop_tolerance) {
+    if (regularization <= std::max(regularization_floor, options.regularization.smallest))
+      return stop(StopReason::Converged);
+    if (searched_at_floor) return stop(StopReason::NoStep);
+    searched_at_floor = true;
+    regularization = regularization_floor;
+    again = true;
+    return true;
+  }
+  return !out_of_time() || stop(StopReason::TimeBudget);
+}
+
+/// Tries lengths until one is taken; `length` is 0 if none is.
+bool DdpSolver::Impl::line_search(double& length) {
+  const bool rollout = options.update == StepUpdate::Rollout;
+  trial_failure_knot = -1;
+  if (!rollout) {
+    linear_rollout();
+    penalty = penalty_for_direction();
+  }
+  length = 1.0;
+  for (int halving = 0; halving <= options.line_search.halvings; ++halving, length *= 0.5) {
+    bool taken = false;
+    if (rollout) {
+      const Clock::time_point from = Clock::now();
+      double gap_improvement = 0.0;
+      taken = roll_trial(length, gap_improvement) && accept_rollout(length, gap_improvement);
+      summary.seconds.trial += since(from);
+      if (taken) expanded = false;
+    } else {
+      // The whole step is taken most of the time: expanded at once, it need not be evaluated again.
+      const bool ahead = halving == 0 && summary.iterations + 1 < options.max_iterations;
+      taken = shooting_trial(length, ahead) && accept_shooting(length);
+      expanded = ahead && taken;
+    }
+    if (taken) {
+      take_trial(length);
+      return true;
+    }
+    if (out_of_time()) return stop(StopReason::TimeBudget);
+  }
+  length = 0.0;
+  return true;
+}
+
+bool DdpSolver::Impl::after_search(double length) {
+  ++summary.iterations;
+  DdpProgress progress;
+  progress.iteration = summary.iterations;
+  progress.cost = current.cost;
+  progress.expected_improvement = summary.expected_improvement;
+  progress.largest_gap = current.largest_gap;
+  progress.step_length = length;
+  progress.regularization = regularization;
+  progress.penalty = penalty;
+  progress.feasible = current.feasible;
+  progress.seconds = since(began);
+  summary.log.push_back(progress);
+  if (length > 0.0) searched_at_floor = false;
+  if (options.callback && !options.callback(progress)) return stop(StopReason::Callback);
+  const Regularization& rule = options.regularization;
+  if (length > rule.decrease_above) decrease_regularization();
+  if (length <= rule.increase_at_or_below && !increase_regularization())
+    return stop(StopReason::NoStep);
+  if (summary.iterations >= options.max_iterations) return stop(StopReason::MaxIterations);
+  return !out_of_time() || stop(StopReason::TimeBudget);
+}
+
+void DdpSolver::Impl::iterate() {
+  for (;;) {
+    bool again = false;
+    do {
+      if (!make_direction() || !judge_direction(again)) return;
+    } while (again);
+    double length = 0.0;
+    if (!line_search(length) || !after_search(length)) return;
+  }
+}
+
+/// Cut short, a solve returns the best iterate; one that made its iterations, the last.
+void DdpSolver::Impl::finish() {
+  const bool complete =
+      summary.reason == StopReason::Converged || summary.reason == StopReason::MaxIterations;
+  if (!best_is_current && !complete) {
+    std::swap(current, best);
+    expanded = false;
+  }
+  if (summary.reason == StopReason::NoStep && trial_failure_knot >= 0)
+    fail_at(trial_failure_knot, trial_failure);
+  summary.cost = current.cost;
+  summary.feasible = current.feasible;
+  summary.largest_gap = current.largest_gap;
+  summary.gap_knot = current.gap_knot;
+  summary.gap_entry = current.gap_entry;
+  summary.seconds.total = since(began);
+}
+
+}  // namespace burnish

@@ -1,0 +1,210 @@
+// Expanding the horizon and the recursion backwards.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/ddp_impl.hpp"
+#include "solver/dense.hpp"
+#include "solver/linear_dynamics.hpp"
+
+namespace burnish {
+
+namespace {
+
+bool usable(const KnotValue& value) {
+  return value.status <= Status::NotConverged && std::isfinite(value.cost);
+}
+
+bool all_finite(const double* x, int n) {
+  // A sum is finite if its terms are, but for overflow, which is as bad.
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i) sum += std::abs(x[i]);
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+bool DdpSolver::Impl::stop(StopReason reason) {
+  summary.reason = reason;
+  return false;
+}
+
+bool DdpSolver::Impl::fail_at(int knot, const KnotValue& value) {
+  summary.status = value.status <= Status::NotConverged ? Status::NotFinite : value.status;
+  summary.knot = knot;
+  summary.term = value.term;
+  return false;
+}
+
+/// Cost of an iterate from `values`, in the order of the knots.
+bool DdpSolver::Impl::take_values(Iterate& at) {
+  at.cost = 0.0;
+  for (int k = 0; k <= N; ++k) {
+    const KnotValue& v = values[static_cast<std::size_t>(k)];
+    if (!usable(v)) {
+      trial_failure = v;
+      trial_failure_knot = k;
+      return false;
+    }
+    at.cost += v.cost;
+  }
+  return true;
+}
+
+/// Gaps of an iterate from `next`.
+bool DdpSolver::Impl::take_gaps(Iterate& at) {
+  at.gap_sum = at.largest_gap = 0.0;
+  at.gap_knot = at.gap_entry = 0;
+  for (int k = 0; k <= N; ++k) {
+    const double* reached = k == 0 ? problem.initial_state() : next.data() + (k - 1) * nx;
+    double* g = gap(at, k);
+    problem.difference(at.xs.data() + k * nx, reached, g);
+    if (!all_finite(g, ndx)) {
+      trial_failure = {0.0, Status::NotFinite, -1};
+      trial_failure_knot = std::max(0, k - 1);
+      return false;
+    }
+    for (int i = 0; i < ndx; ++i) {
+      const double size = std::abs(g[i]);
+      at.gap_sum += size;
+      if (size > at.largest_gap) {
+        at.largest_gap = size;
+        at.gap_knot = k;
+        at.gap_entry = i;
+      }
+    }
+  }
+  return true;
+}
+
+/// Values, gaps and expansions at an iterate.
+bool DdpSolver::Impl::expand(Iterate& at) {
+  const Clock::time_point from = Clock::now();
+  expanded = false;
+  const TrajectoryView view{at.xs.data(), at.us.data()};
+  pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
+    problem.expand(worker, ranges[static_cast<std::size_t>(piece)], view, next.data(),
+                   values.data(), expansions.data());
+  });
+  bool good = take_values(at);
+  // A trajectory that came out of a rollout has no gaps: what rounding leaves is not one.
+  const bool rolled_out = at.feasible && options.update == StepUpdate::Rollout;
+  if (good && !rolled_out) {
+    good = take_gaps(at);
+    at.feasible = good && at.largest_gap <= options.gap_tolerance;
+  }
+  if (good && at.feasible && options.update == StepUpdate::Rollout) {
+    for (int k = 0; k <= N; ++k) std::fill_n(gap(at, k), ndx, 0.0);
+    at.gap_sum = 0.0;
+  }
+  summary.seconds.expand += since(from);
+  return good;
+}
+
+/// The recursion over the horizon; false where Quu is not positive definite or not finite.
+bool DdpSolver::Impl::backward() {
+  const Clock::time_point from = Clock::now();
+  direction = {};
+  recursion.terminal(expansions[static_cast<std::size_t>(N)], value(N));
+  int k = N - 1;
+  for (; k >= 0; --k) {
+    const auto i = static_cast<std::size_t>(k);
+    const RiccatiStep step =
+        recursion.step(expansions[i], controls[i], gap(current, k + 1), value(k + 1),
+                       regularization, box(k), policy(k), value(k), hessian_gap(k + 1));
+    if (step.failed_control >= 0) {
+      summary.knot = k;
+      summary.control = step.failed_control;
+      break;
+    }
+    direction.slope -= step.slope + step.gap_slope + step.gap_curvature;
+    direction.curvature += step.gap_curvature - step.curvature;
+    direction.model_change +=
+        step.slope + 0.5 * step.curvature + step.gap_slope + 0.5 * step.gap_curvature;
+  }
+  if (k < 0) {
+    const ValueStorage v = value(0);
+    const double* g = gap(current, 0);
+    for (int i = 0; i < ndx; ++i)
+      hessian_gap(0)[i] = dense::dot(v.hessian + i * value_stride, g, ndx);
+    const double slope = dense::dot(v.gradient, g, ndx);
+    const double curvature = dense::dot(hessian_gap(0), g, ndx);
+    direction.slope -= slope + curvature;
+    direction.curvature += curvature;
+    direction.model_change += slope + 0.5 * curvature;
+  }
+  summary.seconds.backward += since(from);
+  return k < 0;
+}
+
+/// Whether an expansion holds a number that is not finite; then the summary says where.
+bool DdpSolver::Impl::find_not_finite() {
+  for (int k = N; k >= 0; --k) {
+    const auto i = static_cast<std::size_t>(k);
+    const KnotExpansion& e = expansions[i];
+    const int nz = controls[i] + ndx;
+    bool good = all_finite(e.gradient, nz);
+    for (int r = 0; good && r < nz; ++r) good = all_finite(e.hessian + r * e.stride, r + 1);
+    const int rows = k == N ? 0 : e.form == DynamicsForm::Dense ? ndx : state.nv;
+    for (int r = 0; good && r < rows; ++r) good = all_finite(e.dynamics + r * e.stride, nz);
+    if (!good) {
+      summary.control = -1;
+      fail_at(k, {0.0, Status::NotFinite, -1});
+      summary.in_derivatives = true;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// dx and du of the linear-quadratic problem, clamped to the bounds, and the slope of the cost.
+void DdpSolver::Impl::linear_rollout() {
+  std::copy_n(gap(current, 0), ndx, dx(0));
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int nu = controls[i];
+    double* zk = z.data();
+    if (k < N) {
+      const PolicyStorage p = policy(k);
+      for (int c = 0; c < nu; ++c)
+        zk[c] = p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx);
+      if (lower[i] != nullptr && upper[i] != nullptr) {
+        const double* u = current.us.data() + k * nu_max;
+        for (int c = 0; c < nu; ++c)
+          zk[c] = std::min(std::max(zk[c], lower[i][c] - u[c]), upper[i][c] - u[c]);
+      }
+      std::copy_n(zk, nu, du(k));
+    }
+    std::copy_n(dx(k), ndx, zk + nu);
+    direction.cost_slope += dense::dot(expansions[i].gradient, zk, nu + ndx);
+    if (k == N) break;
+    multiply(state, expansions[i], nu, zk, scratch.data(), dx(k + 1));
+    const double* g = gap(current, k + 1);
+    for (int c = 0; c < ndx; ++c) dx(k + 1)[c] += g[c];
+  }
+}
+
+/// Largest entry of the multipliers of the linear-quadratic problem, vx + Vxx dx.
+double DdpSolver::Impl::largest_multiplier() {
+  double largest = 0.0;
+  for (int k = 0; k <= N; ++k) {
+    const ValueStorage v = value(k);
+    for (int i = 0; i < ndx; ++i) {
+      const double m = v.gradient[i] + dense::dot(v.hessian + i * value_stride, dx(k), ndx);
+      largest = std::max(largest, std::abs(m));
+    }
+  }
+  return largest;
+}
+
+/// The penalty that makes the direction one of descent: the rule of Nocedal and Wright, Numerical
+/// Optimization (2006), eq. (18.36), or the multipliers' size where that asks for less.
+double DdpSolver::Impl::penalty_for_direction() {
+  if (current.gap_sum <= 0.0) return penalty;
+  const double curvature = std::max(0.0, 2.0 * (direction.model_change - direction.cost_slope));
+  const double share = 1.0 - options.line_search.merit_share;
+  const double needed = (direction.cost_slope + 0.5 * curvature) / (share * current.gap_sum);
+  if (needed <= penalty) return penalty;
+  return std::max(penalty, std::min(needed, largest_multiplier() / share));
+}
+
+}  // namespace burnish

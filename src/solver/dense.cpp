@@ -1,0 +1,156 @@
+#include "solver/dense.hpp"
+
+#include <cmath>
+
+namespace burnish::dense {
+namespace {
+
+/// The block of `lanes` rows at `from`, transposed.
+BURNISH_INLINE void load_transposed(const double* from, int stride, Lane* rows) {
+#pragma GCC unroll 8
+  for (int r = 0; r < lanes; ++r) rows[r] = load(from + r * stride);
+  transpose(rows);
+}
+
+}  // namespace
+
+void transpose_copy(Rows a, int m, int n, double* b, int stride) {
+  for (int i = 0; i < m; i += lanes)
+    for (int j = 0; j < n; j += lanes) {
+      Lane rows[lanes];
+      load_transposed(a.data + i * a.stride + j, a.stride, rows);
+      const int high = std::min(lanes, n - j);
+      for (int r = 0; r < high; ++r) store(b + (j + r) * stride + i, rows[r]);
+    }
+}
+
+void mirror_lower(Rows a, int n, double* b, int stride) {
+  for (int i = 0; i < n; i += lanes) {
+    const int high = std::min(lanes, n - i);
+    for (int j = 0; j < i; j += lanes) {
+      Lane rows[lanes];
+      Lane turned[lanes];
+#pragma GCC unroll 8
+      for (int r = 0; r < lanes; ++r) turned[r] = rows[r] = load(a.data + (i + r) * a.stride + j);
+      transpose(turned);
+      for (int r = 0; r < high; ++r) store(b + (i + r) * stride + j, rows[r]);
+#pragma GCC unroll 8
+      for (int r = 0; r < lanes; ++r) store(b + (j + r) * stride + i, turned[r]);
+    }
+    Lane rows[lanes];
+    Lane turned[lanes];
+#pragma GCC unroll 8
+    for (int r = 0; r < lanes; ++r) turned[r] = rows[r] = load(a.data + (i + r) * a.stride + i);
+    transpose(turned);
+    Lane column;
+    for (int l = 0; l < lanes; ++l) Lanes<Lane>::set(column, l, l);
+    for (int r = 0; r < high; ++r)
+      store(b + (i + r) * stride + i, select(less(Lane(r + 0.5), column), turned[r], rows[r]));
+  }
+}
+
+namespace {
+
+/// Factors R rows whose diagonal block starts at column `first` and applies R^-T to the columns
+/// from there on. The block goes through scalars first, so that the columns need not wait for its
+/// chain of square roots and stay in registers.
+template <int R>
+int factor_rows(double* y, int stride, int first, int columns, double* inverse) {
+  double t[R][R];
+  for (int j = 0; j < R; ++j)
+    for (int c = j; c < R; ++c) t[j][c] = y[j * stride + first + c];
+#pragma GCC unroll 8
+  for (int j = 0; j < R; ++j) {
+    const double pivot = t[j][j];
+    if (!(pivot > 1e-14 * inverse[j]) || !std::isfinite(pivot)) return j;
+    inverse[j] = 1.0 / std::sqrt(pivot);
+#pragma GCC unroll 8
+    for (int c = j + 1; c < R; ++c) t[j][c] *= inverse[j];
+#pragma GCC unroll 8
+    for (int i = j + 1; i < R; ++i)
+#pragma GCC unroll 8
+      for (int c = i; c < R; ++c) t[i][c] -= t[j][i] * t[j][c];
+  }
+  for (int c = round_down(first); c < columns; c += lanes) {
+    Lane row[R];
+#pragma GCC unroll 8
+    for (int i = 0; i < R; ++i) {
+      row[i] = load(y + i * stride + c);
+#pragma GCC unroll 8
+      for (int k = 0; k < i; ++k) row[i] -= Lane(t[k][i]) * row[k];
+      row[i] *= Lane(inverse[i]);
+      store(y + i * stride + c, row[i]);
+    }
+  }
+  return -1;
+}
+
+/// X <- R^-1 X for the R rows of a diagonal block at y.
+template <int R>
+void back_substitute(const double* y, int stride, const double* inverse, double* x, int x_stride,
+                     int n) {
+  for (int c = 0; c < n; c += lanes) {
+    Lane row[R];
+#pragma GCC unroll 8
+    for (int i = R - 1; i >= 0; --i) {
+      row[i] = load(x + i * x_stride + c);
+#pragma GCC unroll 8
+      for (int k = R - 1; k > i; --k) row[i] -= Lane(y[i * stride + k]) * row[k];
+      row[i] *= Lane(inverse[i]);
+      store(x + i * x_stride + c, row[i]);
+    }
+  }
+}
+
+using FactorRows = int (*)(double*, int, int, int, double*);
+using BackSubstitute = void (*)(const double*, int, const double*, double*, int, int);
+
+template <int... index>
+constexpr auto factor_table(std::integer_sequence<int, index...>) {
+  return std::array<FactorRows, sizeof...(index)>{&factor_rows<index + 1>...};
+}
+template <int... index>
+constexpr auto back_table(std::integer_sequence<int, index...>) {
+  return std::array<BackSubstitute, sizeof...(index)>{&back_substitute<index + 1>...};
+}
+constexpr auto row_counts = std::make_integer_sequence<int, detail::tile_rows>{};
+constexpr auto factor_by_rows = factor_table(row_counts);
+constexpr auto back_by_rows = back_table(row_counts);
+
+}  // namespace
+
+int partial_cholesky(double* y, int stride, int nu, int columns, double* inverse_diagonal) {
+  for (int i = 0; i < nu; ++i) inverse_diagonal[i] = y[i * stride + i];
+  for (int first = 0; first < nu; first += detail::tile_rows) {
+    const int rows = std::min(nu - first, detail::tile_rows);
+    const int left = round_down(first);
+    double* block = y + first * stride;
+    if (first > 0)
+      product<Update::Subtract>({y + first, stride, 1}, {y + left, stride}, first, rows,
+                                columns - left, block + left, stride);
+    const int failed =
+        factor_by_rows[rows - 1](block, stride, first, columns, inverse_diagonal + first);
+    if (failed >= 0) return first + failed;
+  }
+  return -1;
+}
+
+void solve_gains(const double* y, int stride, int nu, int n, const double* inverse_diagonal,
+                 double* x, int x_stride) {
+  for (int last = nu; last > 0;) {
+    const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
+    double* block = x + first * x_stride;
+    for (int i = first; i < last; ++i)
+      for (int c = 0; c < n; c += lanes)
+        store(x + i * x_stride + c, -load(y + i * stride + nu + c));
+    if (last < nu)
+      product<Update::Subtract, false>({y + first * stride + last, 1, stride},
+                                       {x + last * x_stride, x_stride}, nu - last, last - first, n,
+                                       block, x_stride);
+    back_by_rows[last - first - 1](y + first * stride + first, stride, inverse_diagonal + first,
+                                   block, x_stride, n);
+    last = first;
+  }
+}
+
+}  // namespace burnish::dense

@@ -1,0 +1,193 @@
+// Small dense kernels with the target's vectors inside a matrix: one product in register tiles, on
+// which the Riccati recursion stands, and the few vector operations around it.
+//
+// Matrices are row-major. A row is worked on in whole vectors: writes reach up to round_up(columns)
+// entries of a row, so that rows are padded to that; reads may run past the end of a row by less
+// than a vector, so that every buffer ends with `lanes` spare entries. Sums run over k upwards, in
+// one order for every size.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "burnish/math/pack.hpp"
+
+namespace burnish::dense {
+
+using Lane = NativePack;
+inline constexpr int lanes = native_lanes;
+/// Entries by which a buffer must be longer than its last row.
+inline constexpr int spare = lanes;
+
+constexpr int round_up(int n) { return (n + lanes - 1) / lanes * lanes; }
+constexpr int round_down(int n) { return n / lanes * lanes; }
+
+BURNISH_INLINE Lane load(const double* from) {
+  Lane p;
+  std::memcpy(&p.v, from, sizeof p.v);
+  return p;
+}
+BURNISH_INLINE void store(double* to, const Lane& p) { std::memcpy(to, &p.v, sizeof p.v); }
+
+/// What is done with the product.
+enum class Update { Set, Add, Subtract };
+
+/// Entry (k, i) of a left factor stands at data[k * k_step + i * i_step].
+struct Left {
+  const double* data;
+  int k_step;
+  int i_step;
+};
+struct Rows {
+  const double* data;
+  int stride;
+};
+
+namespace detail {
+
+// Accumulators, one vector of B per column and one entry of A fill the registers: 32 with AVX-512
+// and NEON, 16 otherwise.
+#if defined(__AVX512F__) || defined(__aarch64__)
+inline constexpr int tile_rows = 8, tile_vectors = 3;
+#else
+inline constexpr int tile_rows = 4, tile_vectors = 3;
+#endif
+
+template <Update update, bool unit_step, int R, int C>
+void tile(Left a, Rows b, int count, double* c, int stride) {
+  Lane sum[R][C];
+#pragma GCC unroll 8
+  for (int r = 0; r < R; ++r)
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s)
+      sum[r][s] = update == Update::Set ? Lane(0.0) : load(c + r * stride + s * lanes);
+  const int i_step = unit_step ? 1 : a.i_step;
+  for (int k = 0; k < count; ++k) {
+    const double* ak = a.data + k * a.k_step;
+    const double* bk = b.data + k * b.stride;
+    Lane right[C];
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s) right[s] = load(bk + s * lanes);
+#pragma GCC unroll 8
+    for (int r = 0; r < R; ++r) {
+      const Lane left(ak[r * i_step]);
+#pragma GCC unroll 8
+      for (int s = 0; s < C; ++s)
+        if constexpr (update == Update::Subtract)
+          sum[r][s] -= left * right[s];
+        else
+          sum[r][s] += left * right[s];
+    }
+  }
+#pragma GCC unroll 8
+  for (int r = 0; r < R; ++r)
+#pragma GCC unroll 8
+    for (int s = 0; s < C; ++s) store(c + r * stride + s * lanes, sum[r][s]);
+}
+
+using Tile = void (*)(Left, Rows, int, double*, int);
+
+template <Update update, bool unit_step, int... index>
+constexpr auto tiles(std::integer_sequence<int, index...>) {
+  return std::array<Tile, sizeof...(index)>{
+      &tile<update, unit_step, index / tile_vectors + 1, index % tile_vectors + 1>...};
+}
+
+/// Every tile of up to tile_rows rows and tile_vectors vectors.
+template <Update update, bool unit_step>
+inline constexpr auto tile_table =
+    tiles<update, unit_step>(std::make_integer_sequence<int, tile_rows * tile_vectors>{});
+
+}  // namespace detail
+
+/// C (op) A^T B with A: count x m, B: count x n, C: m x n. Columns in the outer loop, so that a
+/// panel of B stays in the first cache.
+template <Update update, bool unit_step = true>
+void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
+  using namespace detail;
+  const int vectors = round_up(n) / lanes;
+  for (int j = 0; j < vectors; j += tile_vectors) {
+    const int wide = std::min(tile_vectors, vectors - j);
+    for (int i = 0; i < m; i += tile_rows) {
+      const int high = std::min(tile_rows, m - i);
+      tile_table<update, unit_step>[(high - 1) * tile_vectors + wide - 1](
+          {a.data + i * a.i_step, a.k_step, a.i_step}, {b.data + j * lanes, b.stride}, count,
+          c + i * stride + j * lanes, stride);
+    }
+  }
+}
+
+/// The same for the entries of C on and below the diagonal; what stands above it is spoilt up to
+/// the next tile's border.
+template <Update update>
+void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
+  using namespace detail;
+  const int vectors = round_up(n) / lanes;
+  for (int j = 0; j < vectors; j += tile_vectors) {
+    for (int i = j * lanes / tile_rows * tile_rows; i < n; i += tile_rows) {
+      const int high = std::min(tile_rows, n - i);
+      const int needed = (i + high - j * lanes + lanes - 1) / lanes;
+      const int wide = std::min({tile_vectors, vectors - j, needed});
+      tile_table<update, true>[(high - 1) * tile_vectors + wide - 1](
+          {a.data + i * a.i_step, a.k_step, a.i_step}, {b.data + j * lanes, b.stride}, count,
+          c + i * stride + j * lanes, stride);
+    }
+  }
+}
+
+/// y += factor * x over whole vectors that cover n entries.
+BURNISH_INLINE void add_scaled(double factor, const double* x, int n, double* y) {
+  const Lane f(factor);
+  for (int i = 0; i < n; i += lanes) store(y + i, load(y + i) + f * load(x + i));
+}
+
+/// y = a + factor * b over whole vectors that cover n entries.
+BURNISH_INLINE void sum_scaled(const double* a, double factor, const double* b, int n, double* y) {
+  const Lane f(factor);
+  for (int i = 0; i < n; i += lanes) store(y + i, load(a + i) + f * load(b + i));
+}
+
+BURNISH_INLINE void copy(const double* x, int n, double* y) {
+  for (int i = 0; i < n; i += lanes) store(y + i, load(x + i));
+}
+
+/// Sum of products; reads no entry past n.
+BURNISH_INLINE double dot(const double* x, const double* y, int n) {
+  Lane sum(0.0);
+  int i = 0;
+  for (; i + lanes <= n; i += lanes) sum += load(x + i) * load(y + i);
+  double result = 0.0;
+  for (int l = 0; l < lanes; ++l) result += sum.lane(l);
+  for (; i < n; ++i) result += x[i] * y[i];
+  return result;
+}
+
+/// y += A^T x, A: count x n.
+BURNISH_INLINE void add_transposed_times(Rows a, const double* x, int count, int n, double* y) {
+  for (int k = 0; k < count; ++k) add_scaled(x[k], a.data + k * a.stride, n, y);
+}
+
+/// y += A x, A: m x n.
+BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) {
+  for (int i = 0; i < m; ++i) y[i] += dot(a.data + i * a.stride, x, n);
+}
+
+/// B = A^T, A: m x n, B: n x m. Reads whole vectors of up to round_up(m) rows of A.
+void transpose_copy(Rows a, int m, int n, double* b, int stride);
+
+/// B = the symmetric matrix whose lower triangle is that of A. Reads up to round_up(n) rows of A;
+/// B may be A.
+void mirror_lower(Rows a, int n, double* b, int stride);
+
+/// Factor of the leading block of a matrix Y of nu rows, [Q | Z]: Q = R^T R with R upper triangular
+/// in place, and Z becomes R^-T Z. `columns` counts those of both. Returns the first row whose
+/// pivot is not above 1e-14 of the diagonal entry it came from (or is not a number), -1 if none.
+int partial_cholesky(double* y, int stride, int nu, int columns, double* inverse_diagonal);
+
+/// X = -R^-1 Z after partial_cholesky, X: nu x n, Z at y + nu.
+void solve_gains(const double* y, int stride, int nu, int n, const double* inverse_diagonal,
+                 double* x, int x_stride);
+
+}  // namespace burnish::dense

@@ -1,0 +1,78 @@
+#include "solver/linear_dynamics.hpp"
+
+#include <algorithm>
+
+#include "solver/dense.hpp"
+
+namespace burnish {
+
+void transform_lead(const StateShape& state, const double* lead, bool of_velocity, double* row) {
+  for (const LeadBlock& b : state.blocks) {
+    const int n = b.size;
+    const double* factor = lead + (of_velocity ? n * n : 0);
+    double* part = row + b.first;
+    double product[max_lead_size];
+    for (int j = 0; j < n; ++j) {
+      double sum = 0.0;
+      for (int i = 0; i < n; ++i) sum += part[i] * factor[i * n + j];
+      product[j] = sum;
+    }
+    std::copy_n(product, n, part);
+    lead += 2 * n * n;
+  }
+}
+
+void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
+              double* scratch, double* next) {
+  const int nz = controls + state.ndx;
+  if (e.form == DynamicsForm::Dense) {
+    for (int i = 0; i < state.ndx; ++i) next[i] = dense::dot(e.dynamics + i * e.stride, z, nz);
+    return;
+  }
+  const int nv = state.nv;
+  const double* dx = z + controls;
+  double* dv = next + nv;
+  for (int i = 0; i < nv; ++i) dv[i] = dense::dot(e.dynamics + i * e.stride, z, nz);
+  for (int i = 0; i < nv; ++i) next[i] = dx[i] + e.step * dv[i];
+  const double* lead = e.lead;
+  for (const LeadBlock& b : state.blocks) {
+    const int n = b.size;
+    for (int i = 0; i < n; ++i) {
+      double sum = 0.0;
+      double moved = 0.0;
+      for (int j = 0; j < n; ++j) {
+        sum += lead[i * n + j] * dx[b.first + j];
+        moved += lead[n * n + i * n + j] * dv[b.first + j];
+      }
+      scratch[i] = sum + e.step * moved;
+    }
+    std::copy_n(scratch, n, next + b.first);
+    lead += 2 * n * n;
+  }
+  const int through = std::min(controls, state.filtered);
+  for (int c = 0; c < state.filtered; ++c) {
+    next[2 * nv + c] = e.decay[c] * dx[2 * nv + c];
+    if (c < through) next[2 * nv + c] += (1.0 - e.decay[c]) * z[c];
+  }
+}
+
+void add_transposed(const StateShape& state, const KnotExpansion& e, int controls, double* w,
+                    double* scratch, double* out) {
+  const int nz = controls + state.ndx;
+  if (e.form == DynamicsForm::Dense) {
+    dense::add_transposed_times({e.dynamics, e.stride}, w, state.ndx, nz, out);
+    return;
+  }
+  const int nv = state.nv;
+  std::copy_n(w, nv, scratch);
+  transform_lead(state, e.lead, true, scratch);
+  for (int i = 0; i < nv; ++i) scratch[i] = e.step * scratch[i] + w[nv + i];
+  dense::add_transposed_times({e.dynamics, e.stride}, scratch, nv, nz, out);
+  transform_lead(state, e.lead, false, w);
+  const int through = std::min(controls, state.filtered);
+  for (int i = 0; i < nv; ++i) out[controls + i] += w[i];
+  for (int c = 0; c < state.filtered; ++c) out[controls + 2 * nv + c] += e.decay[c] * w[2 * nv + c];
+  for (int c = 0; c < through; ++c) out[c] += (1.0 - e.decay[c]) * w[2 * nv + c];
+}
+
+}  // namespace burnish

@@ -1,0 +1,55 @@
+#include "burnish/solver/options.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+namespace {
+
+void require(bool holds, std::string_view name, double value, std::string_view wanted) {
+  if (!holds)
+    throw Error("solver options: " + std::string(name) + " is " + std::to_string(value) +
+                "; wanted " + std::string(wanted));
+}
+
+void require_positive(double value, std::string_view name) {
+  require(std::isfinite(value) && value > 0.0, name, value, "a number > 0");
+}
+
+void require_nonnegative(double value, std::string_view name) {
+  require(std::isfinite(value) && value >= 0.0, name, value, "a number >= 0");
+}
+
+void require_fraction(double value, std::string_view name) {
+  require(value >= 0.0 && value < 1.0, name, value, "a number from 0 to below 1");
+}
+
+}  // namespace
+
+void DdpOptions::check() const {
+  require(max_iterations >= 0, "max_iterations", max_iterations, "0 or more");
+  require(time_budget >= 0.0, "time_budget", time_budget, "seconds >= 0");
+  require(threads >= 1 && threads <= 1024, "threads", threads, "1 to 1024");
+  require_nonnegative(stop_tolerance, "stop_tolerance");
+  require_nonnegative(gap_tolerance, "gap_tolerance");
+  require(line_search.halvings >= 0 && line_search.halvings <= 60, "line_search.halvings",
+          line_search.halvings, "0 to 60");
+  require_fraction(line_search.sufficient_decrease, "line_search.sufficient_decrease");
+  require_nonnegative(line_search.allowed_increase, "line_search.allowed_increase");
+  require_fraction(line_search.merit_decrease, "line_search.merit_decrease");
+  require_fraction(line_search.merit_share, "line_search.merit_share");
+  require_nonnegative(line_search.rounding, "line_search.rounding");
+  require_nonnegative(regularization.initial, "regularization.initial");
+  require_positive(regularization.smallest, "regularization.smallest");
+  require(
+      std::isfinite(regularization.largest) && regularization.largest >= regularization.smallest,
+      "regularization.largest", regularization.largest,
+      "a number that is at least regularization.smallest");
+  require(std::isfinite(regularization.factor) && regularization.factor > 1.0,
+          "regularization.factor", regularization.factor, "a number > 1");
+}
+
+}  // namespace burnish

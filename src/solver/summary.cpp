@@ -1,0 +1,98 @@
+#include "burnish/solver/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace burnish {
+namespace {
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", value);
+  return buffer;
+}
+
+std::string seconds(double value) {
+  if (value < 1e-3) return number(1e6 * value) + " us";
+  if (value < 1.0) return number(1e3 * value) + " ms";
+  return number(value) + " s";
+}
+
+template <class Names>
+std::string name_or_number(const Names& names, int index) {
+  if (index >= 0 && static_cast<std::size_t>(index) < names.size())
+    return "'" + names[static_cast<std::size_t>(index)] + "'";
+  return std::to_string(index);
+}
+
+/// "not finite: cost term 'force' at press, knot 12"
+std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
+  const std::string where = " at " + problem.knot_name(s.knot);
+  if (s.status == Status::NotFinite) {
+    if (s.in_derivatives) return "not finite: derivatives" + where;
+    if (s.term >= 0)
+      return "not finite: cost term " + name_or_number(problem.term_names(s.knot), s.term) + where;
+    return "not finite: dynamics" + where;
+  }
+  return "not evaluated" + where + ": " + std::string(describe(s.status));
+}
+
+std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
+  const std::string improvement =
+      "the expected improvement " + number(s.expected_improvement) + " is ";
+  const std::string below = "below " + number(s.options.stop_tolerance);
+  const std::string largest = number(s.options.regularization.largest);
+  switch (s.reason) {
+    case StopReason::Converged:
+      return "converged: " + improvement + below;
+    case StopReason::MaxIterations:
+      return "stopped after " + std::to_string(s.iterations) + " iterations: " + improvement +
+             (s.expected_improvement < s.options.stop_tolerance ? below : "not " + below);
+    case StopReason::TimeBudget:
+      return "time budget of " + seconds(s.options.time_budget) + " spent after " +
+             std::to_string(s.iterations) + " iterations";
+    case StopReason::NotEvaluated:
+      return failure(s, problem);
+    case StopReason::NotPositiveDefinite:
+      return "Quu is not positive definite at " + problem.knot_name(s.knot) + ", control " +
+             name_or_number(problem.control_names(), s.control) + ", though regularised with " +
+             largest;
+    case StopReason::NoStep:
+      return "no step length lowers the cost, though regularised with " + number(s.regularization) +
+             (s.knot >= 0 ? "; the last trial was " + failure(s, problem) : "");
+    case StopReason::Callback:
+      return "stopped by the callback after " + std::to_string(s.iterations) + " iterations";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::string DdpSummary::text(const ShootingProblem& problem) const {
+  std::string sentence = reason_text(*this, problem);
+  if (reason == StopReason::NotEvaluated) return sentence;
+  sentence += "; cost " + number(cost) + ", ";
+  if (feasible) return sentence + "feasible";
+  const std::vector<std::string> names = problem.state_names();
+  return sentence + "not feasible: largest gap " + number(largest_gap) + " in " +
+         name_or_number(names, gap_entry) + " before " + problem.knot_name(gap_knot);
+}
+
+std::string CostReport::text() const {
+  std::vector<Entry> by_term = terms;
+  std::stable_sort(by_term.begin(), by_term.end(),
+                   [](const Entry& a, const Entry& b) { return a.cost > b.cost; });
+  std::vector<Entry> by_knot;
+  for (const Knot& k : knots) by_knot.push_back({k.name, k.cost});
+  std::stable_sort(by_knot.begin(), by_knot.end(),
+                   [](const Entry& a, const Entry& b) { return a.cost > b.cost; });
+  if (by_knot.size() > 5) by_knot.resize(5);
+  std::string lines = "cost " + number(total) + "\n";
+  for (const Entry& e : by_term) lines += "  " + number(e.cost) + "  " + e.name + "\n";
+  lines += "most expensive knots\n";
+  for (const Entry& e : by_knot) lines += "  " + number(e.cost) + "  " + e.name + "\n";
+  return lines;
+}
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#include "burnish/solver/thread_pool.hpp"
+
+#include <string>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+namespace {
+
+// Rounds follow one another within microseconds during a solve: looking this often before going to
+// sleep bridges the gap without holding a core for long.
+constexpr int looks = 4000;
+
+void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Returns when the value is no longer `old`.
+template <class T>
+void wait_for_change(const std::atomic<T>& value, T old) {
+  for (int i = 0; i < looks; ++i) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    relax();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+ThreadPool::ThreadPool(int workers) {
+  if (workers < 1)
+    throw Error("thread pool: " + std::to_string(workers) + " workers; wanted 1 or more");
+  threads_.reserve(static_cast<std::size_t>(workers - 1));
+  for (int w = 1; w < workers; ++w) threads_.emplace_back([this, w] { serve(w); });
+}
+
+ThreadPool::~ThreadPool() {
+  stop_.store(true, std::memory_order_relaxed);
+  round_.fetch_add(1, std::memory_order_release);
+  round_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void ThreadPool::take_pieces(int worker) {
+  for (int piece = next_.fetch_add(1, std::memory_order_relaxed); piece < pieces_;
+       piece = next_.fetch_add(1, std::memory_order_relaxed))
+    call_(context_, worker, piece);
+}
+
+void ThreadPool::serve(int worker) {
+  std::uint32_t seen = 0;
+  for (;;) {
+    wait_for_change(round_, seen);
+    seen = round_.load(std::memory_order_acquire);
+    if (stop_.load(std::memory_order_relaxed)) return;
+    take_pieces(worker);
+    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
+  }
+}
+
+void ThreadPool::run(int pieces, Call call, void* context) {
+  call_ = call;
+  context_ = context;
+  pieces_ = pieces;
+  next_.store(0, std::memory_order_relaxed);
+  if (threads_.empty() || pieces <= 1) {
+    take_pieces(0);
+    return;
+  }
+  busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
+  round_.fetch_add(1, std::memory_order_release);
+  round_.notify_all();
+  take_pieces(0);
+  for (int left = busy_.load(std::memory_order_acquire); left > 0;
+       left = busy_.load(std::memory_order_acquire))
+    wait_for_change(busy_, left);
+}
+
+}  // namespace burnish

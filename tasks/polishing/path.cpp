@@ -1,0 +1,138 @@
+#include "polishing/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+const std::vector<std::string>& names() {
+  static const std::vector<std::string> all{"circle", "spiral", "zigzag", "points"};
+  return all;
+}
+
+/// From 0 to 1 within unit time, at rest at both ends with no acceleration there.
+struct Blend {
+  double value, rate, curvature;
+};
+Blend blend(double s) {
+  if (s <= 0.0) return {0.0, 0.0, 0.0};
+  if (s >= 1.0) return {1.0, 0.0, 0.0};
+  return {s * s * s * (10.0 + s * (-15.0 + 6.0 * s)), 30.0 * s * s * (1.0 - s) * (1.0 - s),
+          60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)};
+}
+
+void positive(double value, const char* name) {
+  if (!(value > 0.0) || !std::isfinite(value))
+    throw Error("path: " + std::string(name) + " is " + std::to_string(value) +
+                "; wanted a positive number");
+}
+
+/// r(t) times the unit circle at angle(t).
+PlanarPoint polar(double r, double dr, double ddr, double angle, double w, double dw) {
+  const Eigen::Vector2d e(std::cos(angle), std::sin(angle)), n(-e.y(), e.x());
+  return {r * e, dr * e + r * w * n, (ddr - r * w * w) * e + (2.0 * dr * w + r * dw) * n};
+}
+
+}  // namespace
+
+std::string name_of(PathKind kind) { return names()[static_cast<std::size_t>(kind)]; }
+
+PathKind parse_path(const std::string& name) {
+  for (std::size_t i = 0; i < names().size(); ++i)
+    if (names()[i] == name) return static_cast<PathKind>(i);
+  throw Error("unknown path '" + name + "'; wanted circle, spiral, zigzag or points" +
+              did_you_mean(name, names()));
+}
+
+Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<double>::infinity()) {
+  switch (spec.kind) {
+    case PathKind::Circle:
+      positive(spec.radius, "radius");
+      positive(spec.start_up, "start_up");
+      break;
+    case PathKind::Spiral:
+      positive(spec.radius, "radius");
+      positive(spec.pitch, "pitch");
+      positive(spec.rate, "rate");
+      break;
+    case PathKind::ZigZag: {
+      positive(spec.width, "width");
+      positive(spec.height, "height");
+      positive(spec.speed, "speed");
+      if (spec.rows < 2)
+        throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at least 2");
+      corners_.emplace_back(0.0, 0.0);
+      for (int row = 0; row < spec.rows; ++row) {
+        const double w = spec.height * (static_cast<double>(row) / (spec.rows - 1) - 0.5);
+        const double u = 0.5 * spec.width * (row % 2 == 0 ? -1.0 : 1.0);
+        corners_.emplace_back(u, w);
+        corners_.emplace_back(-u, w);
+      }
+      break;
+    }
+    case PathKind::Points:
+      positive(spec.speed, "speed");
+      if (spec.points.empty()) throw Error("path: there are no points");
+      corners_ = spec.points;
+      for (const Eigen::Vector2d& p : corners_)
+        if (!p.allFinite()) throw Error("path: a point is not finite");
+      corners_.insert(corners_.begin(), Eigen::Vector2d::Zero());
+      break;
+  }
+  if (corners_.empty()) return;
+  // The blend's largest rate is 15/8 of its mean.
+  double time = 0.0;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (i > 0) time += std::max(0.05, (corners_[i] - corners_[i - 1]).norm() / spec.speed * 1.875);
+    times_.push_back(time);
+  }
+  duration_ = time;
+}
+
+PlanarPoint Path::circle(double t) const noexcept {
+  const Blend grown = blend(t / spec_.start_up);
+  const double T = spec_.start_up;
+  return polar(spec_.radius * grown.value, spec_.radius * grown.rate / T,
+               spec_.radius * grown.curvature / (T * T), spec_.rate * t, spec_.rate, 0.0);
+}
+
+PlanarPoint Path::spiral(double t) const noexcept {
+  // Out to the radius and back again, by a smooth wave.
+  const double turns = spec_.radius / spec_.pitch;
+  const double w = spec_.rate / (2.0 * turns);
+  const double r = 0.5 * spec_.radius * (1.0 - std::cos(w * t));
+  return polar(r, 0.5 * spec_.radius * w * std::sin(w * t),
+               0.5 * spec_.radius * w * w * std::cos(w * t), spec_.rate * t, spec_.rate, 0.0);
+}
+
+PlanarPoint Path::along_points(double t) const noexcept {
+  if (t >= times_.back())
+    return {corners_.back(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  const auto next =
+      static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
+  const double T = times_[next] - times_[next - 1];
+  const Blend s = blend((t - times_[next - 1]) / T);
+  const Eigen::Vector2d step = corners_[next] - corners_[next - 1];
+  return {corners_[next - 1] + s.value * step, s.rate / T * step, s.curvature / (T * T) * step};
+}
+
+PlanarPoint Path::at(double t) const noexcept {
+  if (!(t > 0.0))
+    return {corners_.empty() ? Eigen::Vector2d(0.0, 0.0) : corners_[0], {0.0, 0.0}, {0.0, 0.0}};
+  switch (spec_.kind) {
+    case PathKind::Circle:
+      return circle(t);
+    case PathKind::Spiral:
+      return spiral(t);
+    case PathKind::ZigZag:
+    case PathKind::Points:
+      break;
+  }
+  return along_points(t);
+}
+
+}  // namespace burnish::polishing

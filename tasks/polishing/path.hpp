@@ -1,0 +1,61 @@
+// Paths on a surface: where the tool's centre shall be over time.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "burnish/sim/path.hpp"
+
+namespace burnish::polishing {
+
+enum class PathKind { Circle, Spiral, ZigZag, Points };
+
+/// A path in the plane of a surface, in its two tangents (u, w), from its centre at rest. Lengths
+/// in m, rates in rad/s, speeds in m/s.
+struct PathSpec {
+  PathKind kind = PathKind::Circle;
+  double radius = 0.07;   ///< m; Circle, and the largest of a Spiral
+  double rate = 1.0;      ///< rad/s; Circle and Spiral
+  double start_up = 2.0;  ///< s until the full radius is reached; Circle, ZigZag
+  double pitch = 0.01;    ///< m between two turns; Spiral
+  double width = 0.14;    ///< m along u; ZigZag
+  double height = 0.10;   ///< m along w; ZigZag
+  int rows = 6;           ///< lines; ZigZag
+  double speed = 0.07;    ///< m/s along lines; ZigZag and Points
+  /// Points in the surface's tangents, m; followed in a smooth way at `speed`.
+  std::vector<Eigen::Vector2d> points = {};
+};
+
+std::string name_of(PathKind kind);
+/// "circle", "spiral", "zigzag" or "points". Throws Error with the nearest known name.
+PathKind parse_path(const std::string& name);
+
+/// (u, w) and their first two derivatives at a time.
+struct PlanarPoint {
+  Eigen::Vector2d p = Eigen::Vector2d::Zero(), v = Eigen::Vector2d::Zero(),
+                  a = Eigen::Vector2d::Zero();
+};
+
+/// The path compiled. Throws Error for numbers that make no path.
+class Path {
+ public:
+  explicit Path(const PathSpec& spec);
+  /// t s after its start; before, the start. No allocation.
+  PlanarPoint at(double t) const noexcept;
+  /// s until its last point is reached; infinite for paths that go on.
+  double duration() const { return duration_; }
+
+ private:
+  PlanarPoint circle(double t) const noexcept;
+  PlanarPoint spiral(double t) const noexcept;
+  PlanarPoint along_points(double t) const noexcept;
+
+  PathSpec spec_;
+  double duration_;
+  std::vector<Eigen::Vector2d> corners_;
+  std::vector<double> times_;  ///< s, when each corner is reached
+};
+
+}  // namespace burnish::polishing

@@ -1,0 +1,262 @@
+#include "polishing/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "burnish/base/error.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+double smooth(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+}
+
+/// The columns of the surface's reference.
+Eigen::Matrix3d axes_of(const Eigen::Vector3d& normal) {
+  return Reference::surface_with_normal(normal).rotation;
+}
+
+struct Builder {
+  const Task& task;
+  const Setting& setting;
+  const Model& model;
+  std::shared_ptr<const Path> path;
+
+  Eigen::VectorXd state_target() const {
+    const int filtered = task.torque_cutoff > 0.0 ? model.nv : 0;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv + filtered);
+    x.head(model.nq) = setting.q_start;
+    if (filtered > 0) x.tail(filtered) = rest_torque();
+    return x;
+  }
+  /// Holds the start against gravity.
+  Eigen::VectorXd rest_torque() const {
+    RigidBody body(model);
+    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) != Status::Ok)
+      throw Error("the starting posture cannot be evaluated");
+    return body.gravity_torque();
+  }
+  Signal position() const {
+    // Copies: the signal outlives this builder.
+    return Signal::over_time(
+        3, [task = task, setting = setting, path = path](double t, Eigen::Ref<Eigen::VectorXd> p) {
+          p = task_point(task, setting, *path, t).p_world;
+        });
+  }
+  Signal force() const {
+    return Signal::over_time(
+        1, [task = task, setting = setting, path = path](double t, Eigen::Ref<Eigen::VectorXd> f) {
+          f[0] = task_point(task, setting, *path, t).force;
+        });
+  }
+  std::vector<CostTerm> everywhere() const {
+    const Weights& w = task.weights;
+    const int ndx = static_cast<int>(2 * model.nv + (task.torque_cutoff > 0.0 ? model.nv : 0));
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(ndx);
+    rows.head(model.nv).setConstant(w.posture);
+    rows.segment(model.nv, model.nv).setConstant(w.velocity);
+    if (task.torque_cutoff > 0.0) rows.tail(model.nv).setConstant(w.torque);
+    Eigen::VectorXd q_lower = model.q_lower, q_upper = model.q_upper;
+    q_lower.array() += 0.05;
+    q_upper.array() -= 0.05;
+    const Eigen::Isometry3d start = frame_placement(model, setting.q_start, task.tool);
+    std::vector<CostTerm> terms{
+        {.name = "state", .residual = residual::State{state_target()}, .weights = rows},
+        {.name = "rotation",
+         .residual =
+             residual::FrameRotation{task.tool, Eigen::Quaterniond(start.linear()).coeffs()},
+         .weight = w.rotation},
+        {.name = "position limits",
+         .residual = residual::JointPosition{},
+         .weight = w.position_limits,
+         .penalty = Penalty::barrier(q_lower, q_upper)},
+        {.name = "velocity limits",
+         .residual = residual::JointVelocity{},
+         .weight = w.velocity_limits,
+         .penalty = Penalty::barrier(-model.velocity_limit, model.velocity_limit)}};
+    return terms;
+  }
+  /// Of the tool's position, along the surface and along its normal.
+  CostTerm place(double normal_weight) const {
+    return {.name = "position",
+            .residual = residual::FramePosition{task.tool, position(), setting.surface_axes},
+            .weight = task.weights.position,
+            .weights = Eigen::Vector3d(1.0, 1.0, normal_weight)};
+  }
+  /// Of the tool's speed along the normal, m/s.
+  CostTerm move(double speed) const {
+    Eigen::VectorXd target = Eigen::VectorXd::Zero(6), rows = Eigen::VectorXd::Zero(6);
+    target[2] = speed;
+    rows[2] = 1.0;
+    return {.name = "approach",
+            .residual = residual::FrameVelocity{task.tool, FrameAxes::Centered, target,
+                                                setting.surface_axes},
+            .weight = task.weights.approach,
+            .weights = rows};
+  }
+  std::vector<CostTerm> control() const {
+    const Weights& w = task.weights;
+    std::vector<CostTerm> terms{
+        {.name = "torque", .residual = residual::Control{rest_torque()}, .weight = w.torque}};
+    if (std::isfinite(model.effort_limit.maxCoeff()))
+      terms.push_back({.name = "torque limits",
+                       .residual = residual::Control{},
+                       .weight = w.torque_limits,
+                       .penalty = Penalty::barrier(-model.effort_limit, model.effort_limit)});
+    return terms;
+  }
+
+  Stage stage(const std::string& name, std::vector<CostTerm> extra, bool contact) const {
+    Stage result{.name = name, .costs = everywhere(), .step = task.step};
+    for (CostTerm& term : control()) result.costs.push_back(term);
+    for (CostTerm& term : extra) result.costs.push_back(term);
+    if (contact) result.contacts = {"surface"};
+    return result;
+  }
+};
+
+}  // namespace
+
+Setting make_setting(const Task& task) {
+  Setting s;
+  s.robot = load_robot(task.robot);
+  s.q_start =
+      task.posture.empty() ? s.robot.reference_configuration() : s.robot.posture(task.posture);
+  SceneSpec scene;
+  scene.tip = {task.tool, task.tip_radius};
+  scene.surface.normal = task.normal_world;
+  scene.surface.friction = task.friction;
+  scene.surface.stiffness = task.stiffness;
+  scene.surface.damping = task.damping;
+  if (task.point_world) {
+    scene.surface.point = *task.point_world;
+    s.scene = checked_scene(s.robot.model, scene);
+  } else {
+    s.scene = scene_under_tip(s.robot.model, s.q_start, task.normal_world, scene, task.clearance);
+  }
+  const Eigen::Vector3d n = s.scene.surface.normal;
+  s.surface_axes = axes_of(n);
+  s.p_start = frame_placement(s.robot.model, s.q_start, task.tool).translation();
+  const double above = gap(s.scene, s.p_start);
+  s.p_center = s.p_start - above * n;
+  if (above <= 0.0)
+    throw Error("the tool starts " + std::to_string(-above) + " m inside the surface");
+  s.reach_end = task.reach_duration;
+  s.touch = s.reach_end + task.clearance / task.approach_speed;
+  s.ramp_end = s.touch + task.ramp_duration;
+  s.track_end = s.ramp_end + task.polish_duration;
+  return s;
+}
+
+TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time) {
+  const Eigen::Vector3d n = setting.scene.surface.normal;
+  const Eigen::Vector3d p_above = setting.p_center + task.clearance * n;
+  const auto on_surface = [&](double t) {
+    const PlanarPoint point = path.at(t);
+    const auto tangents = setting.surface_axes.leftCols<2>();
+    TaskPoint result;
+    result.p_world = setting.p_center + tangents * point.p;
+    result.v_world = tangents * point.v;
+    result.a_world = tangents * point.a;
+    return result;
+  };
+  TaskPoint result;
+  if (time < setting.reach_end) {
+    result.p_world =
+        setting.p_start + smooth(time / setting.reach_end) * (p_above - setting.p_start);
+  } else if (time < setting.touch) {
+    const double share = (time - setting.reach_end) / (setting.touch - setting.reach_end);
+    result.p_world = p_above - share * task.clearance * n;
+    result.v_world = -task.approach_speed * n;
+  } else if (time < setting.track_end) {
+    result = on_surface(time - setting.ramp_end);
+    result.force = task.force * smooth((time - setting.touch) / task.ramp_duration);
+  } else {
+    result = on_surface(task.polish_duration);
+    result.v_world.setZero();
+    result.a_world.setZero();
+    result.p_world +=
+        smooth((time - setting.track_end) / task.retreat_duration) * task.clearance * n;
+  }
+  return result;
+}
+
+MpcSpec make_mpc(const Task& task, const Setting& setting) {
+  const Model& model = setting.robot.model;
+  const auto path = std::make_shared<const Path>(task.path);
+  const Builder build{task, setting, model, path};
+  ContactSpec contact{.name = "surface", .tool = task.tool, .directions = Directions::z()};
+  contact.reference = Reference::surface(setting.surface_axes);
+  if (task.axes == ForceAxes::Local) {
+    const Eigen::Matrix3d R = frame_placement(model, setting.q_start, task.tool).linear();
+    contact.reference = Reference::local(R.transpose() * setting.surface_axes);
+  }
+  contact.with_gains(0.0, task.contact_kd);
+
+  MpcSpec mpc;
+  mpc.problem.model = model;
+  ProblemSpec& problem = mpc.problem;
+  problem.contacts = {contact};
+  problem.initial_state = build.state_target();
+  if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
+  const CostTerm press{.name = "force",
+                       .residual = residual::ContactForce{"surface", {}, build.force()},
+                       .weight = task.weights.force};
+  problem.stages = {
+      build.stage("reach", {build.place(1.0)}, false),
+      build.stage("approach", {build.place(0.0), build.move(-task.approach_speed)}, false),
+      build.stage("press", {build.place(0.0), press}, true)};
+  problem.terminal = build.everywhere();
+  problem.terminal.push_back(build.place(0.0));
+  for (CostTerm& term : problem.terminal) term.weight *= task.weights.terminal;
+  const int knots = static_cast<int>(std::lround(task.horizon / task.step));
+  problem.horizon = {{"reach", knots}};
+
+  mpc.schedule = {{.phase = Phase::Reach, .stage = "reach", .duration = setting.reach_end},
+                  {.phase = Phase::Approach,
+                   .stage = "approach",
+                   .duration = setting.touch - setting.reach_end,
+                   .until_contact = true},
+                  {.phase = Phase::Ramp, .stage = "press", .duration = task.ramp_duration},
+                  {.phase = Phase::Track, .stage = "press", .duration = task.polish_duration},
+                  {.phase = Phase::Retreat, .stage = "reach"}};
+  mpc.tool = task.tool;
+  mpc.normal_world = setting.scene.surface.normal;
+  mpc.target = [task, setting, path](double time) {
+    const TaskPoint point = task_point(task, setting, *path, time);
+    return TaskTarget{point.p_world, point.force};
+  };
+  mpc.tick_period = 1.0 / task.tick_rate;
+  mpc.update_period = 1.0 / task.update_rate;
+  mpc.solver_delay = task.solver_delay;
+  mpc.solver.update = task.solver;
+  mpc.solver.max_iterations = task.iterations;
+  mpc.model_error = task.model_error;
+  mpc.limits = task.limits;
+  mpc.feedback = task.feedback;
+  return mpc;
+}
+
+ImpedanceSpec make_baseline(const Task& task, const Setting& setting) {
+  const auto path = std::make_shared<const Path>(task.path);
+  ImpedanceSpec spec;
+  spec.tool = task.tool;
+  spec.normal_world = setting.scene.surface.normal;
+  // The baseline has its own reach and ramp: its clock starts with the path.
+  spec.task = [task, setting, path](double t) {
+    TaskPoint point = task_point(task, setting, *path, setting.ramp_end + std::max(0.0, t));
+    point.force = task.force;
+    return point;
+  };
+  spec.posture = setting.q_start;
+  spec.ramp = task.ramp_duration;
+  spec.approach_speed = task.approach_speed;
+  return spec;
+}
+
+}  // namespace burnish::polishing

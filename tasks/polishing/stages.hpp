@@ -1,0 +1,31 @@
+// The task as an optimal control problem over time.
+#pragma once
+
+#include "burnish/model/robot.hpp"
+#include "burnish/sim/impedance_controller.hpp"
+#include "polishing/task.hpp"
+
+namespace burnish::polishing {
+
+/// The task with everything resolved: robot, start, surface, path in the world, phases.
+struct Setting {
+  Robot robot;
+  Eigen::VectorXd q_start;       ///< nq
+  SceneSpec scene;               ///< as the controller knows it
+  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world
+  Eigen::Vector3d p_start;       ///< of the tool, m, world
+  Eigen::Vector3d p_center;      ///< of the tool at the path's origin in contact, m, world
+  double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
+};
+
+/// Throws Error for a task that does not fit together.
+Setting make_setting(const Task& task);
+
+/// Where the tool shall be and how hard it shall press, at a time of the schedule.
+TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time);
+
+MpcSpec make_mpc(const Task& task, const Setting& setting);
+/// The baseline on the same task.
+ImpedanceSpec make_baseline(const Task& task, const Setting& setting);
+
+}  // namespace burnish::polishing

@@ -1,0 +1,80 @@
+// The polishing task as a plain value: all that a task file may say, with its defaults.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/scene.hpp"
+#include "polishing/path.hpp"
+
+namespace burnish::polishing {
+
+/// Axes that the contact and its force are written in.
+enum class ForceAxes {
+  Surface,  ///< the surface's own: x, y along it, z out of it (the paper's centred frame where the
+            ///< surface is aligned with the world)
+  Local,    ///< the tool's: its axis that is closest to the normal at the start
+};
+
+/// Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error that
+/// the others force on its term.
+struct Weights {
+  double posture = 0.1;       ///< 1/rad^2: keeps the null space near the starting posture
+  double velocity = 0.1;      ///< s^2/rad^2: damps the joints
+  double torque = 1e-4;       ///< 1/Nm^2: of the control, about the torque that holds the posture
+  double torque_rate = 1e-3;  ///< 1/Nm^2: of control minus torque, with a torque model
+  double position = 1e4;      ///< 1/m^2: of the tool along the surface (all three axes in the air)
+  double approach = 1e2;      ///< s^2/m^2: of the tool's speed towards and from the surface
+  double rotation = 10.0;     ///< 1/rad^2: of the tool
+  double force = 1e-2;        ///< 1/N^2
+  double position_limits = 1e3;  ///< 1/rad^2 beyond a joint's limit minus its margin
+  double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
+  double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
+  double terminal = 0.1;         ///< s: terminal costs are the running ones times this
+};
+
+struct Task {
+  std::string robot = "talos:right_arm";
+  std::string posture = {};  ///< of the robot's settings: start and null space; empty: default
+  std::string tool = "tool";
+  double tip_radius = 0.02;  ///< m
+
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface
+  /// A point of the surface, m; none: it lies `clearance` under the tool at the start.
+  std::optional<Eigen::Vector3d> point_world = {};
+  double friction = 0.0;   ///< of the surface in the plant; the controller does not know it
+  double stiffness = 1e5;  ///< N/m
+  double damping = 500.0;  ///< Ns/m
+
+  double force = 30.0;  ///< N
+  PathSpec path = {};
+  double clearance = 0.02;        ///< m of the tool above the surface where the reach ends
+  double reach_duration = 0.5;    ///< s
+  double approach_speed = 0.03;   ///< m/s
+  double ramp_duration = 0.5;     ///< s
+  double polish_duration = 12.6;  ///< s on the path
+  double retreat_duration = 0.5;  ///< s
+
+  double horizon = 1.0;        ///< s
+  double step = 0.01;          ///< s
+  double update_rate = 100.0;  ///< Hz
+  double tick_rate = 2000.0;   ///< Hz
+  double solver_delay = 0.0;   ///< s
+  int iterations = 1;          ///< per update
+  StepUpdate solver = StepUpdate::MultipleShooting;
+  double contact_kd = 50.0;  ///< 1/s, Baumgarte
+  /// rad/s; 0: torques are the control, no torque state.
+  double torque_cutoff = 0.0;
+  ForceAxes axes = ForceAxes::Surface;
+  bool feedback = true;  ///< Riccati policy between updates
+  ModelErrorOptions model_error = {};
+  SafetyLimits limits = {};
+  Weights weights = {};
+
+  Disturbances disturbances = {};
+};
+
+}  // namespace burnish::polishing

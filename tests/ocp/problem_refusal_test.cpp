@@ -1,0 +1,296 @@
+// Problems that cannot be posed are refused with a sentence that says what and where.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/ocp_cases.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct BadSpec {
+  std::string name;
+  std::function<void(ProblemSpec&)> spoil;
+  std::vector<std::string> words;
+};
+void PrintTo(const BadSpec& test, std::ostream* out) { *out << test.name; }
+
+/// A spec of arm7 that is fine: stage 'press' with one position cost.
+ProblemSpec good_spec() {
+  const OcpCase test{{"arm7", Base::Fixed, "tool"}};
+  ProblemSpec spec = bare_problem(test, test.robot.model());
+  spec.contact_solver.mu = 1e-3;
+  spec.stages = {
+      {.name = "press",
+       .contacts = {"pad"},
+       .costs = {{.name = "position",
+                  .residual = residual::FramePosition{"tool", Eigen::Vector3d(0.3, 0.0, 0.4)}}}}};
+  spec.horizon = {{"press", 3}};
+  return spec;
+}
+
+CostTerm& term(ProblemSpec& spec) { return spec.stages[0].costs[0]; }
+/// Puts another residual into the only term.
+auto with(const Residual& residual) {
+  return [residual](ProblemSpec& spec) { term(spec).residual = residual; };
+}
+auto with_penalty(const Penalty& penalty) {
+  return [penalty](ProblemSpec& spec) { term(spec).penalty = penalty; };
+}
+
+std::vector<BadSpec> bad_targets() {
+  namespace R = residual;
+  const Eigen::Vector3d p(0.3, 0.0, nan);
+  const Eigen::Vector4d long_one(0.0, 0.0, 0.0, 2.0);
+  Eigen::VectorXd placement(7), state = Eigen::VectorXd::Zero(14);
+  placement << 0.3, 0.0, 0.4, 0.5, 0.5, 0.5, 0.6;
+  state[2] = infinity;
+  Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
+  mirror(2, 2) = -1.0;
+  return {
+      {"target_nan",
+       with(R::FramePosition{"tool", p}),
+       {"stage 'press'", "term 'position'", "target", "NaN"}},
+      {"target_missing", with(R::FramePosition{"tool"}), {"no target", "3 entries"}},
+      {"target_size",
+       with(R::FramePosition{"tool", Eigen::Vector2d(0.0, 0.0)}),
+       {"target has 2 entries", "wanted 3"}},
+      {"target_size_over_time",
+       with(
+           R::FramePosition{"tool", Signal::over_time(2, [](double, auto out) { out.setZero(); })}),
+       {"target has 2 entries", "wanted 3"}},
+      {"quaternion", with(R::FrameRotation{"tool", long_one}), {"quaternion", "length 2"}},
+      {"placement_quaternion",
+       with(R::FramePlacement{"tool", placement}),
+       {"quaternion", "length"}},
+      {"state_infinite", with(R::State{state}), {"target", "infinity"}},
+      {"state_size", with(R::State{Eigen::VectorXd::Zero(3)}), {"3 entries", "wanted 14"}},
+      {"axes",
+       with(R::FramePosition{"tool", 0.0, 2.0 * Eigen::Matrix3d::Identity()}),
+       {"axes", "rotation"}},
+      {"mirrored_axes", with(R::FramePosition{"tool", 0.0, mirror}), {"axes", "rotation"}},
+  };
+}
+
+std::vector<BadSpec> bad_residuals() {
+  namespace R = residual;
+  const auto own = [](int rows, bool with_value) {
+    R::Custom custom{.name = "mine", .rows = rows};
+    if (with_value)
+      custom.value = [](const NodeView&, Eigen::Ref<Eigen::VectorXd> out) { out.setZero(); };
+    return custom;
+  };
+  const auto at_the_end = [](const Residual& residual) {
+    return
+        [residual](ProblemSpec& spec) { spec.terminal = {{.name = "last", .residual = residual}}; };
+  };
+  const auto at_an_impact = [](const Residual& residual) {
+    return [residual](ProblemSpec& spec) {
+      spec.stages[0].impact = true;
+      term(spec).residual = residual;
+    };
+  };
+  return {
+      {"frame", with(R::FramePosition{"tol", 0.0}), {"'tol'", "did you mean 'tool'?"}},
+      {"joint", with(R::JointPosition{{"joint_9"}}), {"'joint_9'", "did you mean"}},
+      {"contact", with(R::ContactForce{"pads"}), {"'pads'", "did you mean 'pad'?"}},
+      {"contact_that_does_not_hold", with(R::ContactForce{"brace"}), {"'brace'", "does not hold"}},
+      {"cone_of_a_line",
+       [](ProblemSpec& spec) {
+         spec.stages[0].contacts = {"brace"};
+         term(spec).residual = R::FrictionCone{"brace"};
+       },
+       {"'brace'", "holds z", "wanted x,y,z"}},
+      {"pressure_of_a_line",
+       [](ProblemSpec& spec) {
+         spec.stages[0].contacts = {"brace"};
+         term(spec).residual = R::CenterOfPressure{"brace"};
+       },
+       {"'brace'", "holds z", "wanted z,rx,ry"}},
+      {"friction", with(R::FrictionCone{"pad", -0.1}), {"friction is -0.1"}},
+      {"friction_infinite", with(R::FrictionCone{"pad", infinity}), {"friction is inf"}},
+      {"normal", with(R::FrictionCone{"pad", 0.5, 3}), {"normal is 3", "0, 1 or 2"}},
+      {"half_length", with(R::CenterOfPressure{"pad", 0.0, 0.1}), {"half lengths", "positive"}},
+      {"own_rows", with(own(0, true)), {"0 rows", "at least 1"}},
+      {"own_value", with(own(2, false)), {"no value function"}},
+      {"control_at_the_end", at_the_end(R::Control{}), {"terminal", "'last'", "no control"}},
+      {"force_at_the_end", at_the_end(R::ContactForce{"pad"}), {"terminal", "'last'"}},
+      {"torque_at_the_end", at_the_end(R::JointTorque{}), {"terminal", "no control"}},
+      {"control_at_an_impact", at_an_impact(R::Control{}), {"no control"}},
+      {"force_at_an_impact", at_an_impact(R::ContactForce{"pad"}), {"impact", "impulses"}},
+  };
+}
+
+std::vector<BadSpec> bad_costs() {
+  const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  return {
+      {"weight_negative", [](ProblemSpec& s) { term(s).weight = -1.0; }, {"weight is -1"}},
+      {"weight_nan", [](ProblemSpec& s) { term(s).weight = nan; }, {"weight is nan"}},
+      {"weights_zero",
+       [](ProblemSpec& s) { term(s).weight = 0.0; },
+       {"all weights", "zero", "at least one positive"}},
+      {"row_weights_size",
+       [](ProblemSpec& s) { term(s).weights = Eigen::Vector2d(1.0, 1.0); },
+       {"2 row weights", "wanted 3"}},
+      {"row_weight_nan",
+       [](ProblemSpec& s) { term(s).weights = Eigen::Vector3d(1.0, nan, 1.0); },
+       {"row weight 1 is nan"}},
+      {"limits_size",
+       with_penalty(Penalty::barrier(Eigen::Vector2d(0.0, 0.0), {})),
+       {"lower limit has 2 entries", "wanted 1 or 3"}},
+      {"limit_nan", with_penalty(Penalty::at_least(nan)), {"lower limit", "NaN"}},
+      {"limits_crossed",
+       with_penalty(Penalty::barrier(one(1.0), one(0.0))),
+       {"lower limit 1", "above the upper one 0"}},
+      {"limit_infinite", with_penalty(Penalty::at_least(infinity)), {"leave nothing inside"}},
+      {"width", with_penalty(Penalty::smooth_absolute(0.0)), {"width is 0"}},
+      {"width_nan", with_penalty(Penalty::log_barrier(one(0.0), {}, nan)), {"width is nan"}},
+      {"term_twice",
+       [](ProblemSpec& s) { s.stages[0].costs.push_back(s.stages[0].costs[0]); },
+       {"'position'", "used twice"}},
+      {"no_terms", [](ProblemSpec& s) { s.stages[0].costs.clear(); }, {"no cost terms"}},
+  };
+}
+
+std::vector<BadSpec> bad_stages() {
+  return {
+      {"stage_contact",
+       [](ProblemSpec& s) { s.stages[0].contacts = {"pat"}; },
+       {"stage 'press'", "'pat'", "did you mean 'pad'?"}},
+      {"stage_twice",
+       [](ProblemSpec& s) { s.stages.push_back(s.stages[0]); },
+       {"'press'", "used twice"}},
+      {"stage_nameless", [](ProblemSpec& s) { s.stages[0].name.clear(); }, {"no name"}},
+      {"stage_terminal",
+       [](ProblemSpec& s) { s.stages[0].name = "terminal"; },
+       {"'terminal'", "end of the horizon"}},
+      {"step_zero", [](ProblemSpec& s) { s.stages[0].step = 0.0; }, {"step of 0 s", "positive"}},
+      {"step_nan", [](ProblemSpec& s) { s.stages[0].step = nan; }, {"step of nan s"}},
+      {"impact_of_nothing",
+       [](ProblemSpec& s) {
+         s.stages[0].impact = true;
+         s.stages[0].contacts.clear();
+       },
+       {"impact", "no contact"}},
+      {"horizon_stage",
+       [](ProblemSpec& s) {
+         s.horizon = {{"pres", 2}};
+       },
+       {"horizon", "'pres'", "did you mean 'press'?"}},
+      {"horizon_knots",
+       [](ProblemSpec& s) {
+         s.horizon = {{"press", 0}};
+       },
+       {"0 knots"}},
+      {"horizon_empty", [](ProblemSpec& s) { s.horizon.clear(); }, {"horizon", "no knots"}},
+      {"start_time", [](ProblemSpec& s) { s.start_time = infinity; }, {"start_time is inf"}},
+  };
+}
+
+std::vector<BadSpec> bad_robots() {
+  return {
+      {"contact_without_directions",
+       [](ProblemSpec& s) { s.contacts[2].directions = {}; },
+       {"contact 'pad'", "directions is empty"}},
+      {"contact_gain_nan", [](ProblemSpec& s) { s.contacts[2].kd[1] = nan; }, {"'pad'", "gain"}},
+      {"compliance", [](ProblemSpec& s) { s.contact_solver.mu = -1.0; }, {"mu", "-1"}},
+      {"initial_state_size",
+       [](ProblemSpec& s) { s.initial_state = Eigen::VectorXd::Zero(7); },
+       {"initial_state has 7", "wanted 14", "q: 7", "v: 7"}},
+      {"initial_state_nan", [](ProblemSpec& s) { s.initial_state[9] = nan; }, {"initial_state"}},
+      {"actuation_unknown",
+       [](ProblemSpec& s) { s.actuation.joints = {"joint_x"}; },
+       {"'joint_x'", "did you mean"}},
+      {"actuation_twice",
+       [](ProblemSpec& s) {
+         s.actuation.joints = {"joint_1", "joint_1"};
+       },
+       {"actuation", "'joint_1'", "twice"}},
+      {"slip", [](ProblemSpec& s) { s.actuation.slip_velocity = 0.0; }, {"slip_velocity is 0"}},
+      {"cutoff",
+       [](ProblemSpec& s) {
+         s.torque_model = TorqueModel{.cutoff = 0.0};
+         s.initial_state = Eigen::VectorXd::Zero(21);
+       },
+       {"torque_model", "cut-off of 0"}},
+      {"unstable_filter",
+       [](ProblemSpec& s) {
+         s.torque_model = TorqueModel{300.0, TorqueModel::Discretization::Euler};
+         s.initial_state = Eigen::VectorXd::Zero(21);
+       },
+       {"stage 'press'", "unstable", "exact"}},
+      {"bounds_size",
+       [](ProblemSpec& s) { s.control_lower = Eigen::Vector3d::Zero(); },
+       {"control_lower has 3", "wanted 1 or 7"}},
+      {"bounds_nan",
+       [](ProblemSpec& s) { s.control_upper = Eigen::VectorXd::Constant(1, nan); },
+       {"control_upper", "NaN"}},
+      {"bounds_crossed",
+       [](ProblemSpec& s) {
+         s.control_lower = Eigen::VectorXd::Constant(1, 2.0);
+         s.control_upper = Eigen::VectorXd::Constant(1, 1.0);
+       },
+       {"control_lower 2", "above", "1"}},
+  };
+}
+
+class Refusal : public ::testing::TestWithParam<BadSpec> {};
+
+TEST_P(Refusal, SaysWhat) {
+  ProblemSpec spec = good_spec();
+  ASSERT_NO_THROW(Problem{spec});
+  GetParam().spoil(spec);
+  testing::expect_words(testing::refusal([&] { const Problem problem(spec); }), GetParam().words);
+}
+
+const auto name_of_case = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Targets, Refusal, ::testing::ValuesIn(bad_targets()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Residuals, Refusal, ::testing::ValuesIn(bad_residuals()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Costs, Refusal, ::testing::ValuesIn(bad_costs()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Stages, Refusal, ::testing::ValuesIn(bad_stages()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Robots, Refusal, ::testing::ValuesIn(bad_robots()), name_of_case);
+
+TEST(Refusal, OfNamesKnotsAndStatesThatAreNot) {
+  Problem problem(good_spec());
+  const auto words = [](auto&& call, const std::vector<std::string>& wanted) {
+    testing::expect_words(testing::refusal(call), wanted);
+  };
+  words([&] { problem.stage_index("pres"); }, {"'pres'", "did you mean 'press'?"});
+  words([&] { problem.term_index(0, "positon"); }, {"'positon'", "did you mean 'position'?"});
+  words([&] { problem.set_knot(4, 0, 0.0); }, {"set_knot", "knot 4", "0 to 3"});
+  words([&] { problem.set_knot(1, 1, 0.0); }, {"set_knot", "stage 1", "0 to 0"});
+  words([&] { problem.advance(1); }, {"advance", "stage 1", "0 to 0"});
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(3), u = Eigen::VectorXd::Zero(7);
+  words([&] { problem.residual(0, 0, x, u); }, {"x has 3 entries", "wanted 14"});
+  words([&] { problem.forces(0, Eigen::VectorXd::Zero(14), x); }, {"u has 3 entries", "wanted 7"});
+  words([&] { problem.quasi_static(0, x); }, {"quasi_static", "3 entries"});
+  words([&] { problem.quasi_static(0, Eigen::VectorXd::Zero(14), x); },
+        {"force has 3", "wanted 6"});
+}
+
+TEST(Refusal, OfStatesAndTargetsIsAStatus) {
+  const OcpCase test{{"arm7", Base::FreeFlyer, "tool"}};
+  ProblemSpec spec = bare_problem(test, test.robot.model());
+  spec.stages = {{.name = "go", .costs = {{.residual = residual::State{}}}}};
+  spec.horizon = {{"go", 1}};
+  Problem problem(spec);
+  const Eigen::VectorXd before = spec.initial_state;
+  Eigen::VectorXd x = before;
+  x[4] += 0.1;
+  EXPECT_EQ(problem.set_initial_state(x), Status::NotNormalized);
+  EXPECT_EQ(problem.set_initial_state(x.head(5)), Status::WrongSize);
+  x[0] = nan;
+  EXPECT_EQ(problem.set_initial_state(x), Status::NotFinite);
+  const Eigen::Map<const Eigen::VectorXd> kept(problem.initial_state(), before.size());
+  EXPECT_EQ(kept, before);
+  EXPECT_EQ(problem.set_target(0, 0, before.head(3)), Status::WrongSize);
+  EXPECT_EQ(problem.set_torque_bias(before.head(3)), Status::WrongSize);
+  EXPECT_EQ(problem.set_torque_bias(Eigen::VectorXd::Constant(13, nan)), Status::NotFinite);
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,191 @@
+// The loop around plant and controller: what it records, holds, repeats and refuses.
+#include "burnish/sim/closed_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include "burnish/sim/ideal_plant.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/polishing_run.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+std::unique_ptr<Plant> ideal(const Model& model, const SceneSpec& scene) {
+  return make_ideal_plant(model, scene);
+}
+
+PolishingCase noisy_case() {
+  PolishingCase result;
+  result.friction = 0.3;
+  result.ki = 10.0;
+  result.disturbances = sensor_noise(1.05);
+  return result;
+}
+
+TEST(ClosedLoop, approaches_touches_ramps_and_tracks) {
+  PolishingCase wanted;
+  wanted.ki = 10.0;
+  wanted.clearance = 5e-3;
+  PolishingRun run(wanted, ideal);
+  ASSERT_EQ(run.run(2.0), Status::Ok);
+  const Trace& trace = run.loop().trace();
+  ASSERT_EQ(trace.rows(), 4000);
+  EXPECT_EQ(trace.columns().front().name, "time");
+  EXPECT_EQ(trace.columns()[static_cast<std::size_t>(trace.index("tool_force_z_world"))].unit, "N");
+  EXPECT_EQ(trace.at(0, trace.index("time")), 0.0);
+  EXPECT_NEAR(trace.at(3999, 0), 2.0 - 5e-4, 1e-9);
+  const Trace::Column phase = trace.column("phase"), in_contact = trace.column("in_contact");
+  EXPECT_EQ(phase[0], static_cast<double>(Phase::Approach));
+  EXPECT_EQ(phase[3999], static_cast<double>(Phase::Track));
+  EXPECT_EQ(in_contact[0], 0.0);
+  EXPECT_EQ(in_contact[3999], 1.0);
+  for (int row = 1; row < trace.rows(); ++row) ASSERT_GE(phase[row], phase[row - 1]);
+  EXPECT_NEAR(trace.column("tool_force_z_world")[3999], 30.0, 0.1);
+  EXPECT_EQ(trace.dropped(), 0);
+}
+
+TEST(ClosedLoop, holds_a_torque_between_ticks) {
+  PolishingRun run({}, ideal);
+  ASSERT_EQ(run.run(0.05), Status::Ok);
+  const Trace& trace = run.loop().trace();
+  const Trace::Column tick = trace.column("tick");
+  const Trace::Column tau = trace.column("tau_command_arm_right_2_joint");
+  int ticks = 0;
+  for (int row = 1; row < trace.rows(); ++row) {
+    if (tick[row] == 0.0) {
+      EXPECT_EQ(tau[row], tau[row - 1]);
+    }
+    ticks += tick[row] != 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(ticks, 49);
+}
+
+TEST(ClosedLoop, gives_the_same_bits_for_the_same_seed) {
+  PolishingCase wanted = noisy_case();
+  PolishingRun once(wanted, ideal), again(wanted, ideal);
+  ASSERT_EQ(once.run(0.5), Status::Ok);
+  ASSERT_EQ(again.run(0.5), Status::Ok);
+  const auto last_row = [](PolishingRun& run) {
+    const Trace& trace = run.loop().trace();
+    Eigen::VectorXd row(static_cast<Eigen::Index>(trace.columns().size()));
+    for (Eigen::Index i = 0; i < row.size(); ++i)
+      row[i] = trace.at(trace.rows() - 1, static_cast<int>(i));
+    return row;
+  };
+  const Eigen::VectorXd first = last_row(once);
+  EXPECT_EQ(first, last_row(again));
+
+  // And again after a reset.
+  ASSERT_EQ(again.loop().reset(again.start(), Eigen::VectorXd::Zero(again.controller().nv())),
+            Status::Ok);
+  EXPECT_EQ(again.loop().trace().rows(), 0);
+  ASSERT_EQ(again.run(0.5), Status::Ok);
+  EXPECT_EQ(first, last_row(again));
+
+  wanted.disturbances.seed = 8;
+  PolishingRun other(wanted, ideal);
+  ASSERT_EQ(other.run(0.5), Status::Ok);
+  EXPECT_NE(first, last_row(other));
+}
+
+TEST(ClosedLoop, pushes_the_tool_when_told_to) {
+  PolishingCase wanted;
+  wanted.ki = 10.0;
+  wanted.disturbances.pushes = {{1.2, 0.1, {0.0, 10.0, 0.0}}};
+  PolishingRun pushed(wanted, ideal);
+  ASSERT_EQ(pushed.run(1.3), Status::Ok);
+  const Trace& trace = pushed.loop().trace();
+  const Trace::Column push = trace.column("push_y_world"), y = trace.column("tool_y_world");
+  EXPECT_EQ(push[2399], 0.0);
+  EXPECT_EQ(push[2400], 10.0);
+  EXPECT_GT(y[2599] - y[2399], 1e-3);
+}
+
+TEST(ClosedLoop, starts_its_motors_at_the_first_command) {
+  PolishingCase wanted;
+  wanted.disturbances.torque_cutoff = 50.0;
+  wanted.disturbances.command_delay = 5e-3;
+  PolishingRun run(wanted, ideal);
+  ASSERT_EQ(run.loop().step(), Status::Ok);
+  EXPECT_EQ(run.loop().actuation().step().applied, run.loop().command().tau);
+  EXPECT_GT(run.loop().command().tau.norm(), 1.0);
+}
+
+TEST(ClosedLoop, allocates_nothing_in_a_step_with_everything_switched_on) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  PolishingCase wanted = noisy_case();
+  wanted.disturbances.torque_cutoff = 300.0;
+  wanted.disturbances.torque_scale_range = 0.05;
+  wanted.disturbances.joint_coulomb = 0.5;
+  wanted.disturbances.joint_viscous = 0.5;
+  wanted.disturbances.position_noise = 1e-5;
+  wanted.disturbances.velocity_noise = 1e-4;
+  wanted.disturbances.torque_sensor_noise = 0.01;
+  wanted.disturbances.pushes = {{0.1, 0.1, {1.0, 0.0, 0.0}}};
+  PolishingRun run(wanted, ideal);
+  const AllocationGuard guard;
+  const Status status = run.run(0.8);
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_EQ(status, Status::Ok);
+  EXPECT_EQ(run.loop().command().phase, Phase::Track);
+}
+
+TEST(ClosedLoop, refuses_what_does_not_fit) {
+  Eigen::VectorXd q;
+  const Model model = right_arm(&q);
+  PolishingRun run({}, ideal);
+  ClosedLoopOptions options;
+  options.control_period = 7e-4;
+  testing::expect_words(
+      testing::refusal([&] { ClosedLoop(run.plant(), run.controller(), {}, options); }),
+      {"control period", "0.0007", "0.0005"});
+  options = {};
+  options.record_every = 0;
+  testing::expect_words(
+      testing::refusal([&] { ClosedLoop(run.plant(), run.controller(), {}, options); }),
+      {"record_every"});
+  ImpedanceSpec spec;
+  spec.posture = q;
+  testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
+                        {"task is empty"});
+  spec.task = [](double) { return TaskPoint{}; };
+  spec.tool = "tol";
+  testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
+                        {"'tol'", "tool"});
+  spec.tool = "tool";
+  spec.ki = -1.0;
+  testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
+                        {"ki", "-1"});
+}
+
+TEST(ImpedanceController, answers_a_measurement_that_is_none_with_a_status_and_its_last_torque) {
+  PolishingRun run({}, ideal);
+  ASSERT_EQ(run.run(0.1), Status::Ok);
+  Measurement bad = run.loop().measurement();
+  const Eigen::VectorXd before = run.controller().tick(bad).tau;
+  bad.v[1] = std::nan("");
+  EXPECT_EQ(run.controller().tick(bad).status, Status::NotFinite);
+  EXPECT_EQ(run.controller().tick(bad).tau, before);
+  bad.v = Eigen::VectorXd::Zero(2);
+  EXPECT_EQ(run.controller().tick(bad).status, Status::WrongSize);
+}
+
+TEST(CirclePath, has_the_velocity_and_acceleration_of_its_position) {
+  CirclePath circle;
+  circle.normal_world = {-1.0, 0.0, 1.0};
+  circle.center_world = {0.3, -0.4, 1.0};
+  const double h = 1e-4;
+  for (const double t : {0.3, 1.0, 1.9, 2.5, 5.0}) {
+    const TaskPoint at = circle.at(t), before = circle.at(t - h), after = circle.at(t + h);
+    EXPECT_LE((at.v_world - (after.p_world - before.p_world) / (2.0 * h)).norm(), 1e-8);
+    EXPECT_LE((at.a_world - (after.v_world - before.v_world) / (2.0 * h)).norm(), 1e-8);
+    EXPECT_NEAR(circle.normal_world.dot(at.p_world - circle.center_world), 0.0, 1e-15);
+  }
+  EXPECT_NEAR((circle.at(4.0).p_world - circle.center_world).norm(), 0.07, 1e-15);
+  EXPECT_EQ(circle.at(-1.0).p_world, circle.center_world);
+  EXPECT_TRUE(circle.at(0.0).v_world.isZero(0.0));
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,141 @@
+// MuJoCo as a plant: the same robot as the model to the last digits, and the contact that was asked
+// for.
+#include "burnish/sim/mujoco_plant.hpp"
+
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "sim/mujoco_engine.hpp"
+#include "support/polishing_run.hpp"
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want) {
+  return (got - want).cwiseAbs().maxCoeff() / want.cwiseAbs().maxCoeff();
+}
+
+class MujocoPlantModel : public ::testing::TestWithParam<TestRobot> {};
+
+TEST_P(MujocoPlantModel, has_the_mass_matrix_and_the_bias_of_the_model) {
+  const Model model = GetParam().model();
+  SceneSpec scene;
+  scene.tip.frame = GetParam().tool;
+  scene.surface.point.z() = -100.0;
+  mujoco::Engine engine(model, scene, {});
+  ContactDynamics dynamics(model);
+  std::mt19937_64 generator(4);
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    const Eigen::VectorXd v = random_vector(model.nv, 1.0, generator);
+    ASSERT_EQ(dynamics.forward(q, v, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+    engine.coordinates.store(q, v, *engine.d);
+    mj_fwdPosition(engine.m.get(), engine.d.get());
+    mj_fwdVelocity(engine.m.get(), engine.d.get());
+    EXPECT_LE(relative(mujoco::mass_matrix(*engine.m, *engine.d, engine.coordinates),
+                       dynamics.mass_matrix()),
+              1e-12);
+    EXPECT_LE(relative(mujoco::bias(*engine.m, *engine.d, engine.coordinates), dynamics.bias()),
+              1e-12);
+  }
+}
+
+TEST_P(MujocoPlantModel, falls_as_the_ideal_plant_does) {
+  const Model model = plant_model(GetParam().model(), {});
+  SceneSpec scene;
+  scene.tip.frame = GetParam().tool;
+  scene.surface.point.z() = -100.0;
+  MujocoPlantOptions fine;
+  fine.dt = 2e-5;  // its integrator is of first order
+  fine.joint_stops = false;
+  const auto theirs = make_mujoco_plant(model, scene, fine);
+  const auto ours = make_ideal_plant(model, scene);
+  std::mt19937_64 generator(8);
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  const Eigen::VectorXd v = random_vector(model.nv, 0.3, generator);
+  const Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(theirs->reset(q, v), Status::Ok);
+  ASSERT_EQ(ours->reset(q, v), Status::Ok);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(theirs->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  for (int i = 0; i < 40; ++i) ASSERT_EQ(ours->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_NEAR(theirs->time(), ours->time(), 1e-12);
+  EXPECT_LE((theirs->q() - ours->q()).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LE((theirs->v() - ours->v()).cwiseAbs().maxCoeff(), 1e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(robots, MujocoPlantModel,
+                         ::testing::Values(TestRobot{"talos:right_arm", Base::Fixed, "tool"},
+                                           TestRobot{"talos", Base::FreeFlyer, "tool"},
+                                           TestRobot{"crane", Base::FreeFlyer, "left_tip"}),
+                         [](const auto& test) { return test.param.label(); });
+
+TEST(MujocoPlant, sinks_in_by_the_force_over_the_stiffness) {
+  for (const double stiffness : {2e4, 1e5}) {
+    PolishingCase wanted;
+    wanted.ki = 10.0;
+    PolishingRun run(wanted, [&](const Model& model, SceneSpec scene) {
+      scene.surface.stiffness = stiffness;
+      return make_mujoco_plant(model, scene);
+    });
+    ASSERT_EQ(run.run(1.5), Status::Ok);
+    RigidBody body(run.plant().model());
+    ASSERT_EQ(body.update(run.plant().q(), run.plant().v()), Status::Ok);
+    const double depth =
+        -gap(run.plant().scene(), body.placement(body.frame("tool")).translation());
+    const double force = run.plant().contact_force_world().z();
+    EXPECT_NEAR(force, 30.0, 1.0);
+    EXPECT_NEAR(depth * stiffness / force, 1.0, 0.01);
+  }
+}
+
+TEST(MujocoPlant, answers_a_torque_that_blows_up_with_a_status) {
+  Eigen::VectorXd q;
+  const Model model = right_arm(&q);
+  SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
+  const auto plant = make_mujoco_plant(model, scene);
+  ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  const Eigen::VectorXd huge = Eigen::VectorXd::Constant(model.nv, 5e8);
+  EXPECT_EQ(plant->step(huge, Eigen::Vector3d::Zero()), Status::NotFinite);
+  EXPECT_EQ(plant->q(), q);
+  EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
+}
+
+TEST(MujocoPlant, stops_joints_at_their_limits_unless_told_not_to) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  SceneSpec scene;
+  scene.surface.point.z() = -100.0;
+  MujocoPlantOptions free;
+  free.joint_stops = false;
+  const auto stopped = make_mujoco_plant(model, scene);
+  const auto endless = make_mujoco_plant(model, scene, free);
+  const int last = model.nv - 1;
+  Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
+  tau[last] = 30.0;
+  for (Plant* plant : {stopped.get(), endless.get()}) {
+    ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  }
+  EXPECT_LE(stopped->q()[last], model.q_upper[last] + 0.1);
+  EXPECT_GT(endless->q()[last], model.q_upper[last] + 0.5);
+}
+
+TEST(MujocoPlant, refuses_options_with_a_sentence) {
+  Eigen::VectorXd q;
+  const Model model = right_arm(&q);
+  MujocoPlantOptions options;
+  options.impedance = 1.0;
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, {}, options); }),
+                        {"impedance", "between 0 and 1"});
+  options = {};
+  options.dt = -1.0;
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, {}, options); }),
+                        {"dt", "-1"});
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,274 @@
+// Laws that hold for every plant, whoever computes it. A new plant joins with one line.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#ifdef BURNISH_HAS_MUJOCO
+#include "burnish/sim/mujoco_plant.hpp"
+#endif
+#include "support/allocation_guard.hpp"
+#include "support/polishing_run.hpp"
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+struct Kind {
+  std::string name;
+  std::unique_ptr<Plant> (*make)(const Model&, const SceneSpec&);
+  double sinking;   ///< m under 30 N
+  double stiction;  ///< rad/s of creep that friction lets through
+};
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+std::vector<Kind> kinds() {
+  std::vector<Kind> result{
+      {"ideal", [](const Model& m, const SceneSpec& s) { return make_ideal_plant(m, s); }, 1e-7,
+       1e-9}};
+#ifdef BURNISH_HAS_MUJOCO
+  result.push_back({"mujoco",
+                    [](const Model& m, const SceneSpec& s) { return make_mujoco_plant(m, s); },
+                    4e-4, 1e-2});
+#endif
+  return result;
+}
+
+class PlantLaw : public ::testing::TestWithParam<Kind> {
+ protected:
+  explicit PlantLaw() : model(plant_model(right_arm(&q), {})) {}
+
+  SceneSpec scene(const Eigen::Vector3d& normal, double clearance, double friction = 0.0) const {
+    SceneSpec result;
+    result.surface.friction = friction;
+    return scene_under_tip(model, q, normal, result, clearance);
+  }
+  std::unique_ptr<Plant> at_rest(const Eigen::Vector3d& normal, double clearance,
+                                 double friction = 0.0) const {
+    return started(model, scene(normal, clearance, friction));
+  }
+  std::unique_ptr<Plant> started(const Model& robot, const SceneSpec& where) const {
+    std::unique_ptr<Plant> plant = GetParam().make(robot, where);
+    EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(robot.nv)), Status::Ok);
+    return plant;
+  }
+  /// Torques that hold the plant against gravity, and push its tool with a force.
+  Eigen::VectorXd holding(const Plant& plant, const Eigen::Vector3d& force_world) {
+    EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
+    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+    return body.gravity_torque() + motion.jacobian.topRows(3).transpose() * force_world -
+           2.0 * plant.v();
+  }
+
+  Eigen::VectorXd q;
+  Model model;
+  RigidBody body{model};
+  FrameDerivatives motion;
+};
+
+TEST_P(PlantLaw, moves_freely_as_the_model_says) {
+  const auto plant = at_rest({0.0, 0.0, 1.0}, 0.5);
+  ContactDynamics dynamics(model);
+  std::mt19937_64 generator(3);
+  const Eigen::VectorXd v = random_vector(model.nv, 0.5, generator);
+  const Eigen::VectorXd tau = random_vector(model.nv, 20.0, generator);
+  ASSERT_EQ(plant->reset(q, v), Status::Ok);
+  ASSERT_EQ(dynamics.forward(q, v, tau), Status::Ok);
+  ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  const Eigen::VectorXd a = (plant->v() - v) / plant->dt();
+  EXPECT_LE((a - dynamics.a()).norm(), 0.02 * dynamics.a().norm());
+  EXPECT_EQ(plant->time(), plant->dt());
+  EXPECT_FALSE(plant->in_contact());
+  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+}
+
+TEST_P(PlantLaw, pushes_back_along_the_normal_with_the_force_it_is_pressed_with) {
+  for (const Eigen::Vector3d& normal :
+       {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(-0.6, 0.0, 0.8)}) {
+    const auto plant = at_rest(normal, 0.0);
+    // The contact alone moves no tip: what is pressed along the normal comes back along it.
+    for (int i = 0; i < 200; ++i)
+      ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()), Status::Ok);
+    EXPECT_TRUE(plant->in_contact());
+    const Eigen::Vector3d force = plant->contact_force_world();
+    EXPECT_GT(force.dot(normal), 5.0);
+    EXPECT_LE((force - force.dot(normal) * normal).norm(), 1e-9 * force.norm());
+    ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+    const double depth = gap(plant->scene(), body.placement(body.frame("tool")).translation());
+    EXPECT_LE(depth, 1e-5);
+    EXPECT_GE(depth, -GetParam().sinking);
+  }
+}
+
+TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
+  // A robot that is braked hard: what the surface exerts is what the tool presses with.
+  Model braked = model;
+  braked.damping.setConstant(200.0);
+  const Eigen::Vector3d normal(0.0, 0.0, 1.0);
+  const auto plant = started(braked, scene(normal, 0.0));
+  Eigen::VectorXd tau;
+  for (int i = 0; i < 4000; ++i) {
+    tau = holding(*plant, -30.0 * normal) + 2.0 * plant->v();
+    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  }
+  // M a = tau - gravity + friction + J^T force, with a and v all but zero.
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+  const Eigen::VectorXd rest =
+      tau - body.gravity_torque() + plant->friction_torque() +
+      motion.jacobian.topRows(3).transpose() * plant->contact_force_world();
+  EXPECT_LE(rest.cwiseAbs().maxCoeff(), 0.1);
+  EXPECT_GT(plant->contact_force_world().z(), 5.0);
+}
+
+TEST_P(PlantLaw, feels_a_push_as_torques_at_the_tool) {
+  const Eigen::Vector3d push(3.0, -4.0, 5.0);
+  const auto pushed = at_rest({0.0, 0.0, 1.0}, 0.5), driven = at_rest({0.0, 0.0, 1.0}, 0.5);
+  const Eigen::VectorXd hold = holding(*pushed, Eigen::Vector3d::Zero());
+  const Eigen::VectorXd torque = motion.jacobian.topRows(3).transpose() * push;
+  ASSERT_EQ(pushed->step(hold, push), Status::Ok);
+  ASSERT_EQ(driven->step(hold + torque, Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_LE((pushed->v() - driven->v()).norm(), 1e-12);
+  EXPECT_GT(pushed->v().norm(), 1e-4);
+}
+
+TEST_P(PlantLaw, never_pulls) {
+  const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, 0.3);
+  for (int i = 0; i < 400; ++i) {
+    const double force = i < 100 ? -30.0 : 30.0;
+    ASSERT_EQ(plant->step(holding(*plant, {0.0, 0.0, force}), Eigen::Vector3d::Zero()), Status::Ok);
+    EXPECT_GE(plant->contact_force_world().z(), 0.0);
+    EXPECT_EQ(plant->in_contact(), plant->contact_force_world().z() > 0.0);
+  }
+  EXPECT_FALSE(plant->in_contact());
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  EXPECT_GT(gap(plant->scene(), body.placement(body.frame("tool")).translation()), 1e-3);
+}
+
+TEST_P(PlantLaw, slides_with_the_friction_of_the_surface_against_the_motion) {
+  const double mu = 0.3;
+  const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, mu);
+  for (int i = 0; i < 300; ++i)
+    ASSERT_EQ(plant->step(holding(*plant, {40.0, 0.0, -30.0}), Eigen::Vector3d::Zero()),
+              Status::Ok);
+  const Eigen::Vector3d force = plant->contact_force_world();
+  const Eigen::Vector2d sliding = force.head<2>();
+  EXPECT_NEAR(sliding.norm(), mu * force.z(), 0.02 * mu * force.z());
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  const Vector6 v = body.velocity(body.frame("tool"), FrameAxes::Centered);
+  const Eigen::Vector3d arm(0.0, 0.0, -plant->scene().tip.radius);
+  const Eigen::Vector3d at_point = v.head<3>() + v.tail<3>().cross(arm);
+  EXPECT_GT(at_point.head<2>().norm(), 1e-3);
+  EXPECT_LE(sliding.dot(at_point.head<2>()), -0.99 * sliding.norm() * at_point.head<2>().norm())
+      << sliding.transpose() << " and " << at_point.transpose();
+}
+
+TEST_P(PlantLaw, holds_joints_by_coulomb_friction_and_slows_them_by_viscous) {
+  Model stuck = model;
+  stuck.friction.setConstant(200.0);
+  const auto held = started(stuck, scene({0.0, 0.0, 1.0}, 0.5));
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.nv);
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(held->step(none, Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_LE(held->v().cwiseAbs().maxCoeff(), GetParam().stiction);
+  // Gravity is what friction holds.
+  ASSERT_EQ(body.update(held->q(), held->v()), Status::Ok);
+  EXPECT_LE((held->friction_torque() - body.gravity_torque()).norm(),
+            0.02 * body.gravity_torque().norm());
+
+  Model slowed = model;
+  slowed.damping.setConstant(3.0);
+  const auto plant = started(slowed, scene({0.0, 0.0, 1.0}, 0.5));
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(plant->step(none, Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_LE((plant->friction_torque() + 3.0 * plant->v()).norm(), 0.05 * 3.0 * plant->v().norm());
+}
+
+TEST_P(PlantLaw, goes_back_to_a_snapshot_bit_by_bit) {
+  const auto plant = at_rest({0.0, 0.0, 1.0}, 1e-4, 0.3);
+  const auto drive = [&](int steps) {
+    for (int i = 0; i < steps; ++i)
+      ASSERT_EQ(plant->step(holding(*plant, {10.0, 0.0, -30.0}), {0.0, 1.0, 0.0}), Status::Ok);
+  };
+  drive(150);
+  PlantSnapshot snapshot;
+  plant->save(snapshot);
+  const Eigen::Vector3d force = plant->contact_force_world();
+  drive(100);
+  const Eigen::VectorXd q_then = plant->q(), v_then = plant->v();
+  const Eigen::Vector3d force_then = plant->contact_force_world();
+  EXPECT_NE(force, force_then);
+  ASSERT_EQ(plant->restore(snapshot), Status::Ok);
+  EXPECT_EQ(plant->contact_force_world(), force);
+  EXPECT_NEAR(plant->time(), 150 * plant->dt(), 1e-12);
+  drive(100);
+  EXPECT_EQ(plant->q(), q_then);
+  EXPECT_EQ(plant->v(), v_then);
+  EXPECT_EQ(plant->contact_force_world(), force_then);
+
+  snapshot.numbers.conservativeResize(snapshot.numbers.size() - 1);
+  EXPECT_EQ(plant->restore(snapshot), Status::WrongSize);
+  EXPECT_EQ(plant->q(), q_then);
+}
+
+TEST_P(PlantLaw, answers_bad_input_with_a_status_and_stays_as_it_was) {
+  const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0);
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
+  Eigen::VectorXd bad = v;
+  bad[2] = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  EXPECT_EQ(plant->step(bad, none), Status::NotFinite);
+  EXPECT_EQ(plant->step(v, {0.0, 0.0, std::numeric_limits<double>::infinity()}), Status::NotFinite);
+  EXPECT_EQ(plant->step(v.head(3), none), Status::WrongSize);
+  EXPECT_EQ(plant->reset(q, bad), Status::NotFinite);
+  EXPECT_EQ(plant->reset(q.head(2), v), Status::WrongSize);
+  EXPECT_EQ(plant->q(), q);
+  EXPECT_EQ(plant->v(), v);
+  EXPECT_EQ(plant->time(), 0.0);
+}
+
+TEST_P(PlantLaw, refuses_scenes_with_a_sentence) {
+  const auto refused = [&](auto&& change) {
+    SceneSpec bad = scene({0.0, 0.0, 1.0}, 0.0);
+    change(bad);
+    return testing::refusal([&] { GetParam().make(model, bad); });
+  };
+  testing::expect_words(refused([](SceneSpec& s) { s.tip.frame = "tol"; }), {"'tol'", "tool"});
+  testing::expect_words(refused([](SceneSpec& s) { s.tip.frame = "base_link"; }),
+                        {"base_link", "fixed to the world"});
+  testing::expect_words(refused([](SceneSpec& s) { s.surface.normal.setZero(); }), {"normal"});
+  testing::expect_words(refused([](SceneSpec& s) { s.surface.friction = -1.0; }),
+                        {"friction", "-1"});
+  testing::expect_words(refused([](SceneSpec& s) { s.tip.radius = 0.0; }), {"radius", "positive"});
+}
+
+TEST_P(PlantLaw, allocates_nothing_while_it_runs) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  Model rubbing = model;
+  rubbing.friction.setConstant(0.5);
+  rubbing.damping.setConstant(0.5);
+  const auto plant = started(rubbing, scene({0.0, 0.0, 1.0}, 1e-4, 0.3));
+  const Eigen::VectorXd tau = holding(*plant, {5.0, 0.0, -30.0});
+  PlantSnapshot snapshot;
+  plant->save(snapshot);
+  Status status = Status::Ok;
+  bool touched = false;
+  const AllocationGuard guard;
+  for (int i = 0; i < 200; ++i) {
+    status = worst(status, plant->step(tau, {1.0, 0.0, 0.0}));
+    touched = touched || plant->in_contact();
+  }
+  plant->save(snapshot);
+  status = worst(status, plant->restore(snapshot));
+  status = worst(status, plant->reset(q, plant->v()));
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_EQ(status, Status::Ok);
+  EXPECT_TRUE(touched);
+}
+
+INSTANTIATE_TEST_SUITE_P(plants, PlantLaw, ::testing::ValuesIn(kinds()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,162 @@
+// Linear-quadratic problems: one iteration, and the answer of a dense KKT system.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "burnish/solver/ddp.hpp"
+#include "solver/test_problem.hpp"
+
+namespace burnish::testing {
+namespace {
+
+struct Solution {
+  RowMatrix xs, us;
+};
+
+/// Stationary point of the Lagrangian over all states and controls at once.
+Solution solve_kkt(const LqProblem& lq) {
+  const TestProblem& p = lq.problem;
+  const int N = p.knots();
+  const int ndx = p.shape.ndx;
+  std::vector<int> first_u;
+  int variables = (N + 1) * ndx;
+  for (int k = 0; k < N; ++k) {
+    first_u.push_back(variables);
+    variables += p.controls(k);
+  }
+  const int rows = (N + 1) * ndx;
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(variables + rows, variables + rows);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(variables + rows);
+  for (int k = 0; k <= N; ++k) {
+    const LqStage& s = lq.stages[k];
+    std::vector<int> index;
+    for (int i = 0; i < s.nu; ++i) index.push_back(first_u[k] + i);
+    for (int i = 0; i < ndx; ++i) index.push_back(k * ndx + i);
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      right[index[i]] = -s.h[i];
+      for (std::size_t j = 0; j < index.size(); ++j) kkt(index[i], index[j]) = s.H(i, j);
+    }
+    for (int i = 0; i < ndx; ++i) {
+      kkt(variables + k * ndx + i, k * ndx + i) = 1.0;
+      if (k == 0) right[variables + i] = p.start[i];
+      if (k == N) continue;
+      right[variables + (k + 1) * ndx + i] = s.c[i];
+      for (std::size_t j = 0; j < index.size(); ++j)
+        kkt(variables + (k + 1) * ndx + i, index[j]) = -s.F(i, j);
+    }
+  }
+  kkt.topRightCorner(variables, rows) = kkt.bottomLeftCorner(rows, variables).transpose();
+  const Eigen::VectorXd y = kkt.fullPivLu().solve(right);
+  Solution solution{RowMatrix(N + 1, ndx), RowMatrix::Zero(N, p.most_controls)};
+  for (int k = 0; k <= N; ++k) solution.xs.row(k) = y.segment(k * ndx, ndx);
+  for (int k = 0; k < N; ++k)
+    solution.us.row(k).head(p.controls(k)) = y.segment(first_u[k], p.controls(k));
+  return solution;
+}
+
+struct Case {
+  const char* name;
+  LqSpec spec;
+};
+
+std::vector<Case> cases() {
+  const auto structured = DynamicsForm::SecondOrder;
+  return {
+      {"dense", {.ndx = 5, .nu = {2, 2, 2, 2, 2, 2}}},
+      {"dense_wide", {.ndx = 9, .nu = {11, 11, 11, 11}, .seed = 2}},
+      {"dense_varying", {.ndx = 4, .nu = {1, 3, 0, 2, 3, 0, 1}, .seed = 3}},
+      {"second_order", {.nv = 3, .nu = {2, 2, 2, 2, 2}, .form = structured, .seed = 4}},
+      {"arm", {.nv = 6, .nu = std::vector<int>(12, 6), .form = structured, .seed = 5}},
+      {"filter", {.nv = 3, .filtered = 3, .nu = {3, 3, 3, 3}, .form = structured, .seed = 6}},
+      {"filter_more_controls",
+       {.nv = 4, .filtered = 2, .nu = {5, 5, 5}, .form = structured, .seed = 7}},
+      {"lead_blocks",
+       {.nv = 9, .blocks = {{0, 6}, {7, 2}}, .nu = {3, 3, 3, 3}, .form = structured, .seed = 8}},
+      {"lead_blocks_filter_impacts",
+       {.nv = 10,
+        .filtered = 4,
+        .blocks = {{0, 6}, {6, 3}},
+        .nu = {4, 4, 0, 4, 4, 0, 4},
+        .form = structured,
+        .seed = 9}},
+      {"whole_body",
+       {.nv = 26, .blocks = {{0, 6}}, .nu = {20, 20, 0, 20}, .form = structured, .seed = 10}},
+  };
+}
+
+class LqLaw : public ::testing::TestWithParam<std::tuple<Case, StepUpdate, bool>> {};
+
+TEST_P(LqLaw, is_solved_in_one_iteration) {
+  const auto& [which, update, from_anywhere] = GetParam();
+  LqProblem lq = random_lq(which.spec);
+  const Solution wanted = solve_kkt(lq);
+  DdpSolver solver(lq.problem, {.update = update});
+  if (from_anywhere) {
+    std::srand(17);
+    solver.set_guess(RowMatrix::Random(wanted.xs.rows(), wanted.xs.cols()),
+                     RowMatrix::Random(wanted.us.rows(), wanted.us.cols()));
+  }
+  const DdpSummary& summary = solver.solve();
+  EXPECT_EQ(summary.reason, StopReason::Converged) << solver.text();
+  EXPECT_EQ(summary.iterations, 1) << solver.text();
+  EXPECT_TRUE(summary.feasible);
+  const double scale = std::max(1.0, wanted.xs.cwiseAbs().maxCoeff());
+  EXPECT_LT((solver.xs() - wanted.xs).cwiseAbs().maxCoeff(), 1e-12 * scale);
+  for (int k = 0; k < lq.problem.knots(); ++k) {
+    const int nu = lq.problem.controls(k);
+    if (nu == 0) continue;
+    const double error = (solver.us().row(k) - wanted.us.row(k)).head(nu).cwiseAbs().maxCoeff();
+    EXPECT_LT(error, 1e-12 * std::max(1.0, wanted.us.cwiseAbs().maxCoeff())) << "knot " << k;
+  }
+  EXPECT_LT(solver.optimality_error(), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LqLaw,
+                         ::testing::Combine(::testing::ValuesIn(cases()),
+                                            ::testing::Values(StepUpdate::Rollout,
+                                                              StepUpdate::MultipleShooting),
+                                            ::testing::Bool()),
+                         [](const auto& param) {
+                           return std::string(std::get<0>(param.param).name) +
+                                  (std::get<1>(param.param) == StepUpdate::Rollout ? "_rollout"
+                                                                                   : "_shooting") +
+                                  (std::get<2>(param.param) ? "_from_anywhere" : "_from_start");
+                         });
+
+TEST(Lq, structured_form_equals_dense_form) {
+  for (Case c : cases()) {
+    if (c.spec.nv == 0) continue;
+    LqProblem structured = random_lq(c.spec);
+    c.spec.form = DynamicsForm::Dense;
+    LqProblem dense = random_lq(c.spec);
+    DdpSolver a(structured.problem);
+    DdpSolver b(dense.problem);
+    a.solve();
+    b.solve();
+    for (int k = 0; k <= dense.problem.knots(); ++k) {
+      const double scale = b.value_hessian(k).cwiseAbs().maxCoeff();
+      EXPECT_LT((a.value_hessian(k) - b.value_hessian(k)).cwiseAbs().maxCoeff(), 1e-12 * scale)
+          << c.name << " knot " << k;
+      EXPECT_LT((a.value_gradient(k) - b.value_gradient(k)).cwiseAbs().maxCoeff(), 1e-11 * scale);
+      if (k == dense.problem.knots() || dense.problem.controls(k) == 0) continue;
+      EXPECT_LT((a.gain(k) - b.gain(k)).cwiseAbs().maxCoeff(), 1e-11 * scale)
+          << c.name << " knot " << k;
+    }
+  }
+}
+
+TEST(Lq, value_function_predicts_the_cost_from_another_start) {
+  LqProblem lq = random_lq(cases()[8].spec);
+  DdpSolver solver(lq.problem);
+  const double cost = solver.solve().cost;
+  const Eigen::VectorXd dx = Eigen::VectorXd::LinSpaced(lq.problem.shape.ndx, -0.3, 0.5);
+  const double predicted =
+      cost + solver.value_gradient(0).dot(dx) + 0.5 * dx.dot(solver.value_hessian(0) * dx);
+  const Eigen::VectorXd first_u = solver.us().row(0).transpose().head(4) + solver.gain(0) * dx;
+  for (int i = 0; i < dx.size(); ++i) lq.problem.start[i] += dx[i];
+  EXPECT_NEAR(solver.solve().cost, predicted, 1e-10 * std::abs(predicted));
+  EXPECT_LT((solver.us().row(0).transpose().head(4) - first_u).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+}  // namespace
+}  // namespace burnish::testing

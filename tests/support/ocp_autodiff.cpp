@@ -1,0 +1,180 @@
+#include "support/ocp_autodiff.hpp"
+
+#include <functional>
+
+#include "burnish/model/state.hpp"
+#include "derivatives/constrained_derivatives.tpp"
+#include "derivatives/frame_kinematics.tpp"
+#include "derivatives/momentum.tpp"
+#include "dynamics/frame_kinematics.tpp"
+#include "dynamics/integration.tpp"
+#include "ocp/residual_force.tpp"
+#include "ocp/residual_frame.tpp"
+#include "ocp/residual_momentum.tpp"
+#include "ocp/residual_state.tpp"
+#include "ocp/stage_dynamics.tpp"
+#include "support/autodiff.hpp"
+
+namespace burnish {
+extern template class ConstrainedDynamics<test::Dual>;
+}
+
+namespace burnish::test {
+namespace {
+
+using Duals = std::vector<Dual>;
+
+const ocp::CompiledStage& stage_of(const ocp::CompiledProblem& problem, const OcpPoint& at) {
+  return problem.stages[static_cast<std::size_t>(at.stage)];
+}
+
+/// Derivatives by all of z of what `evaluate` makes of (x, u), as many columns at a time as a Dual
+/// has room for.
+Eigen::MatrixXd by_z(const ocp::CompiledProblem& problem, const OcpPoint& at,
+                     const std::function<Duals(const Duals& x, const Duals& u)>& evaluate) {
+  const StateLayout& l = problem.layout;
+  Eigen::MatrixXd seeds_x = Eigen::MatrixXd::Zero(l.nx(), l.nz());
+  seeds_x.block(0, l.column_q(), l.nq, l.nv) = tangent_map(problem.model, at.x.head(l.nq));
+  seeds_x.bottomRightCorner(l.nv + l.filtered, l.nv + l.filtered).setIdentity();
+  Eigen::MatrixXd seeds_u = Eigen::MatrixXd::Zero(l.nu, l.nz());
+  seeds_u.leftCols(l.nu).setIdentity();
+  Eigen::MatrixXd result;
+  for (int first = 0; first < l.nz(); first += dual_directions) {
+    const int count = std::min(dual_directions, l.nz() - first);
+    const auto seeded = [&](const Eigen::VectorXd& values, const Eigen::MatrixXd& seeds) {
+      Duals duals = constant_duals(values);
+      for (std::size_t i = 0; i < duals.size(); ++i)
+        duals[i].derivatives().head(count) =
+            seeds.row(static_cast<Eigen::Index>(i)).segment(first, count);
+      return duals;
+    };
+    const Duals values = evaluate(seeded(at.x, seeds_x), seeded(at.u, seeds_u));
+    if (first == 0) result.resize(static_cast<Eigen::Index>(values.size()), l.nz());
+    result.middleCols(first, count) = derivative_block(values, 0, count);
+  }
+  return result;
+}
+
+/// x (+) dx.
+Duals moved(const ocp::CompiledProblem& problem, const Duals& x, const Duals& dx) {
+  const StateLayout& l = problem.layout;
+  Duals result = x;
+  integrate_configuration(problem.tree, x.data(), dx.data(), result.data());
+  for (int i = 0; i < l.nv + l.filtered; ++i)
+    result[static_cast<std::size_t>(l.nq + i)] =
+        x[static_cast<std::size_t>(l.nq + i)] + dx[static_cast<std::size_t>(l.nv + i)];
+  return result;
+}
+
+/// The torque state after a fraction of the step, everything else as in x.
+Duals filtered(const ocp::CompiledProblem& problem, Duals x, const Duals& u, double decay) {
+  const StateLayout& l = problem.layout;
+  for (int i = 0; i < l.filtered; ++i) {
+    Dual& tau = x[static_cast<std::size_t>(l.nq + l.nv + i)];
+    tau = Dual(decay * tau + (1.0 - decay) * u[static_cast<std::size_t>(i)]);
+  }
+  return x;
+}
+
+class Stepper {
+ public:
+  Stepper(const ocp::CompiledProblem& problem, const ocp::CompiledStage& stage)
+      : problem_(problem), stage_(stage), dynamics_(problem) {}
+
+  Duals euler(const Duals& x, const Duals& u) {
+    const StateLayout& l = problem_.layout;
+    dynamics_.values(stage_, x.data(), u.data());
+    Duals dx(static_cast<std::size_t>(l.ndx()), Dual(0.0));
+    for (int k = 0; k < l.nv; ++k) {
+      const Dual dv = Dual(stage_.step * dynamics_.acceleration()[k]);
+      dx[static_cast<std::size_t>(l.nv + k)] = dv;
+      dx[static_cast<std::size_t>(k)] =
+          Dual(stage_.step * (x[static_cast<std::size_t>(l.nq + k)] + dv));
+    }
+    return moved(problem_, filtered(problem_, x, u, stage_.decay), dx);
+  }
+
+  Duals runge_kutta(const Duals& x, const Duals& u) {
+    const double fraction[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
+    const double decay[4] = {1.0, stage_.half_decay, stage_.half_decay, stage_.decay};
+    const auto size = static_cast<std::size_t>(problem_.layout.ndx());
+    Duals rate(size, Dual(0.0)), sum(size, Dual(0.0));
+    for (int i = 0; i < 4; ++i) {
+      Duals dx(size, Dual(0.0));
+      for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * stage_.step * rate[k]);
+      rate = rate_at(moved(problem_, filtered(problem_, x, u, decay[i]), dx), u);
+      for (std::size_t k = 0; k < size; ++k)
+        sum[k] += Dual(stage_.step / 6.0 * weight[i] * rate[k]);
+    }
+    return moved(problem_, filtered(problem_, x, u, stage_.decay), sum);
+  }
+
+ private:
+  /// (v, a, 0)
+  Duals rate_at(const Duals& x, const Duals& u) {
+    const StateLayout& l = problem_.layout;
+    dynamics_.values(stage_, x.data(), u.data());
+    Duals rate(static_cast<std::size_t>(l.ndx()), Dual(0.0));
+    for (int k = 0; k < l.nv; ++k) {
+      rate[static_cast<std::size_t>(k)] = x[static_cast<std::size_t>(l.nq + k)];
+      rate[static_cast<std::size_t>(l.nv + k)] = dynamics_.acceleration()[k];
+    }
+    return rate;
+  }
+
+  const ocp::CompiledProblem& problem_;
+  const ocp::CompiledStage& stage_;
+  ocp::StageDynamics<Dual> dynamics_;
+};
+
+}  // namespace
+
+std::vector<double> targets_of(const ocp::CompiledProblem& problem, int stage, double time) {
+  const ocp::CompiledStage& at = problem.stages[static_cast<std::size_t>(stage)];
+  std::vector<double> targets(static_cast<std::size_t>(std::max(at.targets, 1)));
+  Eigen::VectorXd scratch(512);
+  for (const ocp::CompiledTerm& term : at.terms)
+    ocp::load_target(term, time, scratch, targets.data() + term.target);
+  return targets;
+}
+
+Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const OcpPoint& at,
+                                     int term) {
+  const ocp::CompiledStage& stage = stage_of(problem, at);
+  const ocp::CompiledTerm& compiled = stage.terms[static_cast<std::size_t>(term)];
+  ocp::StageDynamics<Dual> dynamics(problem);
+  const Duals targets(at.targets.begin(), at.targets.end());
+  return by_z(problem, at, [&](const Duals& x, const Duals& u) {
+    dynamics.values(stage, x.data(), u.data());
+    Duals r(static_cast<std::size_t>(compiled.rows), Dual(0.0));
+    std::visit(
+        [&](const auto& residual) {
+          if constexpr (requires { residual.user; }) {
+            throw Error("a user's own residual is evaluated in double");
+          } else {
+            residual.evaluate(dynamics.scene(), targets.data() + compiled.target, r.data(),
+                              static_cast<Dual*>(nullptr));
+          }
+        },
+        compiled.residual);
+    return r;
+  });
+}
+
+Eigen::MatrixXd step_by_autodiff(const ocp::CompiledProblem& problem, const OcpPoint& at) {
+  const ocp::CompiledStage& stage = stage_of(problem, at);
+  const StateLayout& l = problem.layout;
+  Stepper stepper(problem, stage);
+  return by_z(problem, at, [&](const Duals& x, const Duals& u) {
+    const Duals next = stage.integrator == Integrator::RungeKutta4 ? stepper.runge_kutta(x, u)
+                                                                   : stepper.euler(x, u);
+    const Duals from = constant_duals(values_of(next));
+    Duals dx(static_cast<std::size_t>(l.ndx()), Dual(0.0));
+    difference_configuration(problem.tree, from.data(), next.data(), dx.data());
+    for (int i = 0; i < l.nv + l.filtered; ++i)
+      dx[static_cast<std::size_t>(l.nv + i)] = next[static_cast<std::size_t>(l.nq + i)];
+    return dx;
+  });
+}
+
+}  // namespace burnish::test

@@ -1,0 +1,343 @@
+// Robots, contacts and residuals that the laws of optimal control problems are tested on. A new
+// residual joins with one line in residual_cases().
+#pragma once
+
+#include "burnish/ocp/problem.hpp"
+#include "ocp/problem_impl.hpp"
+#include "support/contact_states.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+
+struct OcpCase {
+  TestRobot robot;
+  bool torque_model = false;
+  std::string label() const { return robot.label() + (torque_model ? "_filtered" : ""); }
+};
+inline void PrintTo(const OcpCase& test, std::ostream* out) { *out << test.label(); }
+
+inline std::vector<OcpCase> ocp_cases() {
+  std::vector<OcpCase> cases;
+  for (const bool torque_model : {false, true})
+    for (const TestRobot& robot :
+         {TestRobot{"talos:right_arm", Base::Fixed, "tool"},
+          TestRobot{"talos", Base::FreeFlyer, "right_sole_link"},
+          TestRobot{"arm7", Base::Fixed, "tool"}, TestRobot{"crane", Base::Fixed, "left_tip"},
+          TestRobot{"every_joint", Base::Fixed, "tip"},
+          TestRobot{"every_joint", Base::FreeFlyer, "tip"}})
+      cases.push_back({robot, torque_model});
+  return cases;
+}
+
+/// What residuals are made for.
+struct OcpSetup {
+  const Model& model;
+  std::string tool;
+  std::mt19937_64& generator;
+
+  Eigen::VectorXd random(int n) const { return random_vector(n, 1.0, generator); }
+  Eigen::Vector4d quaternion() const { return Eigen::Vector4d(random(4).normalized()); }
+  Eigen::VectorXd placement() const {
+    Eigen::VectorXd p(7);
+    p << random(3), quaternion();
+    return p;
+  }
+  Eigen::VectorXd state(bool torque_model) const {
+    const RobotState s = test::random_state(model, generator);
+    const int filtered = torque_model ? static_cast<int>(driven().size()) : 0;
+    Eigen::VectorXd x(model.nq + model.nv + filtered);
+    x << s.q, s.v, random(filtered);
+    return x;
+  }
+  /// Entries of v that are driven.
+  std::vector<int> driven() const {
+    std::vector<int> entries;
+    for (const Joint& joint : model.joints)
+      if (joint.kind != JointKind::FreeFlyer)
+        for (int k = 0; k < joint.nv; ++k) entries.push_back(joint.v_index + k);
+    return entries;
+  }
+  std::vector<std::string> plain_joints() const {
+    std::vector<std::string> names;
+    for (const Joint& joint : model.joints)
+      if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic)
+        names.push_back(joint.name);
+    return names;
+  }
+};
+
+/// A user's own: power, a force, height, acceleration and speed; differences by the library.
+struct WithoutJacobian {
+  int rows = 5;
+  std::string name = "without jacobian";
+  std::vector<std::string> frames, contacts;
+  void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
+    out[0] = at.tau().dot(at.v());
+    out[1] = at.force(0)[1] * (1.0 + at.time());
+    out[2] = at.placement(0).translation().z() + at.q()[0];
+    out[3] = at.acceleration()[0] + (at.u().size() > 0 ? at.u()[0] : 0.0);
+    out[4] = at.velocity(0, FrameAxes::Centered).squaredNorm();
+  }
+};
+
+/// The same with its own derivative: a place, a product of forces, work of the tool's speed.
+struct WithJacobian {
+  int rows = 3;
+  std::vector<std::string> frames, contacts;
+  void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
+    const Eigen::Vector3d p = at.placement(0).translation();
+    out[0] = p.x() + 2.0 * p.y() * p.z();
+    out[1] = at.force(1)[0] * at.force(0)[2];
+    out[2] = at.v().squaredNorm();
+  }
+  void jacobian(const NodeView& at, Eigen::Ref<RowMatrix> out) const {
+    const Eigen::Vector3d p = at.placement(0).translation();
+    const int nv = at.layout().nv;
+    const MatrixView J = at.jacobian(0, FrameAxes::Centered);
+    out.row(0).segment(at.layout().column_q(), nv) =
+        J.row(0) + 2.0 * p.z() * J.row(1) + 2.0 * p.y() * J.row(2);
+    out.row(1) = at.force(0)[2] * at.force_derivative(1).row(0);
+    out.row(1) += at.force(1)[0] * at.force_derivative(0).row(2);
+    out.row(2).segment(at.layout().column_v(), nv) = 2.0 * at.v().transpose();
+  }
+};
+
+struct ResidualCase {
+  std::string name;
+  std::function<Residual(const OcpSetup&)> make;
+  Penalty penalty = {};
+  bool at_the_end = true;  ///< needs neither controls nor forces
+};
+
+inline std::vector<ResidualCase> residual_cases(bool torque_model) {
+  namespace R = residual;
+  using Setup = const OcpSetup&;
+  const Penalty abs = Penalty::smooth_absolute(0.3), square;
+  const Penalty inside =
+      Penalty::barrier(Eigen::VectorXd::Constant(1, -0.2), Eigen::VectorXd::Constant(1, 0.3));
+  const Penalty logarithm = Penalty::log_barrier(Eigen::VectorXd::Constant(1, -0.5),
+                                                 Eigen::VectorXd::Constant(1, 1.5), 0.4);
+  return {
+      {"state", [](Setup) { return R::State{}; }},
+      {"state to target", [=](Setup s) { return R::State{s.state(torque_model)}; }, abs},
+      {"control", [](Setup) { return R::Control{0.5}; }, square, false},
+      {"joint position",
+       [](Setup s) {
+         return R::JointPosition{s.plain_joints(), 0.1};
+       },
+       inside},
+      {"joint velocity", [](Setup) { return R::JointVelocity{}; }, logarithm},
+      {"one velocity",
+       [](Setup s) {
+         return R::JointVelocity{{s.model.joints[1].name}, 0.2};
+       }},
+      {"joint torque", [](Setup) { return R::JointTorque{}; }, abs, torque_model},
+      {"position",
+       [](Setup s) {
+         return R::FramePosition{s.tool, s.random(3), tilt()};
+       },
+       inside},
+      {"rotation",
+       [](Setup s) {
+         return R::FrameRotation{s.tool, s.quaternion()};
+       }},
+      {"placement",
+       [](Setup s) {
+         return R::FramePlacement{s.tool, s.placement()};
+       },
+       logarithm},
+      {"local velocity",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, FrameAxes::Local};
+       }},
+      {"world velocity",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, FrameAxes::World, 0.1};
+       }},
+      {"velocity", [](Setup s) { return R::FrameVelocity{s.tool}; }, abs},
+      {"force",
+       [](Setup s) {
+         return R::ContactForce{"pad", {}, s.random(6)};
+       },
+       abs, torque_model},
+      {"brace", [](Setup) { return R::ContactForce{"brace"}; }, square, torque_model},
+      {"local force",
+       [](Setup) {
+         return R::ContactForce{"pad", Reference::local(tilt())};
+       },
+       square, torque_model},
+      {"centered force",
+       [](Setup) {
+         return R::ContactForce{"pad", Reference::centered(), 3.0};
+       },
+       abs, torque_model},
+      {"world force",
+       [](Setup) {
+         return R::ContactForce{"brace", Reference::world()};
+       },
+       square, torque_model},
+      {"cone",
+       [](Setup) {
+         return R::FrictionCone{"pad", 0.4};
+       },
+       Penalty::at_least(1.0), torque_model},
+      {"local cone",
+       [](Setup) {
+         return R::FrictionCone{"pad", 0.7, 0, Reference::local()};
+       },
+       square, torque_model},
+      {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, torque_model},
+      {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
+      {"momentum", [](Setup) { return R::CentroidalMomentum{}; }, abs},
+      {"own",
+       [](Setup s) { return R::custom(WithoutJacobian{.frames = {s.tool}, .contacts = {"pad"}}); },
+       abs, torque_model},
+      {"own with jacobian",
+       [](Setup s) {
+         return R::custom(WithJacobian{.frames = {s.tool}, .contacts = {"pad", "brace"}});
+       },
+       square, torque_model},
+  };
+}
+
+/// Frame on a body in the middle of the way to the tool.
+inline std::string frame_on_the_way(const Model& model, const std::string& tool) {
+  std::vector<int> bodies;
+  for (int j = model.frames[static_cast<std::size_t>(model.frame_index(tool))].body; j >= 0;
+       j = model.joints[static_cast<std::size_t>(j)].parent)
+    bodies.push_back(j);
+  const int middle = bodies[bodies.size() / 2];
+  for (const Frame& frame : model.frames)
+    if (frame.body == middle) return frame.name;
+  throw Error("no frame on the way to " + tool);
+}
+
+/// "idle" never holds, "brace" holds one direction on the way to the tool, "pad" all six of it.
+inline std::vector<ContactSpec> ocp_contacts(const Model& model, const std::string& tool) {
+  ContactSpec idle = contact(tool), pad = contact(tool, "world", Reference::surface(tilt()));
+  ContactSpec brace = contact(frame_on_the_way(model, tool), "world", Reference::centered(),
+                              Directions::z(), Acceleration::Classical);
+  idle.name = "idle";
+  pad.name = "pad";
+  pad.with_gains(0.0, 5.0);
+  brace.name = "brace";
+  return {idle, brace, pad};
+}
+
+/// Robots on a fixed base cannot hold seven directions rigidly: their contacts give way.
+inline ContactSolver ocp_solver(const TestRobot& robot) {
+  return {.mu = robot.base == Base::Fixed ? 0.05 : 0.0};
+}
+
+/// Everything but costs and horizon.
+inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
+  std::mt19937_64 generator(11);
+  ProblemSpec spec{.model = model};
+  spec.contacts = ocp_contacts(model, test.robot.tool);
+  spec.contact_solver = ocp_solver(test.robot);
+  spec.actuation.passive_torques = true;
+  spec.actuation.slip_velocity = 0.5;
+  if (test.torque_model) spec.torque_model = TorqueModel{.cutoff = 30.0};
+  spec.initial_state = OcpSetup{model, test.robot.tool, generator}.state(test.torque_model);
+  spec.start_time = 0.7;
+  return spec;
+}
+
+/// One stage of one term per residual, each on as many knots as a pack has lanes; those that can
+/// stand at the end also there.
+inline ProblemSpec residual_problem(const OcpCase& test, const Model& model) {
+  ProblemSpec spec = bare_problem(test, model);
+  std::mt19937_64 generator(12);
+  const OcpSetup setup{model, test.robot.tool, generator};
+  for (const ResidualCase& given : residual_cases(test.torque_model)) {
+    CostTerm term{
+        .name = given.name, .residual = given.make(setup), .weight = 0.7, .penalty = given.penalty};
+    spec.stages.push_back({.name = given.name, .contacts = {"brace", "pad"}, .costs = {term}});
+    spec.stages.back().step = 0.02;
+    spec.horizon.push_back({given.name, native_lanes});
+    if (given.at_the_end) spec.terminal.push_back(term);
+  }
+  return spec;
+}
+
+/// A state and a control at which rigid contacts are independent.
+struct OcpState {
+  Eigen::VectorXd x, u;
+};
+inline OcpState random_ocp_state(const Problem& problem, std::mt19937_64& generator) {
+  const Model& model = problem.model();
+  const StateLayout& l = problem.layout();
+  ContactDynamics dynamics(model, problem.spec().contacts);
+  dynamics.set_active(0, false);
+  const RobotState s = problem.spec().contact_solver.mu > 0.0
+                           ? random_state(model, generator)
+                           : regular_state(model, dynamics, generator, 1e-2);
+  OcpState state{Eigen::VectorXd(l.nx()), uniform(l.nu, 5.0, generator)};
+  state.x << s.q, s.v, uniform(l.filtered, 5.0, generator);
+  return state;
+}
+
+/// Trajectories of a whole horizon, and room for its expansion.
+struct OcpHorizon {
+  OcpHorizon(Problem& problem, std::mt19937_64& generator) {
+    const StateShape& shape = problem.state();
+    const auto knots = static_cast<std::size_t>(problem.knots() + 1);
+    stride = shape.ndx + problem.max_controls();
+    for (std::size_t k = 0; k < knots; ++k) {
+      const OcpState state = random_ocp_state(problem, generator);
+      x.insert(x.end(), state.x.begin(), state.x.end());
+      u.insert(u.end(), state.u.begin(), state.u.end());
+    }
+    next.resize(x.size());
+    values.resize(knots);
+    int lead_size = 0;
+    for (const LeadBlock& block : shape.blocks) lead_size += 2 * block.size * block.size;
+    for (std::size_t k = 0; k < knots; ++k) {
+      gradient.emplace_back(stride);
+      hessian.emplace_back(stride, stride);
+      dynamics.emplace_back(stride, stride);
+      lead.emplace_back(lead_size);
+      decay.emplace_back(shape.filtered);
+    }
+    for (std::size_t k = 0; k < knots; ++k) {
+      KnotExpansion knot;
+      knot.stride = stride;
+      knot.gradient = gradient[k].data();
+      knot.hessian = hessian[k].data();
+      knot.dynamics = dynamics[k].data();
+      knot.lead = lead[k].data();
+      knot.decay = decay[k].data();
+      out.push_back(knot);
+    }
+  }
+  TrajectoryView view() const { return {x.data(), u.data()}; }
+  void expand(Problem& problem) {
+    for (const KnotRange range : problem.ranges())
+      problem.expand(0, range, view(), next.data(), values.data(), out.data());
+  }
+  void evaluate(Problem& problem) {
+    for (const KnotRange range : problem.ranges())
+      problem.evaluate(0, range, view(), next.data(), values.data());
+  }
+  Eigen::Map<const Eigen::VectorXd> x_of(const Problem& problem, int knot) const {
+    const int nx = problem.state().nx;
+    return {x.data() + static_cast<std::ptrdiff_t>(knot) * nx, nx};
+  }
+  Eigen::Map<const Eigen::VectorXd> u_of(const Problem& problem, int knot) const {
+    const int nu = problem.max_controls();
+    return {u.data() + static_cast<std::ptrdiff_t>(knot) * nu, nu};
+  }
+  Eigen::Map<const Eigen::VectorXd> next_of(const Problem& problem, int knot) const {
+    const int nx = problem.state().nx;
+    return {next.data() + static_cast<std::ptrdiff_t>(knot) * nx, nx};
+  }
+
+  int stride = 0;
+  std::vector<double> x, u, next;
+  std::vector<KnotValue> values;
+  std::vector<Eigen::VectorXd> gradient, lead, decay;
+  std::vector<RowMatrix> hessian, dynamics;
+  std::vector<KnotExpansion> out;
+};
+
+}  // namespace burnish::test

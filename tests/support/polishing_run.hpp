@@ -1,0 +1,107 @@
+// The baseline polishing with Talos' right arm: surfaces, cases of disturbances, a run.
+#pragma once
+
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "burnish/model/robot.hpp"
+#include "burnish/report/metrics.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/impedance_controller.hpp"
+
+namespace burnish::test {
+
+/// A posture of the robot and the surface under its tool.
+struct PolishingSurface {
+  std::string posture;
+  Eigen::Vector3d normal;
+};
+
+inline PolishingSurface table() { return {"table", {0.0, 0.0, 1.0}}; }
+inline PolishingSurface board_x() { return {"board_x", {-1.0, 0.0, 0.0}}; }
+inline PolishingSurface board_y() { return {"board_y", {0.0, 1.0, 0.0}}; }
+
+/// What a run differs in.
+struct PolishingCase {
+  PolishingSurface surface = table();
+  double friction = 0.0;
+  double ki = 0.0;              ///< 1/s, of the controller
+  double friction_known = 0.0;  ///< to the controller
+  double clearance = 1e-3;      ///< m at the start
+  Disturbances disturbances = {};
+};
+
+/// 17 bit encoders, differences and force filtered at 50 Hz, 0.3 N and 0.05 Nm of noise, 1 ms.
+inline Disturbances sensor_noise(double mass_scale) {
+  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
+  Disturbances result;
+  result.seed = 7;
+  result.command_delay = 1e-3;
+  result.torque_noise = 0.05;
+  result.encoder_bits = 17;
+  result.finite_difference_velocity = true;
+  result.velocity_cutoff = cutoff;
+  result.force_noise = 0.3;
+  result.force_cutoff = cutoff;
+  result.mass_scale = mass_scale;
+  return result;
+}
+
+inline Model right_arm(Eigen::VectorXd* posture = nullptr, const std::string& name = "table") {
+  const Robot robot = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm");
+  if (posture != nullptr) *posture = robot.posture(name);
+  return robot.model;
+}
+
+/// Plant, controller and loop of a case, at its start. The pieces live as long as the run.
+class PolishingRun {
+ public:
+  /// make_plant(model, scene) -> std::unique_ptr<Plant>
+  template <class MakePlant>
+  PolishingRun(const PolishingCase& wanted, MakePlant&& make_plant)
+      : nominal_(right_arm(&q_, wanted.surface.posture)) {
+    SceneSpec scene;
+    scene.surface.friction = wanted.friction;
+    scene = scene_under_tip(nominal_, q_, wanted.surface.normal, scene, wanted.clearance);
+    plant_ = make_plant(plant_model(nominal_, wanted.disturbances),
+                        plant_scene(scene, wanted.disturbances));
+    CirclePath circle;
+    circle.center_world = scene.surface.point + scene.tip.radius * scene.surface.normal;
+    circle.normal_world = scene.surface.normal;
+    ImpedanceSpec spec;
+    spec.normal_world = scene.surface.normal;
+    spec.task = [circle](double t) { return circle.at(t); };
+    spec.posture = q_;
+    spec.ki = wanted.ki;
+    spec.friction = wanted.friction_known;
+    controller_ = make_impedance_controller(nominal_, spec);
+    loop_ = std::make_unique<ClosedLoop>(*plant_, *controller_, wanted.disturbances);
+    status_ = loop_->reset(q_, Eigen::VectorXd::Zero(nominal_.nv));
+  }
+
+  Status run(double duration) {
+    if (status_ <= Status::NotConverged) status_ = loop_->run(duration);
+    return status_;
+  }
+  Metrics metrics(double start) const {
+    MetricsSpec spec;
+    spec.start = start;
+    spec.normal_world = plant_->scene().surface.normal;
+    return measure(loop_->trace(), nominal_, spec);
+  }
+  ClosedLoop& loop() { return *loop_; }
+  Plant& plant() { return *plant_; }
+  Controller& controller() { return *controller_; }
+  const Eigen::VectorXd& start() const { return q_; }
+
+ private:
+  Eigen::VectorXd q_;
+  Model nominal_;
+  std::unique_ptr<Plant> plant_;
+  std::unique_ptr<Controller> controller_;
+  std::unique_ptr<ClosedLoop> loop_;
+  Status status_ = Status::Ok;
+};
+
+}  // namespace burnish::test
