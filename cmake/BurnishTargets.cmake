@@ -27,10 +27,12 @@ target_compile_features(burnish_flags INTERFACE cxx_std_20)
 target_compile_options(burnish_flags INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wcast-align
   -Wno-psabi -fno-math-errno
-  # GCC 12 warns about its own AVX-512 intrinsics and std::string (its bugs 105593 and 105651).
+  # GCC 12 warns about its own AVX-512 intrinsics and std::string (its bugs 105593 and 105651), and
+  # about Eigen's wide stores to small vectors.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-uninitialized>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds>
   $<$<BOOL:${BURNISH_NATIVE}>:-march=native>
   $<$<BOOL:${BURNISH_WERROR}>:-Werror>)
 if(BURNISH_SANITIZE)

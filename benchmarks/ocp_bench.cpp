@@ -1,0 +1,123 @@
+// Time of optimal control by phase, N = 100 knots: values and expansion of the horizon, the Riccati
+// recursion, a sequential rollout, one iteration, one MPC step. Names and use are in README.md.
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <map>
+
+#include "burnish/model/robot.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "support/polishing_problem.hpp"
+#include "support/standing_problem.hpp"
+
+namespace burnish::bench {
+namespace {
+
+constexpr int knots = 100;
+
+/// A problem, a guess a little off its solution, and the memory of its expansion.
+class Horizon {
+ public:
+  explicit Horizon(const ProblemSpec& spec) : problem(spec) {
+    const int nx = problem.state().nx;
+    const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), nx);
+    const Eigen::VectorXd u0 = problem.quasi_static(0, x0).control;
+    xs = x0.transpose().replicate(knots + 1, 1);
+    us = u0.transpose().replicate(knots, 1);
+    next = xs;
+    values.resize(knots + 1);
+  }
+  TrajectoryView view() const { return {xs.data(), us.data()}; }
+
+  Problem problem;
+  RowMatrix xs, us, next;
+  std::vector<KnotValue> values;
+};
+
+ProblemSpec make(const std::string& name) {
+  if (name == "talos_two_feet") {
+    const Robot robot = load_robot("talos");
+    return test::standing_problem(robot.model, {"left_sole_link", "right_sole_link"},
+                                  robot.posture("half_sitting"), knots);
+  }
+  const Robot robot = load_robot("talos:right_arm");
+  const Eigen::VectorXd q0 = robot.posture("table");
+  ProblemSpec spec = test::polishing_problem(robot.model, "tool", q0, knots);
+  if (name == "talos_right_arm_filter") {
+    spec.torque_model = TorqueModel{.cutoff = 100.0};
+    const Eigen::Index nx = spec.initial_state.size();
+    spec.initial_state.conservativeResize(nx + robot.model.nv);
+    spec.initial_state.tail(robot.model.nv).setZero();
+  }
+  return spec;
+}
+
+Horizon& horizon(const std::string& name) {
+  static std::map<std::string, std::unique_ptr<Horizon>> made;
+  auto& entry = made[name];
+  if (!entry) entry = std::make_unique<Horizon>(make(name));
+  return *entry;
+}
+
+void values(benchmark::State& state, const std::string& name) {
+  Horizon& h = horizon(name);
+  for (auto _ : state)
+    for (const KnotRange& range : h.problem.ranges())
+      h.problem.evaluate(0, range, h.view(), h.next.data(), h.values.data());
+}
+
+void rollout(benchmark::State& state, const std::string& name) {
+  Horizon& h = horizon(name);
+  const int nx = h.problem.state().nx, nu = h.problem.max_controls();
+  for (auto _ : state)
+    for (int k = 0; k < knots; ++k)
+      h.problem.roll(0, k, h.xs.data() + k * nx, h.us.data() + k * nu, h.next.data() + k * nx);
+}
+
+/// One iteration from the same guess, and what its phases took.
+void iteration(benchmark::State& state, const std::string& name, StepUpdate update, int threads) {
+  Horizon& h = horizon(name);
+  DdpSolver solver(h.problem, {.update = update, .max_iterations = 1, .threads = threads});
+  double expand = 0.0, backward = 0.0, trial = 0.0;
+  for (auto _ : state) {
+    solver.set_guess(h.view());
+    const DdpSummary& summary = solver.solve();
+    expand += summary.seconds.expand;
+    backward += summary.seconds.backward;
+    trial += summary.seconds.trial;
+  }
+  const auto each = [](double seconds) {
+    return benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
+  };
+  state.counters["expand"] = each(expand);
+  state.counters["backward"] = each(backward);
+  state.counters["trial"] = each(trial);
+}
+
+void add(const std::string& name) {
+  const auto settings = [](benchmark::internal::Benchmark* b) {
+    b->Unit(benchmark::kMillisecond)->UseRealTime();
+  };
+  settings(benchmark::RegisterBenchmark(("values/" + name).c_str(), values, name));
+  settings(benchmark::RegisterBenchmark(("rollout/" + name).c_str(), rollout, name));
+  for (const StepUpdate update : {StepUpdate::Rollout, StepUpdate::MultipleShooting})
+    for (const int threads : {1, 2})
+      settings(benchmark::RegisterBenchmark(
+          ("iteration/" + name +
+           (update == StepUpdate::Rollout ? "/rollout/threads:" : "/shooting/threads:") +
+           std::to_string(threads))
+              .c_str(),
+          iteration, name, update, threads));
+}
+
+}  // namespace
+}  // namespace burnish::bench
+
+int main(int argc, char** argv) {
+  for (const char* name : {"talos_right_arm", "talos_right_arm_filter", "talos_two_feet"})
+    burnish::bench::add(name);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
