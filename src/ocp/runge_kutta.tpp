@@ -1,12 +1,51 @@
 // Runge-Kutta steps of fourth order on the state's manifold: with y = (q, v, tau) and rates
 // k = (v, a), the points y_i = y (+) c_i h k_(i-1), c = (0, 1/2, 1/2, 1), and the step
 // h (k_1 + 2 k_2 + 2 k_3 + k_4) / 6. Torques between follow their filter exactly as the stage has
-// it.
+// it. Rates of joints of several entries do not add up as they are: the offset theta of q0 (+)
+// theta changes with J_r^-1(theta) v, of which order four needs two brackets (H. Munthe-Kaas, "High
+// order Runge-Kutta methods on manifolds", 1999),
+//   k = v + [theta, v] / 2 + [theta, [theta, v]] / 12.
 #pragma once
 
 #include "ocp/node_kernel.hpp"
 
 namespace burnish::ocp {
+namespace runge_kutta_detail {
+
+/// The entries of a free-flyer or a planar joint as a twist, `stride` apart, and back.
+template <class S>
+Motion<S> load_twist(const TangentBlock& block, const S* from, int stride) {
+  if (block.size == 6)
+    return {{from[0], from[stride], from[2 * stride]},
+            {from[3 * stride], from[4 * stride], from[5 * stride]}};
+  return {{from[0], from[stride], S(0.0)}, {S(0.0), S(0.0), from[2 * stride]}};
+}
+template <class S>
+void store_twist(const TangentBlock& block, const Motion<S>& m, S* to, int stride) {
+  to[0] = m.linear.x;
+  to[stride] = m.linear.y;
+  to[2 * stride] = block.size == 6 ? m.linear.z : m.angular.z;
+  if (block.size != 6) return;
+  to[3 * stride] = m.angular.x;
+  to[4 * stride] = m.angular.y;
+  to[5 * stride] = m.angular.z;
+}
+
+/// The rate of the offset theta, and its change with dtheta and dv.
+template <class S>
+Motion<S> offset_rate(const Motion<S>& theta, const Motion<S>& v) {
+  const Motion<S> once = cross(theta, v);
+  return v + once * S(0.5) + cross(theta, once) * S(1.0 / 12.0);
+}
+template <class S>
+Motion<S> offset_rate_change(const Motion<S>& theta, const Motion<S>& v, const Motion<S>& dtheta,
+                             const Motion<S>& dv) {
+  const Motion<S> once = cross(theta, v);
+  const Motion<S> change = cross(dtheta, v) + cross(theta, dv);
+  return dv + change * S(0.5) + (cross(dtheta, once) + cross(theta, change)) * S(1.0 / 12.0);
+}
+
+}  // namespace runge_kutta_detail
 
 template <class S>
 void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S* u,
@@ -30,6 +69,14 @@ void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S*
     S* const rate = rates_.data() + i * 2 * nv;
     std::copy_n((i == 0 ? x : point_.data()) + nq, nv, rate);
     std::copy_n(dynamics_.acceleration(), nv, rate + nv);
+    if (i > 0) {
+      using namespace runge_kutta_detail;
+      for (const TangentBlock& block : problem_->blocks) {
+        const auto theta = load_twist(block, offset_.data() + block.first, 1);
+        const auto v = load_twist(block, rate + block.first, 1);
+        store_twist(block, offset_rate(theta, v), rate + block.first, 1);
+      }
+    }
     if (with_derivatives) runge_kutta_derivative(stage, i);
   }
   const S sixth(stage.step / 6.0), third(stage.step / 3.0);
@@ -108,6 +155,21 @@ void NodeKernel<S>::runge_kutta_derivative(const CompiledStage& stage, int i) {
   }
   S* const rate = rates_by_z_.data() + i * 2 * nv * nz;
   std::copy_n(X + nv * nz, nv * nz, rate);
+  if (i > 0) {
+    using namespace runge_kutta_detail;
+    const S ch(fraction[i] * stage.step);
+    const S* const before = rates_by_z_.data() + (i - 1) * 2 * nv * nz;
+    for (const TangentBlock& block : problem_->blocks) {
+      const auto theta = load_twist(block, offset_.data() + block.first, 1);
+      const auto v = load_twist(block, point_.data() + layout.nq + block.first, 1);
+      for (int c = 0; c < nz; ++c) {
+        const int at = block.first * nz + c;
+        const auto dtheta = load_twist(block, before + at, nz) * ch;
+        const auto dv = load_twist(block, rate + at, nz);
+        store_twist(block, offset_rate_change(theta, v, dtheta, dv), rate + at, nz);
+      }
+    }
+  }
   // da/dz = (da/du held state) + da/dx dX/dz; with a torque model da/du is zero.
   const S* const D = dynamics_.derivative();
   for (int r = 0; r < nv; ++r)

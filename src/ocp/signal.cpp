@@ -14,6 +14,8 @@ Signal Signal::over_time(int size, Function function) {
   return result;
 }
 
+void Signal::hold(const ConstVectorRef& value) { constant_ = value; }
+
 void Signal::at(double time, Eigen::Ref<Eigen::VectorXd> out) const {
   if (function_) {
     function_(time, out);

@@ -1,1 +1,255 @@
+// The checker of problems: passes what is right, names what is wrong, and complains about what
+// cannot be solved.
+#include <gtest/gtest.h>
 
+#include <limits>
+
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/ocp/check.hpp"
+#include "support/ocp_cases.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
+
+/// A stage with a force, a free one, an impact, and a user's own residual; and an end.
+ProblemSpec checked_spec(const OcpCase& test, const Model& model) {
+  ProblemSpec spec = bare_problem(test, model);
+  const std::string tool = test.robot.tool;
+  const Eigen::VectorXd inside = Eigen::VectorXd::Constant(1, 0.1);
+  spec.stages = {
+      {.name = "press",
+       .contacts = {"brace", "pad"},
+       .costs = {{.residual = residual::ContactForce{"pad", Reference::local()}, .weight = 1e-3},
+                 {.residual = residual::FrictionCone{"pad"}, .weight = 1e-3},
+                 {.residual = residual::custom(
+                      WithJacobian{.frames = {tool}, .contacts = {"pad", "brace"}}),
+                  .weight = 1e-4}}},
+      {.name = "move",
+       .costs = {{.residual = residual::State{}},
+                 {.residual = residual::JointVelocity{},
+                  .penalty = Penalty::barrier(-inside, inside)}},
+       .integrator = Integrator::RungeKutta4},
+      {.name = "touch",
+       .contacts = {"pad"},
+       .costs = {{.residual = residual::CentroidalMomentum{}}},
+       .impact = true}};
+  spec.horizon = {{"press", 3}, {"move", 2}};
+  spec.terminal = {{.residual = residual::State{}}};
+  return spec;
+}
+
+class CheckOf : public ::testing::TestWithParam<OcpCase> {};
+
+TEST_P(CheckOf, ARightProblemPasses) {
+  const Model model = GetParam().robot.model();
+  ProblemSpec spec = checked_spec(GetParam(), model);
+  spec.contact_solver.mu = 0.05;
+  Problem problem(spec);
+  const ProblemReport report = check_problem(problem);
+  EXPECT_TRUE(report.pass) << report.text();
+  std::vector<std::string> rows;
+  for (const ProblemCheckRow& row : report.rows) rows.push_back(row.stage + ": " + row.term);
+  const std::vector<std::string> wanted{
+      "press: next state", "press: contact force",       "press: friction cone",
+      "press: custom",     "press: all costs",           "move: next state",
+      "move: state",       "move: joint velocity",       "move: all costs",
+      "touch: next state", "touch: centroidal momentum", "touch: all costs",
+      "terminal: state",   "terminal: all costs"};
+  EXPECT_EQ(rows, wanted);
+  // The stage on no knot borrowed one and gave it back.
+  EXPECT_EQ(problem.stage_of(0), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, CheckOf, ::testing::ValuesIn(ocp_cases()),
+                         [](const auto& test) { return test.param.label(); });
+
+/// A derivative with one entry too large.
+struct Wrong {
+  int rows = 2;
+  std::string name = "slip";
+  void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
+    out << at.q()[0], at.v()[2] * at.v()[2];
+  }
+  void jacobian(const NodeView& at, Eigen::Ref<RowMatrix> out) const {
+    out(0, at.layout().column_q()) = 1.0;
+    out(1, at.layout().column_v() + 2) = 2.001 * at.v()[2];
+  }
+};
+
+TEST(Check, NamesTheEntryThatIsWrong) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = checked_spec(arm, model);
+  spec.stages[1].costs.push_back({.residual = residual::custom(Wrong{})});
+  Problem problem(spec);
+  const ProblemReport report = check_problem(problem);
+  EXPECT_FALSE(report.pass);
+  int failed = 0;
+  for (const ProblemCheckRow& row : report.rows) {
+    failed += row.pass ? 0 : 1;
+    if (row.term != "slip") continue;
+    EXPECT_FALSE(row.pass);
+    EXPECT_EQ(row.stage, "move");
+    EXPECT_NEAR(row.worst_error, 1e-3 / 2.0, 1e-5);
+    EXPECT_EQ(row.worst.column, "v " + model.v_name(2));
+    EXPECT_GE(row.worst.state, 0);
+  }
+  EXPECT_GE(failed, 1);
+  EXPECT_LE(failed, 2) << "the term, and the costs that it is one of\n" << report.text();
+  EXPECT_NE(report.text().find("stage 'move', slip: d"), std::string::npos) << report.text();
+  EXPECT_NE(report.text().find("FAIL: "), std::string::npos) << report.text();
+}
+
+TEST(Check, SameSeedSameReportAndOptionsAreRefused) {
+  Problem problem(checked_spec(arm, arm.robot.model()));
+  ProblemCheckOptions options{.states = 1};
+  int done = 0;
+  options.progress = [&](int stage, int total) {
+    EXPECT_EQ(stage, ++done);
+    EXPECT_EQ(total, 4);
+  };
+  const std::string first = check_problem(problem, options).text();
+  options.progress = {};
+  EXPECT_EQ(check_problem(problem, options).text(), first);
+  options.seed = 3;
+  EXPECT_NE(check_problem(problem, options).text(), first);
+  const auto refused = [&](const ProblemCheckOptions& bad, const std::vector<std::string>& words) {
+    testing::expect_words(testing::refusal([&] { check_problem(problem, bad); }), words);
+  };
+  refused({.states = 0}, {"check: states is 0"});
+  refused({.tolerance = 0.0}, {"check: tolerance is 0"});
+  refused({.velocity = -1.0}, {"-1 apart"});
+  refused({.x = {Eigen::VectorXd::Zero(14)}}, {"1 states and 0 controls", "6 and 5"});
+}
+
+TEST(Check, DrawsAroundATrajectory) {
+  const Model model = arm.robot.model();
+  Problem problem(checked_spec(arm, model));
+  ProblemCheckOptions options{.states = 2, .position = 0.0, .velocity = 0.0, .torque = 0.0};
+  std::mt19937_64 generator(4);
+  for (int k = 0; k <= problem.knots(); ++k) {
+    const OcpState at = random_ocp_state(problem, generator);
+    options.x.push_back(at.x);
+    if (k < problem.knots()) options.u.push_back(at.u);
+  }
+  const ProblemReport report = check_problem(problem, options);
+  EXPECT_TRUE(report.pass) << report.text();
+}
+
+/// arm7 at rest at its neutral posture, with one position target within reach.
+ProblemSpec calm_spec(const Model& model) {
+  ProblemSpec spec{.model = model};
+  spec.initial_state = Eigen::VectorXd::Zero(14);
+  spec.initial_state.head(7) = (model.q_lower + model.q_upper).cwiseMax(-1e3).cwiseMin(1e3) / 2.0;
+  spec.contacts = ocp_contacts(model, "tool");
+  spec.stages = {
+      {.name = "go",
+       .costs = {{.name = "position",
+                  .residual = residual::FramePosition{"tool", Eigen::Vector3d(0.3, 0.1, 0.4)}}}}};
+  spec.horizon = {{"go", 4}};
+  return spec;
+}
+
+std::string only_complaint(const ProblemSpec& spec) {
+  const std::vector<std::string> found = complaints(Problem(spec));
+  EXPECT_EQ(found.size(), 1U);
+  return found.empty() ? "" : found[0];
+}
+
+TEST(Complaints, AreNoneOfASensibleProblem) {
+  const Model model = arm.robot.model();
+  EXPECT_EQ(complaints(Problem(calm_spec(model))), std::vector<std::string>{});
+}
+
+TEST(Complaints, OfTargetsBeyondReach) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  auto& target = std::get<residual::FramePosition>(spec.stages[0].costs[0].residual).target;
+  target = Eigen::Vector3d(30.0, 0.0, 0.0);
+  testing::expect_words(only_complaint(spec),
+                        {"go, knot 0", "term 'position'", "30", "from joint 'joint_1'", "'tool'",
+                         "at most", "3 more knots"});
+  Eigen::VectorXd far(7);
+  far << 0.0, 30.0, 0.0, 0.0, 0.0, 0.0, 1.0;
+  spec.stages[0].costs[0].residual = residual::FramePlacement{"tool", far};
+  testing::expect_words(only_complaint(spec), {"from joint 'joint_1'"});
+  // One that flies gets anywhere.
+  const Model afloat = TestRobot{"arm7", Base::FreeFlyer, "tool"}.model();
+  ProblemSpec flying = spec;
+  flying.model = afloat;
+  flying.initial_state = Eigen::VectorXd::Zero(27);
+  flying.initial_state.head(14) = afloat.q_neutral;
+  for (const std::string& sentence : complaints(Problem(flying)))
+    EXPECT_EQ(sentence.find("from joint"), std::string::npos) << sentence;
+}
+
+TEST(Complaints, ReachIsNeverLessThanWhatTheArmReaches) {
+  const Model model = arm.robot.model();
+  std::mt19937_64 generator(3);
+  ProblemSpec spec = calm_spec(model);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    spec.stages[0].costs[0].residual = residual::FramePosition{
+        "tool", Eigen::Vector3d(burnish::frame_placement(model, q, "tool").translation())};
+    EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+  }
+}
+
+TEST(Complaints, OfTargetsOverTime) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  spec.stages[0].costs[0].residual = residual::FramePosition{
+      "tool", Signal::over_time(3, [](double t, Eigen::Ref<Eigen::VectorXd> p) {
+        p << 0.3, 0.1, t > 0.015 ? std::numeric_limits<double>::quiet_NaN() : 0.4;
+      })};
+  testing::expect_words(only_complaint(spec), {"go, knot 2", "'position'", "NaN", "1 more knots"});
+  spec.stages[0].costs[0].residual = residual::FrameRotation{
+      "tool", Signal::over_time(
+                  4, [](double t, Eigen::Ref<Eigen::VectorXd> q) { q << 0.0, 0.0, 0.0, 1.0 + t; })};
+  testing::expect_words(only_complaint(spec), {"go, knot 1", "quaternion", "length 1.01"});
+}
+
+TEST(Complaints, OfInitialStatesOutsideLimits) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  spec.initial_state[1] = model.q_upper[1] + 0.5;
+  testing::expect_words(only_complaint(spec), {"initial state", "'joint_2'", "limits"});
+  spec = calm_spec(model);
+  spec.initial_state[9] = -2.0 * model.velocity_limit[2];
+  testing::expect_words(only_complaint(spec), {"initial state", "velocity", "'joint_3'"});
+}
+
+TEST(Complaints, OfBoundsThatCannotHoldTheRobot) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  spec.initial_state[1] += 0.5;
+  const Eigen::VectorXd needed = Problem(spec).quasi_static(0, spec.initial_state).control;
+  const double most = needed.cwiseAbs().maxCoeff();
+  ASSERT_GT(most, 1.0);
+  spec.control_upper = Eigen::VectorXd::Constant(1, 1.01 * most);
+  spec.control_lower = -spec.control_upper;
+  EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+  spec.control_upper = Eigen::VectorXd::Constant(1, 0.9 * most);
+  spec.control_lower = -spec.control_upper;
+  testing::expect_words(only_complaint(spec), {"stage 'go'", "bounds", "'joint_", "needs"});
+  // Contacts hold it: the tool in six directions carries most of what the joints cannot.
+  spec.contact_solver.mu = 1e-3;
+  spec.stages[0].contacts = {"pad"};
+  EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+}
+
+TEST(Complaints, OfRedundantContacts) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  spec.stages[0].contacts = {"pad", "idle"};
+  const std::vector<std::string> found = complaints(Problem(spec));
+  ASSERT_GE(found.size(), 5U);
+  testing::expect_words(found.back(), {"stage 'go'", "initial posture", "contact 'pad'", "mu > 0"});
+  spec.contact_solver.mu = 1e-3;
+  EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace burnish::test

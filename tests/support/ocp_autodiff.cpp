@@ -12,6 +12,7 @@
 #include "ocp/residual_frame.tpp"
 #include "ocp/residual_momentum.tpp"
 #include "ocp/residual_state.tpp"
+#include "ocp/runge_kutta.tpp"
 #include "ocp/stage_dynamics.tpp"
 #include "support/autodiff.hpp"
 
@@ -103,6 +104,12 @@ class Stepper {
       Duals dx(size, Dual(0.0));
       for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * stage_.step * rate[k]);
       rate = rate_at(moved(problem_, filtered(problem_, x, u, decay[i]), dx), u);
+      for (const TangentBlock& block : problem_.blocks) {
+        using namespace ocp::runge_kutta_detail;
+        Dual* const entries = rate.data() + block.first;
+        const Motion<Dual> theta = load_twist(block, dx.data() + block.first, 1);
+        store_twist(block, offset_rate(theta, load_twist(block, entries, 1)), entries, 1);
+      }
       for (std::size_t k = 0; k < size; ++k)
         sum[k] += Dual(stage_.step / 6.0 * weight[i] * rate[k]);
     }

@@ -27,7 +27,9 @@ struct CostTerm {
 /// How the state goes from one knot to the next.
 enum class Integrator {
   SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
-  RungeKutta4,        ///< classical, the control held; costs are taken at the start of the step
+  /// Classical, the control held; costs are taken at the start of the step. Of fourth order, on
+  /// free-flyers and planar joints too.
+  RungeKutta4,
 };
 
 /// Actuators as a first-order low-pass of the control, eq. (49) of the paper: dtau/dt = cutoff (u -

@@ -19,8 +19,9 @@ class Signal {
   Signal(double value) : constant_(Eigen::VectorXd::Constant(1, value)) {}
   /// Constant.
   template <class Vector>
-  requires std::is_base_of_v<Eigen::MatrixBase<Vector>, Vector> Signal(const Vector& value)
-      : constant_(value) {}
+  requires std::is_base_of_v<Eigen::MatrixBase<Vector>, Vector> Signal(const Vector& value) {
+    hold(value);
+  }
   /// `function` writes `size` entries for a time in s. It is called when a knot is given its time,
   /// and should not allocate where that happens in a control tick.
   static Signal over_time(int size, Function function);
@@ -32,6 +33,8 @@ class Signal {
   void at(double time, Eigen::Ref<Eigen::VectorXd> out) const;
 
  private:
+  void hold(const ConstVectorRef& value);
+
   Eigen::VectorXd constant_;
   Function function_;
   int size_ = 0;

@@ -1,0 +1,131 @@
+// Model predictive polishing with Talos' right arm on the ideal plant: a short task, and a loop
+// whose measurements, specification and plant a test may spoil.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "burnish/report/metrics.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "polishing/stages.hpp"
+#include "support/allocation_guard.hpp"
+
+namespace burnish::test {
+
+/// Ramp from 0.3 s to 0.5 s, then half a turn of a small circle. The horizon is short: 30 knots.
+inline polishing::Task short_task() {
+  polishing::Task task;
+  task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
+  task.clearance = 5e-3;
+  task.reach_duration = 0.1;
+  task.approach_speed = 0.025;
+  task.ramp_duration = 0.2;
+  task.polish_duration = 1.0;
+  task.path.radius = 0.02;
+  task.path.start_up = 0.4;
+  task.path.rate = 3.0;
+  task.horizon = 0.3;
+  return task;
+}
+
+/// A controller between the loop and another one: spoils what it is told, counts allocations.
+class Watched final : public Controller {
+ public:
+  explicit Watched(Controller& inner) : inner_(&inner) {}
+  int nv() const override { return inner_->nv(); }
+  void reset() noexcept override {
+    inner_->reset();
+    allocations = 0;
+    ticks = 0;
+  }
+  const Command& tick(const Measurement& measurement) noexcept override {
+    seen = measurement;
+    if (spoil) spoil(seen);
+    const AllocationGuard guard;
+    const Command& command = inner_->tick(seen);
+    allocations += guard.count();
+    ++ticks;
+    finite = finite && command.tau.allFinite();
+    largest = largest.size() == 0 ? Eigen::VectorXd(command.tau.cwiseAbs())
+                                  : Eigen::VectorXd(largest.cwiseMax(command.tau.cwiseAbs()));
+    return command;
+  }
+
+  std::function<void(Measurement&)> spoil;
+  Measurement seen;  ///< by the controller at the last tick
+  long allocations = 0;
+  long ticks = 0;
+  bool finite = true;
+  Eigen::VectorXd largest;  ///< of |tau|, over all ticks
+
+ private:
+  Controller* inner_;
+};
+
+struct MpcCase {
+  polishing::Task task = short_task();
+  std::function<void(MpcSpec&)> change = nullptr;
+  std::function<void(Measurement&)> spoil = nullptr;
+  /// Of the plant; with its scene as it is.
+  std::function<std::unique_ptr<Plant>(const Model&, const SceneSpec&)> make_plant = nullptr;
+};
+
+/// Plant, controller and loop of a case, at its start.
+class MpcRun {
+ public:
+  explicit MpcRun(const MpcCase& wanted)
+      : task_(wanted.task), setting_(polishing::make_setting(task_)) {
+    const Model model = plant_model(setting_.robot.model, task_.disturbances);
+    const SceneSpec scene = plant_scene(setting_.scene, task_.disturbances);
+    plant_ = wanted.make_plant ? wanted.make_plant(model, scene) : make_ideal_plant(model, scene);
+    MpcSpec spec = polishing::make_mpc(task_, setting_);
+    if (wanted.change) wanted.change(spec);
+    mpc_ = std::make_unique<MpcController>(spec);
+    watched_ = std::make_unique<Watched>(*mpc_);
+    watched_->spoil = wanted.spoil;
+    ClosedLoopOptions options;
+    options.control_period = spec.tick_period;
+    options.max_duration = 4.0;
+    loop_ = std::make_unique<ClosedLoop>(*plant_, *watched_, task_.disturbances, options);
+    reset();
+  }
+
+  void reset() {
+    status_ = loop_->reset(setting_.q_start, Eigen::VectorXd::Zero(setting_.robot.model.nv));
+  }
+  Status run(double duration) {
+    if (status_ <= Status::NotConverged) status_ = loop_->run(duration);
+    return status_;
+  }
+  /// Until the retreat.
+  Status polish() { return run(setting_.track_end); }
+  Status polish_and_retreat() { return run(setting_.track_end + 0.5); }
+
+  /// From 0.1 s after the ramp to the end of the path.
+  Metrics metrics() const {
+    MetricsSpec spec;
+    spec.start = setting_.ramp_end + 0.1;
+    spec.end = setting_.track_end;
+    spec.normal_world = setting_.scene.surface.normal;
+    return measure(loop_->trace(), setting_.robot.model, spec);
+  }
+  double now() const { return plant_->time(); }
+  const polishing::Setting& setting() const { return setting_; }
+  MpcController& mpc() { return *mpc_; }
+  Watched& watched() { return *watched_; }
+  ClosedLoop& loop() { return *loop_; }
+  Plant& plant() { return *plant_; }
+
+ private:
+  polishing::Task task_;
+  polishing::Setting setting_;
+  std::unique_ptr<Plant> plant_;
+  std::unique_ptr<MpcController> mpc_;
+  std::unique_ptr<Watched> watched_;
+  std::unique_ptr<ClosedLoop> loop_;
+  Status status_ = Status::Ok;
+};
+
+}  // namespace burnish::test
