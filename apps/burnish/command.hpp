@@ -15,5 +15,6 @@ void add_show(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
 void add_solve(CLI::App& app, int& exit_code);
+void add_polish(CLI::App& app, int& exit_code);
 
 }  // namespace burnish::app

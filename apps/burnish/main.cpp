@@ -1,5 +1,5 @@
 // burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
-// optimal control problems.
+// optimal control problems, run the polishing task.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,11 +21,12 @@ constexpr const char* footer =
     "  burnish check my_arm.urdf --tool flange\n"
     "  burnish eval request.json\n"
     "  burnish solve examples/problems/reaching.yaml\n"
+    "  burnish polish --surface table --controller mpc\n"
     "\n"
     "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
-    "crane, talos), with ':variant' behind it if wanted.\n"
-    "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status or a solve did not\n"
-    "converge; 2 bad usage or input.";
+    "crane, pendulum, quadruped, talos), with ':variant' behind it if wanted.\n"
+    "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status, a solve did not\n"
+    "converge or a run did not polish; 2 bad usage or input.";
 
 /// Wipes the progress line, then ends as any program that was interrupted.
 extern "C" void interrupted(int signal) {
@@ -94,6 +95,7 @@ int run(int count, char** words) {
   add_check(app, exit_code);
   add_eval(app, exit_code);
   add_solve(app, exit_code);
+  add_polish(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;

@@ -57,7 +57,10 @@ PlotSpec torques(const Problem& problem, const Trace& trace) {
   plot.panel_width = 460;
   plot.panel_height = 190;
   const Model& model = problem.model();
+  const double* bounds[] = {problem.control_lower(0), problem.control_upper(0)};
+  int control = -1;
   for (const int k : problem.layout().actuated) {
+    ++control;
     const std::string name = model.v_name(k);
     const TraceColumn& column =
         trace.columns()[static_cast<std::size_t>(trace.index("tau_" + name))];
@@ -70,7 +73,9 @@ PlotSpec torques(const Problem& problem, const Trace& trace) {
       panel.curves.push_back(curve(trace, "u_" + name, ""));
       panel.curves.back().dashed = true;
     }
-    const double limit = model.effort_limit[k];
+    double limit = model.effort_limit[k];
+    for (const double* bound : bounds)
+      if (bound != nullptr) limit = std::min(limit, std::abs(bound[control]));
     panel.title = name;
     if (std::isfinite(limit) && limit > 0.0) {
       panel.title +=

@@ -80,7 +80,7 @@ struct RowWriter {
   Eigen::VectorXd x, u;
   double* row;
 
-  double& at(const std::string& column) { return row[trace.index(column)]; }
+  double& at(const std::string& column) const { return row[trace.index(column)]; }
   const std::vector<CostTerm>& terms() const {
     const auto stage = static_cast<std::size_t>(problem.stage_of(knot));
     const ProblemSpec& spec = problem.spec();

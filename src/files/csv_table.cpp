@@ -37,11 +37,11 @@ bool CsvTable::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Eigen::VectorXd CsvTable::column(const std::string& name) const {
+Eigen::VectorXd CsvTable::column(const std::string& name, Eigen::Index rows) const {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
     throw Error(file + ": column " + in_quotes(name) + " is missing" + did_you_mean(name, names));
-  Eigen::VectorXd result = values.col(found - names.begin());
+  Eigen::VectorXd result = values.col(found - names.begin()).head(rows < 0 ? values.rows() : rows);
   if (!result.allFinite()) throw Error(file + ": column " + in_quotes(name) + " has empty cells");
   return result;
 }

@@ -14,8 +14,9 @@ struct CsvTable {
   Eigen::MatrixXd values;          ///< rows x columns; an empty cell is a NaN
 
   bool has(const std::string& name) const;
-  /// Throws Error with the nearest known name, or where a cell is no finite number.
-  Eigen::VectorXd column(const std::string& name) const;
+  /// The first `rows` cells, or all. Throws Error with the nearest known name, or where one of them
+  /// is no finite number.
+  Eigen::VectorXd column(const std::string& name, Eigen::Index rows = -1) const;
 };
 
 /// Throws Error naming the file and the line.

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <tuple>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "model/sentence.hpp"
@@ -67,7 +68,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
     for (int k = 0; k < joint->nv; ++k) A(joint->v_index + k, column++) = 1.0;
   Eigen::VectorXd b = dynamics.bias();
   int row = 0;
-  std::vector<std::pair<std::string, int>> free;  // contact, first column
+  std::vector<std::tuple<std::string, int, int>> free;  // contact, first column, rows
   Holding result;
   for (const ContactSpec& contact : spec.contacts) {
     const std::string name = name_of_contact(contact);
@@ -82,16 +83,12 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
       continue;
     }
     A.middleCols(column, rows) = J_T;
-    free.emplace_back(name, column);
+    free.emplace_back(name, column, rows);
     column += rows;
   }
   const Eigen::VectorXd solution = A.leftCols(column).completeOrthogonalDecomposition().solve(b);
   result.control = solution.head(nu);
-  for (const auto& [name, first] : free) {
-    const auto same = std::find_if(spec.contacts.begin(), spec.contacts.end(),
-                                   [&](const auto& c) { return name_of_contact(c) == name; });
-    result.forces[name] = solution.segment(first, same->directions.count());
-  }
+  for (const auto& [name, first, rows] : free) result.forces[name] = solution.segment(first, rows);
   result.residual = (A.leftCols(column) * solution - b).cwiseAbs().maxCoeff();
   return result;
 }

@@ -42,7 +42,7 @@ void read_trajectory(const Problem& problem, const std::filesystem::path& file,
   for (int i = 0; i < layout.nu; ++i) {
     const std::string name = model.v_name(layout.actuated[static_cast<std::size_t>(i)]);
     if (layout.filtered > 0) guess.xs.col(layout.nq + layout.nv + i) = table.column("tau_" + name);
-    guess.us.col(i) = table.column("u_" + name).head(problem.knots());
+    guess.us.col(i) = table.column("u_" + name, problem.knots());
   }
 }
 

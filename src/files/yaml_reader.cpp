@@ -120,7 +120,10 @@ int YamlReader::count(int least) const {
   return static_cast<int>(value);
 }
 
-bool YamlReader::yes_or_no() const { return word({"true", "false"}) == "true"; }
+bool YamlReader::yes_or_no() const {
+  if (!is("true") && !is("false")) refuse("wanted true or false");
+  return is("true");
+}
 
 std::string YamlReader::text() const {
   if (!node_.IsScalar() || node_.Scalar().empty()) refuse("wanted a text");

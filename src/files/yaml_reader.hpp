@@ -72,8 +72,8 @@ class YamlReader {
   }
 
  private:
-  YamlReader(std::string file, std::string path, YAML::Node node)
-      : file_(std::move(file)), path_(std::move(path)), node_(std::move(node)) {}
+  YamlReader(std::string file, std::string path, const YAML::Node& node)
+      : file_(std::move(file)), path_(std::move(path)), node_(node) {}
   YamlReader child(const std::string& key, const YAML::Node& value) const;
 
   std::string file_, path_;

@@ -41,9 +41,9 @@ const char* words(FaultKind kind) {
     case FaultKind::OutOfRange:
       return "%s at %.4f s: position %.4g; the limit is %.4g";
     case FaultKind::SolverFailed:
-      return "%s at %.4f s: no usable plan for %.0f updates; allowed are %.0f";
+      return "%s at %.4f s: no usable plan for %.0f updates in a row; the limit is %.0f";
     case FaultKind::SolverLate:
-      return "%s at %.4f s: %.0f updates in a row past their deadline; allowed are %.0f";
+      return "%s at %.4f s: %.0f updates in a row past their deadline; the limit is %.0f";
     case FaultKind::ContactLost:
       return "%s at %.4f s: no force for %.4g s while it was wanted; allowed are %.4g s";
     case FaultKind::UnexpectedContact:

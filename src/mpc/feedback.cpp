@@ -3,13 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/base/error.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish {
+namespace {
+
+int checked_knots(int knots, double step, int horizon) {
+  if (knots < 1)
+    throw Error("feedback plan: room for " + std::to_string(knots) + " knots; wanted at least 1");
+  if (!(step > 0.0) || !std::isfinite(step))
+    throw Error("feedback plan: a step of " + std::to_string(step) + " s; wanted a positive time");
+  return std::min(knots, horizon);
+}
+
+}  // namespace
 
 FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, int knots, double step)
     : problem_(&problem),
-      knots_(std::min(knots, problem.knots())),
+      knots_(checked_knots(knots, step, problem.knots())),
       step_(step),
       x_(RowMatrix::Zero(knots_ + 1, problem.state().nx)),
       u_(RowMatrix::Zero(knots_, problem.max_controls())),
@@ -20,8 +32,13 @@ FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, int knots, double ste
 void FeedbackPlan::load(const DdpSolver& solver, double time) noexcept {
   x_ = solver.xs().topRows(knots_ + 1);
   u_ = solver.us().topRows(knots_);
-  for (int k = 0; k < knots_; ++k)
-    if (problem_->controls(k) > 0) gain_[static_cast<std::size_t>(k)] = solver.gain(k);
+  for (int k = 0; k < knots_; ++k) {
+    const int nu = problem_->controls(k);
+    Eigen::MatrixXd& gain = gain_[static_cast<std::size_t>(k)];
+    gain.topRows(nu) = solver.gain(k);
+    gain.bottomRows(gain.rows() - nu).setZero();
+    u_.row(k).tail(u_.cols() - nu).setZero();
+  }
   start_ = time;
   loaded_ = true;
 }
@@ -32,6 +49,7 @@ LinearFeedback FeedbackPlan::make_feedback() const {
 }
 
 void FeedbackPlan::at(double time, LinearFeedback& out) const noexcept {
+  if (!loaded_) return;
   const double elapsed = std::clamp((time - start_) / step_, 0.0, static_cast<double>(knots_));
   const int k = std::min(static_cast<int>(elapsed), knots_ - 1);
   const double fraction = elapsed - k;

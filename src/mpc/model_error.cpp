@@ -64,16 +64,20 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   if (!d.started) {
     d.velocity = v;
     d.started = true;
+    return status;
   }
+  if (!(dt > 0.0)) return status;
   d.body.frame_derivatives(d.frame, FrameAxes::Centered, d.derivatives);
   d.total = tau + d.error;
   d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
   status = d.dynamics.forward(q, v, d.total);
   if (status > Status::NotConverged) return status;
-  const double w = d.options.bandwidth;
+  const double pole = std::exp(-d.options.bandwidth * dt);
+  d.velocity += dt * d.dynamics.a();
   d.innovation = v - d.velocity;
-  d.velocity += dt * d.dynamics.a() + 2.0 * w * dt * d.innovation;
-  d.error.noalias() += w * w * dt * (d.dynamics.mass_matrix() * d.innovation);
+  d.velocity += (1.0 - pole * pole) * d.innovation;
+  d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
+  d.error.noalias() += d.dynamics.mass_matrix() * d.innovation;
   d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);
   return status;
 }

@@ -1,10 +1,23 @@
 // The last second of an MpcController, kept for its fault report.
 #include <algorithm>
+#include <cmath>
 
 #include "mpc/mpc_impl.hpp"
 
 namespace burnish {
 namespace {
+
+/// Whether entry `entry` of a joint's v is a translation.
+bool slides(JointKind kind, int entry) {
+  return kind == JointKind::Prismatic || (kind == JointKind::Planar && entry < 2) ||
+         (kind == JointKind::FreeFlyer && entry < 3);
+}
+
+/// Of an entry of a joint's q: quaternions, cosines and sines have none.
+const char* unit_of_q(JointKind kind, int entry) {
+  if (kind == JointKind::Revolute) return "rad";
+  return slides(kind, entry) ? "m" : "-";
+}
 
 std::vector<TraceColumn> history_columns(const Model& model) {
   std::vector<TraceColumn> columns{{"time", "s"},
@@ -18,17 +31,25 @@ std::vector<TraceColumn> history_columns(const Model& model) {
                                    {"target_force", "N"},
                                    {"solve_time", "s"},
                                    {"status", "-"}};
-  for (int i = 0; i < model.nq; ++i) columns.push_back({"q_" + model.q_name(i), "rad"});
-  for (const char* part : {"v_", "tau_measured_", "tau_command_"})
-    for (int k = 0; k < model.nv; ++k)
-      columns.push_back({part + model.v_name(k), part[0] == 'v' ? "rad/s" : "Nm"});
+  for (const Joint& joint : model.joints)
+    for (int i = 0; i < joint.nq; ++i)
+      columns.push_back({"q_" + model.q_name(joint.q_index + i), unit_of_q(joint.kind, i)});
+  const auto add = [&](const char* part, const char* turning, const char* sliding) {
+    for (const Joint& joint : model.joints)
+      for (int i = 0; i < joint.nv; ++i)
+        columns.push_back(
+            {part + model.v_name(joint.v_index + i), slides(joint.kind, i) ? sliding : turning});
+  };
+  add("v_", "rad/s", "m/s");
+  add("tau_measured_", "Nm", "N");
+  add("tau_command_", "Nm", "N");
   return columns;
 }
 
 }  // namespace
 
 void MpcController::Impl::make_history() {
-  const int rows = std::max(1, static_cast<int>(1.0 / spec.tick_period));
+  const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / spec.tick_period)));
   fault.last_second = Trace(history_columns(problem.model()), rows);
   history_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(fault.last_second.columns().size()));
 }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {
@@ -19,22 +21,29 @@ double step_of(const ProblemSpec& problem) {
   if (problem.stages.empty()) throw Error("MPC: the problem has no stages");
   for (const Stage& stage : problem.stages) {
     if (stage.impact)
-      throw Error("MPC: stage '" + stage.name + "' is an impact; wanted steps of time");
+      throw Error("MPC: stage " + in_quotes(stage.name) + " is an impact; wanted steps of time");
     if (stage.step != problem.stages[0].step)
-      throw Error("MPC: stage '" + stage.name + "' has a step of " + std::to_string(stage.step) +
-                  " s; wanted that of the others, " + std::to_string(problem.stages[0].step) +
-                  " s");
+      throw Error("MPC: stage " + in_quotes(stage.name) + " has a step of " + number(stage.step) +
+                  " s; wanted that of the others, " + number(problem.stages[0].step) + " s");
   }
   return problem.stages[0].step;
 }
 
-int ticks_between(double period, double tick, const char* name) {
-  const double ratio = period / tick;
-  const int ticks = static_cast<int>(std::lround(ratio));
-  if (!(tick > 0.0) || ticks < 1 || std::abs(ratio - ticks) > 1e-6)
-    throw Error("MPC: " + std::string(name) + " of " + std::to_string(period) +
-                " s is no multiple of the tick of " + std::to_string(tick) + " s");
-  return ticks;
+int ticks_per_update(const MpcSpec& spec) {
+  const double ratio = spec.update_period / spec.tick_period;
+  if (!(spec.tick_period > 0.0) || !(ratio > 0.5) || !(ratio < 1e9) ||
+      std::abs(ratio - std::round(ratio)) > 1e-6)
+    throw Error("MPC: an update period of " + number(spec.update_period) +
+                " s; wanted a multiple of the tick of " + number(spec.tick_period) + " s");
+  return static_cast<int>(std::lround(ratio));
+}
+
+/// Knots that a plan is kept for: until so many updates have failed that the run is given up.
+int plan_knots(const MpcSpec& spec) {
+  const double updates = 2.0 + spec.limits.failed_solves;
+  const double time = updates * spec.update_period + spec.solver_delay;
+  return static_cast<int>(
+      std::min<double>(std::ceil(time / step_of(spec.problem)) + 1.0, knots_of(spec.problem)));
 }
 
 /// Room for the longest solve.
@@ -45,41 +54,80 @@ DdpOptions roomy(const MpcSpec& spec) {
   return options;
 }
 
-}  // namespace
-
-void MpcController::Impl::check(const MpcSpec& spec) {
-  if (!spec.target) throw Error("MPC: there is no target function");
-  if (!(spec.normal_world.norm() > 0.0)) throw Error("MPC: the normal has no length");
-  if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)
-    throw Error("MPC: a solver delay of " + std::to_string(spec.solver_delay) +
-                " s; wanted between 0 and the update period of " +
-                std::to_string(spec.update_period) + " s");
-  if (knots_of(spec.problem) * step_of(spec.problem) <= 2.0 * spec.update_period)
-    throw Error("MPC: the horizon is not longer than two updates");
+void check_limits(const SafetyLimits& limits, double tick_period) {
+  const std::pair<const char*, double> numbers[] = {{"force", limits.force},
+                                                    {"force_window", limits.force_window},
+                                                    {"tool_speed", limits.tool_speed},
+                                                    {"joint_speed_ratio", limits.joint_speed_ratio},
+                                                    {"joint_margin", limits.joint_margin},
+                                                    {"bad", limits.bad},
+                                                    {"contact_lost", limits.contact_lost},
+                                                    {"contact_threshold", limits.contact_threshold},
+                                                    {"unexpected_force", limits.unexpected_force},
+                                                    {"deadline", limits.deadline}};
+  for (const auto& [name, value] : numbers)
+    if (!(value >= 0.0))
+      throw Error("MPC: the limit " + std::string(name) + " is " + number(value) +
+                  "; wanted a number that is not negative");
+  if (!(limits.force_window < 1.0))
+    throw Error("MPC: a force window of " + number(limits.force_window) +
+                " s; wanted less than a second");
+  if (!(limits.stale > tick_period))
+    throw Error("MPC: measurements are stale after " + number(limits.stale) +
+                " s; wanted longer than the tick of " + number(tick_period) + " s");
+  if (limits.failed_solves < 1 || limits.late_solves < 1)
+    throw Error("MPC: the run ends after " +
+                std::to_string(std::min(limits.failed_solves, limits.late_solves)) +
+                " failed or late updates; wanted at least 1");
 }
 
+const MpcSpec& checked(const MpcSpec& spec) {
+  (void)ticks_per_update(spec);
+  if (!spec.target) throw Error("MPC: there is no target function");
+  if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
+    throw Error("MPC: the normal is not finite or has no length; wanted a direction");
+  if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)
+    throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
+                " s; wanted between 0 and the update period of " + number(spec.update_period) +
+                " s");
+  if (!(knots_of(spec.problem) * step_of(spec.problem) > 2.0 * spec.update_period))
+    throw Error("MPC: a horizon of " + number(knots_of(spec.problem) * step_of(spec.problem)) +
+                " s; wanted longer than two update periods of " + number(spec.update_period) +
+                " s");
+  if (spec.first_iterations < 1 || spec.jump_iterations < 1 || spec.solver.max_iterations < 1)
+    throw Error("MPC: a solve of " +
+                std::to_string(std::min(
+                    {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
+                " iterations; wanted at least 1");
+  if (!(spec.fallback.damping >= 0.0) || !std::isfinite(spec.fallback.damping))
+    throw Error("MPC: the fallback's damping is " + number(spec.fallback.damping) +
+                " 1/s; wanted a number that is not negative");
+  check_limits(spec.limits, spec.tick_period);
+  return spec;
+}
+
+}  // namespace
+
 MpcController::Impl::Impl(MpcSpec given)
-    : spec((check(given), std::move(given))),
+    : spec((checked(given), std::move(given))),
       problem(spec.problem),
       solver(problem, roomy(spec)),
       schedule(spec.schedule),
       observer(spec.problem.model, spec.tool, spec.model_error),
-      plan_(problem,
-            std::max(2, 2 * static_cast<int>(spec.update_period / step_of(spec.problem)) + 2),
-            step_of(spec.problem)),
+      step_(step_of(spec.problem)),
+      ticks_per_update_(ticks_per_update(spec)),
+      plan_(problem, plan_knots(spec), step_),
       next_plan_(plan_),
       body_(spec.problem.model),
       gravity_(spec.problem.model),
       contact_(spec.problem.model, spec.problem.contacts, {.mu = 1e-9}),
-      tool_(body_.frame(spec.tool)),
-      step_(step_of(spec.problem)),
-      ticks_per_update_(ticks_between(spec.update_period, spec.tick_period, "an update period")) {
+      tool_(body_.frame(spec.tool)) {
   spec.normal_world.normalize();
   const StateLayout& layout = problem.layout();
   policy = plan_.make_feedback();
   command_.tau = Eigen::VectorXd::Zero(layout.nv);
   q_ = spec.problem.initial_state.head(layout.nq);
-  v_ = tau_ = bias_ = total_ = Eigen::VectorXd::Zero(layout.nv);
+  v_ = tau_ = bias_ = total_ = acted_ = torque_offset_ = Eigen::VectorXd::Zero(layout.nv);
   x_ = spec.problem.initial_state;
   u_ = Eigen::VectorXd::Zero(layout.nu);
   dx_ = Eigen::VectorXd::Zero(layout.ndx());
@@ -87,6 +135,8 @@ MpcController::Impl::Impl(MpcSpec given)
   effort_ = spec.problem.model.effort_limit;
   guess_x_ = RowMatrix::Zero(problem.knots() + 1, layout.nx());
   guess_u_ = RowMatrix::Zero(problem.knots(), layout.nu);
+  const double window = std::round(spec.limits.force_window / spec.tick_period);
+  forces_ = Eigen::Matrix3Xd::Zero(3, std::max<Eigen::Index>(1, std::lround(window)));
   find_stages();
   find_force_terms();
   make_history();
@@ -94,11 +144,18 @@ MpcController::Impl::Impl(MpcSpec given)
 
 void MpcController::Impl::find_stages() {
   for (const SchedulePhase& phase : schedule.phases()) {
-    const int stage = problem.stage_index(phase.stage);
-    stage_of_phase_.push_back(stage);
-    in_contact_stage_.push_back(
-        spec.problem.stages[static_cast<std::size_t>(stage)].contacts.empty() ? 0 : 1);
+    stage_of_phase_.push_back(problem.stage_index(phase.stage));
+    const std::vector<std::string>& held =
+        spec.problem.stages.at(static_cast<std::size_t>(stage_of_phase_.back())).contacts;
+    std::vector<char>& holds = holds_.emplace_back();
+    for (const ContactSpec& contact : spec.problem.contacts)
+      holds.push_back(std::find(held.begin(), held.end(), contact.name) != held.end() ? 1 : 0);
   }
+}
+
+bool MpcController::Impl::has_contact(int phase) const noexcept {
+  const std::vector<char>& holds = holds_[static_cast<std::size_t>(phase)];
+  return std::find(holds.begin(), holds.end(), 1) != holds.end();
 }
 
 void MpcController::Impl::find_force_terms() {
@@ -118,10 +175,21 @@ void MpcController::Impl::reset() noexcept {
   schedule.reset();
   observer.reset();
   fault.kind = FaultKind::None;
+  fault.time = fault.value = fault.limit = 0.0;
+  fault.joint = -1;
   fault.last_second.clear();
-  force_error = lost_for_ = 0.0;
-  started_ = solved_ = jumped_ = next_ready_ = false;
-  tick_ = history_rows_ = 0;
+  plan_.clear();
+  next_plan_.clear();
+  q_ = spec.problem.initial_state.head(q_.size());
+  v_.setZero();
+  tau_.setZero();
+  acted_.setZero();
+  torque_offset_.setZero();
+  tool_force.setZero();
+  mean_force_.setZero();
+  force_error = good_time_ = last_time_ = lost_for_ = 0.0;
+  started_ = fresh_ = due_ = solved_ = warm_ = jumped_ = next_ready_ = false;
+  tick_ = history_rows_ = forces_count_ = 0;
   failed_ = late_ = 0;
   command_ = Command{std::move(command_.tau)};
   command_.tau.setZero();
@@ -132,34 +200,47 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.iterations = 0;
   command_.missed_deadline = false;
   command_.status = Status::Ok;
-  const double before = last_time_;
-  const bool good = accept(m);
-  const double now = last_time_;
-  const double dt = started_ ? now - before : 0.0;
-  if (fault.kind == FaultKind::None && good) {
-    estimate(m);
-    if (started_) {
-      const bool contact = normal_force() > spec.limits.contact_threshold;
-      if (schedule.advance(dt, contact)) jumped_ = true;
-    }
+  const double before = good_time_;
+  due_ = due_ || tick_ % ticks_per_update_ == 0;
+  fresh_ = accept(m);
+  if (fresh_ && fault.kind == FaultKind::None) {
+    // Over ticks without a good measurement, if there were any.
+    const double dt = started_ ? good_time_ - before : 0.0;
+    average_force();
+    estimate(dt);
+    const bool contact = normal_force() > spec.limits.contact_threshold;
+    if (started_ && schedule.advance(dt, contact)) jumped_ = true;
     watch(dt);
-    if (fault.kind == FaultKind::None && tick_ % ticks_per_update_ == 0) update(now, jumped_);
     started_ = true;
+    take_over(last_time_);
+    if (fault.kind == FaultKind::None && due_) update(last_time_);
   }
   if (fault.kind == FaultKind::None && solved_) {
-    apply_policy(now);
+    apply_policy(last_time_);
   } else {
     fall_back();
   }
   limit_torque();
-  const Schedule& s = schedule;
-  command_.phase = s.phases()[static_cast<std::size_t>(s.phase())].phase;
-  const TaskTarget target = spec.target(s.time());
-  command_.target_force = target.force;
-  command_.p_target_world = target.p_world;
-  record(now);
+  aim();
+  record(last_time_);
   ++tick_;
   return command_;
+}
+
+void MpcController::Impl::aim() noexcept {
+  const int phase = schedule.phase();
+  command_.phase = schedule.phases()[static_cast<std::size_t>(phase)].phase;
+  if (fault.kind != FaultKind::None) {
+    command_.target_force = 0.0;
+    return;
+  }
+  try {
+    const TaskTarget target = spec.target(schedule.time());
+    command_.target_force = target.force;
+    command_.p_target_world = target.p_world;
+  } catch (...) {
+    command_.status = worst(command_.status, Status::NotEvaluated);
+  }
 }
 
 void MpcController::Impl::limit_torque() noexcept {

@@ -18,31 +18,39 @@ struct MpcController::Impl {
 
  private:
   // Setting up.
-  static void check(const MpcSpec& spec);
   void find_stages();
   void find_force_terms();
   void make_history();
 
   // The steps of a tick.
   bool accept(const Measurement& m) noexcept;
-  bool well_formed(const Measurement& m) const noexcept;
-  void estimate(const Measurement& m) noexcept;
-  void estimate_force() noexcept;
+  bool take_state(const Measurement& m) noexcept;
+  void bridge(FaultKind kind, Status status, double limit) noexcept;
+  void average_force() noexcept;
+  void estimate(double dt) noexcept;
+  void follow_command(double dt) noexcept;
+  void estimate_force_error(double share) noexcept;
+  bool force_at(const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
   void watch(double dt) noexcept;
   void watch_motion() noexcept;
-  void watch_contact(double dt, double force_normal) noexcept;
-  void update(double now, bool jumped) noexcept;
-  void place_horizon(double schedule_time) noexcept;
-  void predict(double duration) noexcept;
-  void shift_guess(double now) noexcept;
-  void solve(double now, int iterations) noexcept;
+  void update(double now) noexcept;
+  bool replan(double now);
+  void place_knot(int knot, double schedule_time);
+  void place_horizon(double schedule_time);
+  void predict(double now, double duration);
+  void rest_guess() noexcept;
+  void shift_guess(double schedule_time) noexcept;
+  void take_over(double now) noexcept;
+  void policy_control(double time) noexcept;
   void apply_policy(double now) noexcept;
   void fall_back() noexcept;
   void raise(FaultKind kind, double value, double limit, int joint = -1) noexcept;
+  void aim() noexcept;
   void record(double now) noexcept;
   void limit_torque() noexcept;
   Eigen::VectorXd& measured_state() noexcept;
   double normal_force() const noexcept { return tool_force.dot(spec.normal_world); }
+  bool has_contact(int phase) const noexcept;
 
  public:
   MpcSpec spec;
@@ -55,28 +63,41 @@ struct MpcController::Impl {
   double force_error = 0.0;  ///< N
 
  private:
+  double step_;  ///< s, of the knots
+  int ticks_per_update_;
   FeedbackPlan plan_, next_plan_;
-  bool next_ready_ = false;
-  double next_time_ = 0.0;  ///< s, when next_plan_ takes over
-  RigidBody body_;
+  RigidBody body_;           ///< at the last good measurement
   ContactDynamics gravity_;  ///< of the free robot, for the fallback
   ContactDynamics contact_;  ///< of the problem's contacts, for the force estimate
   int tool_;
-  double step_;  ///< s, of the knots
-  int ticks_per_update_;
   std::vector<int> stage_of_phase_;
-  std::vector<char> in_contact_stage_;         ///< per phase: its stage holds a contact
+  std::vector<std::vector<char>> holds_;       ///< per phase and contact: its stage holds it
   std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row
   std::vector<std::vector<Signal>> force_targets_;
 
   Command command_;
   Eigen::VectorXd q_, v_, tau_;  ///< of the last good measurement
   Eigen::Vector3d tool_force = Eigen::Vector3d::Zero();
+  Eigen::Matrix3Xd forces_;  ///< a ring of the tool's force
+  long forces_count_ = 0;
+  Eigen::Vector3d mean_force_ = Eigen::Vector3d::Zero();
+  Eigen::VectorXd acted_;          ///< nv, torque that the model believes to act
+  Eigen::VectorXd torque_offset_;  ///< nv, slow part of measured minus acted torque
   Eigen::VectorXd x_, u_, dx_, bias_, total_, effort_, one_;
   RowMatrix guess_x_, guess_u_;
-  double last_time_ = 0.0, good_time_ = 0.0, lost_for_ = 0.0, guess_time_ = 0.0;
+  double guess_time_ = 0.0;  ///< s of the schedule, of the last solution's first knot
+  double good_time_ = 0.0;   ///< s, of the last good measurement
+  double last_time_ = 0.0;   ///< s, of the present tick
+  double next_time_ = 0.0;   ///< s, when next_plan_ takes over
+  double lost_for_ = 0.0;    ///< s without force where it is wanted
   long tick_ = 0;
-  bool started_ = false, solved_ = false, jumped_ = false;
+  bool started_ = false;     ///< there was a good measurement
+  bool fresh_ = false;       ///< this tick's is one
+  bool due_ = false;         ///< an update
+  bool solved_ = false;      ///< there is a plan
+  bool warm_ = false;        ///< the solver's trajectory can be started from
+  bool jumped_ = false;      ///< the schedule's clock, since the last plan
+  bool next_ready_ = false;  ///< next_plan_ waits for its time
   int failed_ = 0, late_ = 0;
   RowMatrix history_;  ///< a ring of rows of the fault report's trace
   long history_rows_ = 0;

@@ -6,114 +6,147 @@
 
 namespace burnish {
 
-bool MpcController::Impl::well_formed(const Measurement& m) const noexcept {
-  return std::isfinite(m.time) && m.q.size() == q_.size() && m.v.size() == v_.size() &&
-         m.tau.size() == tau_.size() && m.q.allFinite() && m.v.allFinite() && m.tau.allFinite() &&
-         m.tool_force_world.allFinite();
-}
-
-bool MpcController::Impl::accept(const Measurement& m) noexcept {
-  if (!well_formed(m)) {
-    // Time goes on as it should have, so that the policy does too.
-    last_time_ += spec.tick_period;
-    command_.status = Status::NotFinite;
-    if (last_time_ - good_time_ > spec.limits.bad)
-      raise(FaultKind::BadMeasurement, last_time_ - good_time_, spec.limits.bad);
-    return false;
-  }
-  if (started_ && !(m.time > good_time_)) {
-    last_time_ += spec.tick_period;
-    command_.status = Status::NotEvaluated;
-    if (last_time_ - good_time_ > spec.limits.stale)
-      raise(FaultKind::StaleMeasurement, last_time_ - good_time_, spec.limits.stale);
-    return false;
-  }
-  last_time_ = good_time_ = m.time;
+bool MpcController::Impl::take_state(const Measurement& m) noexcept {
+  if (m.q.size() != q_.size() || m.v.size() != v_.size()) return false;
+  if (body_.update(m.q, m.v) > Status::NotConverged) return false;
   q_ = m.q;
   v_ = m.v;
-  tau_ = m.tau;
-  tool_force = m.tool_force_world;
-  const Status status = body_.update(q_, v_);
-  if (status > Status::NotConverged) {
-    command_.status = status;
-    raise(FaultKind::BadMeasurement, 0.0, spec.limits.bad);
-    return false;
-  }
   return true;
 }
 
-void MpcController::Impl::estimate(const Measurement& /*m*/) noexcept {
-  const Eigen::Vector3d normal_part = normal_force() * spec.normal_world;
-  // The commanded torque, not the measured one: what is lost between motor and link, joint friction
-  // above all, is to be known too. `command_` is still that of the tick before.
-  if (spec.model_error.kind == ModelErrorKind::Torque && started_)
-    observer.update(q_, v_, command_.tau, normal_part, spec.tick_period);
-  estimate_force();
-  if (spec.model_error.kind != ModelErrorKind::Force) return;
-  const bool held = in_contact_stage_[static_cast<std::size_t>(schedule.phase())] != 0 &&
-                    normal_force() > spec.limits.contact_threshold;
-  const double wanted =
-      held ? normal_force() - command_.force_estimate_world.dot(spec.normal_world) : 0.0;
-  const double share = 1.0 - std::exp(-spec.model_error.bandwidth * spec.tick_period);
-  force_error += share * (wanted - force_error);
+bool MpcController::Impl::accept(const Measurement& m) noexcept {
+  const SafetyLimits& limits = spec.limits;
+  const bool stands_still = started_ && m.time <= good_time_;
+  if (fault.kind != FaultKind::None) {
+    // The fallback makes do with a position and a velocity.
+    last_time_ += spec.tick_period;
+    if (stands_still || !take_state(m)) return false;
+    if (std::isfinite(m.time)) good_time_ = m.time;
+    return true;
+  }
+  if (stands_still) {
+    bridge(FaultKind::StaleMeasurement, Status::NotEvaluated, limits.stale);
+    return false;
+  }
+  const double gap = started_ ? m.time - good_time_ : 0.0;
+  const bool forces =
+      m.tau.size() == tau_.size() && m.tau.allFinite() && m.tool_force_world.allFinite();
+  if (!std::isfinite(m.time) || !forces || !take_state(m)) {
+    bridge(FaultKind::BadMeasurement, Status::NotFinite, limits.bad);
+    return false;
+  }
+  tau_ = m.tau;
+  tool_force = m.tool_force_world;
+  last_time_ = good_time_ = m.time;
+  if (gap > limits.stale) raise(FaultKind::StaleMeasurement, gap, limits.stale);
+  return true;
+}
+
+/// Time goes on as it should have, so that the policy does too.
+void MpcController::Impl::bridge(FaultKind kind, Status status, double limit) noexcept {
+  last_time_ += spec.tick_period;
+  command_.status = status;
+  const double missing = last_time_ - good_time_;
+  if (missing > limit + 0.01 * spec.tick_period) raise(kind, missing, limit);
+}
+
+void MpcController::Impl::average_force() noexcept {
+  forces_.col(forces_count_ % forces_.cols()) = tool_force;
+  ++forces_count_;
+  const Eigen::Index count = std::min<Eigen::Index>(forces_count_, forces_.cols());
+  mean_force_ = forces_.leftCols(count).rowwise().sum() / static_cast<double>(count);
+}
+
+/// What the model believes to act on the joints: the command of the tick before, behind the torque
+/// model's filter if there is one. What is lost between motor and link, joint friction above all,
+/// is to be known too, so that errors are told from the command and not from the torque sensors.
+void MpcController::Impl::follow_command(double dt) noexcept {
+  const auto& filter = spec.problem.torque_model;
+  if (!filter) {
+    acted_ = command_.tau;
+  } else if (!started_) {
+    acted_ = tau_;
+  } else {
+    acted_ += -std::expm1(-filter->cutoff * dt) * (command_.tau - acted_);
+  }
+}
+
+void MpcController::Impl::estimate(double dt) noexcept {
+  const ModelErrorKind kind = spec.model_error.kind;
+  const double share = -std::expm1(-spec.model_error.bandwidth * dt);
+  follow_command(dt);
+  if (kind == ModelErrorKind::Torque) {
+    observer.update(q_, v_, acted_, normal_force() * spec.normal_world, dt);
+    torque_offset_ += share * (tau_ - acted_ - torque_offset_);
+  }
+  if (kind == ModelErrorKind::Force) estimate_force_error(share);
+  // Section IV-C: at the measured torques. What the torque error knows of them counts once.
+  total_ = tau_;
+  if (kind == ModelErrorKind::Torque) total_ += observer.torque_error() - torque_offset_;
+  (void)force_at(total_, command_.force_estimate_world);
+}
+
+void MpcController::Impl::estimate_force_error(double share) noexcept {
+  const bool pressed = normal_force() > spec.limits.contact_threshold;
+  double error = 0.0;
+  if (pressed && has_contact(schedule.phase())) {
+    Eigen::Vector3d model_force;
+    if (!force_at(acted_, model_force)) return;
+    error = normal_force() - model_force.dot(spec.normal_world);
+  }
+  force_error += share * (error - force_error);
   force_error = std::clamp(force_error, -spec.model_error.limit, spec.model_error.limit);
 }
 
-void MpcController::Impl::estimate_force() noexcept {
-  // Section IV-C: forward dynamics in contact at the measured torques, positions and velocities.
-  command_.force_estimate_world.setZero();
+/// Force of the phase's contacts by forward dynamics at these torques (nv): N, world axes. False
+/// and zero where the phase has no contact or the dynamics no solution.
+bool MpcController::Impl::force_at(const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept {
+  out.setZero();
   const int phase = schedule.phase();
-  if (in_contact_stage_[static_cast<std::size_t>(phase)] == 0) return;
-  const Stage& stage =
-      spec.problem
-          .stages[static_cast<std::size_t>(stage_of_phase_[static_cast<std::size_t>(phase)])];
-  for (int c = 0; c < contact_.contacts().size(); ++c) {
-    const std::string& name = contact_.contacts().contacts()[static_cast<std::size_t>(c)].spec.name;
-    const bool active =
-        std::find(stage.contacts.begin(), stage.contacts.end(), name) != stage.contacts.end();
+  if (!has_contact(phase)) return false;
+  const std::vector<char>& holds = holds_[static_cast<std::size_t>(phase)];
+  for (int c = 0; c < static_cast<int>(holds.size()); ++c) {
+    const bool active = holds[static_cast<std::size_t>(c)] != 0;
     if (contact_.is_active(c) != active) contact_.set_active(c, active);
   }
-  total_ = tau_;
-  if (spec.model_error.kind == ModelErrorKind::Torque) total_ += observer.torque_error();
-  if (contact_.forward(q_, v_, total_) > Status::NotConverged) return;
-  for (int c = 0; c < contact_.contacts().size(); ++c)
-    if (contact_.is_active(c))
-      command_.force_estimate_world += contact_.wrench(c, Reference::centered()).head<3>();
+  if (contact_.forward(q_, v_, tau) > Status::NotConverged) return false;
+  for (int c = 0; c < static_cast<int>(holds.size()); ++c)
+    if (contact_.is_active(c)) out += contact_.wrench(c, Reference::centered()).head<3>();
+  return true;
 }
 
 void MpcController::Impl::watch(double dt) noexcept {
   watch_motion();
-  watch_contact(dt, normal_force());
+  const SafetyLimits& limits = spec.limits;
+  const Phase phase = schedule.phases()[static_cast<std::size_t>(schedule.phase())].phase;
+  const double pushed = mean_force_.dot(spec.normal_world);
+  if (phase == Phase::Reach && pushed > limits.unexpected_force)
+    raise(FaultKind::UnexpectedContact, pushed, limits.unexpected_force);
+  const double force = mean_force_.norm();
+  if (force > limits.force) raise(FaultKind::ForceLimit, force, limits.force);
+  const bool wanted = phase == Phase::Ramp || phase == Phase::Track;
+  const bool lost = wanted && normal_force() < limits.contact_threshold;
+  lost_for_ = lost ? lost_for_ + dt : 0.0;
+  if (lost_for_ > limits.contact_lost)
+    raise(FaultKind::ContactLost, lost_for_, limits.contact_lost);
 }
 
 void MpcController::Impl::watch_motion() noexcept {
   const Model& model = problem.model();
   const SafetyLimits& limits = spec.limits;
   for (const Joint& joint : model.joints) {
+    for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
+      const double fastest = limits.joint_speed_ratio * model.velocity_limit[k];
+      if (std::abs(v_[k]) > fastest) raise(FaultKind::SpeedLimit, std::abs(v_[k]), fastest, k);
+    }
     if (joint.kind != JointKind::Revolute && joint.kind != JointKind::Prismatic) continue;
     const double q = q_[joint.q_index];
     const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
     if (q < lower - limits.joint_margin) raise(FaultKind::OutOfRange, q, lower, joint.v_index);
     if (q > upper + limits.joint_margin) raise(FaultKind::OutOfRange, q, upper, joint.v_index);
-    const double fastest = limits.joint_speed_ratio * model.velocity_limit[joint.v_index];
-    if (std::abs(v_[joint.v_index]) > fastest)
-      raise(FaultKind::SpeedLimit, std::abs(v_[joint.v_index]), fastest, joint.v_index);
   }
   const double speed = body_.velocity(tool_, FrameAxes::Centered).head<3>().norm();
   if (speed > limits.tool_speed) raise(FaultKind::SpeedLimit, speed, limits.tool_speed);
-}
-
-void MpcController::Impl::watch_contact(double dt, double force_normal) noexcept {
-  const SafetyLimits& limits = spec.limits;
-  const double force = tool_force.norm();
-  if (force > limits.force) raise(FaultKind::ForceLimit, force, limits.force);
-  const Phase phase = schedule.phases()[static_cast<std::size_t>(schedule.phase())].phase;
-  if (phase == Phase::Reach && force_normal > limits.unexpected_force)
-    raise(FaultKind::UnexpectedContact, force_normal, limits.unexpected_force);
-  const bool wanted = phase == Phase::Ramp || phase == Phase::Track;
-  lost_for_ = wanted && force_normal < limits.contact_threshold ? lost_for_ + dt : 0.0;
-  if (lost_for_ > limits.contact_lost)
-    raise(FaultKind::ContactLost, lost_for_, limits.contact_lost);
 }
 
 void MpcController::Impl::raise(FaultKind kind, double value, double limit, int joint) noexcept {
@@ -123,19 +156,6 @@ void MpcController::Impl::raise(FaultKind kind, double value, double limit, int 
   fault.value = value;
   fault.limit = limit;
   fault.joint = joint;
-}
-
-void MpcController::Impl::fall_back() noexcept {
-  // At the last good state; after a bad measurement its velocity is the best guess there is.
-  const Eigen::VectorXd& zero = bias_;
-  bias_.setZero();
-  if (gravity_.forward(q_, zero, zero) > Status::NotConverged) {
-    command_.tau.setZero();
-    return;
-  }
-  command_.tau = gravity_.bias();
-  for (Eigen::Index k = 0; k < v_.size(); ++k)
-    command_.tau[k] -= spec.fallback.damping * gravity_.mass_matrix()(k, k) * v_[k];
 }
 
 }  // namespace burnish

@@ -18,6 +18,10 @@ Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases
     if (std::isinf(duration) && i + 1 < phases_.size())
       throw Error("phase " + std::to_string(i) + " of a schedule never ends, but " +
                   std::to_string(phases_.size() - i - 1) + " follow it");
+    if (phases_[i].until_contact && !(phases_[i].hold > 0.0 && std::isfinite(phases_[i].hold)))
+      throw Error("phase " + std::to_string(i) +
+                  " of a schedule waits for contact with a hold of " +
+                  std::to_string(phases_[i].hold) + " s; wanted a positive time");
     starts_.push_back(start);
     start += duration;
   }
@@ -42,29 +46,29 @@ bool Schedule::finished() const noexcept {
 }
 
 void Schedule::jump_to(int phase) noexcept {
-  time_ = starts_[static_cast<std::size_t>(phase)];
-  current_ = phase;
+  current_ = std::clamp(phase, 0, static_cast<int>(phases_.size()) - 1);
+  time_ = start_of(current_);
 }
 
 bool Schedule::advance(double dt, bool contact) noexcept {
-  const double before = time_;
   time_ += dt;
-  const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
-  const bool last = current_ + 1 == static_cast<int>(phases_.size());
-  const double end = last ? std::numeric_limits<double>::infinity()
-                          : starts_[static_cast<std::size_t>(current_) + 1];
-  if (phase.until_contact && !last) {
-    if (contact) {
+  for (; current_ + 1 < static_cast<int>(phases_.size()); ++current_) {
+    const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
+    const double end = start_of(current_ + 1);
+    if (phase.until_contact && contact) {
+      const bool jumped = time_ != end;
       time_ = end;
       ++current_;
-      return before + dt != end;
+      return jumped;
     }
-    const double latest = std::max(starts_[static_cast<std::size_t>(current_)], end - phase.hold);
-    if (time_ < latest) return false;
-    time_ = latest;
-    return true;
+    if (phase.until_contact) {
+      const double latest = std::max(start_of(current_), end - phase.hold);
+      const bool waits = time_ > latest;
+      time_ = std::min(time_, latest);
+      return waits;
+    }
+    if (time_ < end) return false;
   }
-  if (time_ >= end) ++current_;
   return false;
 }
 

@@ -91,13 +91,13 @@ struct TermBuilder {
     } catch (const Error& error) {
       refuse(error.what());
     }
-    if (stage.active[static_cast<std::size_t>(index)] == 0)
-      refuse("contact " + in_quotes(name) + " does not hold in this stage, so it has no force");
     if (stage.impact) refuse("an impact stage has no contact forces, only impulses");
     if (stage.terminal && layout().filtered == 0)
       refuse(
           "the terminal state has no control, so contact forces are unknown there; they are "
           "known with a torque model, which puts the torques into the state");
+    if (stage.active[static_cast<std::size_t>(index)] == 0)
+      refuse("contact " + in_quotes(name) + " does not hold in this stage, so it has no force");
     stage.solves_contacts = true;
     return index;
   }

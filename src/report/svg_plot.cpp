@@ -141,12 +141,12 @@ struct PanelWriter {
 
   void text(double at_x, double at_y, const std::string& words, const char* anchor,
             const char* more = "") const {
-    out += "<text x=\"" + px(at_x) + "\" y=\"" + px(at_y) + "\" text-anchor=\"" + anchor + "\"" +
-           more + ">" + escaped(words) + "</text>\n";
+    out += "<text x='" + px(at_x) + "' y='" + px(at_y) + "' text-anchor='" + anchor + "'" + more +
+           ">" + escaped(words) + "</text>\n";
   }
   void line(double ax, double ay, double bx, double by, const char* kind) const {
-    out += "<line class=\"" + std::string(kind) + "\" x1=\"" + px(ax) + "\" y1=\"" + px(ay) +
-           "\" x2=\"" + px(bx) + "\" y2=\"" + px(by) + "\"/>\n";
+    out += "<line class='" + std::string(kind) + "' x1='" + px(ax) + "' y1='" + px(ay) + "' x2='" +
+           px(bx) + "' y2='" + px(by) + "'/>\n";
   }
 
   void axes() const {
@@ -160,10 +160,10 @@ struct PanelWriter {
     }
     line(x0, y0 + height, x0 + width, y0 + height, "axis");
     line(x0, y0, x0, y0 + height, "axis");
-    text(x0, y0 - 8.0, panel.title, "start", " class=\"title\"");
+    text(x0, y0 - 8.0, panel.title, "start", " class='title'");
     text(x0 + 0.5 * width, y0 + height + 2.0 * font + 8.0, panel.x_label, "middle");
     const double turned_x = x0 - left + font + 2.0, turned_y = y0 + 0.5 * height;
-    const std::string turn = " transform=\"rotate(-90 " + px(turned_x) + " " + px(turned_y) + ")\"";
+    const std::string turn = " transform='rotate(-90 " + px(turned_x) + " " + px(turned_y) + ")'";
     text(turned_x, turned_y, panel.y_label, "middle", turn.c_str());
   }
 
@@ -181,8 +181,8 @@ struct PanelWriter {
       pen_down = true;
     }
     if (path.empty()) return;
-    out += "<path class=\"curve\" stroke=\"" + color + "\"" +
-           (given.dashed ? " stroke-dasharray=\"5 3\"" : "") + " d=\"" + path + "\"/>\n";
+    out += "<path class='curve' stroke='" + color + "'" +
+           (given.dashed ? " stroke-dasharray='5 3'" : "") + " d='" + path + "'/>\n";
   }
 
   void write() const {
@@ -199,10 +199,9 @@ struct PanelWriter {
       drawn.dashed = given.dashed || number >= static_cast<int>(palette.size());
       curve(drawn, color);
       if (given.name.empty()) continue;
-      out += "<line class=\"curve\" stroke=\"" + color + "\"" +
-             (drawn.dashed ? " stroke-dasharray=\"5 3\"" : "") + " x1=\"" + px(legend_x) +
-             "\" y1=\"" + px(legend_y) + "\" x2=\"" + px(legend_x + 20.0) + "\" y2=\"" +
-             px(legend_y) + "\"/>\n";
+      out += "<line class='curve' stroke='" + color + "'" +
+             (drawn.dashed ? " stroke-dasharray='5 3'" : "") + " x1='" + px(legend_x) + "' y1='" +
+             px(legend_y) + "' x2='" + px(legend_x + 20.0) + "' y2='" + px(legend_y) + "'/>\n";
       text(legend_x + 26.0, legend_y + 0.35 * font, given.name, "start");
       legend_y += 1.35 * font;
     }
@@ -237,22 +236,23 @@ std::string svg_plot(const PlotSpec& spec) {
     axes_height = std::max(axes_height, 1.35 * font * legend_size(panel).second);
   const double row = axes_height + top + bottom;
   const double width = spec.panel_width * columns;
-  const double height = head + row * ((count + columns - 1) / columns);
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " +
-                    px(height) + "\" width=\"" + px(width) + "\" height=\"" + px(height) +
-                    "\" font-family=\"sans-serif\" font-size=\"" + px(font) + "\">\n" +
+  const int lines = (count + columns - 1) / columns;
+  const double height = head + row * lines;
+  std::string out = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + px(width) + " " +
+                    px(height) + "' width='" + px(width) + "' height='" + px(height) +
+                    "' font-family='sans-serif' font-size='" + px(font) + "'>\n" +
                     "<style>.grid{stroke:#e4e4e4}.axis{stroke:#444}.curve{fill:none;"
                     "stroke-width:1.6}.title{font-weight:bold}text{fill:#222}</style>\n"
-                    "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+                    "<rect width='100%' height='100%' fill='white'/>\n";
   if (!spec.title.empty())
-    out += "<text x=\"" + px(left) + "\" y=\"20\" font-size=\"15\">" + escaped(spec.title) +
-           "</text>\n";
+    out += "<text x='" + px(left) + "' y='20' font-size='15'>" + escaped(spec.title) + "</text>\n";
   for (int i = 0; i < count; ++i) {
     const Panel& panel = spec.panels[static_cast<std::size_t>(i)];
     const double legend = legend_size(panel).first;
+    const int column = i % columns, line = i / columns;
     PanelWriter writer{panel,
-                       spec.panel_width * (i % columns) + left,
-                       head + row * (i / columns) + top,
+                       spec.panel_width * column + left,
+                       head + row * line + top,
                        std::max(80.0, spec.panel_width - left - gap - legend),
                        axes_height,
                        {},

@@ -53,8 +53,11 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
     case PathKind::Circle:
       positive(spec.radius, "radius");
       positive(spec.start_up, "start_up");
+      if (!std::isfinite(spec.rate))
+        throw Error("path: rate is " + std::to_string(spec.rate) + "; wanted a finite number");
       break;
     case PathKind::Spiral:
+      positive(spec.start_up, "start_up");
       positive(spec.radius, "radius");
       positive(spec.pitch, "pitch");
       positive(spec.rate, "rate");
@@ -101,12 +104,17 @@ PlanarPoint Path::circle(double t) const noexcept {
 }
 
 PlanarPoint Path::spiral(double t) const noexcept {
-  // Out to the radius and back again, by a smooth wave.
+  // Out to the radius and back again, by a wave whose phase starts smoothly.
+  const double T = spec_.start_up;
   const double turns = spec_.radius / spec_.pitch;
   const double w = spec_.rate / (2.0 * turns);
-  const double r = 0.5 * spec_.radius * (1.0 - std::cos(w * t));
-  return polar(r, 0.5 * spec_.radius * w * std::sin(w * t),
-               0.5 * spec_.radius * w * w * std::cos(w * t), spec_.rate * t, spec_.rate, 0.0);
+  const Blend begun = blend(t / T);
+  const double s = std::min(t / T, 1.0);
+  const double lasted = T * s * s * s * s * (2.5 + s * (-3.0 + s)) + std::max(0.0, t - T);
+  const double phase = w * lasted, dphase = w * begun.value, ddphase = w * begun.rate / T;
+  const double half = 0.5 * spec_.radius, c = std::cos(phase), sine = std::sin(phase);
+  return polar(half * (1.0 - c), half * dphase * sine,
+               half * (dphase * dphase * c + ddphase * sine), spec_.rate * t, spec_.rate, 0.0);
 }
 
 PlanarPoint Path::along_points(double t) const noexcept {

@@ -16,15 +16,16 @@ enum class PathKind { Circle, Spiral, ZigZag, Points };
 /// in m, rates in rad/s, speeds in m/s.
 struct PathSpec {
   PathKind kind = PathKind::Circle;
-  double radius = 0.07;   ///< m; Circle, and the largest of a Spiral
-  double rate = 1.0;      ///< rad/s; Circle and Spiral
-  double start_up = 2.0;  ///< s until the full radius is reached; Circle, ZigZag
-  double pitch = 0.01;    ///< m between two turns; Spiral
-  double width = 0.14;    ///< m along u; ZigZag
-  double height = 0.10;   ///< m along w; ZigZag
-  int rows = 6;           ///< lines; ZigZag
-  double speed = 0.07;    ///< m/s along lines; ZigZag and Points
-  /// Points in the surface's tangents, m; followed in a smooth way at `speed`.
+  double radius = 0.07;  ///< m; Circle, and the largest of a Spiral
+  double rate = 1.0;     ///< rad/s; Circle and Spiral
+  /// s until the full radius is reached (Circle), until it grows at its full rate (Spiral)
+  double start_up = 2.0;
+  double pitch = 0.01;   ///< m between two turns, mean over the way out; Spiral
+  double width = 0.14;   ///< m along u; ZigZag
+  double height = 0.10;  ///< m along w; ZigZag
+  int rows = 6;          ///< lines; ZigZag
+  double speed = 0.07;   ///< m/s, the highest along a line; ZigZag and Points
+  /// Points in the surface's tangents, m; followed by lines from the centre, at rest at each.
   std::vector<Eigen::Vector2d> points = {};
 };
 

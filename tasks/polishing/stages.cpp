@@ -175,7 +175,9 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
     result.v_world = -task.approach_speed * n;
   } else if (time < setting.track_end) {
     result = on_surface(time - setting.ramp_end);
-    result.force = task.force * smooth((time - setting.touch) / task.ramp_duration);
+    const double first = std::min(task.touch_force, task.force);
+    result.force =
+        first + (task.force - first) * smooth((time - setting.touch) / task.ramp_duration);
   } else {
     result = on_surface(task.polish_duration);
     result.v_world.setZero();

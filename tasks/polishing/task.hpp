@@ -23,13 +23,13 @@ enum class ForceAxes {
 /// the others force on its term.
 struct Weights {
   double posture = 0.1;       ///< 1/rad^2: keeps the null space near the starting posture
-  double velocity = 0.1;      ///< s^2/rad^2: damps the joints
+  double velocity = 1.0;      ///< s^2/rad^2: damps the joints
   double torque = 1e-4;       ///< 1/Nm^2: of the control, about the torque that holds the posture
   double torque_rate = 1e-3;  ///< 1/Nm^2: of control minus torque, with a torque model
   double position = 1e4;      ///< 1/m^2: of the tool along the surface (all three axes in the air)
   double approach = 1e2;      ///< s^2/m^2: of the tool's speed towards and from the surface
-  double rotation = 10.0;     ///< 1/rad^2: of the tool
-  double force = 1e-2;        ///< 1/N^2
+  double rotation = 1.0;      ///< 1/rad^2: of the tool
+  double force = 0.1;         ///< 1/N^2
   double position_limits = 1e3;  ///< 1/rad^2 beyond a joint's limit minus its margin
   double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
   double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
@@ -50,6 +50,8 @@ struct Task {
   double damping = 500.0;  ///< Ns/m
 
   double force = 30.0;  ///< N
+  /// N, at once where contact is made, so that the tool does not rebound; the ramp starts there.
+  double touch_force = 6.0;
   PathSpec path = {};
   double clearance = 0.02;        ///< m of the tool above the surface where the reach ends
   double reach_duration = 0.5;    ///< s
@@ -58,19 +60,19 @@ struct Task {
   double polish_duration = 12.6;  ///< s on the path
   double retreat_duration = 0.5;  ///< s
 
-  double horizon = 1.0;        ///< s
-  double step = 0.01;          ///< s
-  double update_rate = 100.0;  ///< Hz
-  double tick_rate = 2000.0;   ///< Hz
-  double solver_delay = 0.0;   ///< s
-  int iterations = 1;          ///< per update
+  double horizon = 1.0;         ///< s
+  double step = 0.01;           ///< s
+  double update_rate = 1000.0;  ///< Hz
+  double tick_rate = 2000.0;    ///< Hz
+  double solver_delay = 0.0;    ///< s
+  int iterations = 1;           ///< per update
   StepUpdate solver = StepUpdate::MultipleShooting;
-  double contact_kd = 50.0;  ///< 1/s, Baumgarte
+  double contact_kd = 20.0;  ///< 1/s, Baumgarte
   /// rad/s; 0: torques are the control, no torque state.
   double torque_cutoff = 0.0;
   ForceAxes axes = ForceAxes::Surface;
   bool feedback = true;  ///< Riccati policy between updates
-  ModelErrorOptions model_error = {};
+  ModelErrorOptions model_error = {.bandwidth = 150.0};
   SafetyLimits limits = {};
   Weights weights = {};
 

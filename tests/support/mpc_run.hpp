@@ -2,7 +2,9 @@
 // whose measurements, specification and plant a test may spoil.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -13,6 +15,8 @@
 #include "support/allocation_guard.hpp"
 
 namespace burnish::test {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Ramp from 0.3 s to 0.5 s, then half a turn of a small circle. The horizon is short: 30 knots.
 inline polishing::Task short_task() {
@@ -27,6 +31,21 @@ inline polishing::Task short_task() {
   task.path.start_up = 0.4;
   task.path.rate = 3.0;
   task.horizon = 0.3;
+  // What the tests count on, whatever is the default.
+  task.update_rate = 100.0;
+  task.tick_rate = 2000.0;
+  task.step = 0.01;
+  task.iterations = 1;
+  task.contact_kd = 50.0;
+  task.model_error.bandwidth = 100.0;
+  task.weights.posture = 0.1;
+  task.weights.velocity = 1.0;
+  task.weights.torque = 1e-4;
+  task.weights.position = 1e4;
+  task.weights.approach = 1e2;
+  task.weights.rotation = 1.0;
+  task.weights.force = 0.1;
+  task.weights.terminal = 0.1;
   return task;
 }
 
@@ -99,15 +118,31 @@ class MpcRun {
     if (status_ <= Status::NotConverged) status_ = loop_->run(duration);
     return status_;
   }
-  /// Until the retreat.
-  Status polish() { return run(setting_.track_end); }
-  Status polish_and_retreat() { return run(setting_.track_end + 0.5); }
+  /// Until shortly before the retreat. The schedule's clock decides: it jumps when contact is
+  /// early.
+  Status polish() {
+    while (mpc_->schedule().time() < setting_.track_end - 0.02 &&
+           now() < setting_.track_end + 0.5 && mpc_->fault().kind == FaultKind::None &&
+           run(plant_->dt()) <= Status::NotConverged) {
+    }
+    return status_;
+  }
+  Status polish_and_retreat() {
+    polish();
+    return run(0.5);
+  }
 
-  /// From 0.1 s after the ramp to the end of the path.
+  /// From 0.1 s after the ramp until shortly before the retreat.
   Metrics metrics() const {
+    const Trace::Column phase = loop_->trace().column("phase");
+    const Trace::Column time = loop_->trace().column("time");
     MetricsSpec spec;
-    spec.start = setting_.ramp_end + 0.1;
-    spec.end = setting_.track_end;
+    spec.start = infinity;
+    for (int row = 0; row < loop_->trace().rows(); ++row) {
+      if (phase[row] != static_cast<double>(Phase::Track)) continue;
+      spec.start = std::min(spec.start, time[row] + 0.1);
+      spec.end = time[row] - 0.01;
+    }
     spec.normal_world = setting_.scene.surface.normal;
     return measure(loop_->trace(), setting_.robot.model, spec);
   }

@@ -13,10 +13,10 @@ enum class FaultKind {
   StaleMeasurement,   ///< time does not go on
   BadMeasurement,     ///< NaN, infinite or of the wrong size, for too long
   OutOfRange,         ///< a joint is beyond its position limit
-  SolverFailed,       ///< no usable plan for too many updates
+  SolverFailed,       ///< no usable plan for too many updates in a row, or at the first
   SolverLate,         ///< too many updates in a row took longer than their deadline
   ContactLost,        ///< no force for too long while it is wanted
-  UnexpectedContact,  ///< a force while none is wanted
+  UnexpectedContact,  ///< a force while the tool reaches through free space
   ForceLimit,         ///< the tool is pushed harder than allowed
   SpeedLimit,         ///< a joint or the tool is faster than allowed
 };
@@ -27,14 +27,14 @@ std::string_view name_of(FaultKind kind);
 /// The first fault of a run, and the ticks that led to it.
 struct FaultReport {
   FaultKind kind = FaultKind::None;
-  double time = 0.0;   ///< s, of the measurement
+  double time = 0.0;   ///< s, of the measurement, or when it was due if there was none
   int joint = -1;      ///< entry of v that it is about, or -1
-  double value = 0.0;  ///< what was measured
-  double limit = 0.0;  ///< what was allowed
-  Trace last_second;   ///< oldest row first; empty while there is no fault
+  double value = 0.0;  ///< what was measured: s, updates, N, m/s, or of a joint rad (m) and rad/s
+  double limit = 0.0;  ///< what was allowed, in the same unit
+  Trace last_second;   ///< oldest row first, the fault's tick last; empty while there is no fault
 
-  /// One sentence, such as "contact lost at 3.214 s: 0.1 N for 0.1 s; wanted more than 1 N".
-  /// Allocates.
+  /// One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;
+  /// allowed are 0.15 s". Allocates.
   std::string text() const;
 };
 

@@ -20,22 +20,30 @@ struct LinearFeedback {
   Eigen::VectorXd state;  ///< nx, (q, v) or (q, v, tau)
 };
 
-/// A copy of the first knots of a solution. Allocates when made, never afterwards.
+/// A copy of the first knots of a solution. Allocates when made, never afterwards. Not for several
+/// threads at once, not even its const functions.
 class FeedbackPlan {
  public:
-  /// Room for `knots` knots of the problem's horizon; step: s between them.
+  /// Room for `knots` knots of the problem's horizon, all of them if there are no more; step: s
+  /// between them. The problem must outlive the plan. Throws Error for fewer than one knot and for
+  /// a step that is not positive.
   FeedbackPlan(const ShootingProblem& problem, int knots, double step);
 
-  /// Copies the solver's trajectory and gains, to hold from `time` on.
+  /// Copies the solver's trajectory and gains, to hold from `time` on. The solver must be one of
+  /// the plan's problem. Rows of controls that a knot does not have are zero.
   void load(const DdpSolver& solver, double time) noexcept;
+  void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
+  int knots() const { return knots_; }
   double start() const { return start_; }  ///< s
 
   /// The policy at a time: the controls and gains of the knot that it falls into, about a state
-  /// between that knot's and the next one's. `out` has its sizes from make_feedback().
+  /// between that knot's and the next one's. Before the start it is the policy there; after the
+  /// last knot, the last controls and gains about the last state. `out` has its sizes from
+  /// make_feedback(), and stays as it is while the plan is empty.
   void at(double time, LinearFeedback& out) const noexcept;
   LinearFeedback make_feedback() const;
-  /// feedforward + gain (x (-) state).
+  /// u = feedforward + gain (x (-) state); u: nu, x: nx.
   void control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
                Eigen::VectorXd& u) const noexcept;
 

@@ -14,7 +14,8 @@
 
 namespace burnish {
 
-/// What is estimated.
+/// What is estimated. Both are relative to the torque that was commanded (behind the torque model's
+/// filter, where the problem has one), so that what actuators get wrong is part of them.
 enum class ModelErrorKind {
   None,    ///< nothing: the paper's controller
   Torque,  ///< d in M a + b = tau + J^T f + d, a torque per joint
@@ -23,14 +24,19 @@ enum class ModelErrorKind {
 
 struct ModelErrorOptions {
   ModelErrorKind kind = ModelErrorKind::Torque;
-  double bandwidth = 30.0;  ///< rad/s of the observer; positive
-  double limit = 30.0;      ///< Nm (N): estimates stay within +- this
+  /// rad/s of the observer; positive. Force closes a loop through the controller and is not
+  /// to be faster than its delays bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well,
+  /// 100 rad/s oscillate.
+  double bandwidth = 30.0;
+  double limit = 30.0;  ///< Nm (N): estimates stay within +- this
 };
 
 /// An observer of the joint velocity with the torque error as its disturbance state: with e = v -
 /// v^, critically damped at the bandwidth w,
-///   d(v^)/dt = M^-1 (tau + J_n^T f_n + d - b) + 2 w e,   d(d)/dt = w^2 M e.
-/// Only the normal force f_n is known to it; friction along the surface is thus part of d.
+///   d(v^)/dt = M^-1 (tau + J^T f + d - b) + 2 w e,   d(d)/dt = w^2 M e,
+/// sampled so that both poles are at exp(-w dt) whatever dt is: after 4.8 / w s a constant error is
+/// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
+/// friction along the surface.
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. Throws Error for an unknown frame and options out of
@@ -42,8 +48,11 @@ class TorqueErrorObserver {
   TorqueErrorObserver& operator=(TorqueErrorObserver&&) noexcept;
 
   void reset() noexcept;
-  /// A measurement, dt s after the last one: q (nq), v (nv), joint torques tau (nv), and the force
-  /// on the tool, world axes. A state that cannot be evaluated changes nothing. No allocation.
+  /// A measurement, dt s after the last one: q (nq), v (nv), and what has acted since: joint
+  /// torques tau (nv) and the force on the tool (N, world axes). The first one after reset() only
+  /// sets the velocity. A measurement that cannot be evaluated changes nothing, nor does a dt that
+  /// is not positive after the first: WrongSize, NotFinite, NotNormalized or SingularMass. No
+  /// allocation.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt) noexcept;
   const Eigen::VectorXd& torque_error() const;  ///< d, nv, Nm (N)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@
 
 namespace burnish {
 
-/// What the task asks of the tool at a time of the schedule, for the record and the faults.
+/// What the task asks of the tool at a time of the schedule, for the record. What the controller
+/// aims at is what the costs of the problem say.
 struct TaskTarget {
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
   double force = 0.0;                                 ///< N, along the normal; 0: no contact wanted
@@ -25,22 +27,29 @@ struct TaskTarget {
 
 /// When a run is given up. Infinite: never.
 struct SafetyLimits {
-  double force = 100.0;            ///< N, measured at the tool
+  /// N, measured at the tool, of the mean over `force_window`: how large the force of an impact is
+  /// at a single instant says little, a rigid one's is its impulse over the sampling time.
+  double force = 100.0;
+  double force_window = 5e-3;      ///< s, rounded to ticks, one at least
   double tool_speed = 1.0;         ///< m/s
   double joint_speed_ratio = 1.2;  ///< of the model's velocity limits
   double joint_margin = 0.05;      ///< rad (m) that a joint may be beyond its limit
-  double stale = 0.02;             ///< s without a new measurement
+  double stale = 0.02;             ///< s without a new measurement; longer than a tick
   double bad = 0.01;               ///< s of bad measurements that the last good one bridges
-  double contact_lost = 0.15;      ///< s without force where it is wanted
+  double contact_lost = 0.15;      ///< s without force in Ramp and Track
   double contact_threshold = 2.0;  ///< N of normal force that count as contact
-  double unexpected_force = 15.0;  ///< N while no contact is wanted
-  int failed_solves = 5;           ///< in a row
-  double deadline = std::numeric_limits<double>::infinity();  ///< s of wall clock per update
-  int late_solves = 5;                                        ///< in a row
+  double unexpected_force = 15.0;  ///< N of normal force in Reach, mean over `force_window`
+  int failed_solves = 5;           ///< in a row; the first solve may not fail
+  /// s of wall clock per update; the first one, made at rest, may take longer.
+  double deadline = std::numeric_limits<double>::infinity();
+  int late_solves = 5;  ///< in a row
 };
 
 /// How the robot is brought to rest after a fault: gravity compensation and damping, tau = b(q, 0)
-/// - damping * diag(M) v, within the torque limits. No contact force is asked for.
+/// - damping * diag(M) v on the actuated joints, within the torque limits. No contact force is
+/// asked for, and nothing holds the position: what the model gets wrong lets the robot sink slowly.
+/// Without a measurement v dies away from its last value as the damping would have it: that bears
+/// a gap, but blind for good the robot is not held, and its brakes are to be used.
 struct Fallback {
   double damping = 8.0;  ///< 1/s
 };
@@ -52,29 +61,46 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   std::string tool = "tool";
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of the surface, towards the robot
-  std::function<TaskTarget(double time)> target = {};       ///< by time of the schedule
+  std::function<TaskTarget(double time)> target = {};       ///< by time of the schedule, each tick
   double tick_period = 5e-4;                                ///< s
   double update_period = 0.01;  ///< s between solves, a multiple of the tick
-  double solver_delay = 0.0;    ///< s from a measurement to the use of its plan; predicted over
+  /// s from a measurement to the use of the plan that starts from it, at most the update period.
+  /// The plan is made for the state that the policy in use leads to by then.
+  double solver_delay = 0.0;
   DdpOptions solver = {.update = StepUpdate::MultipleShooting, .max_iterations = 1};
-  int first_iterations = 100;  ///< of the first solve, and
-  int jump_iterations = 3;     ///< of one after the schedule's clock jumped
+  int first_iterations = 100;  ///< of the first solve
+  int jump_iterations = 3;     ///< of one after the schedule's clock jumped or stood still
   ModelErrorOptions model_error = {};
   SafetyLimits limits = {};
   Fallback fallback = {};
   bool feedback = true;  ///< the Riccati policy between solves; without, the planned torque is held
 };
 
-/// The controller of the paper's section IV and more. Ticks allocate nothing and throw nothing; a
-/// run that starts with a state outside what can be solved is a fault like any other.
+/// The controller of the paper's section IV and more.
 ///
-/// Each tick: (1) the measurement is checked; (2) the model error is estimated; (3) the force at
-/// the tool is estimated from torques, positions and velocities by forward dynamics; (4) the
-/// schedule's clock goes on, contact being a measured normal force above the threshold; (5) when an
-/// update is due, the horizon is given its stages and targets and solved from the measured state,
-/// or the one that the policy is predicted to lead to after `solver_delay`; (6) the policy gives
-/// the torque, within the effort limits; (7) limits are checked. The first fault latches the
-/// fallback until reset().
+/// A new controller is ready; reset() makes it so again, and the same measurements then give the
+/// same torques to the last bit. tick() is to be called once per `tick_period` with what was
+/// measured then; the first call solves the problem to its end and may take its time. Times of
+/// measurements may start anywhere: the schedule's clock starts at the first one.
+///
+/// Each tick: (1) the measurement is checked; (2) the model error is estimated, from the torque
+/// commanded at the tick before, and the force at the tool from torques, positions and velocities
+/// by forward dynamics; (3) the schedule's clock goes on, contact being a measured normal force
+/// above the threshold; (4) limits are checked; (5) when an update is due, the horizon is given its
+/// stages and targets, warm-started from the last solution, and solved from the measured state, or
+/// from the one that the policy is predicted to lead to after `solver_delay`; (6) the policy gives
+/// the torque, within the effort limits.
+///
+/// Measurements that are no state (NaN, wrong sizes, time that stands still) are bridged: the
+/// policy goes on from the last good one until the limits' `bad` or `stale` is over. An update that
+/// fails is bridged by the plan before it. The first fault latches the fallback and fault(), with
+/// the last second of ticks, until reset(); before the first good measurement the torque is the
+/// fallback's too. Whatever comes in, the torque is finite.
+///
+/// Ticks allocate nothing and throw nothing, as long as the functions that the specification holds
+/// (targets, residuals, the solver's callback) allocate nothing. What targets throw is caught: the
+/// update then counts as failed. With a torque model in the problem the command is its filter's
+/// input, and the actuators must have that lag.
 class MpcController final : public Controller {
  public:
   /// Throws Error with one sentence for a specification that does not fit together.
@@ -85,14 +111,15 @@ class MpcController final : public Controller {
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 
+  /// Its kind is None until there is one. reset() clears it.
   const FaultReport& fault() const;
-  /// The policy in use: feedforward torque, gains, linearisation state.
+  /// The policy of the last tick: feedforward torque, gains, linearisation state.
   const LinearFeedback& feedback() const;
   const Eigen::VectorXd& torque_error() const;  ///< nv, estimated, Nm (N)
   double force_error() const;                   ///< N, estimated (ModelErrorKind::Force)
   const Schedule& schedule() const;
   const Problem& problem() const;
-  /// States of the plan, (N + 1) x nx, as solved last.
+  /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet.
   MatrixView plan() const;
 
  private:

@@ -16,16 +16,16 @@ struct SchedulePhase {
   double duration = std::numeric_limits<double>::infinity();  ///< s; infinite for the last one only
   /// Ends when contact is made and not before. When it is made early, the clock jumps to the end;
   /// when it is late, the clock stands still `hold` s before it, so that the horizon goes on
-  /// approaching and plans the contact soon.
+  /// approaching and plans the contact soon. Of the last phase it means nothing.
   bool until_contact = false;
-  double hold = 0.05;  ///< s
+  double hold = 0.05;  ///< s; longer than the phase: the clock stands still at its start
 };
 
 /// A clock that runs along the phases. Its time is the time of a task's targets.
 class Schedule {
  public:
-  /// Throws Error for no phases, durations that are not positive, and an infinite one before the
-  /// last.
+  /// Throws Error for no phases, durations that are not positive, an infinite one before the last,
+  /// and a hold that is not a positive time where contact is waited for.
   explicit Schedule(std::vector<SchedulePhase> phases);
 
   const std::vector<SchedulePhase>& phases() const { return phases_; }
@@ -33,8 +33,9 @@ class Schedule {
 
   void reset() noexcept;
   /// Lets dt s pass. True if the clock jumped or stood still: plans made before are then off.
+  /// Contact in phases that do not wait for it means nothing, and that it is lost again neither.
   bool advance(double dt, bool contact) noexcept;
-  /// Goes to the start of a phase, such as the retreat.
+  /// Goes to the start of a phase, such as the retreat; past the last one, to the last one.
   void jump_to(int phase) noexcept;
 
   double time() const { return time_; }  ///< s

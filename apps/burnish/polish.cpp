@@ -1,0 +1,264 @@
+// burnish polish: the polishing task in closed loop, with its score, plots and records.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "command.hpp"
+#include "json_text.hpp"
+#include "polish_files.hpp"
+#include "polishing/task_file.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+using polishing::ControllerKind;
+using polishing::PlantKind;
+using polishing::RunResult;
+
+struct PolishArguments {
+  std::string file, controller = "both", plant, disturbances, out, write_task;
+  std::vector<std::string> surfaces, overrides;
+  std::vector<int> seeds;
+  std::optional<double> duration;
+  int record_every = 10;
+  bool quiet = false, json = false, time = false, unchecked = false;
+
+  bool talks() const { return !quiet && !json; }
+};
+
+volatile std::sig_atomic_t interrupt_wanted = 0;
+
+/// The first Ctrl-C ends the run, the second one the program.
+extern "C" void stop_polishing(int signal) {
+  interrupt_wanted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+polishing::Task make_task(const PolishArguments& arguments, const std::string& surface) {
+  std::vector<std::string> words;
+  if (!surface.empty()) words.push_back("surface=" + surface);
+  if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
+  if (arguments.duration)
+    words.push_back(fmt::format("phases.polish_duration={}", *arguments.duration));
+  words.insert(words.end(), arguments.overrides.begin(), arguments.overrides.end());
+  if (!arguments.file.empty()) return polishing::read_task(arguments.file, words);
+  polishing::Task task;
+  task.disturbances = polishing::disturbance_preset("mismatch");
+  polishing::override_task(task, words);
+  polishing::check_task(task);
+  return task;
+}
+
+std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
+  if (arguments.controller == "mpc") return {ControllerKind::Mpc};
+  if (arguments.controller == "baseline") return {ControllerKind::Baseline};
+  return {ControllerKind::Mpc, ControllerKind::Baseline};
+}
+
+std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
+  std::vector<std::string> surfaces = arguments.surfaces;
+  if (surfaces.empty() && arguments.file.empty()) surfaces = {"table", "board"};
+  if (surfaces.empty()) surfaces = {""};
+  std::vector<PolishJob> jobs;
+  for (const std::string& surface : surfaces) {
+    polishing::Task task = make_task(arguments, surface);
+    std::vector<int> seeds = arguments.seeds;
+    if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
+    for (const int seed : seeds) {
+      task.disturbances.seed = static_cast<std::uint64_t>(seed);
+      for (const ControllerKind controller : controllers_of(arguments)) {
+        PolishJob job;
+        job.place = surface.empty() ? fs::path(arguments.file).stem().string() : surface;
+        job.name = job.place + "_" + name_of(controller);
+        if (seeds.size() > 1) job.name += fmt::format("_seed{}", seed);
+        job.spec.task = task;
+        job.spec.controller = controller;
+        job.spec.check_reach = !arguments.unchecked;
+        if (!arguments.plant.empty())
+          job.spec.plant = arguments.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+        jobs.push_back(std::move(job));
+      }
+    }
+  }
+  return jobs;
+}
+
+/// What the arm can do is known before anything moves.
+void check_reach(const std::vector<PolishJob>& jobs, bool talks) {
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (i > 0 && jobs[i].place == jobs[i - 1].place) continue;  // controllers and seeds differ
+    const polishing::RunSpec& spec = jobs[i].spec;
+    const polishing::ReachReport reach =
+        polishing::check_reach(spec.task, polishing::make_setting(spec.task));
+    if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", jobs[i].place, reach.text));
+    if (talks)
+      fmt::print(
+          "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the "
+          "torque limits ({})\n",
+          jobs[i].name, reach.path_length, reach.joint_margin, reach.tightest_joint,
+          100.0 * reach.torque_share, reach.tightest_torque);
+  }
+}
+
+/// A bar on the terminal; nothing where the output is a file.
+bool show_progress(const std::string& name, double time, double end) {
+  constexpr int width = 30;
+  const double share = std::min(1.0, time / std::max(end, 1e-9));
+  const int done = static_cast<int>(share * width);
+  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s of {:.1f} s", name, "", done,
+             "", width - done, 100.0 * share, time, end);
+  std::fflush(stderr);
+  return interrupt_wanted == 0;
+}
+
+RunResult run_job(PolishJob& job, bool bar) {
+  job.spec.progress = [&job, bar](double time, double end) {
+    return bar ? show_progress(job.name, time, end) : interrupt_wanted == 0;
+  };
+  RunResult result = polishing::run_task(job.spec);
+  if (bar) fmt::print(stderr, "\r\033[K");
+  return result;
+}
+
+void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
+  fmt::print(
+      "\ntime of a tick [ms]       rate [Hz]   ticks  median     p99     max   first   late\n");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const polishing::TickTimes& t = results[i].ticks;
+    fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}  {:6.1f}  {:5d}\n", jobs[i].name,
+               1.0 / t.period, t.ticks, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
+               1e3 * results[i].first_tick, t.late);
+    if (!results[i].metrics || !results[i].metrics->solver) continue;
+    const SolverFigures& s = *results[i].metrics->solver;
+    fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}\n", "  of these, with a plan",
+               jobs[i].spec.task.update_rate, s.ticks, 1e3 * s.median, 1e3 * s.p99,
+               1e3 * s.maximum);
+  }
+}
+
+void print_end(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results,
+               const fs::path& folder, const PolishArguments& arguments) {
+  std::vector<NamedMetrics> rows;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
+  if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
+  if (arguments.time) print_times(jobs, results);
+  if (arguments.talks())
+    fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
+}
+
+int polish(const PolishArguments& arguments) {
+  std::vector<PolishJob> jobs = make_jobs(arguments);
+  if (!arguments.write_task.empty()) {
+    polishing::write_task(jobs.front().spec.task, arguments.write_task);
+    return exit_ok;
+  }
+  if (!arguments.unchecked) check_reach(jobs, arguments.talks());
+  fs::path folder = arguments.out;
+  if (folder.empty())
+    folder =
+        (arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string()) + "_run";
+  make_folder(folder);
+
+  interrupt_wanted = 0;
+  const auto before = std::signal(SIGINT, stop_polishing);
+  std::vector<RunResult> results;
+  auto summary = nlohmann::ordered_json::array();
+  bool polished = true;
+  const bool bar = arguments.talks() && isatty(STDERR_FILENO) != 0;
+  for (PolishJob& job : jobs) {
+    results.push_back(run_job(job, bar));
+    const RunResult& result = results.back();
+    polished = polished && result.polished;
+    const auto names = write_run(job, result, arguments.record_every, folder / job.name);
+    summary.push_back(run_json(job, result));
+    write_text(folder / "summary.json", json_text(summary));
+    if (arguments.talks())
+      fmt::print("{}: {}\n  {}: {}\n", job.name, result.outcome, (folder / job.name).string(),
+                 fmt::join(names, ", "));
+    else if (!arguments.json && !result.polished)
+      fmt::print("{}: {}\n", job.name, result.outcome);
+    std::fflush(stdout);
+    results.back().trace = {};
+    if (interrupt_wanted != 0) break;
+  }
+  std::signal(SIGINT, before);
+  if (arguments.json)
+    fmt::print("{}\n", json_text(summary));
+  else
+    print_end(jobs, results, folder, arguments);
+  return polished && interrupt_wanted == 0 ? exit_ok : exit_failed;
+}
+
+void add_options(CLI::App& command, PolishArguments& a) {
+  command.add_option("TASK", a.file, "Task file [the default task, on table and board]")
+      ->type_name("");
+  command
+      .add_option(
+          "--surface", a.surfaces,
+          "table, board (in front), board_x, board_y, board_minus_y, tilt_45; again for more")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command.add_option("--controller", a.controller, "mpc, baseline or both [both]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"mpc", "baseline", "both"}));
+  command
+      .add_option("--plant", a.plant,
+                  polishing::has_mujoco() ? "mujoco or ideal [mujoco]"
+                                          : "ideal; this build has no MuJoCo [ideal]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"mujoco", "ideal"}));
+  command
+      .add_option("--disturbances", a.disturbances,
+                  "none, sensors, mismatch, joint_friction [the file's, or mismatch]")
+      ->type_name("NAME");
+  command.add_option("--set", a.overrides, "Any key of a task file, such as force=20; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", a.seeds, "Of what is drawn at random; again for more runs")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->allow_extra_args(false);
+  command.add_option("--duration", a.duration, "s on the path [the file's, or the default's]")
+      ->type_name("S");
+  command.add_option("--out", a.out, "Folder for what is written [TASK_run or polishing_run]")
+      ->type_name("DIR");
+  command
+      .add_option("--record-every", a.record_every,
+                  "Rows of trace.csv are so many plant steps apart [10]")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--time", a.time, "Print how long the controller's ticks took");
+  command.add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
+  command
+      .add_option("--write-task", a.write_task,
+                  "Write the task with every key explained to a file, and do nothing else")
+      ->type_name("FILE");
+  command.add_flag("--quiet", a.quiet, "Print nothing but the table of results");
+  command.add_flag("--json", a.json, "Print summary.json and nothing else");
+}
+
+}  // namespace
+
+void add_polish(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("polish", "A robot polishes a surface: control, simulation, score");
+  const auto arguments = std::make_shared<PolishArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  burnish polish                                    table and board, MPC and baseline\n"
+      "  burnish polish --surface board --controller mpc --set force=20 --set path.kind=zigzag\n"
+      "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
+      "  burnish polish --surface table --write-task my_task.yaml\n"
+      "\n"
+      "Each run leaves a folder: trace.csv, metrics.json, task.yaml, force.svg, path.svg,\n"
+      "torques.svg, solver.svg, and after a fault fault.txt and last_second.csv. Ctrl-C ends the\n"
+      "run and writes what there is. docs/polishing.md explains all of it.\n"
+      "Exit codes: 0 polished; 1 a fault, no contact, or a plant that failed; 2 bad input.");
+  command->callback([arguments, &exit_code] { exit_code = polish(*arguments); });
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,220 @@
+// Plots of a polishing run: force over time, path in the plane, torques, solver.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/report/svg_plot.hpp"
+#include "polish_files.hpp"
+
+namespace burnish::app {
+namespace {
+
+using polishing::RunResult;
+using polishing::Setting;
+
+constexpr const char* time_axis = "time [s]";
+constexpr int black = 6;
+
+/// Every n points become their lowest and their highest, in the order in which they come, so that
+/// no peak is lost.
+Curve thinned(Curve curve) {
+  constexpr Eigen::Index most = 3000;
+  const Eigen::Index size = curve.x.size();
+  if (size <= most) return curve;
+  const Eigen::Index group = 2 * size / most + 1;
+  Eigen::VectorXd x(most + 2), y(most + 2);
+  Eigen::Index count = 0;
+  for (Eigen::Index begin = 0; begin < size; begin += group) {
+    const auto part = curve.y.segment(begin, std::min(group, size - begin));
+    Eigen::Index low = 0, high = 0;
+    part.minCoeff(&low);
+    part.maxCoeff(&high);
+    for (const Eigen::Index at : {std::min(low, high), std::max(low, high)}) {
+      x[count] = curve.x[begin + at];
+      y[count++] = curve.y[begin + at];
+    }
+  }
+  curve.x = x.head(count);
+  curve.y = y.head(count);
+  return curve;
+}
+
+/// Along the surface's normal.
+Eigen::VectorXd normal_part(const Trace& trace, const std::string& what,
+                            const Eigen::Vector3d& normal) {
+  return trace.column(what + "_x_world") * normal.x() +
+         trace.column(what + "_y_world") * normal.y() +
+         trace.column(what + "_z_world") * normal.z();
+}
+
+/// Mean over 10 ms about every row.
+Eigen::VectorXd averaged(const Eigen::VectorXd& x, double dt) {
+  const Eigen::Index half = std::max<Eigen::Index>(1, std::lround(0.005 / dt)), n = x.size();
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1), result(n);
+  for (Eigen::Index i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - half), to = std::min(n, i + half);
+    result[i] = (sums[to] - sums[from]) / static_cast<double>(std::max<Eigen::Index>(1, to - from));
+  }
+  return result;
+}
+
+/// First row of a phase and the one behind its last; equal if there is none.
+std::pair<Eigen::Index, Eigen::Index> rows_of(const Trace& trace, Phase phase) {
+  const Eigen::VectorXd phases = trace.column("phase");
+  Eigen::Index first = 0, last = phases.size();
+  while (first < last && phases[first] != static_cast<double>(phase)) ++first;
+  while (last > first && phases[last - 1] != static_cast<double>(phase)) --last;
+  return {first, last};
+}
+
+PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
+  const Trace& trace = result.trace;
+  const Eigen::Vector3d n = result.setting.surface_axes.col(2);
+  const Eigen::VectorXd time = trace.column("time"), force = normal_part(trace, "tool_force", n);
+  const Eigen::VectorXd target = trace.column("target_force");
+  const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
+  const Eigen::VectorXd smooth = averaged(force, dt);
+  const Eigen::VectorXd estimated = normal_part(trace, "estimated_force", n);
+  PlotSpec plot{.title = "Normal force, " + job.name};
+  plot.panel_width = 900;
+  const auto panel = [&](const std::string& title, Eigen::Index first, Eigen::Index last,
+                         bool with_raw) {
+    Panel result_panel{.title = title, .x_label = time_axis, .y_label = "force [N]"};
+    const auto add = [&](const char* name, const Eigen::VectorXd& y, int color, bool dashed) {
+      const Eigen::Index size = last - first;
+      result_panel.curves.push_back(thinned({.name = name,
+                                             .x = time.segment(first, size),
+                                             .y = y.segment(first, size),
+                                             .color = color,
+                                             .dashed = dashed}));
+    };
+    if (with_raw) add("true", force, 5, false);
+    if (job.spec.controller == polishing::ControllerKind::Mpc)
+      add("estimated", estimated, 4, false);
+    add("mean over 10 ms", smooth, 0, false);
+    add("target", target, black, true);
+    plot.panels.push_back(std::move(result_panel));
+  };
+  panel("the whole run", 0, time.size(), true);
+  const auto [first, last] = rows_of(trace, Phase::Track);
+  // The mean of the last rows reaches into the retreat.
+  const Eigen::Index inside = last - std::lround(0.01 / dt);
+  if (inside - first > 1) panel("on the path", first, inside, false);
+  return plot;
+}
+
+PlotSpec path_plot(const PolishJob& job, const RunResult& result) {
+  const Trace& trace = result.trace;
+  const Setting& setting = result.setting;
+  const auto [first, last] = rows_of(trace, Phase::Track);
+  PlotSpec plot{.title = "Path of the tool in the surface, " + job.name, .columns = 2};
+  plot.panel_width = 560;
+  plot.panel_height = 480;
+  if (last - first < 2) return plot;
+  const Eigen::Index from = first, size = last - first;
+  const auto coordinate = [&](const std::string& what, int tangent) {
+    const Eigen::Vector3d t = setting.surface_axes.col(tangent);
+    const Eigen::VectorXd all = normal_part(trace, what, t);
+    return Eigen::VectorXd((all.segment(from, size).array() - t.dot(setting.p_center)) * 1e3);
+  };
+  const auto axis = [&](int tangent) {
+    const Eigen::Vector3d t = setting.surface_axes.col(tangent);
+    return fmt::format("along ({:.2g}, {:.2g}, {:.2g}) [mm]", t.x(), t.y(), t.z());
+  };
+  Panel panel{.x_label = axis(0), .y_label = axis(1), .equal_aspect = true};
+  const Eigen::Index every = std::max<Eigen::Index>(1, size / 4000);
+  const auto some = [&](const Eigen::VectorXd& all) {
+    return Eigen::VectorXd(all(Eigen::seq(0, Eigen::last, every)));
+  };
+  const Eigen::VectorXd u = coordinate("tool", 0), w = coordinate("tool", 1);
+  const Eigen::VectorXd u_target = coordinate("target", 0), w_target = coordinate("target", 1);
+  panel.curves.push_back({.name = "tool", .x = some(u), .y = some(w)});
+  panel.curves.push_back(
+      {.name = "target", .x = some(u_target), .y = some(w_target), .color = black, .dashed = true});
+  plot.panels.push_back(std::move(panel));
+  Panel off{.title = "distance from the target", .x_label = time_axis, .y_label = "[mm]"};
+  off.curves.push_back(
+      thinned({.x = trace.column("time").segment(from, size),
+               .y = ((u - u_target).cwiseAbs2() + (w - w_target).cwiseAbs2()).cwiseSqrt()}));
+  plot.panels.push_back(std::move(off));
+  return plot;
+}
+
+PlotSpec torque_plot(const PolishJob& job, const RunResult& result) {
+  const Trace& trace = result.trace;
+  const Model& model = result.setting.robot.model;
+  PlotSpec plot{.title = "Joint torques and their limits, " + job.name, .columns = 2};
+  plot.panel_width = 460;
+  plot.panel_height = 190;
+  const Eigen::VectorXd time = trace.column("time");
+  for (int k = 0; k < model.nv; ++k) {
+    const std::string name = model.v_name(k);
+    const Eigen::VectorXd tau = trace.column("tau_applied_" + name);
+    const double limit = model.effort_limit[k], largest = tau.cwiseAbs().maxCoeff();
+    Panel panel{.title = name, .x_label = time_axis, .y_label = "torque [Nm]"};
+    panel.curves.push_back(thinned({.x = time, .y = tau}));
+    if (std::isfinite(limit) && limit > 0.0) {
+      panel.title += fmt::format(": at most {:.0f} % of {:g} Nm", 100.0 * largest / limit, limit);
+      for (const double side : {-limit, limit})
+        panel.curves.push_back({.x = Eigen::Vector2d(time[0], time[time.size() - 1]),
+                                .y = Eigen::Vector2d(side, side),
+                                .color = black,
+                                .dashed = true});
+    }
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
+PlotSpec solver_plot(const PolishJob& job, const RunResult& result) {
+  const Trace& trace = result.trace;
+  PlotSpec plot{.title = "Computing time per plan, " + job.name};
+  plot.panel_width = 900;
+  std::vector<double> x, y;
+  const auto time = trace.column("time"), tick = trace.column("tick");
+  const auto solve_time = trace.column("solve_time");
+  for (Eigen::Index row = 0; row < time.size(); ++row) {
+    if (tick[row] == 0.0 || solve_time[row] <= 0.0) continue;
+    x.push_back(time[row]);
+    y.push_back(1e3 * solve_time[row]);
+  }
+  if (x.empty()) return plot;
+  const auto size = static_cast<Eigen::Index>(x.size());
+  Panel panel{.title = "the first plan, at rest, is solved to its end",
+              .x_label = time_axis,
+              .y_label = "time [ms]",
+              .log_y = true};
+  panel.curves.push_back(thinned({.name = "plan",
+                                  .x = Eigen::Map<Eigen::VectorXd>(x.data(), size),
+                                  .y = Eigen::Map<Eigen::VectorXd>(y.data(), size)}));
+  const double period = 1e3 / job.spec.task.update_rate;
+  panel.curves.push_back({.name = "between two plans",
+                          .x = Eigen::Vector2d(x.front(), x.back()),
+                          .y = Eigen::Vector2d(period, period),
+                          .color = black,
+                          .dashed = true});
+  plot.panels.push_back(std::move(panel));
+  return plot;
+}
+
+}  // namespace
+
+std::vector<std::string> write_polish_plots(const PolishJob& job, const RunResult& result,
+                                            const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  if (result.trace.rows() == 0) return names;
+  const auto write = [&](const char* name, const PlotSpec& plot) {
+    if (plot.panels.empty()) return;
+    write_svg_plot(plot, folder / name);
+    names.emplace_back(name);
+  };
+  write("force.svg", force_plot(job, result));
+  write("path.svg", path_plot(job, result));
+  write("torques.svg", torque_plot(job, result));
+  write("solver.svg", solver_plot(job, result));
+  return names;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,247 @@
+#include "polishing/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "model/sentence.hpp"
+#include "polishing/task_file.hpp"
+#ifdef BURNISH_HAS_MUJOCO
+#include "burnish/sim/mujoco_plant.hpp"
+#endif
+
+namespace burnish::polishing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Passes ticks through and notes how long they took.
+class Stopwatch final : public Controller {
+ public:
+  Stopwatch(Controller& timed, std::size_t ticks) : timed_(&timed) { times_.reserve(ticks); }
+  int nv() const override { return timed_->nv(); }
+  void reset() noexcept override {
+    timed_->reset();
+    times_.clear();
+  }
+  const Command& tick(const Measurement& measurement) noexcept override {
+    const Clock::time_point begin = Clock::now();
+    const Command& command = timed_->tick(measurement);
+    if (times_.size() < times_.capacity()) times_.push_back(seconds_since(begin));
+    return command;
+  }
+  const std::vector<double>& times() const { return times_; }
+
+ private:
+  Controller* timed_;
+  std::vector<double> times_;
+};
+
+TickTimes summarise(std::vector<double> times, double period) {
+  TickTimes result{.period = period};
+  if (times.size() < 2) return result;
+  times.erase(times.begin());
+  std::sort(times.begin(), times.end());
+  const auto rank = [&](double share) {
+    const auto n = static_cast<double>(times.size());
+    return times[static_cast<std::size_t>(std::max(1.0, std::ceil(share * n))) - 1];
+  };
+  result.ticks = static_cast<int>(times.size());
+  result.median = rank(0.5);
+  result.p99 = rank(0.99);
+  result.maximum = times.back();
+  for (const double time : times) {
+    result.mean += time / result.ticks;
+    result.late += time > period ? 1 : 0;
+  }
+  return result;
+}
+
+/// Largest step up to the plants' usual one that control periods are a multiple of.
+double plant_step(double control_period) {
+  constexpr double usual = 5e-4;  // s
+  return control_period / std::max(1.0, std::ceil(control_period / usual - 1e-9));
+}
+
+std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const SceneSpec& scene,
+                                  double dt) {
+  if (kind == PlantKind::Ideal) return make_ideal_plant(model, scene, {.dt = dt});
+#ifdef BURNISH_HAS_MUJOCO
+  return make_mujoco_plant(model, scene, {.dt = dt});
+#else
+  throw Error("this build has no MuJoCo; wanted the plant 'ideal', or a build with MuJoCo");
+#endif
+}
+
+/// The pieces of a run that live as long as it does.
+struct Pieces {
+  std::unique_ptr<Controller> controller;
+  MpcController* mpc = nullptr;  ///< the same, where it is one
+  double period = 0.0;           ///< s between its ticks
+  double planned_end = 0.0;      ///< s, of the run
+};
+
+/// s that contact may come later than planned.
+constexpr double patience = 3.0;
+
+Pieces make_controller(const RunSpec& spec, const Setting& setting) {
+  Pieces pieces;
+  const Task& task = spec.task;
+  if (spec.controller == ControllerKind::Mpc) {
+    auto mpc = std::make_unique<MpcController>(make_mpc(task, setting));
+    pieces.mpc = mpc.get();
+    pieces.controller = std::move(mpc);
+    pieces.period = 1.0 / task.tick_rate;
+    pieces.planned_end = setting.track_end + task.retreat_duration;
+  } else {
+    const ImpedanceSpec baseline = make_baseline(task, setting);
+    pieces.controller = make_impedance_controller(setting.robot.model, baseline);
+    pieces.period = baseline.period;
+    const double above = gap(setting.scene, setting.p_start);
+    pieces.planned_end = above / baseline.approach_speed + baseline.ramp + task.polish_duration;
+  }
+  return pieces;
+}
+
+/// Follows a run: when its path began and whether it is over.
+class Watch {
+ public:
+  Watch(const RunSpec& spec, const Setting& setting, const Pieces& pieces)
+      : spec_(spec), setting_(setting), pieces_(pieces) {}
+
+  /// About when the run will be over, s.
+  double end() const {
+    return track_begin_ < 0.0 ? pieces_.planned_end
+                              : track_begin_ + spec_.task.polish_duration + after_path();
+  }
+  /// Whether it goes on after `now`.
+  bool goes_on(double now, const Command& command) {
+    if (track_begin_ < 0.0 && command.phase == Phase::Track) track_begin_ = now;
+    if (track_begin_ < 0.0) return now < pieces_.planned_end + patience;
+    return now < end() - 1e-9;
+  }
+  bool tracked(double now) const {
+    return track_begin_ >= 0.0 && now >= track_begin_ + spec_.task.polish_duration - 2e-3;
+  }
+  double track_begin() const { return track_begin_; }
+
+ private:
+  double after_path() const { return pieces_.mpc != nullptr ? spec_.task.retreat_duration : 0.0; }
+
+  const RunSpec& spec_;
+  const Setting& setting_;
+  const Pieces& pieces_;
+  double track_begin_ = -1.0;  ///< s; negative: not yet
+};
+
+/// Steps until the run is over.
+void advance(const RunSpec& spec, const Pieces& pieces, ClosedLoop& loop, const Plant& plant,
+             Watch& watch, RunResult& result) {
+  constexpr int between = 100;  // plant steps from one call of the progress function to the next
+  for (long step = 0; watch.goes_on(plant.time(), loop.command()); ++step) {
+    result.plant_status = worst(result.plant_status, loop.step());
+    if (result.plant_status > Status::NotConverged) return;
+    if (pieces.mpc != nullptr && pieces.mpc->fault().kind != FaultKind::None) return;
+    if (step % between != 0 || !spec.progress) continue;
+    result.interrupted = !spec.progress(plant.time(), watch.end());
+    if (result.interrupted) return;
+  }
+}
+
+/// From where the start of the path is over to a little before its end.
+void measure_path(const RunSpec& spec, const Plant& plant, const Watch& watch, RunResult& result) {
+  if (watch.track_begin() < 0.0) return;
+  const PathSpec& path = spec.task.path;
+  const bool grows = path.kind == PathKind::Circle || path.kind == PathKind::Spiral;
+  const double path_end = watch.track_begin() + spec.task.polish_duration;
+  MetricsSpec metrics;
+  metrics.normal_world = plant.scene().surface.normal;
+  metrics.start = watch.track_begin() + (grows ? path.start_up : 0.0) + 0.2;
+  metrics.end = std::min(plant.time(), path_end) - (watch.tracked(plant.time()) ? 0.2 : 0.01);
+  // A run that is too short for all of this is measured from the start of its path.
+  if (metrics.end - metrics.start < 0.5) {
+    metrics.start = watch.track_begin();
+    metrics.end = std::min(plant.time(), path_end) - 1e-3;
+  }
+  if (metrics.end <= metrics.start) return;
+  result.metrics = measure(result.trace, result.setting.robot.model, metrics);
+}
+
+std::string phase_name(Phase phase) {
+  constexpr const char* names[] = {"reach", "approach", "ramp", "track", "retreat"};
+  return names[static_cast<int>(phase)];
+}
+
+std::string outcome_of(const RunResult& result, const Watch& watch, double now, Phase phase) {
+  const std::string when = " at " + number(now) + " s";
+  if (result.plant_status > Status::NotConverged)
+    return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
+  if (result.fault.kind != FaultKind::None) return result.fault.text();
+  if (result.interrupted) return "interrupted" + when + ", in phase " + phase_name(phase);
+  if (watch.track_begin() < 0.0)
+    return "no contact was made: the run was given up" + when + ", in phase " + phase_name(phase);
+  char text[80];
+  std::snprintf(text, sizeof text, "polished: %.1f s, simulated in %.1f s", now, result.wall_time);
+  return text;
+}
+
+}  // namespace
+
+std::string name_of(ControllerKind kind) {
+  return kind == ControllerKind::Mpc ? "mpc" : "baseline";
+}
+std::string name_of(PlantKind kind) { return kind == PlantKind::Mujoco ? "mujoco" : "ideal"; }
+
+bool has_mujoco() {
+#ifdef BURNISH_HAS_MUJOCO
+  return true;
+#else
+  return false;
+#endif
+}
+
+RunResult run_task(const RunSpec& spec) {
+  check_task(spec.task);
+  RunResult result;
+  result.setting = make_setting(spec.task);
+  const Setting& setting = result.setting;
+  if (spec.check_reach) {
+    result.reach = check_reach(spec.task, setting, spec.reach);
+    if (!result.reach.ok()) throw Error("the task is out of reach: " + result.reach.text);
+  }
+  const Disturbances& disturbances = spec.task.disturbances;
+  const Pieces pieces = make_controller(spec, setting);
+  const double dt = plant_step(pieces.period);
+  const auto plant = make_plant(spec.plant, plant_model(setting.robot.model, disturbances),
+                                plant_scene(setting.scene, disturbances), dt);
+  ClosedLoopOptions options;
+  options.control_period = pieces.period;
+  options.max_duration = pieces.planned_end + patience + 1.0;
+  Stopwatch stopwatch(*pieces.controller,
+                      static_cast<std::size_t>(options.max_duration / pieces.period) + 2);
+  ClosedLoop loop(*plant, stopwatch, disturbances, options);
+  Watch watch(spec, setting, pieces);
+  const Clock::time_point begin = Clock::now();
+  result.plant_status = loop.reset(setting.q_start, Eigen::VectorXd::Zero(setting.robot.model.nv));
+  if (result.plant_status <= Status::NotConverged)
+    advance(spec, pieces, loop, *plant, watch, result);
+  result.wall_time = seconds_since(begin);
+  if (pieces.mpc != nullptr) result.fault = pieces.mpc->fault();
+  result.trace = loop.trace();
+  if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
+  result.ticks = summarise(stopwatch.times(), pieces.period);
+  result.outcome = outcome_of(result, watch, plant->time(), loop.command().phase);
+  result.polished = result.plant_status <= Status::NotConverged &&
+                    result.fault.kind == FaultKind::None && !result.interrupted &&
+                    watch.tracked(plant->time());
+  measure_path(spec, *plant, watch, result);
+  return result;
+}
+
+}  // namespace burnish::polishing

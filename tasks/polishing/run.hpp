@@ -1,0 +1,71 @@
+// A polishing task run from start to end: controller, plant, what stands between, and the score.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/mpc/fault.hpp"
+#include "burnish/report/metrics.hpp"
+#include "polishing/reach.hpp"
+
+namespace burnish::polishing {
+
+enum class ControllerKind {
+  Mpc,       ///< model predictive control (MpcController)
+  Baseline,  ///< impedance with force feedback, no optimisation (make_impedance_controller())
+};
+enum class PlantKind {
+  Mujoco,  ///< an engine that shares no code with this library
+  Ideal,   ///< the library's own contact dynamics, a rigid surface
+};
+std::string name_of(ControllerKind kind);  ///< "mpc" or "baseline"
+std::string name_of(PlantKind kind);       ///< "mujoco" or "ideal"
+/// Whether PlantKind::Mujoco is there in this build.
+bool has_mujoco();
+
+struct RunSpec {
+  Task task;
+  ControllerKind controller = ControllerKind::Mpc;
+  PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
+  bool check_reach = true;  ///< before anything moves; a problem is then an Error
+  ReachOptions reach = {};
+  /// Called now and then with the simulated time and about when it will be over, s. Returning false
+  /// stops the run.
+  std::function<bool(double time, double end)> progress = nullptr;
+};
+
+/// Wall clock of the controller's ticks, s.
+struct TickTimes {
+  int ticks = 0;
+  double median = 0.0, p99 = 0.0, maximum = 0.0;
+  double mean = 0.0;
+  int late = 0;         ///< ticks that took longer than the period
+  double period = 0.0;  ///< s between ticks: what they must stay below
+};
+
+struct RunResult {
+  Setting setting;
+  ReachReport reach;  ///< empty unless it was checked
+  Trace trace;        ///< of every plant step, see ClosedLoop
+  Status plant_status = Status::Ok;
+  FaultReport fault;               ///< of the MPC; FaultKind::None without
+  bool interrupted = false;        ///< by the progress function
+  bool polished = false;           ///< the whole path was followed without fault
+  std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
+  TickTimes ticks;                 ///< after the first, which solves to its end
+  double first_tick = 0.0;         ///< s of wall clock
+  double wall_time = 0.0;          ///< s, of the simulation
+  /// One sentence: that it polished, or what came in between.
+  std::string outcome;
+};
+
+/// Runs the task to the end of its retreat (the baseline's: of the path) in simulated time. What
+/// goes wrong on the way is in the result, with all that was recorded until then. Throws Error for
+/// a task that does not fit together, one that the arm cannot reach, and a plant that is not there.
+RunResult run_task(const RunSpec& spec);
+
+}  // namespace burnish::polishing

@@ -1,0 +1,174 @@
+#include "polishing/task_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "model/sentence.hpp"
+#include "polishing/task_keys.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+namespace fs = std::filesystem;
+using files::YamlReader;
+
+/// A file with nothing but one override, gone at the end: the reader reads files.
+class OverrideFile {
+ public:
+  explicit OverrideFile(const std::string& text) {
+    std::string name = (fs::temp_directory_path() / "burnish_set_XXXXXX").string();
+    const int opened = mkstemp(name.data());
+    if (opened < 0)
+      throw Error("cannot write a temporary file in '" + fs::temp_directory_path().string() + "'");
+    std::fclose(fdopen(opened, "w"));
+    file_ = name;
+    std::ofstream(file_) << text << '\n';
+  }
+  ~OverrideFile() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  OverrideFile(const OverrideFile&) = delete;
+  OverrideFile& operator=(const OverrideFile&) = delete;
+  const fs::path& file() const { return file_; }
+
+ private:
+  fs::path file_;
+};
+
+/// "a.b=value" as "{a: {b: value}}".
+std::string as_document(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
+    throw Error(in_quotes(word) + " is no override; wanted key.path=value");
+  std::string keys = word.substr(0, equals), value = word.substr(equals + 1), text, end;
+  // Files that a command line names lie where it runs.
+  if (keys == "path.points" && value.front() != '[') value = fs::absolute(value).string();
+  for (std::size_t begin = 0; begin <= keys.size();) {
+    const std::size_t dot = std::min(keys.find('.', begin), keys.size());
+    text += "{" + keys.substr(begin, dot - begin) + ": ";
+    end += "}";
+    begin = dot + 1;
+  }
+  return text + value + end;
+}
+
+void apply_override(Task& task, const std::string& word) {
+  const OverrideFile document(as_document(word));
+  try {
+    read_sections(task, YamlReader::load(document.file()));
+  } catch (const Error& error) {
+    std::string sentence = error.what();
+    const std::string place = document.file().string() + ": ", line = "line 1: ";
+    if (sentence.rfind(place, 0) == 0) sentence.erase(0, place.size());
+    if (sentence.rfind(line, 0) == 0) sentence.erase(0, line.size());
+    throw Error("override " + in_quotes(word) + ": " + sentence);
+  }
+}
+
+[[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }
+
+bool is_multiple(double large, double small) {
+  const double ratio = large / small;
+  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) < 1e-6 * ratio;
+}
+
+}  // namespace
+
+const std::vector<NamedSurface>& named_surfaces() {
+  static const std::vector<NamedSurface> surfaces{
+      {"table", "table", {0.0, 0.0, 1.0}},
+      {"board", "board_x", {-1.0, 0.0, 0.0}},
+      {"board_x", "board_x", {-1.0, 0.0, 0.0}},
+      {"board_y", "board_y", {0.0, 1.0, 0.0}},
+      {"board_minus_y", "board_minus_y", {0.0, -1.0, 0.0}},
+      {"tilt_45", "tilt_45", Eigen::Vector3d(-1.0, 0.0, 1.0).normalized()}};
+  return surfaces;
+}
+
+void put_on(Task& task, const std::string& surface) {
+  std::vector<std::string> names;
+  for (const NamedSurface& known : named_surfaces()) {
+    names.push_back(known.name);
+    if (known.name != surface) continue;
+    task.posture = known.posture;
+    task.normal_world = known.normal_world;
+    task.point_world.reset();
+    return;
+  }
+  throw Error("surface " + in_quotes(surface) + " is not known; wanted " + files::either(names) +
+              did_you_mean(surface, names));
+}
+
+const std::vector<std::string>& disturbance_presets() {
+  static const std::vector<std::string> names{"none", "sensors", "mismatch", "joint_friction"};
+  return names;
+}
+
+Disturbances disturbance_preset(const std::string& name) {
+  const std::vector<std::string>& names = disturbance_presets();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Error("disturbances " + in_quotes(name) + " are not known; wanted " +
+                files::either(names) + did_you_mean(name, names));
+  Disturbances result;
+  if (name == "none") return result;
+  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
+  result.command_delay = 1e-3;
+  result.torque_noise = 0.05;
+  result.encoder_bits = 17;
+  result.finite_difference_velocity = true;
+  result.velocity_cutoff = cutoff;
+  result.force_noise = 0.3;
+  result.force_cutoff = cutoff;
+  if (name == "sensors") return result;
+  result.mass_scale = 1.05;
+  result.surface_friction = 0.3;
+  if (name == "mismatch") return result;
+  result.joint_coulomb = 1.0;
+  result.joint_viscous = 1.0;
+  return result;
+}
+
+Task read_task(const fs::path& file, const std::vector<std::string>& overrides) {
+  Task task;
+  read_sections(task, YamlReader::load(file));
+  override_task(task, overrides);
+  try {
+    check_task(task);
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
+  }
+  return task;
+}
+
+void override_task(Task& task, const std::vector<std::string>& overrides) {
+  for (const std::string& word : overrides) apply_override(task, word);
+}
+
+void check_task(const Task& task) {
+  if (!is_multiple(task.horizon, task.step))
+    refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
+                    number(task.step) + " s; wanted a whole number of steps");
+  if (!is_multiple(task.tick_rate, task.update_rate))
+    refuse_together("update_rate is " + number(task.update_rate) + " Hz and tick_rate " +
+                    number(task.tick_rate) + " Hz; wanted a whole number of ticks per update");
+  if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
+    refuse_together("solver_delay is " + number(task.solver_delay) + " s; wanted at most the " +
+                    number(1.0 / task.update_rate) + " s between two updates");
+  if (task.limits.force <= task.force)
+    refuse_together("the force of " + number(task.force) + " N reaches limits.force of " +
+                    number(task.limits.force) + " N; wanted less");
+  const Path path(task.path);
+}
+
+void write_task(const Task& task, const fs::path& file) {
+  std::ofstream stream(file);
+  stream << task_text(task);
+  stream.close();
+  if (!stream) throw Error("cannot write " + in_quotes(file.string()));
+}
+
+}  // namespace burnish::polishing

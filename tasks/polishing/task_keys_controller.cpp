@@ -1,0 +1,117 @@
+// Keys of a task file: the controller.
+#include "polishing/task_keys.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+TaskSection horizon_section() {
+  constexpr auto positive = Range::Positive;
+  return {"controller",
+          "The optimal control problem that is solved again and again, and the loop around it.",
+          {number_key("horizon", "s that are planned ahead", positive, at(&Task::horizon)),
+           number_key("step", "s between two knots of the plan", positive, at(&Task::step)),
+           number_key("update_rate", "Hz, of new plans; divides the tick rate", positive,
+                      at(&Task::update_rate)),
+           number_key("tick_rate", "Hz, of torque commands", positive, at(&Task::tick_rate)),
+           number_key("solver_delay", "s from a measurement to the use of the plan made from it",
+                      Range::NotNegative, at(&Task::solver_delay)),
+           count_key("iterations", "of the solver, per plan", 1, at(&Task::iterations)),
+           word_key("solver", "multiple_shooting or rollout", {"rollout", "multiple_shooting"},
+                    at(&Task::solver)),
+           flag_key("feedback", "between plans follow their Riccati gains, not just their torques",
+                    at(&Task::feedback)),
+           number_key("contact_kd", "1/s, damping of the contact constraint (Baumgarte)",
+                      Range::NotNegative, at(&Task::contact_kd)),
+           number_key("torque_cutoff",
+                      "rad/s, first-order lag of the joint torques that the plan knows "
+                      "of; 0: none",
+                      Range::NotNegative, at(&Task::torque_cutoff)),
+           word_key("axes", "of contact and force: surface, or local (the tool's)",
+                    {"surface", "local"}, at(&Task::axes))}};
+}
+
+TaskSection weights_section() {
+  const auto weight = [](const char* name, const char* meaning, double Weights::*member) {
+    return number_key(name, meaning, Range::NotNegative, at(&Task::weights, member));
+  };
+  return {
+      "weights",
+      "Cost per second of squared error. What counts is how they compare: raise one, and its "
+      "error\n"
+      "shrinks at the expense of the others.",
+      {weight("force", "1/N^2: force along the normal; more holds the force, and hears its noise",
+              &Weights::force),
+       weight("position", "1/m^2: tool to the path, in the air to the point above the surface",
+              &Weights::position),
+       weight("approach",
+              "s^2/m^2: speed along the normal to the approach speed; more lands softer",
+              &Weights::approach),
+       weight("rotation",
+              "1/rad^2: tool to its orientation at the start; less lets the wrist follow",
+              &Weights::rotation),
+       weight("posture", "1/rad^2: joints to the start; more holds the elbow, costs path accuracy",
+              &Weights::posture),
+       weight("velocity", "s^2/rad^2: joint speeds; more damps, and lags on fast paths",
+              &Weights::velocity),
+       weight("torque", "1/Nm^2: torques to those that hold the start; more gives softer gains",
+              &Weights::torque),
+       weight("torque_rate",
+              "1/Nm^2: control minus torque, with a torque lag; more gives smooth "
+              "torques",
+              &Weights::torque_rate),
+       weight("position_limits", "1/rad^2 beyond 0.05 rad inside a joint's limits",
+              &Weights::position_limits),
+       weight("velocity_limits", "s^2/rad^2 beyond a joint's velocity limit",
+              &Weights::velocity_limits),
+       weight("torque_limits", "1/Nm^2 beyond a joint's effort limit", &Weights::torque_limits),
+       weight("terminal", "s: what the end of the horizon costs, as a time at its running cost",
+              &Weights::terminal)}};
+}
+
+TaskSection model_error_section() {
+  return {"model_error",
+          "What measurements say that the model gets wrong, given back to it before each plan.",
+          {word_key("kind", "none, torque (per joint) or force (along the normal)",
+                    {"none", "torque", "force"}, at(&Task::model_error, &ModelErrorOptions::kind)),
+           number_key("bandwidth", "rad/s of the observer; more follows friction, and hears noise",
+                      Range::Positive, at(&Task::model_error, &ModelErrorOptions::bandwidth)),
+           number_key("limit", "Nm (N): estimates stay within +- this", Range::Positive,
+                      at(&Task::model_error, &ModelErrorOptions::limit))}};
+}
+
+TaskSection limits_section() {
+  const auto limit = [](const char* name, const char* meaning, double SafetyLimits::*member) {
+    return number_key(name, meaning, Range::PositiveOrNever, at(&Task::limits, member));
+  };
+  const auto count = [](const char* name, const char* meaning, int SafetyLimits::*member) {
+    return count_key(name, meaning, 1, at(&Task::limits, member));
+  };
+  return {"limits",
+          "Beyond these a run is given up: gravity compensation with damping, and a report. Each "
+          "may be\n"
+          "never.",
+          {limit("force", "N at the tool, mean over force_window", &SafetyLimits::force),
+           limit("force_window", "s", &SafetyLimits::force_window),
+           limit("tool_speed", "m/s", &SafetyLimits::tool_speed),
+           limit("joint_speed_ratio", "of the robot's velocity limits",
+                 &SafetyLimits::joint_speed_ratio),
+           number_key("joint_margin", "rad that a joint may be beyond its limit",
+                      Range::NotNegative, at(&Task::limits, &SafetyLimits::joint_margin)),
+           limit("stale", "s without a new measurement", &SafetyLimits::stale),
+           limit("bad", "s of measurements that are no state", &SafetyLimits::bad),
+           limit("contact_lost", "s without force while it is wanted", &SafetyLimits::contact_lost),
+           limit("contact_threshold", "N that count as contact", &SafetyLimits::contact_threshold),
+           limit("unexpected_force", "N while reaching through free space",
+                 &SafetyLimits::unexpected_force),
+           count("failed_solves", "in a row", &SafetyLimits::failed_solves),
+           limit("deadline", "s of computing time per plan", &SafetyLimits::deadline),
+           count("late_solves", "in a row", &SafetyLimits::late_solves)}};
+}
+
+}  // namespace
+
+std::vector<TaskSection> controller_sections() {
+  return {horizon_section(), weights_section(), model_error_section(), limits_section()};
+}
+
+}  // namespace burnish::polishing

@@ -1,0 +1,149 @@
+// burnish solve from outside: files, exit codes, warm starts, Ctrl-C.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string problem =
+    "robot: arm7\n"
+    "contacts:\n"
+    "  table: {tool: tool, directions: z, kd: 20}\n"
+    "stages:\n"
+    "  press:\n"
+    "    contacts: [table]\n"
+    "    costs:\n"
+    "      posture: {type: state}\n"
+    "      torque: {type: control, target: hold, weight: 1e-3}\n"
+    "      point: {type: frame_position, frame: tool, target: {here: [0.05, 0, 0]}, weight: 100}\n"
+    "      force: {type: contact_force, contact: table, target: 20, weight: 0.1}\n"
+    "horizon:\n"
+    "  - press: 20\n"
+    "terminal: {posture: {type: state}}\n";
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+int lines_of(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(Solve, WritesWhatItSays) {
+  const Scratch scratch;
+  const auto file = scratch.write("press.yaml", problem);
+  const auto out = scratch.folder / "out";
+  const Outcome outcome = run("solve " + quoted(file) + " --out " + quoted(out));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("converged: the expected improvement"), std::string::npos);
+  const std::string table = contents(out / "trajectory.csv");
+  EXPECT_EQ(lines_of(table), 1 + 21);
+  for (const char* column : {"time [s],", "q_joint_1 [rad]", "v_joint_7 [rad/s]",
+                             "tau_joint_1 [Nm]", "u_joint_1 [Nm]", "table_force_z_centered [N]",
+                             "table_force_z_centered_target [N]", "tool_x_world_target [m]"})
+    EXPECT_NE(table.find(column), std::string::npos) << column;
+
+  const Json summary = Json::parse(contents(out / "summary.json"));
+  EXPECT_TRUE(summary["converged"].get<bool>());
+  EXPECT_EQ(summary["reason"], "converged");
+  EXPECT_EQ(summary["log"].size(), summary["iterations"].get<std::size_t>());
+  EXPECT_LE(summary["largest_gap"].get<double>(), 1e-9);
+
+  const Json gains = Json::parse(contents(out / "gains.json"));
+  ASSERT_EQ(gains["knots"].size(), 20U);
+  EXPECT_EQ(gains["rows"].size(), 7U);
+  EXPECT_EQ(gains["columns"].size(), 14U);
+  EXPECT_EQ(gains["columns"][7], "v joint_1");
+  const Json& knot = gains["knots"][3];
+  EXPECT_EQ(knot["x"].size(), 14U);
+  EXPECT_EQ(knot["gain"].size(), 7U);
+  EXPECT_EQ(knot["gain"][0].size(), 14U);
+
+  for (const char* plot : {"states.svg", "torques.svg", "forces.svg", "path.svg", "cost.svg"}) {
+    const std::string text = contents(out / plot);
+    EXPECT_EQ(text.rfind("<svg ", 0), 0U) << plot;
+    EXPECT_NE(text.find("class='curve'"), std::string::npos) << plot;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
+  }
+}
+
+TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {
+  const Scratch scratch;
+  const auto file = scratch.write("press.yaml", problem);
+  const auto out = scratch.folder / "out";
+  const Outcome outcome =
+      run("solve " + quoted(file) + " --iterations 1 --quiet --out " + quoted(out));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(lines_of(outcome.out), 1) << outcome.out;
+  EXPECT_NE(outcome.out.find("stopped after 1 iterations"), std::string::npos);
+  // Gains belong to the trajectory that is written.
+  const Json gains = Json::parse(contents(out / "gains.json"));
+  ASSERT_EQ(gains["knots"].size(), 20U);
+  std::istringstream rows(contents(out / "trajectory.csv"));
+  std::string row;
+  for (int i = 0; i < 7; ++i) std::getline(rows, row);  // header and knots 0 to 5
+  std::istringstream cells(row);
+  std::string cell;
+  for (int i = 0; i < 3; ++i) std::getline(cells, cell, ',');  // time, stage, q of joint_1
+  EXPECT_EQ(gains["knots"][5]["x"][0].get<double>(), std::stod(cell));
+}
+
+TEST(Solve, StartsFromAnEarlierTrajectory) {
+  const Scratch scratch;
+  const auto first = scratch.write("press.yaml", problem);
+  ASSERT_EQ(run("solve " + quoted(first) + " --out " + quoted(scratch.folder / "a")).exit_code, 0);
+  const auto again = scratch.write("again.yaml", problem + "guess: {file: a/trajectory.csv}\n");
+  const Outcome outcome =
+      run("solve " + quoted(again) + " --json --out " + quoted(scratch.folder / "b"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(Json::parse(outcome.out)["iterations"].get<int>(), 1);
+}
+
+TEST(Solve, ChecksDerivativesFirst) {
+  const Scratch scratch;
+  const auto file = scratch.write("press.yaml", problem);
+  const Outcome outcome =
+      run("solve " + quoted(file) + " --check --quiet --out " + quoted(scratch.folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("next state"), std::string::npos) << outcome.out;
+}
+
+TEST(Solve, BadInputIsOneSentence) {
+  const Scratch scratch;
+  expect_refused(run("solve nowhere.yaml"), "nowhere.yaml: the file cannot be opened");
+  expect_refused(run("solve"), "PROBLEM is required");
+  const auto file = scratch.write("press.yaml", problem);
+  expect_refused(run("solve " + quoted(file) + " --iteration 3"), "did you mean '--iterations'?");
+  expect_refused(run("solve " + quoted(file) + " --threads 0"), "--threads");
+  expect_refused(run("solve " + quoted(file) + " --out " + quoted(file)), "cannot make the folder");
+  const auto bad = scratch.write("bad.yaml", problem + "solvr: {}\n");
+  expect_refused(run("solve " + quoted(bad)), "did you mean 'solver'?");
+}
+
+TEST(Solve, InterruptStopsAfterTheIterationAndWrites) {
+  const Scratch scratch;
+  // Long enough that it cannot end between the first line and the signal.
+  std::string text = contents(std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() /
+                              "examples/problems/standing_wall.yaml");
+  const std::string horizon = "stand: 100";
+  ASSERT_NE(text.find(horizon), std::string::npos);
+  text.replace(text.find(horizon), horizon.size(), "stand: 600");
+  const auto file = scratch.write("wall.yaml", text);
+  const auto out = scratch.folder / "out", said = scratch.folder / "said";
+  const std::string script = "'" BURNISH_PROGRAM "' solve " + quoted(file) + " --out " +
+                             quoted(out) + " >" + quoted(said) +
+                             " 2>&1 & pid=$!; until grep -q '^ *1 ' " + quoted(said) +
+                             "; do kill -0 $pid || exit 9; done; kill -INT $pid; wait $pid";
+  const int status = std::system(script.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(said);
+  const Json summary = Json::parse(contents(out / "summary.json"));
+  EXPECT_EQ(summary["reason"], "interrupted");
+  EXPECT_LE(summary["iterations"].get<int>(), 3);
+  EXPECT_EQ(lines_of(contents(out / "trajectory.csv")), 1 + 601);
+}
+
+}  // namespace
+}  // namespace burnish::testing

@@ -1,0 +1,368 @@
+// Problem files: what they say arrives, and what cannot be used is refused with a sentence.
+#include "burnish/files/problem_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for the files of one test.
+class ProblemFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& text, const std::string& name = "problem.yaml") const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  ProblemFile read(const std::string& text) const { return read_problem_file(write(text)); }
+
+  fs::path folder_;
+};
+
+const std::string arm = "robot: " BURNISH_ROBOTS_DIR "/arm7\n";
+
+/// A small problem, with changes: lines of `more` at the end, `from` in the text replaced by `to`.
+std::string small(const std::string& from = "", const std::string& to = "",
+                  const std::string& more = "") {
+  std::string text = arm +
+                     "contacts:\n"
+                     "  pad: {tool: tool, directions: z, kd: 50}\n"
+                     "terms:\n"
+                     "  posture: {type: state, weight: 2}\n"
+                     "  point: {type: frame_position, frame: tool, target: here}\n"
+                     "stages:\n"
+                     "  press:\n"
+                     "    contacts: [pad]\n"
+                     "    step: 0.02\n"
+                     "    costs:\n"
+                     "      posture: 0.5\n"
+                     "      point: {weight: 3}\n"
+                     "      force: {type: contact_force, contact: pad, target: 30}\n"
+                     "horizon:\n"
+                     "  - press: 5\n"
+                     "terminal: {posture: 7}\n";
+  if (!from.empty()) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  }
+  return text + more;
+}
+
+TEST_F(ProblemFiles, SmallFileArrives) {
+  const ProblemFile file = read(small());
+  const ProblemSpec& spec = file.spec;
+  ASSERT_EQ(spec.contacts.size(), 1U);
+  EXPECT_EQ(spec.contacts[0].name, "pad");
+  EXPECT_EQ(spec.contacts[0].directions, Directions::z());
+  EXPECT_EQ(spec.contacts[0].kd[2], 50.0);
+  const Eigen::VectorXd q = file.robot.reference_configuration();
+  const Eigen::Isometry3d tool = frame_placement(spec.model, q, "tool");
+  EXPECT_TRUE(spec.contacts[0].target.isApprox(tool, 1e-12)) << "unless said: where the tool is";
+  EXPECT_EQ(spec.initial_state.head(7), q);
+  ASSERT_EQ(spec.stages.size(), 1U);
+  const Stage& press = spec.stages[0];
+  EXPECT_EQ(press.contacts, std::vector<std::string>{"pad"});
+  EXPECT_EQ(press.step, 0.02);
+  ASSERT_EQ(press.costs.size(), 3U);
+  EXPECT_EQ(press.costs[0].weight, 0.5) << "a number is the weight of a shared term";
+  EXPECT_EQ(press.costs[1].weight, 3.0) << "a map without a type changes a shared term";
+  Eigen::VectorXd point(3);
+  std::get<residual::FramePosition>(press.costs[1].residual).target.at(0.0, point);
+  EXPECT_LT((point - tool.translation()).norm(), 1e-12);
+  EXPECT_EQ(spec.terminal.at(0).weight, 7.0);
+  EXPECT_EQ(spec.horizon.at(0).knots, 5);
+  EXPECT_EQ(file.guess.kind, WarmStart::Kind::Hold);
+}
+
+TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
+  const ProblemFile file = read(
+      arm +
+      "description: all of it\n"
+      "start: {q: [0.07, 0.23, -0.19, -1.94, 0.23, -0.67, 0.3], velocity: {joint_2: 0.1},"
+      " torques: {hold: {pad: 5}}, time: 0.5}\n"
+      "contacts:\n"
+      "  pad:\n"
+      "    {tool: tool, base: world, reference: {surface: {normal: [0, 0.2, 1]}}, directions: z,\n"
+      "     acceleration: spatial, error: log6, kp: [1, 2, 3, 4, 5, 6], kd: 2,\n"
+      "     target: {xyz: [0, 0, 1], rpy: [0, 0, 0.1]}}\n"
+      "contact_solver: {mu: 1e-6, max_proximal_iterations: 3, proximal_tolerance: 1e-8}\n"
+      "actuation: {joints: [joint_1, joint_2, joint_4], passive_torques: true,"
+      " slip_velocity: 0.02}\n"
+      "torque_model: {cutoff: 30, discretization: euler}\n"
+      "control_bounds: {effort_limits: 0.5, lower: {joint_1: -1, other: -2}}\n"
+      "stages:\n"
+      "  go:\n"
+      "    contacts: pad\n"
+      "    integrator: runge_kutta_4\n"
+      "    costs:\n"
+      "      a: {type: state, weights: {q: 1, v: {joint_1: 5, other: 2}, tau: 3},"
+      " target: {posture: bent}}\n"
+      "      b: {type: joint_position, joints: [joint_1, joint_2], weights: {joint_2: 4},"
+      " penalty: {barrier: {limits: 0.5, lower: {joint_1: -9}}}}\n"
+      "      c: {type: joint_velocity, penalty: {smooth_absolute: 0.1}}\n"
+      "      d: {type: joint_torque, penalty: {log_barrier: {limits: 0.9, width: 2}}}\n"
+      "      e: {type: frame_rotation, frame: tool, target: {rpy: [0, 0, 1]}}\n"
+      "      f: {type: frame_placement, frame: tool, target: {xyz: [0.4, 0, 0.3]}}\n"
+      "      g: {type: frame_velocity, frame: tool, axes: local, target: [0, 0, 0.1, 0, 0, 0]}\n"
+      "      h: {type: contact_force, contact: pad, reference: world}\n"
+      "      i: {type: center_of_mass, target: {here: [0.1, 0, 0]}}\n"
+      "      j: {type: centroidal_momentum, weights: [1, 1, 1, 0, 0, 0]}\n"
+      "      k: {type: control, target: hold, weight: 0.1}\n"
+      "      l: {type: frame_position, frame: tool, axes: {normal: [1, 0, 0]},\n"
+      "          target: {circle: {center: [0, 0, 1], radius: 2, rate: 3,\n"
+      "                            axes: [[0, 1, 0], [0, 0, 1]], phase: 0.5}}}\n"
+      "      m: {type: contact_force, contact: pad,\n"
+      "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
+      "horizon:\n"
+      "  - repeat: 2\n"
+      "    of: [go: 3, go: 1]\n"
+      "solver: {update: multiple_shooting, max_iterations: 7, threads: 2, stop_tolerance: 1e-5,\n"
+      "         line_search: {halvings: 4}, regularization: {initial: 0.1}}\n"
+      "guess: still\n");
+  const ProblemSpec& spec = file.spec;
+  EXPECT_EQ(spec.start_time, 0.5);
+  EXPECT_EQ(spec.initial_state[8], 0.1);
+  EXPECT_EQ(spec.initial_state.size(), 7 + 7 + 3);
+  EXPECT_EQ(spec.contacts[0].acceleration, Acceleration::Spatial);
+  EXPECT_EQ(spec.contacts[0].error, PoseError::Log6);
+  EXPECT_EQ(spec.contacts[0].kp[5], 6.0);
+  EXPECT_EQ(spec.contacts[0].target.translation().z(), 1.0);
+  EXPECT_EQ(spec.contact_solver.max_proximal_iterations, 3);
+  EXPECT_TRUE(spec.actuation.passive_torques);
+  EXPECT_EQ(spec.torque_model->discretization, TorqueModel::Discretization::Euler);
+  EXPECT_EQ(spec.control_lower, Eigen::Vector3d(-1, -2, -2));
+  EXPECT_EQ(spec.control_upper[0], 90.0);
+  const Stage& go = spec.stages[0];
+  EXPECT_EQ(go.integrator, Integrator::RungeKutta4);
+  EXPECT_EQ(go.costs[0].weights[7], 5.0);
+  EXPECT_EQ(go.costs[0].weights[8], 2.0);
+  EXPECT_EQ(go.costs[0].weights[14], 3.0);
+  EXPECT_EQ(go.costs[1].weights, Eigen::Vector2d(1, 4));
+  EXPECT_EQ(go.costs[1].penalty->lower[0], -9.0);
+  EXPECT_EQ(go.costs[1].penalty->upper[1], 0.95);
+  EXPECT_EQ(go.costs[3].penalty->width, 2.0);
+  Eigen::VectorXd p(3), f(1);
+  std::get<residual::FramePosition>(go.costs[11].residual).target.at(0.2, p);
+  EXPECT_LT((p - Eigen::Vector3d(0, 2 * std::cos(1.1), 1 + 2 * std::sin(1.1))).norm(), 1e-12);
+  std::get<residual::ContactForce>(go.costs[12].residual).target.at(0.2, f);
+  EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
+  EXPECT_EQ(spec.horizon.size(), 4U);
+  EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
+  EXPECT_EQ(file.solver.line_search.halvings, 4);
+  EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
+}
+
+TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
+  write("time [s],x [m],y [m],z [m]\n0,0,0,0\n1,1,0,2\n2,1,1,2\n", "path.csv");
+  const ProblemFile file =
+      read(small("frame: tool, target: here",
+                 "frame: tool, target: {points: {file: path.csv, columns: [x, y, z]}}"));
+  const Signal& target =
+      std::get<residual::FramePosition>(file.spec.stages[0].costs[1].residual).target;
+  Eigen::VectorXd p(3);
+  for (const auto& [time, expected] : {std::pair{-1.0, Eigen::Vector3d(0, 0, 0)},
+                                       {0.5, Eigen::Vector3d(0.5, 0, 1)},
+                                       {1.25, Eigen::Vector3d(1, 0.25, 2)},
+                                       {9.0, Eigen::Vector3d(1, 1, 2)}}) {
+    target.at(time, p);
+    EXPECT_LT((p - expected).norm(), 1e-12) << time;
+  }
+}
+
+TEST_F(ProblemFiles, LineIsAtRestAtBothEnds) {
+  const ProblemFile file = read(small("target: 30",
+                                      "target: {line: {from: 0, to: 30, start: 1,"
+                                      " duration: 2}}"));
+  const Signal& target =
+      std::get<residual::ContactForce>(file.spec.stages[0].costs[2].residual).target;
+  Eigen::VectorXd f(1);
+  for (const auto& [time, expected] :
+       {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.001, 0.0}, {2.0, 15.0}, {2.999, 30.0}, {4.0, 30.0}}) {
+    target.at(time, f);
+    EXPECT_NEAR(f[0], expected, 1e-6) << time;
+  }
+}
+
+TEST_F(ProblemFiles, HoldIsARestingRobot) {
+  const ProblemFile file =
+      read(small("posture: 0.5", "hold: {type: control, target: {hold: {pad: 30}}}"));
+  Problem problem(file.spec);
+  Eigen::VectorXd u(7);
+  std::get<residual::Control>(file.spec.stages[0].costs[0].residual).target.at(0.0, u);
+  EXPECT_LT(problem.acceleration(0, file.spec.initial_state, u).norm(), 1e-9);
+  EXPECT_NEAR(problem.forces(0, file.spec.initial_state, u)[0], 30.0, 1e-9);
+  // Without a force in mind: the guess.
+  const TrajectoryGuess guess = make_guess(problem, {});
+  EXPECT_LT(problem.acceleration(0, file.spec.initial_state, guess.us.row(0).transpose()).norm(),
+            1e-9);
+}
+
+struct Refused {
+  std::string from, to, more;
+  std::vector<std::string> words;
+};
+
+TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
+  const std::vector<Refused> table{
+      {"contacts:\n  pad", "contact:\n  pad", "", {"'contact' is unknown", "'contacts'?"}},
+      {"directions: z", "direction: z", "", {"line 3: contacts.pad:", "'directions'?"}},
+      {"directions: z", "directions: zz", "", {"contacts.pad.directions:", "unknown word 'zz'"}},
+      {"tool: tool", "tool: tol", "", {"contacts.pad.tool:", "did you mean 'tool'"}},
+      {"kd: 50", "kd: much", "", {"contacts.pad.kd: 'much' is no number"}},
+      {"kd: 50", "kd: [1, 2]", "", {"it has 2 numbers; wanted 6"}},
+      {"kd: 50", "reference: sureface", "", {"contacts.pad.reference", "'surface'?"}},
+      {"type: state", "type: stat", "", {"terms.posture.type", "did you mean 'state'?"}},
+      {"weight: 2", "wheight: 2", "", {"terms.posture", "did you mean 'weight'?"}},
+      {"posture: 0.5", "posture: -1", "", {"stages.press.costs.posture: it is -1"}},
+      {"posture: 0.5", "postur: 0.5", "", {"costs.postur: no term of this name", "'posture'?"}},
+      {"contact: pad", "contact: pat", "", {"force.contact", "did you mean 'pad'?"}},
+      {"target: 30", "target: [1, 2]", "", {"force.target: it has 2 numbers; wanted 1"}},
+      {"target: 30", "target: here", "", {"force.target: 'here' means nothing for this cost"}},
+      {"target: 30", "target: soon", "", {"force.target: 'soon' is no target"}},
+      {"target: 30", "target: {ramp: 3}", "", {"force.target: key 'ramp' is unknown"}},
+      {"target: 30", "target: {hold: {pat: 3}}", "", {"did you mean 'pad'?"}},
+      {"target: 30",
+       "target: {line: {from: 0, to: 1, duration: 0}}",
+       "",
+       {"line.duration: it is 0; wanted more than 0"}},
+      {"target: 30",
+       "target: {points: {file: no.csv, columns: a}}",
+       "",
+       {"points.file:", "no.csv", "cannot be read"}},
+      {"target: here", "target: {circle: {radius: 1, rate: 1}}", "", {"'center' or 'start'"}},
+      {"target: here", "target: nan", "", {"point.target: nan is not finite"}},
+      {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},
+      {"contacts: [pad]", "contacts: [pod]", "", {"stages.press.contacts", "'pad'?"}},
+      {"contacts: [pad]", "contacts: []", "", {"term 'force'", "'pad'", "does not hold"}},
+      {"step: 0.02", "step: 0", "", {"stages.press.step: it is 0; wanted more than 0"}},
+      {"step: 0.02", "step: 0.02\n    impact: maybe", "", {"stages.press.impact", "true or false"}},
+      {"step: 0.02", "integrator: euler", "", {"stages.press.integrator", "is unknown"}},
+      {"- press: 5", "- pres: 5", "", {"horizon[0]", "did you mean 'press'?"}},
+      {"- press: 5", "- press: 0", "", {"horizon[0].press: it is 0; wanted at least 1"}},
+      {"- press: 5", "- press: 2.5", "", {"it is 2.5; wanted a whole number"}},
+      {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its knots"}},
+      {"posture: 7", "force: {type: contact_force, contact: pad}", "", {"terminal, term 'force'"}},
+      {"", "", "solver: {max_iteration: 3}\n", {"solver:", "did you mean 'max_iterations'?"}},
+      {"", "", "solver: {stop_tolerance: -1}\n", {"solver", "stop_tolerance"}},
+      {"", "", "guess: zero\n", {"guess: 'zero' is unknown; wanted hold or still"}},
+      {"", "", "start: {posture: redy}\n", {"start.posture", "did you mean 'ready'?"}},
+      {"", "", "start: {posture: {joint_9: 1}}\n", {"start.posture", "joint_9"}},
+      {"", "", "start: {q: [1, 2]}\n", {"start.q: it has 2 numbers; wanted 7"}},
+      {"", "", "start: {torques: hold}\n", {"start.torques", "only with a 'torque_model'"}},
+      {"", "", "torque_model: {cutof: 3}\n", {"torque_model:", "did you mean 'cutoff'?"}},
+      {"", "", "torque_model: {cutoff: 300, discretization: euler}\n", {"unstable"}},
+      {"", "", "control_bounds: {lower: 3, upper: 2}\n", {"control_lower 3 is above"}},
+      {"", "", "actuation: {joints: [joint_8]}\n", {"actuation.joints", "joint_8"}},
+      {"", "", "horizon: []\n", {"'horizon' is stated twice"}},
+      {"robot: ", "robot: [", "", {"this is no YAML"}},
+      {"/arm7", "/arm8", "", {"line 1: robot:", "arm8", "does not exist"}},
+      {"kd: 50}", "kd: 50}\n  pad: {tool: tool}", "", {"key 'pad' is stated twice"}},
+      {"type: state", "type: state, penalty: {barrier: limits}", "", {"states no limits"}},
+      {"type: state", "type: state, penalty: barrier", "", {"penalty: it has no numbers"}},
+      {"type: state",
+       "type: state, weights: {joint_1: 1}",
+       "",
+       {"weights", "'joint_1' is unknown"}},
+  };
+  for (const Refused& row : table) {
+    const std::string text = small(row.from, row.to, row.more);
+    const std::string sentence = refusal([&] { read(text); });
+    expect_words(sentence, row.words);
+    EXPECT_EQ(sentence.rfind((folder_ / "problem.yaml").string() + ": ", 0), 0U) << sentence;
+  }
+  expect_words(refusal([&] { read_problem_file(folder_ / "none.yaml"); }), {"cannot be opened"});
+  expect_words(refusal([&] { read_problem_file(folder_); }), {"this is a folder"});
+}
+
+std::vector<fs::path> examples() {
+  std::vector<fs::path> files;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(BURNISH_ROBOTS_DIR).parent_path() / "examples/problems"))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class ExampleProblem : public ::testing::TestWithParam<fs::path> {};
+
+/// Cost of the solution's policy with h times `push` (N x nu) added to the controls. Entries that
+/// rest on a bound are held there: what is left may move both ways.
+double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& push, double h) {
+  const StateShape& shape = problem.state();
+  const RowMatrix xs = solver.xs(), us = solver.us();
+  Eigen::VectorXd x = xs.row(0), next = x, dx(shape.ndx);
+  double cost = 0.0;
+  for (int k = 0; k < problem.knots(); ++k) {
+    const int nu = problem.controls(k);
+    Eigen::VectorXd u = us.row(k);
+    if (nu > 0) {
+      const Eigen::VectorXd x_planned = xs.row(k);
+      problem.difference(x_planned.data(), x.data(), dx.data());
+      u.head(nu) += solver.gain(k) * dx + h * push.row(k).head(nu).transpose();
+      const double *lower = problem.control_lower(k), *upper = problem.control_upper(k);
+      for (int i = 0; i < nu && lower != nullptr; ++i)
+        if (us(k, i) < lower[i] + 1e-6 || us(k, i) > upper[i] - 1e-6) u[i] = us(k, i);
+    }
+    cost += problem.roll(0, k, x.data(), u.data(), next.data()).cost;
+    x = next;
+  }
+  return cost + problem.roll(0, problem.knots(), x.data(), nullptr, nullptr).cost;
+}
+
+TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {
+  const ProblemFile file = read_problem_file(GetParam());
+  Problem problem(file.spec);
+  DdpSolver solver(problem, file.solver);
+  const TrajectoryGuess guess = make_guess(problem, file.guess);
+  solver.set_guess(guess.xs, guess.us);
+  ASSERT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+  const double cost = solver.summary().cost;
+  EXPECT_NEAR(pushed_cost(problem, solver, 0.0 * solver.us(), 0.0), cost, 1e-9 * cost);
+  std::mt19937_64 generator(5);
+  for (int direction = 0; direction < 8; ++direction) {
+    RowMatrix push = solver.us();
+    for (Eigen::Index i = 0; i < push.size(); ++i)
+      push.data()[i] = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
+    const double h = 1e-3;
+    const double plus = pushed_cost(problem, solver, push, h);
+    const double minus = pushed_cost(problem, solver, push, -h);
+    const double slope = (plus - minus) / (2.0 * h);
+    const double curvature = (plus - 2.0 * cost + minus) / (h * h);
+    ASSERT_GT(curvature, 0.0);
+    // What going on along this direction could save, by the parabola through the three.
+    EXPECT_LT(slope * slope / (2.0 * curvature), 1e-6 * cost) << "direction " << direction;
+  }
+}
+
+TEST_P(ExampleProblem, ConvergesFromItsOwnStart) {
+  const ProblemFile file = read_problem_file(GetParam());
+  EXPECT_NE(file.description, "");
+  Problem problem(file.spec);
+  DdpSolver solver(problem, file.solver);
+  const TrajectoryGuess guess = make_guess(problem, file.guess);
+  solver.set_guess(guess.xs, guess.us);
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExampleProblem, ::testing::ValuesIn(examples()),
+                         [](const auto& file) { return file.param.stem().string(); });
+
+}  // namespace
+}  // namespace burnish::testing

@@ -1,0 +1,201 @@
+// The observer of the torque error: how fast it is, what it takes for an error, what it passes
+// over.
+#include "burnish/mpc/model_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/integration.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish {
+namespace {
+
+using testing::expect_words;
+using testing::refusal;
+
+Robot talos_arm() { return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm"); }
+
+/// A robot held in a posture by springs, in small steps of the model `truth`, and the observer of
+/// `model` beside it.
+struct Held {
+  Held(const Model& model, const Model& truth, const ModelErrorOptions& options)
+      : observer(model, "tool", options), plant(truth), body(truth), tree(truth) {
+    q0 = q = talos_arm().posture("table");
+    v = tau = Eigen::VectorXd::Zero(model.nv);
+    (void)body.update(q0, v);
+    held = body.gravity_torque();
+  }
+
+  /// One step of dt s, with a torque and a force on the tool that the motors do not give.
+  void step(double dt, const Eigen::VectorXd& torque, const Eigen::Vector3d& force,
+            const Eigen::Vector3d& force_known) {
+    tau = held - 200.0 * (q - q0) - 20.0 * v;
+    (void)body.update(q, v);
+    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, tool);
+    const Eigen::VectorXd total = tau + torque + tool.jacobian.topRows(3).transpose() * force;
+    ASSERT_EQ(plant.forward(q, v, total), Status::Ok);
+    v += dt * plant.a();
+    const Eigen::VectorXd dq = dt * v;
+    integrate_configuration(tree, q.data(), dq.data(), q.data());
+    status = observer.update(q, v, tau, force_known, dt);
+  }
+  void run(double duration, double dt, const Eigen::VectorXd& torque,
+           const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
+           const Eigen::Vector3d& force_known = Eigen::Vector3d::Zero()) {
+    for (int i = 0; i < std::lround(duration / dt); ++i) {
+      step(dt, torque, force, force_known);
+      ASSERT_EQ(status, Status::Ok);
+    }
+  }
+
+  TorqueErrorObserver observer;
+  ContactDynamics plant;
+  RigidBody body;
+  Tree tree;
+  FrameDerivatives tool;
+  Eigen::VectorXd q0, q, v, tau, held;
+  Status status = Status::Ok;
+};
+
+Eigen::VectorXd some_bias() { return Eigen::Vector<double, 6>(1.0, -2.0, 0.5, 3.0, -0.2, 1.5); }
+
+TEST(TorqueErrorObserver, knows_a_constant_error_to_5_percent_after_4_8_periods_of_its_bandwidth) {
+  for (const double dt : {5e-4, 2e-3})
+    for (const double bandwidth : {30.0, 100.0}) {
+      SCOPED_TRACE(::testing::Message() << "dt " << dt << ", bandwidth " << bandwidth);
+      const Model model = talos_arm().model;
+      Held robot(model, model, {.bandwidth = bandwidth});
+      const Eigen::VectorXd bias = some_bias();
+      robot.run(2.0 / bandwidth, dt, bias);
+      EXPECT_GT((robot.observer.torque_error() - bias).norm(), 0.2 * bias.norm()) << "too fast";
+      robot.run(2.8 / bandwidth, dt, bias);
+      EXPECT_LT((robot.observer.torque_error() - bias).norm(), 0.08 * bias.norm());
+      robot.run(15.0 / bandwidth, dt, bias);
+      EXPECT_LT((robot.observer.torque_error() - bias).norm(), 0.01 * bias.norm());
+    }
+}
+
+TEST(TorqueErrorObserver, finds_the_weight_that_the_model_lacks) {
+  const Robot robot = talos_arm();
+  const Model heavy = plant_model(robot.model, {.mass_scale = 1.1});
+  Held held(robot.model, heavy, {.bandwidth = 50.0});
+  held.run(1.5, 1e-3, Eigen::VectorXd::Zero(6));
+  RigidBody nominal(robot.model), real(heavy);
+  ASSERT_EQ(nominal.update(held.q, held.v), Status::Ok);
+  ASSERT_EQ(real.update(held.q, held.v), Status::Ok);
+  const Eigen::VectorXd lacking = nominal.gravity_torque() - real.gravity_torque();
+  ASSERT_GT(lacking.norm(), 1.0);
+  EXPECT_LT((held.observer.torque_error() - lacking).norm(), 0.02 * lacking.norm());
+}
+
+TEST(TorqueErrorObserver, does_not_take_a_known_force_for_an_error) {
+  const Model model = talos_arm().model;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(6);
+  const Eigen::Vector3d force(0.0, 0.0, 30.0);
+  Held known(model, model, {}), unknown(model, model, {});
+  for (int i = 0; i < 1000; ++i) {
+    // A push that comes and goes.
+    const Eigen::Vector3d now = (i / 100) % 2 == 0 ? force : Eigen::Vector3d::Zero().eval();
+    known.step(1e-3, none, now, now);
+    unknown.step(1e-3, none, now, Eigen::Vector3d::Zero());
+    ASSERT_LT(known.observer.torque_error().norm(), 0.03) << i;
+  }
+  unknown.run(1.0, 1e-3, none, force);
+  const Eigen::VectorXd taken = unknown.tool.jacobian.topRows(3).transpose() * force;
+  EXPECT_LT((unknown.observer.torque_error() - taken).norm(), 0.01 * taken.norm());
+}
+
+TEST(TorqueErrorObserver, stays_bounded_over_long_steps) {
+  const Model model = talos_arm().model;
+  TorqueErrorObserver observer(model, "tool", {.bandwidth = 100.0, .limit = 5.0});
+  const Eigen::VectorXd q = talos_arm().posture("table"), zero = Eigen::VectorXd::Zero(6);
+  RigidBody body(model);
+  ASSERT_EQ(body.update(q, zero), Status::Ok);
+  const Eigen::VectorXd bias = Eigen::VectorXd::Constant(6, 1.0);
+  // At rest although the motors lack 1 Nm: the error converges in whatever steps.
+  for (const double dt : {0.02, 0.1, 5e-4, 0.05}) {
+    for (int i = 0; i < 50; ++i)
+      ASSERT_EQ(observer.update(q, zero, body.gravity_torque() - bias, {0, 0, 0}, dt), Status::Ok);
+    EXPECT_LT((observer.torque_error() - bias).norm(), 1e-3) << dt;
+  }
+  for (int i = 0; i < 50; ++i)
+    ASSERT_EQ(observer.update(q, zero, body.gravity_torque() - 100.0 * bias, {0, 0, 0}, 0.01),
+              Status::Ok);
+  EXPECT_EQ(observer.torque_error(), Eigen::VectorXd::Constant(6, 5.0));
+}
+
+TEST(TorqueErrorObserver, is_unchanged_by_what_is_no_measurement) {
+  const Model model = talos_arm().model;
+  Held robot(model, model, {.bandwidth = 100.0});
+  robot.run(0.05, 1e-3, some_bias());
+  const Eigen::VectorXd before = robot.observer.torque_error();
+  const Eigen::VectorXd q = robot.q, v = robot.v, tau = robot.tau;
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  Eigen::VectorXd nan = v;
+  nan[2] = std::nan("");
+  const double infinite = std::numeric_limits<double>::infinity();
+  TorqueErrorObserver& o = robot.observer;
+  EXPECT_EQ(o.update(q, nan, tau, none, 1e-3), Status::NotFinite);
+  EXPECT_EQ(o.update(nan, v, tau, none, 1e-3), Status::NotFinite);
+  EXPECT_EQ(o.update(q, v, nan, none, 1e-3), Status::NotFinite);
+  EXPECT_EQ(o.update(q, v, tau, Eigen::Vector3d::Constant(infinite), 1e-3), Status::NotFinite);
+  EXPECT_EQ(o.update(q, v, tau, none, std::nan("")), Status::NotFinite);
+  EXPECT_EQ(o.update(q, v, tau.head(5), none, 1e-3), Status::WrongSize);
+  EXPECT_EQ(o.update(q.head(5), v, tau, none, 1e-3), Status::WrongSize);
+  EXPECT_EQ(o.update(q, v.head(5), tau, none, 1e-3), Status::WrongSize);
+  EXPECT_EQ(o.update(q, v, tau, none, 0.0), Status::Ok);
+  EXPECT_EQ(o.update(q, v, tau, none, -1.0), Status::Ok);
+  EXPECT_EQ(o.torque_error(), before);
+
+  // Nor is what follows.
+  Held same(model, model, {.bandwidth = 100.0});
+  same.run(0.05, 1e-3, some_bias());
+  same.step(1e-3, some_bias(), none, none);
+  robot.step(1e-3, some_bias(), none, none);
+  EXPECT_EQ(robot.observer.torque_error(), same.observer.torque_error());
+}
+
+TEST(TorqueErrorObserver, starts_anew_after_a_reset) {
+  const Model model = talos_arm().model;
+  Held robot(model, model, {});
+  robot.run(0.2, 1e-3, some_bias());
+  robot.observer.reset();
+  EXPECT_EQ(robot.observer.torque_error(), Eigen::VectorXd::Zero(6).eval());
+  // The first measurement is a start, whatever velocity it has.
+  ASSERT_EQ(robot.observer.update(robot.q, Eigen::VectorXd::Constant(6, 3.0), robot.tau,
+                                  Eigen::Vector3d::Zero(), 1e-3),
+            Status::Ok);
+  EXPECT_EQ(robot.observer.torque_error(), Eigen::VectorXd::Zero(6).eval());
+}
+
+TEST(TorqueErrorObserver, allocates_nothing) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  const Model model = talos_arm().model;
+  TorqueErrorObserver observer(model, "tool", {});
+  const Eigen::VectorXd q = talos_arm().posture("table"), v = Eigen::VectorXd::Zero(6);
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(observer.update(q, v, v, Eigen::Vector3d(0, 0, 30), 1e-3), Status::Ok);
+  observer.reset();
+  EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(TorqueErrorObserver, refuses_options_out_of_range_and_unknown_frames) {
+  const Model model = talos_arm().model;
+  const auto with = [&](const std::string& tool, const ModelErrorOptions& options) {
+    return refusal([&] { TorqueErrorObserver(model, tool, options); });
+  };
+  expect_words(with("tol", {}), {"tol", "tool"});
+  expect_words(with("tool", {.bandwidth = 0.0}), {"bandwidth", "positive"});
+  expect_words(with("tool", {.bandwidth = std::nan("")}), {"bandwidth", "positive"});
+  expect_words(with("tool", {.limit = -1.0}), {"limit", "positive"});
+  EXPECT_EQ(with("tool", {.limit = std::numeric_limits<double>::infinity()}), "");
+}
+
+}  // namespace
+}  // namespace burnish
