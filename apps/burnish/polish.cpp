@@ -8,6 +8,7 @@
 #include "json_text.hpp"
 #include "polish_files.hpp"
 #include "polishing/task_file.hpp"
+#include "polishing/task_notes.hpp"
 
 namespace burnish::app {
 namespace {
@@ -86,10 +87,13 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
 }
 
 /// What the arm can do is known before anything moves.
-void check_reach(const std::vector<PolishJob>& jobs, bool talks) {
+void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments) {
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (i > 0 && jobs[i].place == jobs[i - 1].place) continue;  // controllers and seeds differ
     const polishing::RunSpec& spec = jobs[i].spec;
+    for (const std::string& note : polishing::task_notes(spec.task, spec.plant))
+      fmt::print(stderr, "burnish: {}: note: {}\n", jobs[i].place, note);
+    if (arguments.unchecked) continue;
     const polishing::ReachReport reach =
         polishing::check_reach(spec.task, polishing::make_setting(spec.task));
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", jobs[i].place, reach.text));
@@ -155,7 +159,7 @@ int polish(const PolishArguments& arguments) {
     polishing::write_task(jobs.front().spec.task, arguments.write_task);
     return exit_ok;
   }
-  if (!arguments.unchecked) check_reach(jobs, arguments.talks());
+  check(jobs, arguments);
   fs::path folder = arguments.out;
   if (folder.empty())
     folder =

@@ -50,7 +50,7 @@ struct TickTimes {
 struct RunResult {
   Setting setting;
   ReachReport reach;  ///< empty unless it was checked
-  Trace trace;        ///< of every plant step, see ClosedLoop
+  Trace trace;        ///< of every plant step, every nth beyond 100 s; see ClosedLoop
   Status plant_status = Status::Ok;
   FaultReport fault;               ///< of the MPC; FaultKind::None without
   bool interrupted = false;        ///< by the progress function

@@ -6,28 +6,28 @@ namespace {
 
 TaskSection horizon_section() {
   constexpr auto positive = Range::Positive;
-  return {"controller",
-          "The optimal control problem that is solved again and again, and the loop around it.",
-          {number_key("horizon", "s that are planned ahead", positive, at(&Task::horizon)),
-           number_key("step", "s between two knots of the plan", positive, at(&Task::step)),
-           number_key("update_rate", "Hz, of new plans; divides the tick rate", positive,
-                      at(&Task::update_rate)),
-           number_key("tick_rate", "Hz, of torque commands", positive, at(&Task::tick_rate)),
-           number_key("solver_delay", "s from a measurement to the use of the plan made from it",
-                      Range::NotNegative, at(&Task::solver_delay)),
-           count_key("iterations", "of the solver, per plan", 1, at(&Task::iterations)),
-           word_key("solver", "multiple_shooting or rollout", {"rollout", "multiple_shooting"},
-                    at(&Task::solver)),
-           flag_key("feedback", "between plans follow their Riccati gains, not just their torques",
-                    at(&Task::feedback)),
-           number_key("contact_kd", "1/s, damping of the contact constraint (Baumgarte)",
-                      Range::NotNegative, at(&Task::contact_kd)),
-           number_key("torque_cutoff",
-                      "rad/s, first-order lag of the joint torques that the plan knows "
-                      "of; 0: none",
-                      Range::NotNegative, at(&Task::torque_cutoff)),
-           word_key("axes", "of contact and force: surface, or local (the tool's)",
-                    {"surface", "local"}, at(&Task::axes))}};
+  return {
+      "controller",
+      "The optimal control problem that is solved again and again, and the loop around it.",
+      {number_key("horizon", "s that are planned ahead", positive, at(&Task::horizon)),
+       number_key("step", "s between two knots of the plan", positive, at(&Task::step)),
+       number_key("update_rate", "Hz, of new plans; divides the tick rate", positive,
+                  at(&Task::update_rate)),
+       number_key("tick_rate", "Hz, of torque commands", positive, at(&Task::tick_rate)),
+       number_key("solver_delay", "s from a measurement to the use of the plan made from it",
+                  Range::NotNegative, at(&Task::solver_delay)),
+       count_key("iterations", "of the solver, per plan", 1, at(&Task::iterations)),
+       word_key("solver", "multiple_shooting or rollout", {"rollout", "multiple_shooting"},
+                at(&Task::solver)),
+       flag_key("feedback", "between plans follow their Riccati gains, not just their torques",
+                at(&Task::feedback)),
+       number_key("contact_kd", "1/s, damping of the contact constraint (Baumgarte)",
+                  Range::NotNegative, at(&Task::contact_kd)),
+       number_key("torque_cutoff",
+                  "rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances",
+                  Range::NotNegative, at(&Task::torque_cutoff)),
+       word_key("axes", "of contact and force: surface, or local (the tool's)",
+                {"surface", "local"}, at(&Task::axes))}};
 }
 
 TaskSection weights_section() {

@@ -29,7 +29,7 @@ const std::vector<Expected> robots{
     {"arm7:six", 6, 16.0, "ready", {"tool", "flange"}},
     {"arm7:wall", 7, 16.0, "ready", {"tool", "flange"}},
     {"arm7:floating", 6 + 7, 20.0, "adrift", {"tool", "flange"}},
-    {"pendulum", 1, 1.1, "upright", {"tip"}},
+    {"pendulum", 1, 1.1, "hanging", {"tip"}},
     {"quadruped", 6 + 12, 20.0, "standing", {"fl_foot", "rr_foot"}},
     {"crane", 10, 157.74, "work", {"left_tip", "right_tip"}},
     {"crane:left_only", 6, 157.74, "work", {"left_tip", "right_tip"}},

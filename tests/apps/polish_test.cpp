@@ -1,0 +1,176 @@
+// burnish polish from outside: files, exit codes, bad input, Ctrl-C.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// Less than two seconds of simulated time on the project's own plant.
+const std::string short_run =
+    " --plant ideal --duration 0.6 --set path.start_up=0.2 --set phases.reach_duration=0.2";
+
+int lines_of(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(Polish, WritesWhatItSays) {
+  const Scratch scratch;
+  const auto out = scratch.folder / "out";
+  const Outcome outcome =
+      run("polish --surface board" + short_run + " --time --out " + quoted(out));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.err, "");  // no bar: this is no terminal
+  for (const char* words : {"force_rmse", "pos_p95", "board_mpc", "board_baseline",
+                            "time of a tick", "m of path", "polished: "})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+
+  const Json summary = Json::parse(contents(out / "summary.json"));
+  ASSERT_EQ(summary.size(), 2U);
+  for (const Json& each : summary) {
+    const auto folder = out / each["name"].get<std::string>();
+    EXPECT_TRUE(each["polished"].get<bool>());
+    EXPECT_EQ(Json::parse(contents(folder / "metrics.json")), each);
+    EXPECT_NEAR(each["metrics"]["force_mean_N"].get<double>(), 30.0, 5.0);
+    EXPECT_GT(each["reach"]["points"].get<int>(), 10);
+    const std::string table = contents(folder / "trace.csv");
+    EXPECT_EQ(table.rfind("time [s],phase [-]", 0), 0U);
+    const bool mpc = each["controller"] == "mpc";
+    for (const char* plot : {"force.svg", "path.svg", "torques.svg", "solver.svg"}) {
+      const bool wanted = mpc || plot != std::string("solver.svg");
+      EXPECT_EQ(std::filesystem::exists(folder / plot), wanted) << plot;
+      if (!wanted) continue;
+      const std::string text = contents(folder / plot);
+      EXPECT_EQ(text.rfind("<svg ", 0), 0U) << plot;
+      EXPECT_NE(text.find("<path class="), std::string::npos) << plot;
+      EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "fault.txt"));
+  }
+}
+
+TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {
+  const Scratch scratch;
+  const auto first = scratch.folder / "first", second = scratch.folder / "second";
+  const std::string what = " --controller baseline --json --out ";
+  const Outcome once = run("polish --surface table --seed 5 --set force=20 --disturbances sensors" +
+                           short_run + what + quoted(first));
+  ASSERT_EQ(once.exit_code, 0) << once.err;
+  const auto task = first / "table_baseline" / "task.yaml";
+  const Outcome again = run("polish --plant ideal " + quoted(task) + what + quoted(second));
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Json a = Json::parse(once.out)[0], b = Json::parse(again.out)[0];
+  EXPECT_EQ(a["metrics"], b["metrics"]);
+  EXPECT_EQ(a["seed"], 5);
+  EXPECT_NEAR(a["metrics"]["force_mean_N"].get<double>(), 20.0, 4.0);
+  EXPECT_EQ(b["name"], "task_baseline");
+  EXPECT_EQ(contents(second / "task_baseline" / "task.yaml"), contents(task));
+}
+
+TEST(Polish, RowsOfTheTraceAreAsFarApartAsAsked) {
+  const Scratch scratch;
+  const auto rows = [&](const std::string& every) {
+    const auto out = scratch.folder / every;
+    const Outcome outcome = run("polish --surface table --controller baseline --quiet --out " +
+                                quoted(out) + short_run + " --record-every " + every);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out.find("folder"), std::string::npos);
+    return lines_of(contents(out / "table_baseline" / "trace.csv")) - 1;
+  };
+  const int all = rows("1"), some = rows("20");
+  EXPECT_GT(all, 2000);
+  EXPECT_NEAR(some, all / 20.0, 2.0);
+}
+
+TEST(Polish, AFaultIsExitCodeOneAndLeavesItsReport) {
+  const Scratch scratch;
+  const auto out = scratch.folder / "out";
+  const Outcome outcome =
+      run("polish --surface table --controller mpc --set limits.tool_speed=0.01 --out " +
+          quoted(out) + short_run);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  const auto folder = out / "table_mpc";
+  const std::string fault = contents(folder / "fault.txt");
+  EXPECT_NE(fault.find("speed limit"), std::string::npos) << fault;
+  EXPECT_NE(outcome.out.find("speed limit"), std::string::npos);
+  EXPECT_GT(lines_of(contents(folder / "last_second.csv")), 2);
+  EXPECT_GT(lines_of(contents(folder / "trace.csv")), 2);
+  const Json metrics = Json::parse(contents(folder / "metrics.json"));
+  EXPECT_FALSE(metrics["polished"].get<bool>());
+  EXPECT_EQ(metrics["fault"]["kind"], "speed limit");
+  // Gone after a run without.
+  EXPECT_EQ(
+      run("polish --surface table --controller mpc --out " + quoted(out) + short_run).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "fault.txt"));
+}
+
+TEST(Polish, SeveralSeedsAreSeveralRuns) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run("polish --surface table --controller baseline --seed 1 --seed 2 --json "
+          "--out " +
+          quoted(scratch.folder / "out") + short_run);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  ASSERT_EQ(summary.size(), 2U);
+  EXPECT_EQ(summary[1]["name"], "table_baseline_seed2");
+  EXPECT_NE(summary[0]["metrics"], summary[1]["metrics"]);
+}
+
+TEST(Polish, ATaskFileToStartFrom) {
+  const Scratch scratch;
+  const auto file = scratch.folder / "mine.yaml";
+  EXPECT_EQ(run("polish --surface board --set force=17 --write-task " + quoted(file)).exit_code, 0);
+  const std::string text = contents(file);
+  EXPECT_NE(text.find("\nforce: 17 "), std::string::npos) << text;
+  EXPECT_NE(text.find("posture: board_x"), std::string::npos);
+  EXPECT_NE(text.find("# 1/N^2"), std::string::npos);
+}
+
+TEST(Polish, BadInputIsOneSentence) {
+  const Scratch scratch;
+  const auto refused = [&](const std::string& arguments, const std::string& words) {
+    expect_refused(run("polish --out " + quoted(scratch.folder / "out") + " " + arguments), words);
+  };
+  refused("nowhere.yaml", "nowhere.yaml: the file cannot be opened");
+  refused("--surface bord", "did you mean 'board'?");
+  refused("--set path.radus=1", "did you mean 'radius'?");
+  refused("--set path.radius=0.6", "table is out of reach: ");
+  refused("--set 'surface.point=[0.4, -0.3, -1]'", "before the start of the path");
+  refused("--set force=300", "limits.force");
+  refused("--set force=300 --set limits.force=900", "pressing with 300 N takes");
+  refused("--disturbances mismach", "did you mean 'mismatch'?");
+  refused("--controller mcp", "--controller");
+  refused("--plant gazebo", "--plant");
+  refused("--duration 0", "phases.polish_duration: it is 0");
+  refused("--surfaces table", "did you mean '--surface'?");
+  EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
+  const auto file = scratch.write("taken", "");
+  expect_refused(run("polish --surface table --quiet --out " + quoted(file) + short_run),
+                 "cannot make the folder");
+}
+
+TEST(Polish, InterruptEndsTheRunAndWrites) {
+  const Scratch scratch;
+  const auto out = scratch.folder / "out", said = scratch.folder / "said";
+  const std::string script =
+      "'" BURNISH_PROGRAM
+      "' polish --surface table --controller mpc --plant ideal --duration 60 "
+      "--out " +
+      quoted(out) + " >" + quoted(said) + " 2>&1 & pid=$!; until [ -d " + quoted(out) +
+      " ]; do kill -0 $pid || exit 9; done; sleep 0.3; kill -INT $pid; wait $pid";
+  const int status = std::system(script.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1) << contents(said);
+  const Json metrics = Json::parse(contents(out / "table_mpc" / "metrics.json"));
+  EXPECT_NE(metrics["outcome"].get<std::string>().find("interrupted at"), std::string::npos);
+  EXPECT_GT(lines_of(contents(out / "table_mpc" / "trace.csv")), 2);
+}
+
+}  // namespace
+}  // namespace burnish::testing

@@ -1,0 +1,123 @@
+// What the arm can do is known before anything moves, and what it cannot is said in one sentence.
+#include "polishing/reach.hpp"
+
+#include <gtest/gtest.h>
+
+#include "polishing/task_file.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+Task task_on(const std::string& surface) {
+  Task task;
+  put_on(task, surface);
+  return task;
+}
+
+ReachReport reach_of(const Task& task, const ReachOptions& options = {}) {
+  return check_reach(task, make_setting(task), options);
+}
+
+TEST(Reach, NamedSurfacesAreReachable) {
+  for (const NamedSurface& surface : named_surfaces()) {
+    const ReachReport report = reach_of(task_on(surface.name));
+    EXPECT_TRUE(report.ok()) << surface.name << ": " << report.text;
+    EXPECT_EQ(report.text, "");
+    EXPECT_GT(report.joint_margin, 0.1) << surface.name << " " << report.tightest_joint;
+    EXPECT_GT(report.torque_share, 0.05) << surface.name;
+    EXPECT_LT(report.torque_share, 0.6) << surface.name << " " << report.tightest_torque;
+    EXPECT_GT(report.points, 50);
+  }
+}
+
+TEST(Reach, TheWholePathIsWalkedOnce) {
+  Task task = task_on("table");
+  task.polish_duration = 100.0;
+  // A turn of the circle and the way out to it, which is longer than the radius.
+  const double turn = 2.0 * 3.14159265 * 0.07;
+  const double length = reach_of(task).path_length;
+  EXPECT_GT(length, turn + 0.07);
+  EXPECT_LT(length, turn + 0.07 * 2.1);
+  task.path = {.kind = PathKind::Points, .points = {{0.05, 0.0}, {0.05, 0.04}}};
+  EXPECT_NEAR(reach_of(task).path_length, 0.09, 1e-6);
+  task.polish_duration = 0.3;  // not to the end
+  EXPECT_LT(reach_of(task).path_length, 0.05);
+}
+
+TEST(Reach, ASurfaceFarAwayIsRefused) {
+  Task task = task_on("table");
+  task.point_world = Eigen::Vector3d(0.4, -0.3, -1.0);
+  const ReachReport report = reach_of(task);
+  EXPECT_NE(report.problem, ReachProblem::None);
+  EXPECT_NE(report.problem, ReachProblem::Torque);
+  EXPECT_LT(report.s, -1.0);  // long before the surface
+  expect_words(report.text, {"mm before the start of the path, with the tool at (0.4"});
+}
+
+TEST(Reach, OutOfTheArmsLengthIsSaidAsSuch) {
+  Task task = task_on("board");
+  task.point_world = Eigen::Vector3d(2.5, 0.0, 1.15);
+  ReachOptions options;
+  options.joint_margin = -10.0;  // limits do not matter
+  const ReachReport report = reach_of(task, options);
+  EXPECT_EQ(report.problem, ReachProblem::Position);
+  EXPECT_EQ(report.joint, "");
+  EXPECT_GT(report.value, report.limit);
+  expect_words(report.text, {"the arm cannot reach: the tool stays", "allowed are 0.0001 m"});
+}
+
+TEST(Reach, ALargeCircleIsRefusedWithTheJoint) {
+  Task task = task_on("table");
+  task.path.radius = 0.6;
+  const ReachReport report = reach_of(task);
+  ASSERT_FALSE(report.ok());
+  EXPECT_GT(report.s, 0.0);
+  expect_words(report.text, {"mm along the path, with the tool at ("});
+  ASSERT_EQ(report.problem, ReachProblem::Joint);
+  expect_words(report.text, {"joint '" + report.joint + "' would be at", "allowed is at"});
+}
+
+TEST(Reach, ALargeForceIsRefusedWithTheJointAndBothTorques) {
+  Task task = task_on("table");
+  task.force = 300.0;
+  const ReachReport report = reach_of(task);
+  ASSERT_EQ(report.problem, ReachProblem::Torque) << report.text;
+  EXPECT_GT(report.value, report.limit);
+  EXPECT_EQ(report.joint, "arm_right_2_joint");
+  expect_words(report.text,
+               {"pressing with 300 N takes ", "Nm of joint 'arm_right_2_joint'", "allowed are 80"});
+}
+
+TEST(Reach, TheWeightOfTheArmCountsOnItsOwn) {
+  Task task = task_on("table");
+  Setting setting = make_setting(task);
+  setting.robot.model.effort_limit.setConstant(5.0);
+  const ReachReport report = check_reach(task, setting);
+  EXPECT_EQ(report.problem, ReachProblem::Torque);
+  EXPECT_LT(report.s, 0.0);  // still in the air
+  expect_words(report.text, {"the weight of the arm alone takes"});
+}
+
+TEST(Reach, MarginsAreTheOnesAskedFor) {
+  const Task task = task_on("board");
+  const ReachReport free = reach_of(task);
+  ReachOptions options;
+  options.torque_share = 0.9 * free.torque_share;
+  const ReachReport report = reach_of(task, options);
+  EXPECT_EQ(report.problem, ReachProblem::Torque);
+  EXPECT_GT(report.value, report.limit);
+  // More room for the joints, found by the null space.
+  options = {};
+  options.joint_margin = free.joint_margin + 0.005;
+  const ReachReport wider = reach_of(task, options);
+  EXPECT_TRUE(wider.ok() || wider.problem == ReachProblem::Joint) << wider.text;
+  if (wider.ok()) {
+    EXPECT_GE(wider.joint_margin, options.joint_margin - 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace burnish::testing

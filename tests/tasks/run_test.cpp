@@ -1,0 +1,131 @@
+// Runs from start to end: what comes out of them, on either plant.
+#include "polishing/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "polishing/task_file.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+/// Short, with a plan per 10 ms.
+RunSpec short_run(PlantKind plant, ControllerKind controller) {
+  RunSpec spec;
+  put_on(spec.task, "table");
+  spec.task.polish_duration = 1.5;
+  spec.task.path.start_up = 0.5;
+  spec.plant = plant;
+  spec.controller = controller;
+  return spec;
+}
+
+void expect_polished(const RunResult& result) {
+  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_EQ(result.plant_status, Status::Ok);
+  EXPECT_EQ(result.fault.kind, FaultKind::None);
+  EXPECT_EQ(result.outcome.rfind("polished", 0), 0U) << result.outcome;
+  ASSERT_TRUE(result.metrics.has_value());
+  EXPECT_NEAR(result.metrics->force_mean, 30.0, 2.0);
+  EXPECT_LT(result.metrics->position_p95, 0.01);
+  EXPECT_EQ(result.metrics->without_contact, 0.0);
+  EXPECT_GT(result.ticks.ticks, 1000);
+  EXPECT_LE(result.ticks.median, result.ticks.p99);
+  EXPECT_LE(result.ticks.p99, result.ticks.maximum);
+  EXPECT_EQ(result.trace.dropped(), 0);
+  EXPECT_GT(result.reach.points, 10);
+}
+
+TEST(PolishingRun, MpcOnTheIdealPlant) {
+  const RunResult result = run_task(short_run(PlantKind::Ideal, ControllerKind::Mpc));
+  expect_polished(result);
+  EXPECT_TRUE(result.metrics->solver.has_value());
+  // The retreat is part of the run.
+  const auto phase = result.trace.column("phase");
+  EXPECT_EQ(phase[phase.size() - 1], static_cast<double>(Phase::Retreat));
+  const auto time = result.trace.column("time");
+  EXPECT_NEAR(time[time.size() - 1], result.setting.track_end + 0.5, 0.1);
+}
+
+TEST(PolishingRun, BaselineOnTheIdealPlant) {
+  const RunResult result = run_task(short_run(PlantKind::Ideal, ControllerKind::Baseline));
+  expect_polished(result);
+  EXPECT_FALSE(result.metrics->solver.has_value());
+}
+
+TEST(PolishingRun, OnMujoco) {
+  if (!has_mujoco()) {
+    const RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);
+    expect_words(refusal([&] { run_task(spec); }), {"no MuJoCo", "'ideal'"});
+    GTEST_SKIP() << "built without MuJoCo";
+  }
+  for (const char* surface : {"table", "board"}) {
+    RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);
+    put_on(spec.task, surface);
+    spec.task.disturbances = disturbance_preset("mismatch");
+    expect_polished(run_task(spec));
+  }
+}
+
+TEST(PolishingRun, TheSameSeedGivesTheSameBits) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
+  spec.task.disturbances = disturbance_preset("mismatch");
+  const auto force = [&](std::uint64_t seed) {
+    spec.task.disturbances.seed = seed;
+    return Eigen::VectorXd(run_task(spec).trace.column("tool_force_z_world"));
+  };
+  const Eigen::VectorXd once = force(3), again = force(3), other = force(4);
+  EXPECT_EQ(once, again);
+  EXPECT_TRUE(once.size() != other.size() || (once - other).norm() > 0.0);
+}
+
+TEST(PolishingRun, AFaultEndsItWithItsReport) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
+  spec.task.disturbances.pushes = {{0.2, 1.0, {0.0, 0.0, 1000.0}}};
+  const RunResult result = run_task(spec);
+  EXPECT_FALSE(result.polished);
+  EXPECT_NE(result.fault.kind, FaultKind::None);
+  EXPECT_EQ(result.outcome, result.fault.text());
+  EXPECT_GT(result.fault.last_second.rows(), 100);
+  EXPECT_FALSE(result.metrics.has_value());
+  EXPECT_GT(result.trace.rows(), 400);
+}
+
+TEST(PolishingRun, ASurfaceThatIsNotThereIsGivenUp) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
+  spec.task.disturbances.surface_height = -0.5;
+  const RunResult result = run_task(spec);
+  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.metrics.has_value());
+  expect_words(result.outcome, {"no contact was made", "in phase approach"});
+}
+
+TEST(PolishingRun, ProgressStopsIt) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
+  double seen = 0.0;
+  spec.progress = [&](double time, double end) {
+    seen = time;
+    EXPECT_GT(end, 3.0);
+    return time < 0.3;
+  };
+  const RunResult result = run_task(spec);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_FALSE(result.polished);
+  EXPECT_GE(seen, 0.3);
+  EXPECT_LT(seen, 0.4);
+  EXPECT_EQ(result.trace.rows(), static_cast<int>(std::lround(seen / 5e-4)));
+}
+
+TEST(PolishingRun, OutOfReachIsRefusedBeforeAnythingMoves) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
+  spec.task.force = 300.0;
+  expect_words(refusal([&] { run_task(spec); }), {"force of 300 N reaches limits.force"});
+  spec.task.limits.force = 1000.0;
+  spec.task.force = 500.0;
+  expect_words(refusal([&] { run_task(spec); }), {"out of reach", "pressing with 500 N"});
+}
+
+}  // namespace
+}  // namespace burnish::testing

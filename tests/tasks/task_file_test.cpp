@@ -1,0 +1,275 @@
+// Task files: what they say arrives, what is written reads back, and what cannot be used is refused
+// with a sentence that says where.
+#include "polishing/task_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "polishing/stages.hpp"
+#include "polishing/task_notes.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace burnish::polishing;
+
+const fs::path shipped = fs::path(BURNISH_ROBOTS_DIR).parent_path() / "tasks" / "polishing";
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A folder for the files of one test.
+class TaskFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::path(::testing::TempDir()) / "burnish_task_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path write(const std::string& text, const std::string& name = "task.yaml") const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  fs::path folder_;
+};
+
+TEST_F(TaskFile, TheShippedTableStatesTheDefaults) {
+  Task task;
+  put_on(task, "table");
+  task.disturbances = disturbance_preset("mismatch");
+  EXPECT_EQ(contents(shipped / "table.yaml"), task_text(task))
+      << "burnish polish --surface table --write-task tasks/polishing/table.yaml mends it";
+  EXPECT_EQ(task_text(read_task(shipped / "table.yaml")), task_text(task));
+}
+
+TEST_F(TaskFile, TheShippedBoardIsTheSameTaskOnABoard) {
+  Task task;
+  put_on(task, "board");
+  task.disturbances = disturbance_preset("mismatch");
+  EXPECT_EQ(task_text(read_task(shipped / "board.yaml")), task_text(task));
+}
+
+/// A task in which every kind of entry differs from its default.
+Task unusual_task() {
+  Task task;
+  put_on(task, "tilt_45");
+  task.point_world = Eigen::Vector3d(0.3, -0.43, 1.0 / 3.0);
+  task.force = 12.5;
+  task.path.kind = PathKind::Points;
+  task.path.points = {{0.01, -0.02}, {1e-5, 0.1 + 0.2}};
+  task.path.rows = 4;
+  task.solver = StepUpdate::Rollout;
+  task.axes = ForceAxes::Local;
+  task.feedback = false;
+  task.model_error.kind = ModelErrorKind::Force;
+  task.limits.deadline = 0.003;
+  task.limits.force = std::numeric_limits<double>::infinity();
+  task.weights.terminal = 1e-7;
+  Disturbances& d = task.disturbances;
+  d.seed = 41;
+  d.torque_scale = Eigen::VectorXd::LinSpaced(6, 0.8, 1.2);
+  d.torque_loop = true;
+  d.surface_tilt_deg = {-6.0, 2.5};
+  d.surface_friction = 0.5;
+  d.surface_height = -0.002;
+  d.pushes = {{1.0, 0.2, {0.0, 0.0, -20.0}}, {2.5, 0.1, {5.0, 0.0, 0.0}}};
+  return task;
+}
+
+TEST_F(TaskFile, WhatIsWrittenReadsBackAsItWas) {
+  const Task task = unusual_task();
+  const fs::path file = folder_ / "task.yaml";
+  write_task(task, file);
+  const Task back = read_task(file);
+  EXPECT_EQ(task_text(back), task_text(task));
+  EXPECT_EQ(back.posture, "tilt_45");
+  EXPECT_EQ(*back.point_world, *task.point_world);
+  EXPECT_EQ(back.normal_world, task.normal_world);
+  EXPECT_EQ(back.path.kind, PathKind::Points);
+  ASSERT_EQ(back.path.points.size(), 2U);
+  EXPECT_EQ(back.path.points[1], task.path.points[1]);
+  EXPECT_EQ(back.solver, StepUpdate::Rollout);
+  EXPECT_EQ(back.axes, ForceAxes::Local);
+  EXPECT_FALSE(back.feedback);
+  EXPECT_EQ(back.model_error.kind, ModelErrorKind::Force);
+  EXPECT_EQ(back.limits.deadline, 0.003);
+  EXPECT_TRUE(std::isinf(back.limits.force));
+  EXPECT_EQ(back.disturbances.seed, 41U);
+  EXPECT_EQ(back.disturbances.torque_scale, task.disturbances.torque_scale);
+  EXPECT_EQ(back.disturbances.surface_tilt_deg, task.disturbances.surface_tilt_deg);
+  EXPECT_EQ(*back.disturbances.surface_friction, 0.5);
+  ASSERT_EQ(back.disturbances.pushes.size(), 2U);
+  EXPECT_EQ(back.disturbances.pushes[0].force_world, Eigen::Vector3d(0.0, 0.0, -20.0));
+}
+
+TEST_F(TaskFile, KeysThatAreLeftOutKeepTheirDefaults) {
+  const Task task = read_task(write("force: 20\nweights: {rotation: 3}\n"));
+  Task expected;
+  expected.force = 20.0;
+  expected.weights.rotation = 3.0;
+  EXPECT_EQ(task_text(task), task_text(expected));
+}
+
+TEST_F(TaskFile, EveryNamedSurfaceIsOneOfTheRobot) {
+  for (const NamedSurface& surface : named_surfaces()) {
+    const Task task = read_task(write("surface: " + surface.name + "\n"));
+    const Setting setting = make_setting(task);
+    EXPECT_EQ(setting.scene.surface.normal, surface.normal_world.normalized());
+    EXPECT_EQ(setting.q_start, setting.robot.posture(surface.posture)) << surface.name;
+    EXPECT_NEAR(gap(setting.scene, setting.p_start), task.clearance, 1e-12);
+  }
+}
+
+TEST_F(TaskFile, ANamedSurfaceWithOneThingChanged) {
+  const Task task = read_task(write("posture: table\nsurface: {name: board, friction: 0.2}\n"));
+  EXPECT_EQ(task.normal_world, Eigen::Vector3d(-1.0, 0.0, 0.0));
+  EXPECT_EQ(task.posture, "table");
+  EXPECT_EQ(task.friction, 0.2);
+}
+
+TEST_F(TaskFile, PresetsAddUp) {
+  const Disturbances sensors = disturbance_preset("sensors"), more = disturbance_preset("mismatch"),
+                     most = disturbance_preset("joint_friction");
+  EXPECT_EQ(disturbance_preset("none").encoder_bits, 0);
+  EXPECT_EQ(sensors.encoder_bits, 17);
+  EXPECT_EQ(sensors.mass_scale, 1.0);
+  EXPECT_EQ(more.mass_scale, 1.05);
+  EXPECT_EQ(*more.surface_friction, 0.3);
+  EXPECT_EQ(more.joint_coulomb, 0.0);
+  EXPECT_EQ(most.joint_coulomb, 1.0);
+  EXPECT_EQ(most.joint_viscous, 1.0);
+  const Task task = read_task(write(
+      "disturbances: {preset: mismatch, seed: 5, mass_scale: 0.9, surface_friction: none}\n"));
+  EXPECT_EQ(task.disturbances.mass_scale, 0.9);
+  EXPECT_EQ(task.disturbances.seed, 5U);
+  EXPECT_FALSE(task.disturbances.surface_friction.has_value());
+  EXPECT_EQ(task.disturbances.encoder_bits, 17);
+}
+
+TEST_F(TaskFile, OverridesComeLastAndInOrder) {
+  const fs::path file = write("force: 20\ndisturbances: {seed: 3}\n");
+  const Task task = read_task(file, {"force=25", "weights.rotation=2", "disturbances=sensors",
+                                     "surface=board", "surface.normal=[-1, 0, 0.1]", "force=26"});
+  EXPECT_EQ(task.force, 26.0);
+  EXPECT_EQ(task.weights.rotation, 2.0);
+  EXPECT_EQ(task.posture, "board_x");
+  EXPECT_EQ(task.normal_world.z(), 0.1);
+  EXPECT_EQ(task.disturbances.encoder_bits, 17);
+  EXPECT_EQ(task.disturbances.seed, 3U);
+}
+
+TEST_F(TaskFile, PointsOfAPathComeFromATable) {
+  write("u [m],w [m]\n0.01,0\n0.02,-0.03\n", "corners.csv");
+  const Task task = read_task(write("path: {kind: points, points: corners.csv}\n"));
+  ASSERT_EQ(task.path.points.size(), 2U);
+  EXPECT_EQ(task.path.points[1], Eigen::Vector2d(0.02, -0.03));
+  const Task other =
+      read_task(write("path: points\n"), {"path.points=" + (folder_ / "corners.csv").string()});
+  EXPECT_EQ(other.path.points, task.path.points);
+}
+
+struct Refused {
+  const char* text;
+  std::vector<std::string> words;
+};
+
+class TaskFileRefuses : public TaskFile, public ::testing::WithParamInterface<Refused> {};
+
+TEST_P(TaskFileRefuses, WithThePlace) {
+  const fs::path file = write(GetParam().text);
+  std::vector<std::string> words = GetParam().words;
+  words.push_back(file.string());
+  expect_words(refusal([&] { read_task(file); }), words);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, TaskFileRefuses,
+    ::testing::Values(
+        Refused{"forse: 3\n", {"line 1", "key 'forse' is unknown", "did you mean 'force'?"}},
+        Refused{"path:\n  radus: 0.1\n", {"line 2: path: key 'radus'", "did you mean 'radius'?"}},
+        Refused{"force: 1\nforce: 2\n", {"'force' is stated twice"}},
+        Refused{"force: -3\n", {"force: it is -3; wanted more than 0"}},
+        Refused{"force: much\n", {"force: 'much' is no number"}},
+        Refused{"force: .inf\n", {"force: '.inf' is no number"}},
+        Refused{"path: circl\n", {"path: 'circl' is unknown; did you mean 'circle'?"}},
+        Refused{"path: {radius: 0}\n", {"path.radius: it is 0"}},
+        Refused{"path: {kind: points}\n", {"there are no points"}},
+        Refused{"path: {kind: points, points: none.csv}\n", {"path.points", "none.csv"}},
+        Refused{"path: {kind: points, points: [[1, 2, 3]]}\n",
+                {"path.points[0]: it has 3 numbers; wanted 2"}},
+        Refused{"path: {rows: 1}\n", {"path.rows: it is 1; wanted at least 2"}},
+        Refused{"surface: bord\n", {"surface: 'bord' is unknown; did you mean 'board'?"}},
+        Refused{"surface: {normal: [0, 0, 0]}\n", {"surface.normal: the normal has no direction"}},
+        Refused{"surface: {normal: [0, 1]}\n", {"surface.normal: it has 2 numbers; wanted 3"}},
+        Refused{"surface: {friction: -0.1}\n", {"surface.friction: it is -0.1"}},
+        Refused{"surface: {point: here}\n", {"surface.point: wanted a list of 3 numbers"}},
+        Refused{"weights: {forces: 3}\n", {"weights: key 'forces'", "did you mean 'force'?"}},
+        Refused{"weights: 3\n", {"weights: wanted keys with values"}},
+        Refused{"weights: {force: -1}\n", {"weights.force: it is -1; wanted at least 0"}},
+        Refused{"controller: {solver: ddp}\n", {"controller.solver: 'ddp' is unknown"}},
+        Refused{"controller: {iterations: 0.5}\n", {"controller.iterations: it is 0.5"}},
+        Refused{"controller: {feedback: 3}\n", {"controller.feedback"}},
+        Refused{"controller: {horizon: 0.055}\n", {"horizon of 0.055 s is no multiple"}},
+        Refused{"controller: {update_rate: 300}\n", {"update_rate is 300 Hz", "ticks per update"}},
+        Refused{"controller: {update_rate: 4000}\n", {"update_rate is 4000 Hz"}},
+        Refused{"controller: {update_rate: 100, solver_delay: 0.02}\n", {"solver_delay is 0.02 s"}},
+        Refused{"force: 120\n", {"force of 120 N reaches limits.force of 100 N"}},
+        Refused{"limits: {force: nevr}\n", {"limits.force: 'nevr' is no number"}},
+        Refused{"model_error: {kind: torqe}\n", {"model_error.kind", "did you mean 'torque'?"}},
+        Refused{"disturbances: mismach\n", {"'mismach' is unknown; did you mean 'mismatch'?"}},
+        Refused{"disturbances: {torque_nois: 1}\n", {"did you mean 'torque_noise'?"}},
+        Refused{"disturbances: {pushes: [{start: 1, force: [0, 0, 1]}]}\n",
+                {"disturbances.pushes[0]: key 'duration' is missing"}},
+        Refused{"- 1\n", {"wanted keys with values"}}, Refused{"force: [\n", {"this is no YAML"}}));
+
+TEST_F(TaskFile, OverridesAreRefusedByTheirOwnWords) {
+  Task task;
+  const auto refused = [&](const std::string& word) {
+    return refusal([&] { override_task(task, {word}); });
+  };
+  expect_words(refused("path.radus=1"),
+               {"override 'path.radus=1': path: key 'radus'", "did you mean 'radius'?"});
+  expect_words(refused("force=a"), {"override 'force=a': force: 'a' is no number"});
+  expect_words(refused("force"), {"'force' is no override; wanted key.path=value"});
+  expect_words(refused("=3"), {"wanted key.path=value"});
+  expect_words(refused("force="), {"wanted key.path=value"});
+  expect_words(refused("force=[1"), {"override 'force=[1'", "no YAML"});
+  expect_words(refused("a b.c: d=1"), {"override"});
+}
+
+TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
+  Task task;
+  task.disturbances = disturbance_preset("mismatch");
+  EXPECT_TRUE(task_notes(task, PlantKind::Mujoco).empty());
+  task.path.rate = 3.0;
+  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  ASSERT_EQ(task_notes(task, PlantKind::Mujoco).size(), 1U);
+  expect_words(task_notes(task, PlantKind::Mujoco)[0], {"= 31.5 N", "contact will be lost"});
+  task.torque_cutoff = 60.0;
+  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
+  expect_words(task_notes(task, PlantKind::Ideal)[0], {"60 rad/s, and the plant has none"});
+  task.disturbances.torque_cutoff = 50.0;
+  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+}
+
+TEST_F(TaskFile, FilesThatCannotBeRead) {
+  expect_words(refusal([] { read_task("nowhere.yaml"); }), {"nowhere.yaml", "cannot be opened"});
+  expect_words(refusal([&] { read_task(folder_); }), {"this is a folder"});
+  expect_words(refusal([&] { write_task({}, folder_ / "no" / "task.yaml"); }), {"cannot write"});
+  Task task;
+  expect_words(refusal([&] { put_on(task, "tabel"); }), {"did you mean 'table'?"});
+  expect_words(refusal([] { disturbance_preset("sensor"); }), {"did you mean 'sensors'?"});
+}
+
+}  // namespace
+}  // namespace burnish::testing
