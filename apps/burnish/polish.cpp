@@ -86,24 +86,32 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
   return jobs;
 }
 
+/// Notes on what is probably not meant, and what the arm has left.
+void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
+                  const PolishArguments& arguments) {
+  for (const std::string& note : polishing::task_notes(job.spec.task, job.spec.plant))
+    fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
+  if (arguments.talks() && reach.points > 0)
+    fmt::print(
+        "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the "
+        "torque limits ({})\n",
+        job.place, reach.path_length, reach.joint_margin, reach.tightest_joint,
+        100.0 * reach.torque_share, reach.tightest_torque);
+}
+
 /// What the arm can do is known before anything moves.
 void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments) {
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (i > 0 && jobs[i].place == jobs[i - 1].place) continue;  // controllers and seeds differ
-    const polishing::RunSpec& spec = jobs[i].spec;
-    for (const std::string& note : polishing::task_notes(spec.task, spec.plant))
-      fmt::print(stderr, "burnish: {}: note: {}\n", jobs[i].place, note);
+  std::vector<std::pair<const PolishJob*, polishing::ReachReport>> places;
+  for (const PolishJob& job : jobs) {
+    if (!places.empty() && places.back().first->place == job.place) continue;
+    places.push_back({&job, {}});
     if (arguments.unchecked) continue;
-    const polishing::ReachReport reach =
-        polishing::check_reach(spec.task, polishing::make_setting(spec.task));
-    if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", jobs[i].place, reach.text));
-    if (talks)
-      fmt::print(
-          "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the "
-          "torque limits ({})\n",
-          jobs[i].name, reach.path_length, reach.joint_margin, reach.tightest_joint,
-          100.0 * reach.torque_share, reach.tightest_torque);
+    const polishing::Task& task = job.spec.task;
+    polishing::ReachReport& reach = places.back().second;
+    reach = polishing::check_reach(task, polishing::make_setting(task));
+    if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
   }
+  for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);
 }
 
 /// A bar on the terminal; nothing where the output is a file.

@@ -127,11 +127,12 @@ void Problem::Impl::load_targets(int knot) {
 }
 
 void Problem::Impl::set_knot(int knot, int stage_index, double time) {
-  if (knot < static_cast<int>(stage_of.size()) - 1)
-    stage_of[static_cast<std::size_t>(knot)] = stage_index;
+  int& stage_here = stage_of[static_cast<std::size_t>(knot)];
+  const bool other = knot < static_cast<int>(stage_of.size()) - 1 && stage_here != stage_index;
+  if (other) stage_here = stage_index;
   times[static_cast<std::size_t>(knot)] = time;
   load_targets(knot);
-  cut_ranges();
+  if (other) cut_ranges();
 }
 
 void Problem::Impl::advance(int stage_index) {

@@ -39,12 +39,10 @@ TaskSection weights_section() {
       "Cost per second of squared error. What counts is how they compare: raise one, and its "
       "error\n"
       "shrinks at the expense of the others.",
-      {weight("force", "1/N^2: force along the normal; more holds the force, and hears its noise",
-              &Weights::force),
+      {weight("force", "1/N^2: force along the normal to its target", &Weights::force),
        weight("position", "1/m^2: tool to the path, in the air to the point above the surface",
               &Weights::position),
-       weight("approach",
-              "s^2/m^2: speed along the normal to the approach speed; more lands softer",
+       weight("approach", "s^2/m^2: speed along the normal to the approach speed, before contact",
               &Weights::approach),
        weight("rotation",
               "1/rad^2: tool to its orientation at the start; less lets the wrist follow",
@@ -53,8 +51,7 @@ TaskSection weights_section() {
               &Weights::posture),
        weight("velocity", "s^2/rad^2: joint speeds; more damps, and lags on fast paths",
               &Weights::velocity),
-       weight("torque", "1/Nm^2: torques to those that hold the start; more gives softer gains",
-              &Weights::torque),
+       weight("torque", "1/Nm^2: torques to those that hold the start", &Weights::torque),
        weight("torque_rate",
               "1/Nm^2: control minus torque, with a torque lag; more gives smooth "
               "torques",
@@ -69,14 +66,15 @@ TaskSection weights_section() {
 }
 
 TaskSection model_error_section() {
-  return {"model_error",
-          "What measurements say that the model gets wrong, given back to it before each plan.",
-          {word_key("kind", "none, torque (per joint) or force (along the normal)",
-                    {"none", "torque", "force"}, at(&Task::model_error, &ModelErrorOptions::kind)),
-           number_key("bandwidth", "rad/s of the observer; more follows friction, and hears noise",
-                      Range::Positive, at(&Task::model_error, &ModelErrorOptions::bandwidth)),
-           number_key("limit", "Nm (N): estimates stay within +- this", Range::Positive,
-                      at(&Task::model_error, &ModelErrorOptions::limit))}};
+  return {
+      "model_error",
+      "What measurements say that the model gets wrong, given back to it before each plan.",
+      {word_key("kind", "none, torque (per joint) or force (along the normal)",
+                {"none", "torque", "force"}, at(&Task::model_error, &ModelErrorOptions::kind)),
+       number_key("bandwidth", "rad/s of the observer; more follows friction, and bears less delay",
+                  Range::Positive, at(&Task::model_error, &ModelErrorOptions::bandwidth)),
+       number_key("limit", "Nm (N): estimates stay within +- this", Range::Positive,
+                  at(&Task::model_error, &ModelErrorOptions::limit))}};
 }
 
 TaskSection limits_section() {
