@@ -111,10 +111,10 @@ struct Builder {
     return terms;
   }
 
-  Stage stage(const std::string& name, std::vector<CostTerm> extra, bool contact) const {
+  Stage stage(const std::string& name, const std::vector<CostTerm>& extra, bool contact) const {
     Stage result{.name = name, .costs = everywhere(), .step = task.step};
-    for (CostTerm& term : control()) result.costs.push_back(term);
-    for (CostTerm& term : extra) result.costs.push_back(term);
+    for (const CostTerm& term : control()) result.costs.push_back(term);
+    for (const CostTerm& term : extra) result.costs.push_back(term);
     if (contact) result.contacts = {"surface"};
     return result;
   }

@@ -25,7 +25,6 @@ struct Weights {
   double posture = 0.1;       ///< 1/rad^2: keeps the null space near the starting posture
   double velocity = 1.0;      ///< s^2/rad^2: damps the joints
   double torque = 1e-4;       ///< 1/Nm^2: of the control, about the torque that holds the posture
-  double torque_rate = 1e-3;  ///< 1/Nm^2: of control minus torque, with a torque model
   double position = 1e4;      ///< 1/m^2: of the tool along the surface (all three axes in the air)
   double approach = 1e2;      ///< s^2/m^2: of the tool's speed towards and from the surface
   double rotation = 1.0;      ///< 1/rad^2: of the tool

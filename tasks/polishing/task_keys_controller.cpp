@@ -52,10 +52,6 @@ TaskSection weights_section() {
        weight("velocity", "s^2/rad^2: joint speeds; more damps, and lags on fast paths",
               &Weights::velocity),
        weight("torque", "1/Nm^2: torques to those that hold the start", &Weights::torque),
-       weight("torque_rate",
-              "1/Nm^2: control minus torque, with a torque lag; more gives smooth "
-              "torques",
-              &Weights::torque_rate),
        weight("position_limits", "1/rad^2 beyond 0.05 rad inside a joint's limits",
               &Weights::position_limits),
        weight("velocity_limits", "s^2/rad^2 beyond a joint's velocity limit",
