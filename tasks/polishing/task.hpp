@@ -22,13 +22,13 @@ enum class ForceAxes {
 /// Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error that
 /// the others force on its term.
 struct Weights {
-  double posture = 0.1;       ///< 1/rad^2: keeps the null space near the starting posture
-  double velocity = 1.0;      ///< s^2/rad^2: damps the joints
-  double torque = 1e-4;       ///< 1/Nm^2: of the control, about the torque that holds the posture
-  double position = 1e4;      ///< 1/m^2: of the tool along the surface (all three axes in the air)
-  double approach = 1e2;      ///< s^2/m^2: of the tool's speed towards and from the surface
-  double rotation = 1.0;      ///< 1/rad^2: of the tool
-  double force = 0.1;         ///< 1/N^2
+  double posture = 0.1;   ///< 1/rad^2: keeps the null space near the starting posture
+  double velocity = 1.0;  ///< s^2/rad^2: damps the joints
+  double torque = 1e-4;   ///< 1/Nm^2: of the control, about the torque that holds the posture
+  double position = 1e4;  ///< 1/m^2: of the tool along the surface (all three axes in the air)
+  double approach = 1e2;  ///< s^2/m^2: of the tool's speed towards and from the surface
+  double rotation = 1.0;  ///< 1/rad^2: of the tool
+  double force = 0.1;     ///< 1/N^2
   double position_limits = 1e3;  ///< 1/rad^2 beyond a joint's limit minus its margin
   double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
   double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
