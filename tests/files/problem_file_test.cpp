@@ -351,6 +351,25 @@ TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {
   }
 }
 
+TEST_P(ExampleProblem, HasTheSameBitsWithOneAndTwoThreads) {
+  const ProblemFile file = read_problem_file(GetParam());
+  const auto solve = [&](int threads, RowMatrix& us) {
+    Problem problem(file.spec);
+    DdpOptions options = file.solver;
+    options.threads = threads;
+    DdpSolver solver(problem, options);
+    const TrajectoryGuess guess = make_guess(problem, file.guess);
+    solver.set_guess(guess.xs, guess.us);
+    solver.solve();
+    us = solver.us();
+    return RowMatrix(solver.xs());
+  };
+  RowMatrix us_one, us_two;
+  const RowMatrix xs_one = solve(1, us_one), xs_two = solve(2, us_two);
+  EXPECT_EQ(xs_one, xs_two);
+  EXPECT_EQ(us_one, us_two);
+}
+
 TEST_P(ExampleProblem, ConvergesFromItsOwnStart) {
   const ProblemFile file = read_problem_file(GetParam());
   EXPECT_NE(file.description, "");

@@ -1,5 +1,5 @@
 // What a cost term measures. Each residual is a plain value; its rows, their units and axes are
-// said here, and docs/costs.md has the same with pictures.
+// said here, and docs/costs.md has the same with typical weights.
 //
 // A target may be left empty where that is said; its size is the residual's unless said otherwise.
 #pragma once
