@@ -49,12 +49,13 @@ auto at(Members... members) {
 enum class Range { Any, NotNegative, Positive, PositiveOrNever };
 
 TaskKey number_key(const char* name, const char* meaning, Range range,
-                   std::function<double&(Task&)> entry);
+                   const std::function<double&(Task&)>& entry);
 TaskKey count_key(const char* name, const char* meaning, int least,
-                  std::function<int&(Task&)> entry);
-TaskKey flag_key(const char* name, const char* meaning, std::function<bool&(Task&)> entry);
+                  const std::function<int&(Task&)>& entry);
+TaskKey flag_key(const char* name, const char* meaning, const std::function<bool&(Task&)>& entry);
 /// Not written while it is empty.
-TaskKey text_key(const char* name, const char* meaning, std::function<std::string&(Task&)> entry);
+TaskKey text_key(const char* name, const char* meaning,
+                 const std::function<std::string&(Task&)>& entry);
 
 /// One of `words`, in the order of the enumeration's values.
 template <class Entry>

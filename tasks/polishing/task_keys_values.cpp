@@ -22,7 +22,7 @@ std::string yaml(const Eigen::Ref<const Eigen::VectorXd>& values) {
 }
 
 TaskKey number_key(const char* name, const char* meaning, Range range,
-                   std::function<double&(Task&)> entry) {
+                   const std::function<double&(Task&)>& entry) {
   const bool may_be_never = range == Range::PositiveOrNever;
   return {name, meaning,
           [=](Task& task, const files::YamlReader& reader) {
@@ -40,7 +40,7 @@ TaskKey number_key(const char* name, const char* meaning, Range range,
 }
 
 TaskKey count_key(const char* name, const char* meaning, int least,
-                  std::function<int&(Task&)> entry) {
+                  const std::function<int&(Task&)>& entry) {
   return {name, meaning,
           [=](Task& task, const files::YamlReader& reader) { entry(task) = reader.count(least); },
           [=](const Task& task) -> std::optional<std::string> {
@@ -49,7 +49,7 @@ TaskKey count_key(const char* name, const char* meaning, int least,
           }};
 }
 
-TaskKey flag_key(const char* name, const char* meaning, std::function<bool&(Task&)> entry) {
+TaskKey flag_key(const char* name, const char* meaning, const std::function<bool&(Task&)>& entry) {
   return {name, meaning,
           [=](Task& task, const files::YamlReader& reader) { entry(task) = reader.yes_or_no(); },
           [=](const Task& task) -> std::optional<std::string> {
@@ -58,7 +58,8 @@ TaskKey flag_key(const char* name, const char* meaning, std::function<bool&(Task
           }};
 }
 
-TaskKey text_key(const char* name, const char* meaning, std::function<std::string&(Task&)> entry) {
+TaskKey text_key(const char* name, const char* meaning,
+                 const std::function<std::string&(Task&)>& entry) {
   return {name, meaning,
           [=](Task& task, const files::YamlReader& reader) { entry(task) = reader.text(); },
           [=](const Task& task) -> std::optional<std::string> {
