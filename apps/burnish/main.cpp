@@ -84,8 +84,9 @@ void check_command(const CLI::App& app, int count, char** words) {
 }
 
 int run(int count, char** words) {
-  CLI::App app("Contact dynamics of robots and its analytical derivatives, in any reference frame.",
-               "burnish");
+  CLI::App app(
+      "Contact dynamics, optimal control and polishing: robots that press, slide and walk.",
+      "burnish");
   app.set_version_flag("--version", "burnish " BURNISH_VERSION);
   app.footer(footer);
   app.require_subcommand(0, 1);

@@ -9,11 +9,17 @@
 namespace burnish::test {
 namespace {
 
+// Instrumented code fuses multiply and add in other places in one kernel than in the other, so that
+// their last bits, which mass matrix and contacts amplify, differ more.
+#ifdef __SANITIZE_ADDRESS__
+constexpr double instrumented = 10.0;
+#else
+constexpr double instrumented = 1.0;
+#endif
+
 struct Touch {
   std::string robot, tool, base;
-  /// What a robot may lose, relative: its mass matrix and contacts amplify the last bit, in which
-  /// the two kernels differ where the compiler fuses multiply and add in one of them only.
-  double rounding = 1e-12;
+  double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
 };
 
 void PrintTo(const Touch& touch, std::ostream* out) { *out << touch.robot; }
@@ -84,7 +90,7 @@ TEST_P(BatchOf, any_size_equals_single_states) {
     }
   }
   RecordProperty("worst", std::to_string(worst * 1e12) + "e-12");
-  EXPECT_LT(worst, GetParam().rounding);
+  EXPECT_LT(worst, instrumented * GetParam().rounding);
 }
 
 TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
@@ -124,7 +130,7 @@ TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
     for (int i = 0; i < count; ++i) {
       EXPECT_EQ(packed.status(i), i == bad ? expected : Status::Ok);
       if (i == bad) continue;
-      EXPECT_LT(difference(packed, single, good, i), GetParam().rounding)
+      EXPECT_LT(difference(packed, single, good, i), instrumented * GetParam().rounding)
           << "kind " << kind << ", state " << i;
     }
     EXPECT_EQ(packed.a(bad), Eigen::VectorXd::Zero(model_.nv)) << kind;
