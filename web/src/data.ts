@@ -1,0 +1,254 @@
+// The data of a page: types of "burnish-page/1", and decoding of its packed arrays.
+
+export type Vec3 = [number, number, number];
+/** px, py, pz, qx, qy, qz, qw */
+export type Placement = [number, number, number, number, number, number, number];
+export type Numbers = Float32Array;
+
+interface PackedF32 {
+  n: number;
+  f32: string;
+}
+interface PackedU32 {
+  n: number;
+  u32: string;
+}
+
+export type JointKind = 'revolute' | 'continuous' | 'prismatic' | 'planar' | 'free_flyer';
+
+export interface Joint {
+  name: string;
+  kind: JointKind;
+  q_index: number;
+  nq: number;
+  lower: number | null;
+  upper: number | null;
+  effort: number | null;
+  velocity: number | null;
+}
+
+export interface Body {
+  name: string;
+  parent: number;
+  joint: Joint;
+  placement: Placement;
+  mass: number;
+  com: Vec3;
+  /** ixx, iyy, izz, ixy, ixz, iyz about the centre of mass, axes of the joint */
+  inertia: [number, number, number, number, number, number];
+}
+
+export type Shape =
+  | { kind: 'box'; size: Vec3 }
+  | { kind: 'cylinder'; radius: number; length: number }
+  | { kind: 'capsule'; radius: number; length: number }
+  | { kind: 'sphere'; radius: number }
+  | { kind: 'mesh'; name: string; vertices: Numbers | null; triangles: Uint32Array | null };
+
+export interface Visual {
+  body: number;
+  link: string;
+  placement: Placement;
+  rgba: [number, number, number, number];
+  shape: Shape;
+}
+
+export interface Frame {
+  name: string;
+  kind: 'link' | 'joint' | 'user';
+  body: number;
+  placement: Placement;
+}
+
+export interface Robot {
+  name: string;
+  moving: string[];
+  bodies: Body[];
+  nq: number;
+  q: number[];
+  visuals: Visual[];
+  frames: Frame[];
+  postures: { name: string; q: number[] }[];
+  gravity: Vec3;
+  total_mass: number;
+}
+
+export interface Column {
+  name: string;
+  unit: string;
+  data: Numbers;
+}
+
+export interface Metric {
+  name: string;
+  label: string;
+  value: number | null;
+  unit: string;
+  text: string;
+}
+
+export interface Phase {
+  name: string;
+  start: number;
+  end: number;
+}
+
+export interface Solver {
+  time: Numbers;
+  solve_ms: Numbers;
+  iterations: Numbers;
+  missed: Numbers;
+  period_ms: number;
+  deadline_ms: number | null;
+}
+
+export interface Horizon {
+  time: Numbers;
+  knots: number;
+  step: number;
+  nq: number;
+  q: Numbers;
+}
+
+export type Interval = [number | null, number | null] | null;
+
+export interface Surface {
+  point: Vec3;
+  axes: number[];
+  true_point: Vec3;
+  true_axes: number[];
+  friction: number;
+}
+
+export interface Run {
+  name: string;
+  created: string;
+  version: string;
+  facts: [string, string][];
+  command: string;
+  outcome: string;
+  polished: boolean;
+  fault: { kind: string; time: number; text: string } | null;
+  metrics: Metric[];
+  task_file: string;
+  duration: number;
+  robot: Robot;
+  tool: { frame: string; tip_radius: number };
+  surface: Surface;
+  path: { u: Numbers; w: Numbers };
+  path_origin: Vec3;
+  time: Numbers;
+  columns: Map<string, Column>;
+  envelopes: Map<string, { min: Numbers; max: Numbers }>;
+  limits: { tau: Interval[]; v: Interval[]; q: Interval[] };
+  phases: Phase[];
+  solver: Solver | null;
+  costs: { time: Numbers; terms: { name: string; value: Numbers }[] } | null;
+  horizon: Horizon | null;
+  window: [number, number] | null;
+}
+
+export interface Page {
+  kind: 'run' | 'robot';
+  title: string;
+  version: string;
+  created: string;
+  runs: Run[];
+  robot: Robot | null;
+}
+
+function bytes(text: string): Uint8Array<ArrayBuffer> {
+  const raw = atob(text);
+  const out = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; ++i) out[i] = raw.charCodeAt(i);
+  return out;
+}
+
+export function unpackF32(packed: PackedF32): Float32Array {
+  const raw = bytes(packed.f32);
+  return new Float32Array(raw.buffer, 0, raw.byteLength >> 2);
+}
+
+export function unpackU32(packed: PackedU32): Uint32Array {
+  const raw = bytes(packed.u32);
+  return new Uint32Array(raw.buffer, 0, raw.byteLength >> 2);
+}
+
+const isPacked = (value: object): value is PackedF32 | PackedU32 =>
+  typeof (value as PackedF32).f32 === 'string' || typeof (value as PackedU32).u32 === 'string';
+
+/** Replaces every packed array in a parsed JSON value by a typed array. */
+function unpackAll(value: unknown): unknown {
+  if (Array.isArray(value)) return typeof value[0] === 'object' ? value.map(unpackAll) : value;
+  if (value === null || typeof value !== 'object') return value;
+  if (isPacked(value)) return 'f32' in value ? unpackF32(value) : unpackU32(value);
+  const out: Record<string, unknown> = {};
+  for (const [key, part] of Object.entries(value)) out[key] = unpackAll(part);
+  return out;
+}
+
+type Loose = Record<string, unknown>;
+
+function decodeRun(raw: Loose): Run {
+  const series = raw.series as { time: Numbers; columns: Column[] };
+  const envelopes = (raw.envelopes as { columns?: { name: string; min: Numbers; max: Numbers }[] })
+    ?.columns;
+  const { series: _series, ...rest } = raw;
+  return {
+    ...(rest as unknown as Run),
+    time: series.time,
+    columns: new Map(series.columns.map((column) => [column.name, column])),
+    envelopes: new Map((envelopes ?? []).map(({ name, min, max }) => [name, { min, max }])),
+  };
+}
+
+/** Names of kinds come with a dash or an underscore. */
+function namedKinds(robot: Robot | null | undefined): void {
+  for (const { joint } of robot?.bodies ?? [])
+    joint.kind = joint.kind.replace('-', '_') as JointKind;
+}
+
+/** Decodes the JSON of a page; null where the page holds none. Throws for another format. */
+export function decodePage(text: string): Page | null {
+  const raw = JSON.parse(text) as Loose | null;
+  if (raw === null) return null;
+  if (raw.format !== 'burnish-page/1')
+    throw new Error(`format is ${String(raw.format)}; wanted burnish-page/1`);
+  const page = unpackAll(raw) as Loose & { runs?: Loose[] };
+  const decoded: Page = { ...(page as unknown as Page), runs: (page.runs ?? []).map(decodeRun) };
+  for (const robot of [decoded.robot, ...decoded.runs.map((run) => run.robot)]) namedKinds(robot);
+  return decoded;
+}
+
+/** Index of the last entry of `times` that is not after t; 0 if all are. */
+export function rowBefore(times: ArrayLike<number>, t: number): number {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle]! <= t) low = middle;
+    else high = middle - 1;
+  }
+  return Math.max(low, 0);
+}
+
+/** Index of the entry of `times` next to t. */
+export function rowAt(times: ArrayLike<number>, t: number): number {
+  const row = rowBefore(times, t);
+  if (row + 1 >= times.length) return row;
+  return times[row + 1]! - t < t - times[row]! ? row + 1 : row;
+}
+
+export const column = (run: Run, name: string): Numbers | null =>
+  run.columns.get(name)?.data ?? null;
+
+/** Value of a column at a time: of the row next to it. NaN where there is none. */
+export function valueAt(run: Run, name: string, t: number): number {
+  return column(run, name)?.[rowAt(run.time, t)] ?? NaN;
+}
+
+/** Columns of the configuration, in the order of q; null if they do not make up a whole one. */
+export function configurationColumns(run: Run): Numbers[] | null {
+  const all = [...run.columns.values()].filter((c) => c.name.startsWith('q_')).map((c) => c.data);
+  return all.length === run.robot.nq ? all : null;
+}

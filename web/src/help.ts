@@ -1,0 +1,48 @@
+// The dialog that lists keys and gestures.
+
+import { h } from './dom';
+
+export type Keys = [string, string][];
+
+export function helpDialog(sections: { title: string; keys: Keys }[]): HTMLDialogElement {
+  const close = h('button', { type: 'submit', class: 'button' }, 'Close');
+  const lists = sections.map(({ title, keys }) =>
+    h(
+      'section',
+      {},
+      h('h3', {}, title),
+      h('dl', {}, ...keys.flatMap(([key, what]) => [h('dt', {}, key), h('dd', {}, what)])),
+    ),
+  );
+  const dialog = h(
+    'dialog',
+    { class: 'help', 'aria-label': 'Keys and mouse' },
+    h(
+      'form',
+      { method: 'dialog' },
+      h('header', {}, h('h2', {}, 'Keys and mouse'), close),
+      ...lists,
+    ),
+  );
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  return dialog;
+}
+
+const typing = 'input:not([type=checkbox]):not([type=range]), select, textarea, dialog';
+
+/** Calls what belongs to a key, unless somebody is typing or it belongs to what has the focus. */
+export function onKeys(actions: (event: KeyboardEvent) => (() => void) | undefined): void {
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    const target = event.target as HTMLElement;
+    if (target.closest(typing)) return;
+    if (event.key === ' ' && target.closest('button, summary, label')) return;
+    if (target.closest('input[type=range]') && /Arrow|Home|End|Page/.test(event.key)) return;
+    const action = actions(event);
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,132 @@
+// Kinematics and decoding, in node: the sources are bundled on the fly.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { build } from 'vite';
+
+async function load(entry) {
+  const built = await build({
+    configFile: false,
+    logLevel: 'silent',
+    build: { write: false, minify: false, lib: { entry, formats: ['es'] } },
+  });
+  const code = built[0].output[0].code;
+  return import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);
+}
+const data = await load('src/data.ts');
+const kinematics = await load('src/kinematics.ts');
+
+const near = (a, b, tolerance = 1e-12) => {
+  assert.equal(a.length, b.length);
+  a.forEach((v, i) => assert.ok(Math.abs(v - b[i]) < tolerance, `${i}: ${v} is not ${b[i]}`));
+};
+const half = Math.SQRT1_2;
+
+function body(parent, kind, q_index, placement) {
+  const nq = { revolute: 1, prismatic: 1, continuous: 2, planar: 4, free_flyer: 7 }[kind];
+  return { parent, placement, joint: { name: `${kind}_${q_index}`, kind, q_index, nq } };
+}
+
+test('a chain of joints ends where its angles say', () => {
+  // A revolute joint about z at 1 m, then one about the first's x, then a slide along its z.
+  const robot = {
+    nq: 3,
+    bodies: [
+      body(-1, 'revolute', 0, [0, 0, 1, 0, 0, 0, 1]),
+      body(0, 'revolute', 1, [0.5, 0, 0, 0, half, 0, half]),
+      body(1, 'prismatic', 2, [0, 0, 0, 0, 0, 0, 1]),
+    ],
+  };
+  const [first, second, third] = kinematics.forward(robot, [Math.PI / 2, 0.3, 0.2]);
+  near(first, [0, 0, 1, 0, 0, half, half]);
+  near(second.slice(0, 3), [0, 0.5, 1]);
+  near(third.slice(0, 3), [0, 0.7, 1]);
+  near([Math.hypot(...third.slice(3))], [1]);
+});
+
+test('joints with more than one number follow their conventions', () => {
+  const at = (kind, q) =>
+    kinematics.forward({ nq: q.length, bodies: [body(-1, kind, 0, [0, 0, 0, 0, 0, 0, 1])] }, q)[0];
+  near(at('continuous', [0, 1]), [0, 0, 0, 0, 0, half, half]);
+  near(at('planar', [1, 2, 0, -1]), [1, 2, 0, 0, 0, -half, half]);
+  near(at('free_flyer', [1, 2, 3, 0, 2, 0, 2]), [1, 2, 3, 0, half, 0, half]);
+});
+
+test('composition of placements turns, then moves', () => {
+  const a = [1, 0, 0, 0, 0, half, half];
+  near(kinematics.compose(a, [1, 0, 0, 0, 0, 0, 1]), [1, 1, 0, 0, 0, half, half]);
+  near(kinematics.rotate(a, [0, 1, 0]), [-1, 0, 0]);
+});
+
+test('between two quaternions of opposite sign there is no turn', () => {
+  const robot = { nq: 7, bodies: [body(-1, 'free_flyer', 0, [0, 0, 0, 0, 0, 0, 1])] };
+  const q = kinematics.interpolate(robot, [0, 0, 0, 0, 0, 0, 1], [2, 0, 0, 0, 0, 0, -1], 0.5);
+  near([...q], [1, 0, 0, 0, 0, 0, 1]);
+});
+
+test('principal moments are those of the matrix, and the ellipsoid has them', () => {
+  const inertia = [0.4, 0.5, 0.6, 0.05, -0.02, 0.03];
+  const { moments, axes } = kinematics.principal(inertia);
+  const full = [
+    [0.4, 0.05, -0.02],
+    [0.05, 0.5, 0.03],
+    [-0.02, 0.03, 0.6],
+  ];
+  for (let i = 0; i < 3; ++i) {
+    const axis = [axes[0][i], axes[1][i], axes[2][i]];
+    const image = full.map((row) => row.reduce((sum, v, k) => sum + v * axis[k], 0));
+    near(
+      image,
+      axis.map((v) => v * moments[i]),
+      1e-10,
+    );
+  }
+  const [a, b, c] = kinematics.ellipsoid(2, moments);
+  const again = [b * b + c * c, a * a + c * c, a * a + b * b].map((s) => (2 * s) / 5);
+  near(again, moments, 1e-10);
+});
+
+const pack = (values) => ({
+  n: values.length,
+  f32: Buffer.from(new Float32Array(values).buffer).toString('base64'),
+});
+
+test('packed arrays come out as they went in, gaps included', () => {
+  const out = data.unpackF32(pack([1.5, -2, NaN, 3e7]));
+  assert.deepEqual([...out], [1.5, -2, NaN, 3e7]);
+  const words = Buffer.from(new Uint32Array([7, 4294967295]).buffer).toString('base64');
+  assert.deepEqual([...data.unpackU32({ n: 2, u32: words })], [7, 4294967295]);
+});
+
+test('a page is decoded, and one of another format refused', () => {
+  const run = {
+    name: 'a',
+    robot: { nq: 1, bodies: [], moving: ['j'] },
+    series: {
+      time: pack([0, 0.1, 0.2]),
+      columns: [{ name: 'q_j', unit: 'rad', data: pack([1, 2, 3]) }],
+    },
+    envelopes: { columns: [{ name: 'q_j', min: pack([0, 0, 0]), max: pack([4, 4, 4]) }] },
+    solver: null,
+  };
+  const text = JSON.stringify({ format: 'burnish-page/1', kind: 'run', title: 'a', runs: [run] });
+  const page = data.decodePage(text);
+  assert.equal(data.valueAt(page.runs[0], 'q_j', 0.1), 2);
+  assert.equal(data.valueAt(page.runs[0], 'q_j', 0.16), 3);
+  assert.ok(Number.isNaN(data.valueAt(page.runs[0], 'nothing', 0)));
+  assert.deepEqual([...page.runs[0].envelopes.get('q_j').max], [4, 4, 4]);
+  assert.equal(data.configurationColumns(page.runs[0]).length, 1);
+  assert.equal(data.decodePage('null'), null);
+  assert.throws(() => data.decodePage('{"format":"other/2"}'), /other\/2; wanted burnish-page\/1/);
+});
+
+test('rows are found by time, before and nearest', () => {
+  const times = [0, 1, 2, 3];
+  assert.deepEqual(
+    [-1, 0, 0.9, 1, 2.6, 9].map((t) => data.rowBefore(times, t)),
+    [0, 0, 0, 1, 2, 3],
+  );
+  assert.deepEqual(
+    [-1, 0.4, 0.6, 2.6, 9].map((t) => data.rowAt(times, t)),
+    [0, 0, 1, 3, 3],
+  );
+});
