@@ -1,5 +1,5 @@
 // burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
-// optimal control problems, run the polishing task.
+// optimal control problems, run the polishing task and experiments with it.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -22,6 +22,7 @@ constexpr const char* footer =
     "  burnish eval request.json\n"
     "  burnish solve examples/problems/reaching.yaml\n"
     "  burnish polish --surface table --controller mpc\n"
+    "  burnish experiment paper\n"
     "\n"
     "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
     "crane, pendulum, quadruped, talos), with ':variant' behind it if wanted.\n"
@@ -97,6 +98,8 @@ int run(int count, char** words) {
   add_eval(app, exit_code);
   add_solve(app, exit_code);
   add_polish(app, exit_code);
+  add_experiment(app, exit_code);
+  add_report(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <csignal>
 
 #include "command.hpp"
 #include "json_text.hpp"
 #include "polish_files.hpp"
+#include "polish_page.hpp"
 #include "polishing/task_file.hpp"
 #include "polishing/task_notes.hpp"
 
@@ -25,6 +28,7 @@ struct PolishArguments {
   std::optional<double> duration;
   int record_every = 10;
   bool quiet = false, json = false, time = false, unchecked = false;
+  bool no_page = false, mcap = false;
 
   bool talks() const { return !quiet && !json; }
 };
@@ -58,6 +62,39 @@ std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
   return {ControllerKind::Mpc, ControllerKind::Baseline};
 }
 
+/// As typed in a shell.
+std::string quoted(const std::string& word) {
+  const std::string plain = "_-+=.,:/@%";
+  const auto harmless = [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), harmless)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The words that make one run of all that were asked for.
+std::string command_of(const PolishArguments& arguments, const std::string& surface,
+                       const PolishJob& job) {
+  std::vector<std::string> words{"burnish", "polish"};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  if (!arguments.file.empty()) words.push_back(arguments.file);
+  add("--surface", surface);
+  add("--controller", name_of(job.spec.controller));
+  add("--plant", name_of(job.spec.plant));
+  add("--disturbances", arguments.disturbances);
+  for (const std::string& change : arguments.overrides) add("--set", change);
+  add("--seed", std::to_string(job.spec.task.disturbances.seed));
+  if (arguments.duration) add("--duration", fmt::format("{}", *arguments.duration));
+  if (arguments.unchecked) words.emplace_back("--unchecked");
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + quoted(word);
+  return text;
+}
+
 std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
   std::vector<std::string> surfaces = arguments.surfaces;
   if (surfaces.empty() && arguments.file.empty()) surfaces = {"table", "board"};
@@ -79,6 +116,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
         job.spec.check_reach = !arguments.unchecked;
         if (!arguments.plant.empty())
           job.spec.plant = arguments.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+        job.command = command_of(arguments, surface, job);
         jobs.push_back(std::move(job));
       }
     }
@@ -91,12 +129,16 @@ void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
                   const PolishArguments& arguments) {
   for (const std::string& note : polishing::task_notes(job.spec.task, job.spec.plant))
     fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
-  if (arguments.talks() && reach.points > 0)
-    fmt::print(
-        "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the "
-        "torque limits ({})\n",
-        job.place, reach.path_length, reach.joint_margin, reach.tightest_joint,
-        100.0 * reach.torque_share, reach.tightest_torque);
+  if (!arguments.talks() || reach.points == 0) return;
+  fmt::print(
+      "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the torque "
+      "limits ({})",
+      job.place, reach.path_length, reach.joint_margin, reach.tightest_joint,
+      100.0 * reach.torque_share, reach.tightest_torque);
+  if (!reach.tightest_clearance.empty())
+    fmt::print(", the arm keeps {:.2f} m off the surface ({})", reach.clearance,
+               reach.tightest_clearance);
+  fmt::print("\n");
 }
 
 /// What the arm can do is known before anything moves.
@@ -151,14 +193,16 @@ void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult
 }
 
 void print_end(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results,
-               const fs::path& folder, const PolishArguments& arguments) {
+               const fs::path& folder, const PolishArguments& arguments,
+               const std::string& page_note) {
   std::vector<NamedMetrics> rows;
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
   if (arguments.time) print_times(jobs, results);
-  if (arguments.talks())
-    fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
+  if (!arguments.talks()) return;
+  fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
+  if (!page_note.empty()) fmt::print("{}\n", page_note);
 }
 
 int polish(const PolishArguments& arguments) {
@@ -177,6 +221,7 @@ int polish(const PolishArguments& arguments) {
   interrupt_wanted = 0;
   const auto before = std::signal(SIGINT, stop_polishing);
   std::vector<RunResult> results;
+  PageWriter pages(!arguments.no_page, arguments.mcap);
   auto summary = nlohmann::ordered_json::array();
   bool polished = true;
   const bool bar = arguments.talks() && isatty(STDERR_FILENO) != 0;
@@ -184,7 +229,9 @@ int polish(const PolishArguments& arguments) {
     results.push_back(run_job(job, bar));
     const RunResult& result = results.back();
     polished = polished && result.polished;
-    const auto names = write_run(job, result, arguments.record_every, folder / job.name);
+    auto names = write_run(job, result, arguments.record_every, folder / job.name);
+    for (std::string& name : pages.write(job, result, arguments.record_every, folder / job.name))
+      names.push_back(std::move(name));
     summary.push_back(run_json(job, result));
     write_text(folder / "summary.json", json_text(summary));
     if (arguments.talks())
@@ -197,10 +244,11 @@ int polish(const PolishArguments& arguments) {
     if (interrupt_wanted != 0) break;
   }
   std::signal(SIGINT, before);
+  const std::string page_note = pages.finish(folder);
   if (arguments.json)
     fmt::print("{}\n", json_text(summary));
   else
-    print_end(jobs, results, folder, arguments);
+    print_end(jobs, results, folder, arguments, page_note);
   return polished && interrupt_wanted == 0 ? exit_ok : exit_failed;
 }
 
@@ -242,6 +290,8 @@ void add_options(CLI::App& command, PolishArguments& a) {
                   "Rows of trace.csv are so many plant steps apart [10]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
+  command.add_flag("--no-page", a.no_page, "Write no run.json, run.html and comparison.html");
+  command.add_flag("--mcap", a.mcap, "Write run.mcap too, a recording that Foxglove opens");
   command.add_flag("--time", a.time, "Print how long the controller's ticks took");
   command.add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
   command
@@ -266,9 +316,10 @@ void add_polish(CLI::App& app, int& exit_code) {
       "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"
-      "Each run leaves a folder: trace.csv, metrics.json, task.yaml, force.svg, path.svg,\n"
-      "torques.svg, solver.svg, and after a fault fault.txt and last_second.csv. Ctrl-C ends the\n"
-      "run and writes what there is. docs/polishing.md explains all of it.\n"
+      "Each run leaves a folder: run.html, a page of all of it for any browser, trace.csv,\n"
+      "metrics.json, task.yaml, force.svg, path.svg, torques.svg, solver.svg, run.json, and after\n"
+      "a fault fault.txt and last_second.csv; several runs leave comparison.html. Ctrl-C ends the\n"
+      "run and writes what there is. docs/polishing.md and docs/run_page.md explain all of it.\n"
       "Exit codes: 0 polished; 1 a fault, no contact, or a plant that failed; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = polish(*arguments); });
 }

@@ -12,8 +12,9 @@ namespace burnish::app {
 
 /// A run that is to be, or was, made.
 struct PolishJob {
-  std::string name;   ///< of its folder, such as table_mpc
-  std::string place;  ///< of the task, such as table
+  std::string name;          ///< of its folder, such as table_mpc
+  std::string place;         ///< of the task, such as table
+  std::string command = {};  ///< that makes this run alone
   polishing::RunSpec spec;
 };
 

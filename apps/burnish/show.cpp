@@ -7,6 +7,8 @@
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
+#include "mesh_file.hpp"
+#include "polish_page.hpp"
 #include "robot_arguments.hpp"
 #include "show_json.hpp"
 #include "tree_drawing.hpp"
@@ -19,6 +21,7 @@ struct ShowArguments {
   std::string posture;  ///< to look at; empty for the default
   bool all_frames = false;
   bool json = false;
+  std::string html;  ///< file for a page; empty for none
 };
 
 /// A number for people: four significant digits, "-" where there is no limit.
@@ -135,10 +138,27 @@ void print_postures(const Robot& robot) {
   }
 }
 
+/// The robot drawn in 3D.
+void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArguments& arguments) {
+  RobotDrawing drawing{.model = robot.model, .q = q};
+  for (const auto& [name, posture] : robot.postures)
+    drawing.postures[name] = configuration(robot.model, posture);
+  drawing.meshes = load_meshes(robot.model, robot_folder(arguments.robot.robot));
+  write_robot_page(drawing, arguments.html);
+  fmt::print("{} in {}\n", robot.model.name, arguments.html);
+  const std::vector<std::string> missing = missing_meshes(drawing);
+  if (!missing.empty())
+    fmt::print("meshes that could not be read are left out: {}\n", fmt::join(missing, ", "));
+}
+
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
   const Eigen::VectorXd q = posture.empty() ? robot.model.q_neutral : robot.posture(posture);
+  if (!arguments.html.empty()) {
+    write_page(robot, q, arguments);
+    return;
+  }
   if (arguments.json) {
     fmt::print("{}\n", json_text(show_json(robot, q, posture)));
     return;
@@ -161,9 +181,14 @@ void add_show(CLI::App& app, int& exit_code) {
       ->type_name("NAME");
   command->add_flag("--all-frames", arguments->all_frames, "Frames of joints as well");
   command->add_flag("--json", arguments->json, "As JSON, numbers in full");
+  command
+      ->add_option("--html", arguments->html,
+                   "Write a page that draws the robot in 3D, and print no table")
+      ->type_name("FILE");
   command->footer(
       "Examples:\n"
       "  burnish show talos:right_arm --posture table\n"
+      "  burnish show quadruped --html quadruped.html\n"
       "  burnish show my_arm.urdf --lock finger_left finger_right --json");
   command->callback([arguments, &exit_code] {
     show(*arguments);

@@ -8,6 +8,15 @@
 
 namespace burnish::files {
 
+namespace {
+
+[[noreturn]] void refuse_yaml(const std::string& name, const YAML::Exception& error) {
+  burnish::refuse(
+      name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
+}
+
+}  // namespace
+
 YamlReader YamlReader::load(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code ignored;
@@ -17,8 +26,15 @@ YamlReader YamlReader::load(const std::filesystem::path& file) {
   } catch (const YAML::BadFile&) {
     burnish::refuse(name, "the file cannot be opened; a readable problem file was wanted");
   } catch (const YAML::Exception& error) {
-    burnish::refuse(
-        name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
+    refuse_yaml(name, error);
+  }
+}
+
+YamlReader YamlReader::parse(const std::string& text, const std::string& name) {
+  try {
+    return {name, "", YAML::Load(text)};
+  } catch (const YAML::Exception& error) {
+    refuse_yaml(name, error);
   }
 }
 

@@ -23,6 +23,8 @@ class YamlReader {
 
   /// The whole file. Throws Error where it cannot be opened or is no YAML.
   static YamlReader load(const std::filesystem::path& file);
+  /// A text, called `name` in refusals. Throws Error where it is no YAML.
+  static YamlReader parse(const std::string& text, const std::string& name);
 
   [[noreturn]] void refuse(const std::string& what) const;
   const std::string& path() const { return path_; }

@@ -20,6 +20,10 @@ std::string_view name_of(FaultKind kind) {
       return "solver late";
     case FaultKind::ContactLost:
       return "contact lost";
+    case FaultKind::NoContact:
+      return "no contact";
+    case FaultKind::ContactLate:
+      return "contact late";
     case FaultKind::UnexpectedContact:
       return "unexpected contact";
     case FaultKind::ForceLimit:
@@ -46,6 +50,11 @@ const char* words(FaultKind kind) {
       return "%s at %.4f s: %.0f updates in a row past their deadline; the limit is %.0f";
     case FaultKind::ContactLost:
       return "%s at %.4f s: no force for %.4g s while it was wanted; allowed are %.4g s";
+    case FaultKind::NoContact:
+      return "%s at %.4f s: the tool went on %.4g m without a force after contact was due; allowed "
+             "are %.4g m";
+    case FaultKind::ContactLate:
+      return "%s at %.4f s: no force for %.4g s after contact was due; allowed are %.4g s";
     case FaultKind::UnexpectedContact:
       return "%s at %.4f s: %.4g N while no contact was wanted; allowed are %.4g N";
     case FaultKind::ForceLimit:

@@ -1,5 +1,7 @@
 #include "burnish/mpc/mpc.hpp"
 
+#include <algorithm>
+
 #include "mpc/mpc_impl.hpp"
 
 namespace burnish {
@@ -21,5 +23,13 @@ double MpcController::force_error() const { return impl_->force_error; }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 const Problem& MpcController::problem() const { return impl_->problem; }
 MatrixView MpcController::plan() const { return impl_->solver.xs(); }
+std::vector<double> MpcController::plan_costs(int knot) {
+  const MatrixView xs = impl_->solver.xs(), us = impl_->solver.us();
+  if (knot < 0 || knot > impl_->problem.knots())
+    throw Error("plan_costs: knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(impl_->problem.knots()));
+  const int control = std::min<int>(knot, static_cast<int>(us.rows()) - 1);  // the last has none
+  return impl_->problem.term_costs(knot, xs.row(knot).data(), us.row(control).data());
+}
 
 }  // namespace burnish

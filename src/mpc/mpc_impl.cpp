@@ -54,17 +54,28 @@ DdpOptions roomy(const MpcSpec& spec) {
   return options;
 }
 
+/// Stabilisation keeps plans on the surface; in an estimate it would turn the noise of velocities
+/// into force.
+std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
+  for (ContactSpec& contact : contacts) contact.with_gains(0.0, 0.0);
+  return contacts;
+}
+
 void check_limits(const SafetyLimits& limits, double tick_period) {
-  const std::pair<const char*, double> numbers[] = {{"force", limits.force},
-                                                    {"force_window", limits.force_window},
-                                                    {"tool_speed", limits.tool_speed},
-                                                    {"joint_speed_ratio", limits.joint_speed_ratio},
-                                                    {"joint_margin", limits.joint_margin},
-                                                    {"bad", limits.bad},
-                                                    {"contact_lost", limits.contact_lost},
-                                                    {"contact_threshold", limits.contact_threshold},
-                                                    {"unexpected_force", limits.unexpected_force},
-                                                    {"deadline", limits.deadline}};
+  const std::pair<const char*, double> numbers[] = {
+      {"force", limits.force},
+      {"force_window", limits.force_window},
+      {"tool_speed", limits.tool_speed},
+      {"joint_speed_ratio", limits.joint_speed_ratio},
+      {"joint_margin", limits.joint_margin},
+      {"bad", limits.bad},
+      {"contact_lost", limits.contact_lost},
+      {"contact_threshold", limits.contact_threshold},
+      {"late_contact_travel", limits.late_contact_travel},
+      {"late_contact_time", limits.late_contact_time},
+      {"unexpected_force", limits.unexpected_force},
+      {"release", limits.release},
+      {"deadline", limits.deadline}};
   for (const auto& [name, value] : numbers)
     if (!(value >= 0.0))
       throw Error("MPC: the limit " + std::string(name) + " is " + number(value) +
@@ -79,6 +90,20 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
     throw Error("MPC: the run ends after " +
                 std::to_string(std::min(limits.failed_solves, limits.late_solves)) +
                 " failed or late updates; wanted at least 1");
+}
+
+void check_fallback(const Fallback& fallback) {
+  const auto refuse = [](const char* what, double value, const char* wanted) {
+    throw Error("MPC: the fallback's " + std::string(what) + " is " + number(value) + "; wanted " +
+                wanted);
+  };
+  constexpr const char* not_negative = "a number that is not negative";
+  if (!(fallback.stiffness >= 0.0) || !std::isfinite(fallback.stiffness))
+    refuse("stiffness in 1/s^2", fallback.stiffness, not_negative);
+  if (!(fallback.damping >= 0.0) || !std::isfinite(fallback.damping))
+    refuse("damping in 1/s", fallback.damping, not_negative);
+  if (!(fallback.give >= 0.0 && fallback.give <= 1.0))
+    refuse("give", fallback.give, "a share between 0 and 1");
 }
 
 const MpcSpec& checked(const MpcSpec& spec) {
@@ -99,9 +124,7 @@ const MpcSpec& checked(const MpcSpec& spec) {
                 std::to_string(std::min(
                     {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
                 " iterations; wanted at least 1");
-  if (!(spec.fallback.damping >= 0.0) || !std::isfinite(spec.fallback.damping))
-    throw Error("MPC: the fallback's damping is " + number(spec.fallback.damping) +
-                " 1/s; wanted a number that is not negative");
+  check_fallback(spec.fallback);
   check_limits(spec.limits, spec.tick_period);
   return spec;
 }
@@ -120,14 +143,17 @@ MpcController::Impl::Impl(MpcSpec given)
       next_plan_(plan_),
       body_(spec.problem.model),
       gravity_(spec.problem.model),
-      contact_(spec.problem.model, spec.problem.contacts, {.mu = 1e-9}),
-      tool_(body_.frame(spec.tool)) {
+      contact_(spec.problem.model, without_gains(spec.problem.contacts), {.mu = 1e-9}),
+      tool_(body_.frame(spec.tool)),
+      tree_(spec.problem.model) {
   spec.normal_world.normalize();
   const StateLayout& layout = problem.layout();
   policy = plan_.make_feedback();
   command_.tau = Eigen::VectorXd::Zero(layout.nv);
   q_ = spec.problem.initial_state.head(layout.nq);
+  q_hold_ = q_;
   v_ = tau_ = bias_ = total_ = acted_ = torque_offset_ = Eigen::VectorXd::Zero(layout.nv);
+  pull_ = stretch_ = v_;
   x_ = spec.problem.initial_state;
   u_ = Eigen::VectorXd::Zero(layout.nu);
   dx_ = Eigen::VectorXd::Zero(layout.ndx());
@@ -187,8 +213,9 @@ void MpcController::Impl::reset() noexcept {
   torque_offset_.setZero();
   tool_force.setZero();
   mean_force_.setZero();
-  force_error = good_time_ = last_time_ = lost_for_ = 0.0;
-  started_ = fresh_ = due_ = solved_ = warm_ = jumped_ = next_ready_ = false;
+  force_error = good_time_ = last_time_ = 0.0;
+  lost_for_ = waits_for_ = due_height_ = retreats_for_ = blind_for_ = 0.0;
+  released_ = holding_ = started_ = fresh_ = due_ = solved_ = warm_ = jumped_ = next_ready_ = false;
   tick_ = history_rows_ = forces_count_ = 0;
   failed_ = late_ = 0;
   command_ = Command{std::move(command_.tau)};

@@ -5,6 +5,7 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/tree.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 
@@ -33,6 +34,8 @@ struct MpcController::Impl {
   bool force_at(const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
   void watch(double dt) noexcept;
   void watch_motion() noexcept;
+  void watch_free_space(Phase phase, double dt) noexcept;
+  void watch_approach(double dt) noexcept;
   void update(double now) noexcept;
   bool replan(double now);
   void place_knot(int knot, double schedule_time);
@@ -44,6 +47,7 @@ struct MpcController::Impl {
   void policy_control(double time) noexcept;
   void apply_policy(double now) noexcept;
   void fall_back() noexcept;
+  bool hold() noexcept;
   void raise(FaultKind kind, double value, double limit, int joint = -1) noexcept;
   void aim() noexcept;
   void record(double now) noexcept;
@@ -83,14 +87,22 @@ struct MpcController::Impl {
   Eigen::Vector3d mean_force_ = Eigen::Vector3d::Zero();
   Eigen::VectorXd acted_;          ///< nv, torque that the model believes to act
   Eigen::VectorXd torque_offset_;  ///< nv, slow part of measured minus acted torque
+  Tree tree_;
+  Eigen::VectorXd q_hold_, pull_, stretch_;  ///< of the fallback's spring: nq, nv, nv
   Eigen::VectorXd x_, u_, dx_, bias_, total_, effort_, one_;
   RowMatrix guess_x_, guess_u_;
-  double guess_time_ = 0.0;  ///< s of the schedule, of the last solution's first knot
-  double good_time_ = 0.0;   ///< s, of the last good measurement
-  double last_time_ = 0.0;   ///< s, of the present tick
-  double next_time_ = 0.0;   ///< s, when next_plan_ takes over
-  double lost_for_ = 0.0;    ///< s without force where it is wanted
+  double guess_time_ = 0.0;    ///< s of the schedule, of the last solution's first knot
+  double good_time_ = 0.0;     ///< s, of the last good measurement
+  double last_time_ = 0.0;     ///< s, of the present tick
+  double next_time_ = 0.0;     ///< s, when next_plan_ takes over
+  double lost_for_ = 0.0;      ///< s without force where it is wanted
+  double waits_for_ = 0.0;     ///< s since contact is due
+  double due_height_ = 0.0;    ///< m, of the tool along the normal when it became so
+  double retreats_for_ = 0.0;  ///< s
+  double blind_for_ = 0.0;     ///< s of the fallback without a good measurement
   long tick_ = 0;
+  bool released_ = false;    ///< the tool has come off in the retreat, or should have
+  bool holding_ = false;     ///< the fallback's spring has its q_hold_
   bool started_ = false;     ///< there was a good measurement
   bool fresh_ = false;       ///< this tick's is one
   bool due_ = false;         ///< an update

@@ -183,16 +183,7 @@ void MpcController::Impl::apply_policy(double now) noexcept {
   command_.tau.setZero();
   for (int i = 0; i < problem.layout().nu; ++i)
     command_.tau[problem.layout().actuated[static_cast<std::size_t>(i)]] = u_[i];
-}
-
-void MpcController::Impl::fall_back() noexcept {
-  if (!fresh_) v_ *= std::exp(-spec.fallback.damping * spec.tick_period);
-  command_.tau.setZero();
-  bias_.setZero();
-  if (gravity_.forward(q_, bias_, bias_) > Status::NotConverged) return;
-  for (const int k : problem.layout().actuated)
-    command_.tau[k] =
-        gravity_.bias()[k] - spec.fallback.damping * gravity_.mass_matrix()(k, k) * v_[k];
+  holding_ = false;
 }
 
 }  // namespace burnish

@@ -119,9 +119,8 @@ void MpcController::Impl::watch(double dt) noexcept {
   watch_motion();
   const SafetyLimits& limits = spec.limits;
   const Phase phase = schedule.phases()[static_cast<std::size_t>(schedule.phase())].phase;
-  const double pushed = mean_force_.dot(spec.normal_world);
-  if (phase == Phase::Reach && pushed > limits.unexpected_force)
-    raise(FaultKind::UnexpectedContact, pushed, limits.unexpected_force);
+  watch_free_space(phase, dt);
+  watch_approach(dt);
   const double force = mean_force_.norm();
   if (force > limits.force) raise(FaultKind::ForceLimit, force, limits.force);
   const bool wanted = phase == Phase::Ramp || phase == Phase::Track;
@@ -129,6 +128,33 @@ void MpcController::Impl::watch(double dt) noexcept {
   lost_for_ = lost ? lost_for_ + dt : 0.0;
   if (lost_for_ > limits.contact_lost)
     raise(FaultKind::ContactLost, lost_for_, limits.contact_lost);
+}
+
+/// Where no force is wanted. A retreat begins pressed: it is free space once the tool is off.
+void MpcController::Impl::watch_free_space(Phase phase, double dt) noexcept {
+  const SafetyLimits& limits = spec.limits;
+  const double pushed = mean_force_.dot(spec.normal_world);
+  const bool retreats = phase == Phase::Retreat;
+  retreats_for_ = retreats ? retreats_for_ + dt : 0.0;
+  released_ = retreats &&
+              (released_ || pushed < limits.contact_threshold || retreats_for_ > limits.release);
+  if ((phase == Phase::Reach || released_) && pushed > limits.unexpected_force)
+    raise(FaultKind::UnexpectedContact, pushed, limits.unexpected_force);
+}
+
+/// Where contact is due and does not come.
+void MpcController::Impl::watch_approach(double dt) noexcept {
+  const bool waited = waits_for_ > 0.0;
+  waits_for_ = schedule.waits() ? waits_for_ + dt : 0.0;
+  if (!schedule.waits()) return;
+  const double height = body_.placement(tool_).translation().dot(spec.normal_world);
+  if (!waited) due_height_ = height;
+  const SafetyLimits& limits = spec.limits;
+  const double travel = due_height_ - height;
+  if (travel > limits.late_contact_travel)
+    raise(FaultKind::NoContact, travel, limits.late_contact_travel);
+  if (waits_for_ > limits.late_contact_time)
+    raise(FaultKind::ContactLate, waits_for_, limits.late_contact_time);
 }
 
 void MpcController::Impl::watch_motion() noexcept {

@@ -29,6 +29,7 @@ Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases
 
 void Schedule::reset() noexcept {
   time_ = 0.0;
+  waits_ = false;
   current_ = 0;
 }
 
@@ -48,10 +49,12 @@ bool Schedule::finished() const noexcept {
 void Schedule::jump_to(int phase) noexcept {
   current_ = std::clamp(phase, 0, static_cast<int>(phases_.size()) - 1);
   time_ = start_of(current_);
+  waits_ = false;
 }
 
 bool Schedule::advance(double dt, bool contact) noexcept {
   time_ += dt;
+  waits_ = false;
   for (; current_ + 1 < static_cast<int>(phases_.size()); ++current_) {
     const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
     const double end = start_of(current_ + 1);
@@ -63,9 +66,9 @@ bool Schedule::advance(double dt, bool contact) noexcept {
     }
     if (phase.until_contact) {
       const double latest = std::max(start_of(current_), end - phase.hold);
-      const bool waits = time_ > latest;
+      waits_ = time_ > latest;
       time_ = std::min(time_, latest);
-      return waits;
+      return waits_;
     }
     if (time_ < end) return false;
   }

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/sim/controller.hpp"
+#include "burnish/mpc/controller.hpp"
+#include "report/moving_mean.hpp"
 
 namespace burnish {
 namespace {
@@ -38,19 +39,6 @@ class Vectors {
  private:
   Trace::Column x_, y_, z_;
 };
-
-/// Mean over the rows within half of `width` rows on either side, fewer at the ends.
-Eigen::VectorXd averaged(const Eigen::VectorXd& x, int width) {
-  const int n = static_cast<int>(x.size()), before = width / 2, behind = width - before;
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1);
-  for (int i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
-  Eigen::VectorXd result(n);
-  for (int i = 0; i < n; ++i) {
-    const int from = std::max(0, i - before), to = std::min(n, std::max(i + behind, i + 1));
-    result[i] = (sums[to] - sums[from]) / (to - from);
-  }
-  return result;
-}
 
 double rms(const Eigen::VectorXd& x) {
   return std::sqrt(x.squaredNorm() / static_cast<double>(x.size()));
@@ -88,7 +76,7 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
   const Eigen::VectorXd force = along(trace, "tool_force", normal);
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
   const Eigen::VectorXd smooth =
-      averaged(force, std::max(1, static_cast<int>(std::lround(spec.average / dt))));
+      moving_mean(force, std::max(1, static_cast<int>(std::lround(spec.average / dt))));
   const int first = window.first, n = window.size();
   const Eigen::VectorXd error = (smooth - target).segment(first, n);
   const Eigen::VectorXd raw = (force - target).segment(first, n);

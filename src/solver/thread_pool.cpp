@@ -1,6 +1,7 @@
 #include "burnish/solver/thread_pool.hpp"
 
 #include <string>
+#include <utility>
 
 #include "burnish/base/error.hpp"
 
@@ -45,8 +46,21 @@ ThreadPool::~ThreadPool() {
 
 void ThreadPool::take_pieces(int worker) {
   for (int piece = next_.fetch_add(1, std::memory_order_relaxed); piece < pieces_;
-       piece = next_.fetch_add(1, std::memory_order_relaxed))
-    call_(context_, worker, piece);
+       piece = next_.fetch_add(1, std::memory_order_relaxed)) {
+    try {
+      call_(context_, worker, piece);
+    } catch (...) {
+      note_failure(piece);
+    }
+  }
+}
+
+/// Of the exception that is being handled.
+void ThreadPool::note_failure(int piece) noexcept {
+  const std::lock_guard lock(failure_mutex_);
+  if (failure_ && failed_piece_ < piece) return;
+  failed_piece_ = piece;
+  failure_ = std::current_exception();
 }
 
 void ThreadPool::serve(int worker) {
@@ -65,17 +79,19 @@ void ThreadPool::run(int pieces, Call call, void* context) {
   context_ = context;
   pieces_ = pieces;
   next_.store(0, std::memory_order_relaxed);
-  if (threads_.empty() || pieces <= 1) {
-    take_pieces(0);
-    return;
+  const bool shared = !threads_.empty() && pieces > 1;
+  if (shared) {
+    busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
   }
-  busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
   take_pieces(0);
-  for (int left = busy_.load(std::memory_order_acquire); left > 0;
-       left = busy_.load(std::memory_order_acquire))
-    wait_for_change(busy_, left);
+  if (shared)
+    for (int left = busy_.load(std::memory_order_acquire); left > 0;
+         left = busy_.load(std::memory_order_acquire))
+      wait_for_change(busy_, left);
+  // Threads are done with it: their last word in `busy_` was acquired.
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/model/state.hpp"
@@ -34,7 +35,8 @@ class Walk {
         body_(model_),
         tool_(body_.frame(task.tool)),
         q_(setting.q_start) {
-    report_.joint_margin = std::numeric_limits<double>::infinity();
+    report_.joint_margin = report_.clearance = std::numeric_limits<double>::infinity();
+    find_skeleton();
     evaluate(q_);
     start_rotation_ = body_.placement(tool_).linear();
   }
@@ -49,7 +51,8 @@ class Walk {
     }
     q_ = q;
     note_margins();
-    return torques_fit(stop, 0.0) && (stop.force == 0.0 || torques_fit(stop, stop.force));
+    return stays_outside(stop) && torques_fit(stop, 0.0) &&
+           (stop.force == 0.0 || torques_fit(stop, stop.force));
   }
 
   ReachReport& report() { return report_; }
@@ -174,6 +177,44 @@ class Walk {
                number(options_.tolerance) + " m");
   }
 
+  /// Joints between the world and the tool link whose origins move, and a frame on each of them.
+  void find_skeleton() {
+    const int last =
+        model_.frames[static_cast<std::size_t>(model_.frame_index(setting_.scene.tip.frame))].body;
+    for (int j = last; j >= 0; j = model_.joints[static_cast<std::size_t>(j)].parent) {
+      if (model_.joints[static_cast<std::size_t>(j)].parent < 0) break;
+      for (const Frame& frame : model_.frames) {
+        if (frame.body != j) continue;
+        // Of two frames with one name only the first is found by it.
+        const auto found = static_cast<std::size_t>(model_.frame_index(frame.name));
+        if (&model_.frames[found] != &frame) continue;
+        skeleton_.push_back({j, body_.frame(frame.name), frame.placement.inverse().translation()});
+        break;
+      }
+    }
+  }
+
+  /// Whether the arm stays on its side of the surface.
+  bool stays_outside(const Stop& stop) {
+    const SurfaceSpec& surface = setting_.scene.surface;
+    for (const Node& node : skeleton_) {
+      const Eigen::Vector3d origin = body_.placement(node.frame) * node.origin;
+      const double height = surface.normal.dot(origin - surface.point);
+      const std::string& name = model_.joints[static_cast<std::size_t>(node.joint)].name;
+      if (height - options_.link_radius < report_.clearance) {
+        report_.clearance = height - options_.link_radius;
+        report_.tightest_clearance = name;
+      }
+      if (height >= options_.link_radius) continue;
+      refuse(ReachProblem::Collision, stop, name, height, options_.link_radius,
+             "joint " + in_quotes(name) + " would be " + number(std::abs(height)) +
+                 (height < 0.0 ? " m inside the surface" : " m from the surface") +
+                 "; allowed are at least " + number(options_.link_radius) + " m outside of it");
+      return false;
+    }
+    return true;
+  }
+
   bool torques_fit(const Stop& stop, double force) {
     evaluate(q_);
     const Eigen::Vector3d push = force * setting_.scene.surface.normal;
@@ -200,6 +241,12 @@ class Walk {
     return true;
   }
 
+  /// A joint's origin, given in a frame on its body.
+  struct Node {
+    int joint, frame;
+    Eigen::Vector3d origin;
+  };
+
   ReachOptions options_;
   const Setting& setting_;
   const Model& model_;
@@ -208,6 +255,7 @@ class Walk {
   Eigen::VectorXd q_;
   Eigen::Matrix3d start_rotation_;
   FrameDerivatives derivatives_;
+  std::vector<Node> skeleton_;
   double off_ = 0.0;  ///< m, of the last settle()
   ReachReport report_;
 };

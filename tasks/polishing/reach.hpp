@@ -13,14 +13,16 @@ struct ReachOptions {
   double joint_margin = 0.02;  ///< rad (m) that joints keep from their limits
   /// Of the effort limits that statics may take: the rest is for motion and feedback.
   double torque_share = 0.8;
+  double link_radius = 0.03;  ///< m, how thick links are taken to be; see check_reach()
 };
 
 /// What is in the way.
 enum class ReachProblem {
   None,
-  Position,  ///< no posture puts the tool there, whatever the limits
-  Joint,     ///< the only postures found are beyond a joint's limit
-  Torque,    ///< holding the tool there takes more than a joint's effort limit
+  Position,   ///< no posture puts the tool there, whatever the limits
+  Joint,      ///< the only postures found are beyond a joint's limit
+  Torque,     ///< holding the tool there takes more than a joint's effort limit
+  Collision,  ///< the arm itself would touch the surface
 };
 
 /// The first thing in the way, and how much room there is elsewhere.
@@ -33,7 +35,9 @@ struct ReachReport {
   double s = 0.0;
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< of the tool there, m
   std::string joint;                                  ///< empty for Position
-  double value = 0.0;  ///< m that the tool is off, rad (m) of the joint, Nm (N)
+  /// m that the tool is off, rad (m) of the joint, Nm (N), m of the joint's origin from the
+  /// surface.
+  double value = 0.0;
   double limit = 0.0;  ///< what is allowed, in the same unit
 
   int points = 0;             ///< that were looked at
@@ -42,6 +46,10 @@ struct ReachReport {
   std::string tightest_joint;
   double torque_share = 0.0;  ///< of the effort limit, largest of all points
   std::string tightest_torque;
+  /// m between the surface and the arm without its tool link, smallest of all points; infinite
+  /// where nothing but the tool link moves.
+  double clearance = 0.0;
+  std::string tightest_clearance;  ///< joint there
 
   bool ok() const { return problem == ReachProblem::None; }
 };
@@ -50,8 +58,13 @@ struct ReachReport {
 /// damped least squares from the one before, the tool's position first, then its orientation at
 /// the start and the starting posture; joint limits; the torques that hold the robot still there
 /// with the task's force (on the path) and without, tau = b(q, 0) - J^T f n, against the effort
-/// limits. It knows the nominal robot and surface, no motion, and no collisions. Throws Error for
-/// a path that is none.
+/// limits; and the arm on its side of the surface's plane. For that the arm is a skeleton of
+/// straight segments, `link_radius` thick, between the origins of the joints that carry the tool:
+/// since the surface is flat, the origins decide. Joints fixed to the world and the tool link,
+/// which is to come near, do not count.
+///
+/// It knows the nominal robot and surface, no motion, no shapes of links, and no collisions of the
+/// robot with itself or with anything but the surface. Throws Error for a path that is none.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
 
 }  // namespace burnish::polishing

@@ -83,22 +83,32 @@ std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const Scen
 struct Pieces {
   std::unique_ptr<Controller> controller;
   MpcController* mpc = nullptr;  ///< the same, where it is one
-  double period = 0.0;           ///< s between its ticks
-  double planned_end = 0.0;      ///< s, of the run
+  std::unique_ptr<PlanRecorder> plans = nullptr;
+  double period = 0.0;       ///< s between its ticks
+  double planned_end = 0.0;  ///< s, of the run
+  double patience = 0.0;     ///< s, see patience_of()
 };
 
 /// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.
 constexpr double most_rows = 200e3;
 
-/// s that contact may come later than planned.
-constexpr double patience = 3.0;
+/// s that contact may come later than planned: longer than the controller waits, if it has a limit.
+double patience_of(const RunSpec& spec) {
+  constexpr double usual = 3.0;
+  const double limit = spec.task.limits.late_contact_time;
+  if (spec.controller != ControllerKind::Mpc || !std::isfinite(limit)) return usual;
+  return std::max(usual, limit);
+}
 
 Pieces make_controller(const RunSpec& spec, const Setting& setting) {
   Pieces pieces;
   const Task& task = spec.task;
+  pieces.patience = patience_of(spec);
   if (spec.controller == ControllerKind::Mpc) {
     auto mpc = std::make_unique<MpcController>(make_mpc(task, setting));
     pieces.mpc = mpc.get();
+    pieces.plans =
+        std::make_unique<PlanRecorder>(*mpc, task.step, task.solver_delay, spec.plan_rate);
     pieces.controller = std::move(mpc);
     pieces.period = 1.0 / task.tick_rate;
     pieces.planned_end = setting.track_end + task.retreat_duration;
@@ -126,7 +136,7 @@ class Watch {
   /// Whether it goes on after `now`.
   bool goes_on(double now, const Command& command) {
     if (track_begin_ < 0.0 && command.phase == Phase::Track) track_begin_ = now;
-    if (track_begin_ < 0.0) return now < pieces_.planned_end + patience;
+    if (track_begin_ < 0.0) return now < pieces_.planned_end + pieces_.patience;
     return now < end() - 1e-9;
   }
   bool tracked(double now) const {
@@ -149,6 +159,7 @@ void advance(const RunSpec& spec, const Pieces& pieces, ClosedLoop& loop, const 
   constexpr int between = 100;  // plant steps from one call of the progress function to the next
   for (long step = 0; watch.goes_on(plant.time(), loop.command()); ++step) {
     result.plant_status = worst(result.plant_status, loop.step());
+    if (pieces.plans) pieces.plans->look(loop.measurement().time, loop.command());
     if (result.plant_status > Status::NotConverged) return;
     if (pieces.mpc != nullptr && pieces.mpc->fault().kind != FaultKind::None) return;
     if (step % between != 0 || !spec.progress) continue;
@@ -225,7 +236,7 @@ RunResult run_task(const RunSpec& spec) {
                                 plant_scene(setting.scene, disturbances), dt);
   ClosedLoopOptions options;
   options.control_period = pieces.period;
-  options.max_duration = pieces.planned_end + patience + 1.0;
+  options.max_duration = pieces.planned_end + pieces.patience + 1.0;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(*pieces.controller,
                       static_cast<std::size_t>(options.max_duration / pieces.period) + 2);
@@ -237,6 +248,7 @@ RunResult run_task(const RunSpec& spec) {
     advance(spec, pieces, loop, *plant, watch, result);
   result.wall_time = seconds_since(begin);
   if (pieces.mpc != nullptr) result.fault = pieces.mpc->fault();
+  if (pieces.plans) result.plans = pieces.plans->take();
   result.trace = loop.trace();
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), pieces.period);

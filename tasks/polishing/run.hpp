@@ -10,6 +10,7 @@
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/report/metrics.hpp"
+#include "polishing/plan_record.hpp"
 #include "polishing/reach.hpp"
 
 namespace burnish::polishing {
@@ -33,6 +34,7 @@ struct RunSpec {
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
   ReachOptions reach = {};
+  double plan_rate = 20.0;  ///< Hz, at which plans of the MPC are recorded; 0: none
   /// Called now and then with the simulated time and about when it will be over, s. Returning false
   /// stops the run.
   std::function<bool(double time, double end)> progress = nullptr;
@@ -51,6 +53,7 @@ struct RunResult {
   Setting setting;
   ReachReport reach;  ///< empty unless it was checked
   Trace trace;        ///< of every plant step, every nth beyond 100 s; see ClosedLoop
+  PlanRecord plans;
   Status plant_status = Status::Ok;
   FaultReport fault;               ///< of the MPC; FaultKind::None without
   bool interrupted = false;        ///< by the progress function

@@ -7,6 +7,7 @@
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "polishing/posture.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -14,6 +15,12 @@ namespace {
 double smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+}
+
+/// Its derivative.
+double smooth_rate(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return 30.0 * s * s * (1.0 - s) * (1.0 - s);
 }
 
 /// The columns of the surface's reference.
@@ -88,12 +95,27 @@ struct Builder {
             .weight = task.weights.position,
             .weights = Eigen::Vector3d(1.0, 1.0, normal_weight)};
   }
-  /// Of the tool's speed along the normal, m/s.
-  CostTerm move(double speed) const {
-    Eigen::VectorXd target = Eigen::VectorXd::Zero(6), rows = Eigen::VectorXd::Zero(6);
-    target[2] = speed;
+  /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
+  /// Where the surface is nobody knows better than the tool that lies on it: a height to go to
+  /// would press a tool that found it nearer than expected.
+  Signal retreat_speed() const {
+    return Signal::over_time(
+        6, [task = task, begin = setting.track_end](double t, Eigen::Ref<Eigen::VectorXd> v) {
+          v.setZero();
+          const double T = task.retreat_duration;
+          v[2] = task.clearance / T * smooth_rate((t - begin) / T);
+        });
+  }
+  static Signal constant_speed(double speed) {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(6);
+    v[2] = speed;
+    return v;
+  }
+  /// Of the tool's speed along the normal.
+  CostTerm move(const std::string& name, const Signal& target) const {
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(6);
     rows[2] = 1.0;
-    return {.name = "approach",
+    return {.name = name,
             .residual = residual::FrameVelocity{task.tool, FrameAxes::Centered, target,
                                                 setting.surface_axes},
             .weight = task.weights.approach,
@@ -123,10 +145,18 @@ struct Builder {
 }  // namespace
 
 Setting make_setting(const Task& task) {
+  const Robot robot = load_robot(task.robot);
+  if (task.posture == searched_posture && !robot.postures.contains(searched_posture))
+    return make_setting(task, robot, find_posture(task, robot).q);
+  return make_setting(
+      task, robot,
+      task.posture.empty() ? robot.reference_configuration() : robot.posture(task.posture));
+}
+
+Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
   Setting s;
-  s.robot = load_robot(task.robot);
-  s.q_start =
-      task.posture.empty() ? s.robot.reference_configuration() : s.robot.posture(task.posture);
+  s.robot = robot;
+  s.q_start = q_start;
   SceneSpec scene;
   scene.tip = {task.tool, task.tip_radius};
   scene.surface.normal = task.normal_world;
@@ -211,8 +241,13 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
                        .weight = task.weights.force};
   problem.stages = {
       build.stage("reach", {build.place(1.0)}, false),
-      build.stage("approach", {build.place(0.0), build.move(-task.approach_speed)}, false),
-      build.stage("press", {build.place(0.0), press}, true)};
+      build.stage(
+          "approach",
+          {build.place(0.0), build.move("approach", Builder::constant_speed(-task.approach_speed))},
+          false),
+      build.stage("press", {build.place(0.0), press}, true),
+      build.stage("retreat", {build.place(0.0), build.move("retreat", build.retreat_speed())},
+                  false)};
   problem.terminal = build.everywhere();
   problem.terminal.push_back(build.place(0.0));
   for (CostTerm& term : problem.terminal) term.weight *= task.weights.terminal;
@@ -226,7 +261,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
                    .until_contact = true},
                   {.phase = Phase::Ramp, .stage = "press", .duration = task.ramp_duration},
                   {.phase = Phase::Track, .stage = "press", .duration = task.polish_duration},
-                  {.phase = Phase::Retreat, .stage = "reach"}};
+                  {.phase = Phase::Retreat, .stage = "retreat"}};
   mpc.tool = task.tool;
   mpc.normal_world = setting.scene.surface.normal;
   mpc.target = [task, setting, path](double time) {
@@ -240,6 +275,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.solver.max_iterations = task.iterations;
   mpc.model_error = task.model_error;
   mpc.limits = task.limits;
+  mpc.fallback = task.fallback;
   mpc.feedback = task.feedback;
   return mpc;
 }

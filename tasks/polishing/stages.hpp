@@ -18,8 +18,11 @@ struct Setting {
   double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
 };
 
-/// Throws Error for a task that does not fit together.
+/// Throws Error for a task that does not fit together, and for a posture that is to be searched
+/// (find_posture()) where there is none.
 Setting make_setting(const Task& task);
+/// The same for a robot at hand and a starting posture, nq entries, whatever the task says of both.
+Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start);
 
 /// Where the tool shall be and how hard it shall press, at a time of the schedule.
 TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time);

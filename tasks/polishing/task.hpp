@@ -25,10 +25,10 @@ struct Weights {
   double posture = 0.1;   ///< 1/rad^2: keeps the null space near the starting posture
   double velocity = 1.0;  ///< s^2/rad^2: damps the joints
   double torque = 1e-4;   ///< 1/Nm^2: of the control, about the torque that holds the posture
-  double position = 1e4;  ///< 1/m^2: of the tool along the surface (all three axes in the air)
-  double approach = 1e2;  ///< s^2/m^2: of the tool's speed towards and from the surface
+  double position = 1e4;  ///< 1/m^2: of the tool along the surface (all three axes in the reach)
+  double approach = 1e2;  ///< s^2/m^2: of the tool's speed towards the surface and off it
   double rotation = 1.0;  ///< 1/rad^2: of the tool
-  double force = 0.1;     ///< 1/N^2
+  double force = 1.0;     ///< 1/N^2
   double position_limits = 1e3;  ///< 1/rad^2 beyond a joint's limit minus its margin
   double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
   double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
@@ -37,7 +37,8 @@ struct Weights {
 
 struct Task {
   std::string robot = "talos:right_arm";
-  std::string posture = {};  ///< of the robot's settings: start and null space; empty: default
+  /// Of the robot's settings: start and null space; empty: default; "search": find_posture().
+  std::string posture = {};
   std::string tool = "tool";
   double tip_radius = 0.02;  ///< m
 
@@ -66,13 +67,14 @@ struct Task {
   double solver_delay = 0.0;    ///< s
   int iterations = 1;           ///< per update
   StepUpdate solver = StepUpdate::MultipleShooting;
-  double contact_kd = 20.0;  ///< 1/s, Baumgarte
+  double contact_kd = 40.0;  ///< 1/s, Baumgarte
   /// rad/s; 0: torques are the control, no torque state.
   double torque_cutoff = 0.0;
   ForceAxes axes = ForceAxes::Surface;
   bool feedback = true;  ///< Riccati policy between updates
   ModelErrorOptions model_error = {.bandwidth = 150.0};
   SafetyLimits limits = {};
+  Fallback fallback = {};
   Weights weights = {};
 
   Disturbances disturbances = {};

@@ -14,30 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using files::YamlReader;
 
-/// A file with nothing but one override, gone at the end: the reader reads files.
-class OverrideFile {
- public:
-  explicit OverrideFile(const std::string& text) {
-    std::string name = (fs::temp_directory_path() / "burnish_set_XXXXXX").string();
-    const int opened = mkstemp(name.data());
-    if (opened < 0)
-      throw Error("cannot write a temporary file in '" + fs::temp_directory_path().string() + "'");
-    std::fclose(fdopen(opened, "w"));
-    file_ = name;
-    std::ofstream(file_) << text << '\n';
-  }
-  ~OverrideFile() {
-    std::error_code ignored;
-    fs::remove(file_, ignored);
-  }
-  OverrideFile(const OverrideFile&) = delete;
-  OverrideFile& operator=(const OverrideFile&) = delete;
-  const fs::path& file() const { return file_; }
-
- private:
-  fs::path file_;
-};
-
 /// "a.b=value" as "{a: {b: value}}".
 std::string as_document(const std::string& word) {
   const std::size_t equals = word.find('=');
@@ -56,15 +32,15 @@ std::string as_document(const std::string& word) {
 }
 
 void apply_override(Task& task, const std::string& word) {
-  const OverrideFile document(as_document(word));
+  const std::string document = as_document(word), name = "override " + in_quotes(word);
   try {
-    read_sections(task, YamlReader::load(document.file()));
+    read_sections(task, YamlReader::parse(document, name));
   } catch (const Error& error) {
+    // The only line of an override is no news.
     std::string sentence = error.what();
-    const std::string place = document.file().string() + ": ", line = "line 1: ";
-    if (sentence.rfind(place, 0) == 0) sentence.erase(0, place.size());
-    if (sentence.rfind(line, 0) == 0) sentence.erase(0, line.size());
-    throw Error("override " + in_quotes(word) + ": " + sentence);
+    const std::string line = name + ": line 1: ";
+    if (sentence.rfind(line, 0) == 0) sentence.replace(0, line.size(), name + ": ");
+    throw Error(sentence);
   }
 }
 

@@ -40,9 +40,9 @@ TaskSection weights_section() {
       "error\n"
       "shrinks at the expense of the others.",
       {weight("force", "1/N^2: force along the normal to its target", &Weights::force),
-       weight("position", "1/m^2: tool to the path, in the air to the point above the surface",
+       weight("position", "1/m^2: tool to the path, in the reach to the point above the surface",
               &Weights::position),
-       weight("approach", "s^2/m^2: speed along the normal to the approach speed, before contact",
+       weight("approach", "s^2/m^2: speed along the normal to that of approach and retreat",
               &Weights::approach),
        weight("rotation",
               "1/rad^2: tool to its orientation at the start; less lets the wrist follow",
@@ -80,32 +80,53 @@ TaskSection limits_section() {
   const auto count = [](const char* name, const char* meaning, int SafetyLimits::*member) {
     return count_key(name, meaning, 1, at(&Task::limits, member));
   };
-  return {"limits",
-          "Beyond these a run is given up: gravity compensation with damping, and a report. Each "
-          "may be\n"
-          "never.",
-          {limit("force", "N at the tool, mean over force_window", &SafetyLimits::force),
-           limit("force_window", "s", &SafetyLimits::force_window),
-           limit("tool_speed", "m/s", &SafetyLimits::tool_speed),
-           limit("joint_speed_ratio", "of the robot's velocity limits",
-                 &SafetyLimits::joint_speed_ratio),
-           number_key("joint_margin", "rad that a joint may be beyond its limit",
-                      Range::NotNegative, at(&Task::limits, &SafetyLimits::joint_margin)),
-           limit("stale", "s without a new measurement", &SafetyLimits::stale),
-           limit("bad", "s of measurements that are no state", &SafetyLimits::bad),
-           limit("contact_lost", "s without force while it is wanted", &SafetyLimits::contact_lost),
-           limit("contact_threshold", "N that count as contact", &SafetyLimits::contact_threshold),
-           limit("unexpected_force", "N while reaching through free space",
-                 &SafetyLimits::unexpected_force),
-           count("failed_solves", "in a row", &SafetyLimits::failed_solves),
-           limit("deadline", "s of computing time per plan", &SafetyLimits::deadline),
-           count("late_solves", "in a row", &SafetyLimits::late_solves)}};
+  return {
+      "limits",
+      "Beyond these a run is given up: the arm is braked and held (fallback), and there is a "
+      "report.\n"
+      "Each may be never.",
+      {limit("force", "N at the tool, mean over force_window", &SafetyLimits::force),
+       limit("force_window", "s", &SafetyLimits::force_window),
+       limit("tool_speed", "m/s", &SafetyLimits::tool_speed),
+       limit("joint_speed_ratio", "of the robot's velocity limits",
+             &SafetyLimits::joint_speed_ratio),
+       number_key("joint_margin", "rad that a joint may be beyond its limit", Range::NotNegative,
+                  at(&Task::limits, &SafetyLimits::joint_margin)),
+       limit("stale", "s without a new measurement", &SafetyLimits::stale),
+       limit("bad", "s of measurements that are no state", &SafetyLimits::bad),
+       limit("contact_lost", "s without force while it is wanted", &SafetyLimits::contact_lost),
+       limit("contact_threshold", "N that count as contact", &SafetyLimits::contact_threshold),
+       limit("late_contact_travel", "m that the tool may go on after contact was due",
+             &SafetyLimits::late_contact_travel),
+       limit("late_contact_time", "s that contact may come late", &SafetyLimits::late_contact_time),
+       limit("unexpected_force", "N while moving through free space",
+             &SafetyLimits::unexpected_force),
+       limit("release", "s into the retreat after which it is free space at the latest",
+             &SafetyLimits::release),
+       count("failed_solves", "in a row", &SafetyLimits::failed_solves),
+       limit("deadline", "s of computing time per plan", &SafetyLimits::deadline),
+       count("late_solves", "in a row", &SafetyLimits::late_solves)}};
+}
+
+TaskSection fallback_section() {
+  const auto key = [](const char* name, const char* meaning, double Fallback::*member) {
+    return number_key(name, meaning, Range::NotNegative, at(&Task::fallback, member));
+  };
+  return {
+      "fallback",
+      "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
+      "slips.",
+      {key("stiffness", "1/s^2, times the mass matrix; 0: nothing holds, the arm is braked only",
+           &Fallback::stiffness),
+       key("damping", "1/s, times the mass matrix", &Fallback::damping),
+       key("give", "of the torque limits, where the spring slips; 0 to 1", &Fallback::give)}};
 }
 
 }  // namespace
 
 std::vector<TaskSection> controller_sections() {
-  return {horizon_section(), weights_section(), model_error_section(), limits_section()};
+  return {horizon_section(), weights_section(), model_error_section(), limits_section(),
+          fallback_section()};
 }
 
 }  // namespace burnish::polishing

@@ -1,5 +1,6 @@
 #include "polishing/task_notes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/sentence.hpp"
@@ -25,12 +26,34 @@ void note_lift(const Task& task, PlantKind plant, std::vector<std::string>& note
                   " N hardly exceeds: contact will be lost; a third of it is clean");
 }
 
+/// What the plan knows of the motors' lag against what they have; a cutoff of 0 is no lag. Less
+/// than a factor of two, or 2.5 ms, does not show.
 void note_lag(const Task& task, std::vector<std::string>& notes) {
   const double planned = task.torque_cutoff, real = task.disturbances.torque_cutoff;
-  if (planned == 0.0 || (real > 0.5 * planned && real < 2.0 * planned)) return;
-  notes.push_back("the controller plans with a torque lag of " + number(planned) +
-                  " rad/s, and the plant has " + (real == 0.0 ? "none" : number(real) + " rad/s") +
-                  ": set disturbances.torque_cutoff to match unless that is the experiment");
+  const auto lag = [](double cutoff) { return cutoff > 0.0 ? 1.0 / cutoff : 0.0; };  // s
+  const double longer = std::max(lag(planned), lag(real));
+  const double shorter = std::min(lag(planned), lag(real));
+  if (longer - shorter <= 2.5e-3 || longer < 2.0 * shorter) return;
+  const auto words = [](double cutoff) {
+    return cutoff > 0.0 ? "lag by " + number(cutoff) + " rad/s" : std::string("do not lag");
+  };
+  const bool imagined = lag(planned) > lag(real);
+  notes.push_back("the controller plans with motors that " + words(planned) +
+                  " (controller.torque_cutoff), and the plant's " + words(real) +
+                  " (disturbances.torque_cutoff): " +
+                  (imagined ? "planning with a lag that is not there overshoots"
+                            : "torques that come later than planned oscillate") +
+                  "; set both alike unless that is the experiment");
+}
+
+/// The estimate of the force's error is a loop around the controller's delays.
+void note_force_error(const Task& task, std::vector<std::string>& notes) {
+  constexpr double most = 50.0;  // rad/s, see ModelErrorOptions
+  const ModelErrorOptions& error = task.model_error;
+  if (error.kind != ModelErrorKind::Force || error.bandwidth <= most) return;
+  notes.push_back("model_error.kind is force with a bandwidth of " + number(error.bandwidth) +
+                  " rad/s: behind a filtered force sensor that rings; " + number(most) +
+                  " rad/s are well");
 }
 
 }  // namespace
@@ -39,6 +62,7 @@ std::vector<std::string> task_notes(const Task& task, PlantKind plant) {
   std::vector<std::string> notes;
   note_lift(task, plant, notes);
   note_lag(task, notes);
+  note_force_error(task, notes);
   return notes;
 }
 

@@ -350,6 +350,11 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(with([](S& s) { s.problem.stages.clear(); }), {"no stages"});
   expect_words(with([](S& s) { s.first_iterations = 0; }), {"0 iterations"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
+  expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "not negative"});
+  expect_words(with([](S& s) { s.fallback.give = 1.5; }), {"give", "1.5", "between 0 and 1"});
+  expect_words(with([](S& s) { s.limits.late_contact_travel = -0.1; }), {"late_contact_travel"});
+  expect_words(with([&](S& s) { s.limits.late_contact_time = nan; }), {"late_contact_time"});
+  expect_words(with([](S& s) { s.limits.release = -1.0; }), {"release"});
   expect_words(with([&](S& s) { s.limits.force = nan; }), {"limit", "force"});
   expect_words(with([](S& s) { s.limits.bad = -1.0; }), {"bad", "-1"});
   expect_words(with([](S& s) { s.limits.force_window = 2.0; }), {"force window"});

@@ -1,77 +1,15 @@
-// Every fault, made to happen in closed loop: what is reported, and that the robot comes to rest.
+// Every fault but those of contact (contact_fault_test.cpp), made to happen in closed loop: what is
+// reported, and that the robot comes to rest.
 #include "burnish/mpc/fault.hpp"
 
 #include <gtest/gtest.h>
 
-#include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/dynamics/placement.hpp"
-#include "support/mpc_run.hpp"
-#include "support/refusal.hpp"
+#include "support/fault_checks.hpp"
 
 namespace burnish::test {
 namespace {
 
 using testing::expect_words;
-
-/// The documented fallback at a state: gravity compensation and damping.
-Eigen::VectorXd fallback_torque(const Model& model, const Eigen::VectorXd& q,
-                                const Eigen::VectorXd& v) {
-  ContactDynamics dynamics(model);
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
-  EXPECT_EQ(dynamics.forward(q, zero, zero), Status::Ok);
-  const Eigen::VectorXd inertia = dynamics.mass_matrix().diagonal();
-  return dynamics.bias() - Fallback{}.damping * inertia.cwiseProduct(v);
-}
-
-/// The report of a fault at `time`, give or take `tolerance` s.
-void expect_report(const FaultReport& fault, FaultKind kind, double time, double tolerance) {
-  ASSERT_EQ(fault.kind, kind) << fault.text();
-  EXPECT_NEAR(fault.time, time, tolerance) << fault.text();
-  // The sentence.
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.4f s", fault.time);
-  expect_words(fault.text(), {std::string(name_of(kind)) + " at ", seconds});
-  // The last second: in order, and the fault in its last row alone.
-  const Trace& trace = fault.last_second;
-  const int last = trace.rows() - 1;
-  ASSERT_EQ(trace.rows(), std::min(2000, static_cast<int>(std::lround(fault.time / 5e-4)) + 1));
-  EXPECT_NEAR(trace.column("time")[last], fault.time, 1e-12);
-  for (int row = 1; row <= last; ++row)
-    ASSERT_NEAR(trace.column("time")[row] - trace.column("time")[row - 1], 5e-4, 1e-9) << row;
-  EXPECT_EQ(trace.column("fault")[last], static_cast<double>(kind));
-  for (int row = 0; row < last; ++row) ASSERT_EQ(trace.column("fault")[row], 0.0);
-}
-
-/// What latches: the kind, the trace, no force aimed at, the fallback's torque.
-void expect_fallback(MpcRun& run) {
-  const FaultKind kind = run.mpc().fault().kind;
-  const double time = run.mpc().fault().time;
-  const int rows = run.mpc().fault().last_second.rows();
-  ASSERT_EQ(run.run(0.02), Status::Ok);
-  const Command& command = run.loop().command();
-  const Measurement& seen = run.watched().seen;
-  const Eigen::VectorXd wanted = fallback_torque(run.mpc().problem().model(), seen.q, seen.v);
-  EXPECT_LT((command.tau - wanted).norm(), 1e-9 * wanted.norm());
-  EXPECT_EQ(command.target_force, 0.0);
-  EXPECT_EQ(command.iterations, 0);
-  EXPECT_EQ(run.mpc().fault().kind, kind);
-  EXPECT_EQ(run.mpc().fault().time, time);
-  EXPECT_EQ(run.mpc().fault().last_second.rows(), rows);
-}
-
-void expect_rest(MpcRun& run) {
-  ASSERT_EQ(run.run(1.5), Status::Ok);
-  EXPECT_LT(run.plant().v().norm(), 0.01);
-  EXPECT_TRUE(run.watched().finite);
-}
-
-std::function<void(Measurement&)> between(double from, double to,
-                                          std::function<void(Measurement&)> what) {
-  return [from, to, what = std::move(what)](Measurement& m) {
-    const double time = m.time;
-    if (time > from - 1e-9 && time < to - 1e-9) what(m);
-  };
-}
 
 TEST(Fault, stale_measurement_when_time_stands_still) {
   MpcCase wanted;
@@ -228,6 +166,36 @@ TEST(Fault, solver_failed_when_a_function_throws) {
   expect_fallback(run);
 }
 
+/// A residual of a user's that throws after a while.
+struct Throwing {
+  int rows = 1;
+  double after = 0.0;
+  void value(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
+    if (at.time() > after) throw std::out_of_range("no such entry");
+    out[0] = at.q()[0];
+  }
+};
+
+TEST(Fault, solver_failed_when_a_residual_throws_in_a_thread_of_the_solver) {
+  for (const int threads : {1, 2}) {
+    MpcCase wanted;
+    wanted.change = [threads](MpcSpec& spec) {
+      spec.solver.threads = threads;
+      for (Stage& stage : spec.problem.stages)
+        stage.costs.push_back({.name = "throwing",
+                               .residual = residual::custom(Throwing{.after = 1.0}),
+                               .weight = 1e-6});
+    };
+    MpcRun run(wanted);
+    ASSERT_EQ(run.run(0.69), Status::Ok);
+    EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+    ASSERT_EQ(run.polish(), Status::Ok);
+    expect_report(run.mpc().fault(), FaultKind::SolverFailed, 0.76, 0.011);
+    expect_fallback(run);
+    expect_rest(run);
+  }
+}
+
 TEST(Fault, solver_failed_at_once_when_the_first_plan_fails) {
   MpcCase wanted;
   wanted.change = [](MpcSpec& spec) {
@@ -279,85 +247,6 @@ TEST(Fault, solver_late_after_deadlines_in_a_row) {
   const Trace::Column missed = run.loop().trace().column("missed_deadline");
   EXPECT_EQ(missed[0], 0.0);
   EXPECT_EQ(missed[20], 1.0);
-  expect_fallback(run);
-  expect_rest(run);
-}
-
-/// A plant whose surface is gone after a while.
-class Vanishing final : public Plant {
- public:
-  Vanishing(const Model& model, const SceneSpec& scene, double until)
-      : until_(until), with_(make_ideal_plant(model, scene)) {
-    SceneSpec far = scene;
-    far.surface.point -= 10.0 * scene.surface.normal;
-    without_ = make_ideal_plant(model, far);
-  }
-  const Model& model() const override { return with_->model(); }
-  const SceneSpec& scene() const override { return with_->scene(); }
-  double dt() const override { return with_->dt(); }
-  Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override {
-    gone_ = false;
-    return with_->reset(q, v);
-  }
-  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push) noexcept override {
-    if (!gone_ && with_->time() > until_) {
-      gone_ = true;
-      if (without_->reset(with_->q(), with_->v()) != Status::Ok) return Status::NotFinite;
-    }
-    return now().step(tau, push);
-  }
-  double time() const override { return gone_ ? with_->time() + without_->time() : with_->time(); }
-  const Eigen::VectorXd& q() const override { return now().q(); }
-  const Eigen::VectorXd& v() const override { return now().v(); }
-  const Eigen::Vector3d& contact_force_world() const override {
-    return now().contact_force_world();
-  }
-  bool in_contact() const override { return now().in_contact(); }
-  const Eigen::VectorXd& friction_torque() const override { return now().friction_torque(); }
-  void save(PlantSnapshot& snapshot) const override { now().save(snapshot); }
-  Status restore(const PlantSnapshot& snapshot) noexcept override {
-    return now().restore(snapshot);
-  }
-
- private:
-  Plant& now() const { return gone_ ? *without_ : *with_; }
-  double until_;
-  bool gone_ = false;
-  std::unique_ptr<Plant> with_, without_;
-};
-
-TEST(Fault, contact_lost_when_the_surface_is_taken_away) {
-  MpcCase wanted;
-  wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
-    return std::make_unique<Vanishing>(model, scene, 0.8);
-  };
-  MpcRun run(wanted);
-  ASSERT_EQ(run.polish(), Status::Ok);
-  expect_report(run.mpc().fault(), FaultKind::ContactLost, 0.95, 2e-3);
-  EXPECT_EQ(run.mpc().fault().limit, 0.15);
-  expect_fallback(run);
-  expect_rest(run);
-}
-
-TEST(Fault, unexpected_contact_in_the_reach) {
-  MpcCase wanted;
-  // The tool comes from 4 cm above and meets something 2 cm above the surface.
-  const polishing::Setting setting = polishing::make_setting(wanted.task);
-  wanted.task.reach_duration = 0.5;
-  wanted.task.clearance = 0.005;
-  wanted.task.point_world =
-      setting.p_start - (wanted.task.tip_radius + 0.04) * wanted.task.normal_world;
-  wanted.task.disturbances.surface_height = 0.02;
-  MpcRun run(wanted);
-  ASSERT_EQ(run.run(0.6), Status::Ok);
-  const FaultReport& fault = run.mpc().fault();
-  ASSERT_EQ(fault.kind, FaultKind::UnexpectedContact) << fault.text();
-  expect_report(fault, FaultKind::UnexpectedContact, fault.time, 1e-9);
-  EXPECT_GT(fault.value, 15.0);
-  const Trace::Column contact = run.loop().trace().column("in_contact");
-  int touch = 0;
-  while (contact[touch] == 0.0) ++touch;
-  EXPECT_LT(fault.time - run.loop().trace().at(touch, 0), 0.01) << "within the window";
   expect_fallback(run);
   expect_rest(run);
 }

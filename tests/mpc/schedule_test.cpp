@@ -58,11 +58,14 @@ TEST(Schedule, jumps_to_the_end_of_the_approach_when_contact_is_early) {
 TEST(Schedule, stands_still_before_the_end_of_the_approach_while_contact_is_late) {
   Schedule schedule(phases());
   EXPECT_EQ(advance_to(schedule, 0.849, false), 0);
+  EXPECT_FALSE(schedule.waits());
   for (int i = 0; i < 300; ++i) schedule.advance(1e-3, false);
   EXPECT_DOUBLE_EQ(schedule.time(), 0.85);
   EXPECT_EQ(schedule.phase(), 1);
   EXPECT_TRUE(schedule.advance(1e-3, false));
+  EXPECT_TRUE(schedule.waits());
   EXPECT_TRUE(schedule.advance(1e-3, true));
+  EXPECT_FALSE(schedule.waits());
   EXPECT_EQ(schedule.time(), 0.9);
   EXPECT_FALSE(schedule.advance(1e-3, true));
   EXPECT_DOUBLE_EQ(schedule.time(), 0.901);

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "burnish/sim/controller.hpp"
+#include "burnish/mpc/controller.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish {

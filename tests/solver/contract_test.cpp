@@ -56,6 +56,26 @@ TEST_P(Contract, has_the_same_bits_for_any_number_of_threads) {
   }
 }
 
+TEST_P(Contract, throws_what_a_function_of_the_problem_throws_in_any_thread) {
+  for (const int threads : {1, 2, 3}) {
+    for (const int knot : {0, 17, 40}) {
+      TestProblem p = unicycle();
+      bool broken = true;
+      p.stages[static_cast<std::size_t>(knot)].roll =
+          [&broken, roll = p.stages[static_cast<std::size_t>(knot)].roll](
+              const double* x, const double* u, double* next) {
+            if (broken) throw Error("no such place");
+            return roll(x, u, next);
+          };
+      DdpSolver solver(p, {.update = GetParam(), .threads = threads});
+      EXPECT_EQ(refusal([&] { solver.solve(); }), "no such place");
+      EXPECT_EQ(refusal([&] { solver.solve(); }), "no such place");
+      broken = false;
+      EXPECT_EQ(solver.solve().reason, StopReason::Converged) << threads << " " << knot;
+    }
+  }
+}
+
 TEST_P(Contract, names_the_knot_and_the_term_that_are_not_finite) {
   TestProblem p = unicycle();
   p.poisoned_knot = 12;

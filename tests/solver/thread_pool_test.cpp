@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
@@ -47,6 +48,24 @@ TEST(ThreadPool, work_of_one_round_is_seen_in_the_next) {
       values[i] += 1.0;
     });
   EXPECT_EQ(std::accumulate(values.begin(), values.end(), 0.0), 64 * 201.0);
+}
+
+TEST(ThreadPool, passes_on_what_the_lowest_piece_throws_when_all_are_done) {
+  for (const int workers : {1, 2, 4}) {
+    ThreadPool pool(workers);
+    for (int round = 0; round < 50; ++round) {
+      std::vector<int> done(20, 0);
+      const auto work = [&](int, int piece) {
+        ++done[static_cast<std::size_t>(piece)];
+        if (piece == 5 || piece == 6 || piece == 19) throw Error("piece " + std::to_string(piece));
+      };
+      EXPECT_EQ(refusal([&] { pool.for_each(20, work); }), "piece 5");
+      EXPECT_EQ(std::count(done.begin(), done.end(), 1), 20);
+      // The next round knows nothing of it.
+      pool.for_each(5, work);
+      EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 25);
+    }
+  }
 }
 
 TEST(ThreadPool, refuses_to_have_no_worker) {

@@ -33,6 +33,43 @@ TEST(Reach, NamedSurfacesAreReachable) {
   }
 }
 
+TEST(Reach, NamedSurfacesAreFarFromTheArm) {
+  for (const NamedSurface& surface : named_surfaces()) {
+    const ReachReport report = reach_of(task_on(surface.name));
+    EXPECT_GT(report.clearance, 0.05) << surface.name << " " << report.tightest_clearance;
+    EXPECT_LT(report.clearance, 1.0) << surface.name;
+    EXPECT_NE(report.tightest_clearance, "torso_1_joint") << "it does not move";
+  }
+  // The table lies below the torso's pitch joint, whose origin stays where it is.
+  const ReachReport table = reach_of(task_on("table"));
+  const Setting setting = make_setting(task_on("table"));
+  EXPECT_EQ(table.tightest_clearance, "torso_2_joint");
+  EXPECT_NEAR(table.clearance, 1.0922 - setting.scene.surface.point.z() - 0.03, 1e-4);
+}
+
+TEST(Reach, AnArmThatWouldTouchTheSurfaceIsRefusedWithTheJointAndTheDepth) {
+  ReachOptions options;
+  const ReachReport free = reach_of(task_on("board_y"));
+  options.link_radius = 0.03 + free.clearance + 0.01;
+  const ReachReport thick = reach_of(task_on("board_y"), options);
+  ASSERT_EQ(thick.problem, ReachProblem::Collision);
+  EXPECT_EQ(thick.joint, free.tightest_clearance);
+  EXPECT_EQ(thick.limit, options.link_radius);
+  EXPECT_LT(thick.value, thick.limit);
+  expect_words(thick.text, {"joint '" + thick.joint + "' would be 0.3", "m from the surface",
+                            "allowed are at least 0.3"});
+
+  // A board that faces away from the robot: the tool would reach around it.
+  Task behind = task_on("table");
+  behind.normal_world = -Eigen::Vector3d::UnitZ();
+  behind.clearance = 0.01;
+  const ReachReport inside = reach_of(behind);
+  ASSERT_EQ(inside.problem, ReachProblem::Collision) << inside.text;
+  EXPECT_LT(inside.value, 0.0);
+  expect_words(inside.text, {"before the start of the path",
+                             "joint '" + inside.joint + "' would be", "m inside the surface"});
+}
+
 TEST(Reach, TheWholePathIsWalkedOnce) {
   Task task = task_on("table");
   task.polish_duration = 100.0;

@@ -102,6 +102,33 @@ TEST(PolishingRun, ASurfaceThatIsNotThereIsGivenUp) {
   expect_words(result.outcome, {"no contact was made", "in phase approach"});
 }
 
+TEST(PolishingRun, ASurfaceThatIsNotThereIsAFaultOfTheController) {
+  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
+  spec.task.disturbances.surface_height = -0.1;
+  const RunResult result = run_task(spec);
+  EXPECT_FALSE(result.polished);
+  EXPECT_EQ(result.fault.kind, FaultKind::NoContact);
+  EXPECT_EQ(result.outcome, result.fault.text());
+  expect_words(result.outcome, {"no contact at 2.", "went on 0.03", "m without a force"});
+  // As long as the controller waits, so does the run.
+  spec.task.limits.late_contact_travel = std::numeric_limits<double>::infinity();
+  spec.task.limits.late_contact_time = 5.0;
+  spec.task.disturbances.surface_height = -0.3;
+  const RunResult late = run_task(spec);
+  EXPECT_EQ(late.fault.kind, FaultKind::ContactLate) << late.outcome;
+  EXPECT_NEAR(late.fault.time, late.setting.touch - 0.05 + 5.0, 0.01);
+}
+
+TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
+  for (const double height : {-0.01, 0.01}) {
+    RunSpec spec =
+        short_run(has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal, ControllerKind::Mpc);
+    spec.task.disturbances = disturbance_preset("mismatch");
+    spec.task.disturbances.surface_height = height;
+    expect_polished(run_task(spec));
+  }
+}
+
 TEST(PolishingRun, ProgressStopsIt) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   double seen = 0.0;

@@ -74,6 +74,10 @@ Task unusual_task() {
   task.model_error.kind = ModelErrorKind::Force;
   task.limits.deadline = 0.003;
   task.limits.force = std::numeric_limits<double>::infinity();
+  task.limits.late_contact_travel = std::numeric_limits<double>::infinity();
+  task.limits.late_contact_time = 7.5;
+  task.limits.release = 0.25;
+  task.fallback = {.stiffness = 0.0, .damping = 12.0, .give = 0.3};
   task.weights.terminal = 1e-7;
   Disturbances& d = task.disturbances;
   d.seed = 41;
@@ -244,6 +248,9 @@ TEST_F(TaskFile, OverridesAreRefusedByTheirOwnWords) {
   expect_words(refused("=3"), {"wanted key.path=value"});
   expect_words(refused("force="), {"wanted key.path=value"});
   expect_words(refused("force=[1"), {"override 'force=[1'", "no YAML"});
+  expect_words(refused("limits.release=-1"),
+               {"override 'limits.release=-1': limits.release: it is"});
+  expect_words(refused("fallback.stifness=1"), {"fallback: key", "did you mean 'stiffness'?"});
   expect_words(refused("a b.c: d=1"), {"override"});
 }
 
@@ -257,8 +264,25 @@ TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
   expect_words(task_notes(task, PlantKind::Mujoco)[0], {"= 31.5 N", "contact will be lost"});
   task.torque_cutoff = 60.0;
   ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
-  expect_words(task_notes(task, PlantKind::Ideal)[0], {"60 rad/s, and the plant has none"});
+  expect_words(task_notes(task, PlantKind::Ideal)[0],
+               {"motors that lag by 60 rad/s (controller.torque_cutoff)", "plant's do not lag",
+                "a lag that is not there overshoots"});
   task.disturbances.torque_cutoff = 50.0;
+  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  task.torque_cutoff = 0.0;
+  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
+  expect_words(
+      task_notes(task, PlantKind::Ideal)[0],
+      {"motors that do not lag", "plant's lag by 50 rad/s", "later than planned oscillate"});
+  task.disturbances.torque_cutoff = 500.0;  // 2 ms
+  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  task.model_error = {.kind = ModelErrorKind::Force, .bandwidth = 50.0};
+  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  task.model_error.bandwidth = 80.0;
+  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
+  expect_words(task_notes(task, PlantKind::Ideal)[0],
+               {"model_error.kind is force with a bandwidth of 80 rad/s", "rings"});
+  task.model_error.kind = ModelErrorKind::Torque;
   EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
 }
 

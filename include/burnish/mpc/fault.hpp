@@ -16,7 +16,9 @@ enum class FaultKind {
   SolverFailed,       ///< no usable plan for too many updates in a row, or at the first
   SolverLate,         ///< too many updates in a row took longer than their deadline
   ContactLost,        ///< no force for too long while it is wanted
-  UnexpectedContact,  ///< a force while the tool reaches through free space
+  NoContact,          ///< the tool went on too far where the surface was expected
+  ContactLate,        ///< the tool took too long to get to the surface
+  UnexpectedContact,  ///< a force while the tool moves through free space
   ForceLimit,         ///< the tool is pushed harder than allowed
   SpeedLimit,         ///< a joint or the tool is faster than allowed
 };
@@ -27,9 +29,10 @@ std::string_view name_of(FaultKind kind);
 /// The first fault of a run, and the ticks that led to it.
 struct FaultReport {
   FaultKind kind = FaultKind::None;
-  double time = 0.0;   ///< s, of the measurement, or when it was due if there was none
-  int joint = -1;      ///< entry of v that it is about, or -1
-  double value = 0.0;  ///< what was measured: s, updates, N, m/s, or of a joint rad (m) and rad/s
+  double time = 0.0;  ///< s, of the measurement, or when it was due if there was none
+  int joint = -1;     ///< entry of v that it is about, or -1
+  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.
+  double value = 0.0;
   double limit = 0.0;  ///< what was allowed, in the same unit
   Trace last_second;   ///< oldest row first, the fault's tick last; empty while there is no fault
 

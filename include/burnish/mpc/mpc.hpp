@@ -38,20 +38,38 @@ struct SafetyLimits {
   double bad = 0.01;               ///< s of bad measurements that the last good one bridges
   double contact_lost = 0.15;      ///< s without force in Ramp and Track
   double contact_threshold = 2.0;  ///< N of normal force that count as contact
-  double unexpected_force = 15.0;  ///< N of normal force in Reach, mean over `force_window`
-  int failed_solves = 5;           ///< in a row; the first solve may not fail
+  /// m along the normal, and s, without contact from when the schedule's clock began to wait for it
+  /// (SchedulePhase::hold before it was due) in Approach: how far the surface may lie behind where
+  /// it is thought to be.
+  double late_contact_travel = 0.03;
+  double late_contact_time = 3.0;
+  /// N of normal force, mean over `force_window`: in Reach, and in Retreat once the tool has come
+  /// off (its force fell below `contact_threshold`) or `release` s are over.
+  double unexpected_force = 15.0;
+  double release = 0.5;
+  int failed_solves = 5;  ///< in a row; the first solve may not fail
   /// s of wall clock per update; the first one, made at rest, may take longer.
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
 };
 
-/// How the robot is brought to rest after a fault: gravity compensation and damping, tau = b(q, 0)
-/// - damping * diag(M) v on the actuated joints, within the torque limits. No contact force is
-/// asked for, and nothing holds the position: what the model gets wrong lets the robot sink slowly.
-/// Without a measurement v dies away from its last value as the damping would have it: that bears
-/// a gap, but blind for good the robot is not held, and its brakes are to be used.
+/// How the robot is brought to rest after a fault, and held there: on the actuated joints a,
+///   tau_a = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a,
+/// within the torque limits. No contact force is asked for. q_hold is where the robot was at the
+/// fault, and slips: where the spring's torque M_aa stiffness e would exceed `give` times a joint's
+/// effort limit, q_hold follows q so that it does not. A fast robot is thereby braked and held
+/// where it comes to rest, a hand can push it aside, and a wrong model (torques off by d) lets it
+/// sink by (stiffness M_aa)^-1 d and no further. Joints without an effort limit do not slip. A
+/// floating base is not held.
+///
+/// Without a good measurement for more than 10 ms (or SafetyLimits::bad, if that is shorter) there
+/// is no spring, and v dies away from its last value as the damping would have it: that bears a
+/// gap, but blind for good the robot is not held, and its brakes are to be used. When measurements
+/// come back, q_hold is where the robot is then.
 struct Fallback {
-  double damping = 8.0;  ///< 1/s
+  double stiffness = 900.0;  ///< 1/s^2; 0: no spring, and what the model gets wrong lets it sink
+  double damping = 40.0;     ///< 1/s
+  double give = 0.15;        ///< of the effort limits, what the spring may use; within [0, 1]
 };
 
 struct MpcSpec {
@@ -98,9 +116,9 @@ struct MpcSpec {
 /// fallback's too. Whatever comes in, the torque is finite.
 ///
 /// Ticks allocate nothing and throw nothing, as long as the functions that the specification holds
-/// (targets, residuals, the solver's callback) allocate nothing. What targets throw is caught: the
-/// update then counts as failed. With a torque model in the problem the command is its filter's
-/// input, and the actuators must have that lag.
+/// (targets, residuals, the solver's callback) allocate nothing. What targets and residuals throw,
+/// in whatever thread of the solver, is caught: the update then counts as failed. With a torque
+/// model in the problem the command is its filter's input, and the actuators must have that lag.
 class MpcController final : public Controller {
  public:
   /// Throws Error with one sentence for a specification that does not fit together.
@@ -121,6 +139,9 @@ class MpcController final : public Controller {
   const Problem& problem() const;
   /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet.
   MatrixView plan() const;
+  /// Cost of each term at a knot of that plan, as problem().term_names(knot) names them; the knots'
+  /// steps are in it. For the record: allocates, and is not for ticks.
+  std::vector<double> plan_costs(int knot);
 
  private:
   struct Impl;

@@ -39,6 +39,8 @@ class Schedule {
   void jump_to(int phase) noexcept;
 
   double time() const { return time_; }  ///< s
+  /// Contact is due and was not made: the last advance() found the clock standing still for it.
+  bool waits() const { return waits_; }
   int phase() const { return phase_at(time_); }
   /// Index of the phase at a time of the clock; the last one after the end.
   int phase_at(double time) const noexcept;
@@ -49,6 +51,7 @@ class Schedule {
   std::vector<SchedulePhase> phases_;
   std::vector<double> starts_;
   double time_ = 0.0;
+  bool waits_ = false;
   int current_ = 0;  ///< an until_contact phase is left by contact alone
 };
 

@@ -73,7 +73,8 @@ struct TrajectoryView {
 };
 
 /// Functions of a problem are called with the number of the worker that calls, from 0 to workers -
-/// 1; different workers may call at the same time. None of them allocates or throws.
+/// 1; different workers may call at the same time. None of them allocates. What one throws (a
+/// function of a user's that it calls, say) ends the solve and reaches its caller.
 class ShootingProblem {
  public:
   virtual ~ShootingProblem() = default;

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "burnish/base/trace.hpp"
+#include "burnish/mpc/controller.hpp"
 #include "burnish/sim/actuation.hpp"
-#include "burnish/sim/controller.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/sensing.hpp"
 

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "burnish/model/model.hpp"
-#include "burnish/sim/controller.hpp"
+#include "burnish/mpc/controller.hpp"
 #include "burnish/sim/path.hpp"
 
 namespace burnish {

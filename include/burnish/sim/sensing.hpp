@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/tree.hpp"
-#include "burnish/sim/controller.hpp"
+#include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/random.hpp"

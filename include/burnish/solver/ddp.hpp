@@ -53,8 +53,10 @@ class DdpSolver {
   /// The same from plain memory, laid out as TrajectoryView says; throws nothing.
   void set_guess(const TrajectoryView& guess);
 
-  /// Iterates until one of StopReason. Allocates nothing and throws nothing (but what the callback
-  /// throws).
+  /// Iterates until one of StopReason. Allocates nothing and throws nothing of its own: what the
+  /// callback or a function of the problem throws, in any thread, reaches the caller. The
+  /// trajectory is then the last one that was evaluated, and the next solve starts from it as
+  /// usual.
   const DdpSummary& solve();
   const DdpSummary& summary() const;
   std::string text() const;  ///< summary().text() with the problem's names

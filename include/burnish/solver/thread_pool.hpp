@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -23,7 +25,8 @@ class ThreadPool {
   int workers() const { return static_cast<int>(threads_.size()) + 1; }
 
   /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all are
-  /// done. `body` must not throw.
+  /// done. What `body` throws does not keep other pieces from being done; then the exception of the
+  /// lowest piece is thrown on to the caller, whatever the number of workers.
   template <class Body>
   void for_each(int pieces, Body&& body) {
     using Target = std::remove_reference_t<Body>;
@@ -39,6 +42,7 @@ class ThreadPool {
   using Call = void (*)(void* context, int worker, int piece);
   void run(int pieces, Call call, void* context);
   void take_pieces(int worker);
+  void note_failure(int piece) noexcept;
   void serve(int worker);
 
   std::vector<std::thread> threads_;
@@ -49,6 +53,9 @@ class ThreadPool {
   std::atomic<int> busy_{0};             ///< threads that have not finished the round
   std::atomic<std::uint32_t> round_{0};  ///< of work; threads wait for the next
   std::atomic<bool> stop_{false};
+  std::mutex failure_mutex_;
+  int failed_piece_ = 0;
+  std::exception_ptr failure_;  ///< of failed_piece_, until the round is over
 };
 
 }  // namespace burnish

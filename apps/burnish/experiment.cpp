@@ -1,0 +1,170 @@
+// burnish experiment: one of the polishing experiments, from its runs to its tables and figures.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "command.hpp"
+#include "experiment_files.hpp"
+#include "polish_files.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+using polishing::PlantKind;
+
+struct ExperimentArguments {
+  std::string name, plant, out;
+  std::vector<std::string> surfaces, overrides;
+  int seeds = 0, first_seed = 0, threads = 0;
+  bool quick = false, quiet = false;
+};
+
+volatile std::sig_atomic_t stop_wanted = 0;
+
+/// The first Ctrl-C ends the runs, the second one the program.
+extern "C" void stop_experiment(int signal) {
+  stop_wanted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+/// A word as a shell takes it.
+std::string shell_word(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// What repeats the results: options that change them and no others.
+std::string command_of(const ExperimentArguments& a) {
+  std::string command = "burnish experiment " + a.name;
+  if (a.seeds > 0) command += fmt::format(" --seeds {}", a.seeds);
+  if (a.first_seed > 0) command += fmt::format(" --first-seed {}", a.first_seed);
+  for (const std::string& surface : a.surfaces) command += " --surface " + shell_word(surface);
+  if (!a.plant.empty()) command += " --plant " + a.plant;
+  if (a.quick) command += " --quick";
+  for (const std::string& word : a.overrides) command += " --set " + shell_word(word);
+  return command;
+}
+
+void show_progress(const std::string& name, double share, const std::string& what) {
+  constexpr int width = 30;
+  const int done = static_cast<int>(share * width);
+  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}", name, "", done, "", width - done,
+             100.0 * share, what);
+  std::fflush(stderr);
+}
+
+polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {
+  polishing::ExperimentSpec spec;
+  if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+  spec.seeds = a.seeds;
+  spec.first_seed = a.first_seed;
+  spec.threads = a.threads;
+  spec.quick = a.quick;
+  spec.surfaces = a.surfaces;
+  spec.overrides = a.overrides;
+  spec.stopped = [] { return stop_wanted != 0; };
+  if (!a.quiet && isatty(STDERR_FILENO) != 0)
+    spec.progress = [name = a.name](double share, const std::string& what) {
+      show_progress(name, share, what);
+    };
+  return spec;
+}
+
+int perform(const ExperimentArguments& arguments) {
+  const polishing::Experiment& experiment = polishing::experiment_named(arguments.name);
+  const polishing::ExperimentSpec spec = spec_of(arguments);
+  // Bad words are refused, and the folder is there, before minutes of computing.
+  for (const std::string& surface :
+       arguments.surfaces.empty() ? std::vector<std::string>{"table"} : arguments.surfaces)
+    check_experiment_task(spec, surface);
+  const fs::path folder = arguments.out.empty() ? "experiment_" + arguments.name : arguments.out;
+  make_folder(folder);
+
+  stop_wanted = 0;
+  const auto before = std::signal(SIGINT, stop_experiment);
+  const polishing::ExperimentReport report = experiment.perform(spec);
+  std::signal(SIGINT, before);
+  if (spec.progress) fmt::print(stderr, "\r\033[K");
+
+  const std::string command = command_of(arguments);
+  const auto names = write_experiment(report, experiment.name, command, folder);
+  if (!arguments.quiet) {
+    fmt::print("{}", experiment_text(report, command));
+    fmt::print("\nin {}: {}\n", folder.string(), fmt::join(names, ", "));
+  }
+  return report.failures.empty() && !report.interrupted ? exit_ok : exit_failed;
+}
+
+std::string list_of_experiments() {
+  std::string text;
+  for (const polishing::Experiment& experiment : polishing::experiments())
+    text += fmt::format("  {:<12}  {}\n", experiment.name, experiment.summary);
+  return text;
+}
+
+void add_options(CLI::App& command, ExperimentArguments& a) {
+  command.add_option("NAME", a.name, "Of the experiment, see below")->required()->type_name("");
+  command.add_option("--seeds", a.seeds, "Runs that differ in what is drawn [paper 5, seeds 200]")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--first-seed", a.first_seed, "Their first one [0]")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--surface", a.surfaces,
+                  "Other surfaces than the experiment's own; again for more (not: orientation)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command
+      .add_option("--plant", a.plant,
+                  polishing::has_mujoco() ? "mujoco or ideal [mujoco]"
+                                          : "ideal; this build has no MuJoCo [ideal]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"mujoco", "ideal"}));
+  command
+      .add_option("--set", a.overrides,
+                  "Any key of a task file, such as force=20; repeatable. What the experiment "
+                  "sweeps stays its own")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--threads", a.threads,
+                  "Runs at once, which changes no result; tick has one [one per core]")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
+  command.add_option("--out", a.out, "Folder for what is written [experiment_NAME]")
+      ->type_name("DIR");
+  command.add_flag("--quiet", a.quiet, "Print nothing");
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("experiment", "Many polishing runs and what they show, in one command");
+  const auto arguments = std::make_shared<ExperimentArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Experiments:\n" + list_of_experiments() +
+      "\n"
+      "Examples:\n"
+      "  burnish experiment paper --seeds 3\n"
+      "  burnish experiment orientation --set path.radius=0.04\n"
+      "  burnish experiment seeds --first-seed 17 --seeds 1\n"
+      "\n"
+      "Each leaves results.md (its tables), results.json (all), results.csv (a row per run) and\n"
+      "figures. Ctrl-C ends the runs and writes what there is. docs/experiments.md shows and\n"
+      "explains the results.\n"
+      "Exit codes: 0 all runs came to their end, whether aims were met or not; 1 some did not;\n"
+      "2 bad input.");
+  command->callback([arguments, &exit_code] { exit_code = perform(*arguments); });
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,22 @@
+// What burnish experiment leaves behind.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "polishing/experiments/experiment.hpp"
+
+namespace burnish::app {
+
+/// results.md: findings, failures and the tables that are for people, with the command that
+/// repeats it all.
+std::string experiment_text(const polishing::ExperimentReport& report, const std::string& command);
+
+/// Writes results.md, results.json (everything), results.csv (the first table), the figures and the
+/// tasks; their names.
+std::vector<std::string> write_experiment(const polishing::ExperimentReport& report,
+                                          const std::string& name, const std::string& command,
+                                          const std::filesystem::path& folder);
+
+}  // namespace burnish::app

@@ -1,0 +1,137 @@
+#include "mesh_file.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+#include "burnish/model/robot.hpp"
+#ifdef BURNISH_HAS_ASSIMP
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#endif
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a robot all in all: 18 MB of page.
+constexpr std::size_t most_triangles = 400'000;
+
+std::vector<fs::path> folders_in(const char* variable, const char* below) {
+  std::vector<fs::path> folders;
+  const char* const listed = std::getenv(variable);
+  std::istringstream stream(listed == nullptr ? "" : listed);
+  for (std::string folder; std::getline(stream, folder, ':');)
+    if (!folder.empty()) folders.push_back(fs::path(folder) / below);
+  return folders;
+}
+
+bool is_file(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+/// A package is a folder that is named like it, or one of that name inside.
+fs::path file_in_package(const fs::path& folder, const std::string& package, const fs::path& rest) {
+  if (is_file(folder / package / rest)) return folder / package / rest;
+  if (folder.filename() == package && is_file(folder / rest)) return folder / rest;
+  return {};
+}
+
+#ifdef BURNISH_HAS_ASSIMP
+Mesh read_mesh(const fs::path& file) {
+  Assimp::Importer importer;
+  // Descriptions of robots count on z being up in Collada files, whatever these say.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* const scene =
+      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                                           aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                                           aiProcess_DropNormals);
+  Mesh mesh;
+  if (scene == nullptr) return mesh;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& part = *scene->mMeshes[m];
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
+    for (unsigned v = 0; v < part.mNumVertices; ++v)
+      for (const float x : {part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z})
+        mesh.vertices.push_back(x);
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      if (part.mFaces[f].mNumIndices != 3) continue;
+      for (unsigned k = 0; k < 3; ++k) mesh.triangles.push_back(first + part.mFaces[f].mIndices[k]);
+    }
+  }
+  return mesh;
+}
+#else
+Mesh read_mesh(const fs::path&) { return {}; }
+#endif
+
+}  // namespace
+
+fs::path robot_folder(const std::string& robot) {
+  const auto folder_of = [](const fs::path& path) -> fs::path {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return path;
+    if (fs::exists(path, ignored)) return fs::absolute(path, ignored).parent_path();
+    return {};
+  };
+  for (const std::string& name : {robot, robot.substr(0, robot.rfind(':'))}) {
+    if (name.empty()) continue;
+    if (fs::path found = folder_of(name); !found.empty()) return found;
+    for (const fs::path& folder : robot_search_path())
+      if (fs::path found = folder_of(folder / name); !found.empty()) return found;
+  }
+  return {};
+}
+
+fs::path mesh_file(const std::string& uri, const fs::path& folder) {
+  constexpr std::string_view in_package = "package://", in_file = "file://";
+  if (uri.starts_with(in_file)) {
+    const fs::path file = uri.substr(in_file.size());
+    return is_file(file) ? file : fs::path();
+  }
+  if (!uri.starts_with(in_package)) {
+    const fs::path file = folder / uri;  // an absolute one stays what it is
+    return is_file(file) ? file : fs::path();
+  }
+  const std::string name = uri.substr(in_package.size());
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return {};
+  const std::string package = name.substr(0, slash);
+  const fs::path rest = name.substr(slash + 1);
+  std::vector<fs::path> folders;
+  std::error_code ignored;
+  for (fs::path above = fs::absolute(folder, ignored); above.has_relative_path();
+       above = above.parent_path())
+    folders.push_back(above);
+  for (fs::path& each : folders_in("ROS_PACKAGE_PATH", "")) folders.push_back(std::move(each));
+  for (fs::path& each : folders_in("AMENT_PREFIX_PATH", "share"))
+    folders.push_back(std::move(each));
+  for (const fs::path& each : folders)
+    if (fs::path file = file_in_package(each, package, rest); !file.empty()) return file;
+  return {};
+}
+
+std::map<std::string, Mesh> load_meshes(const Model& model, const fs::path& folder) {
+  std::map<std::string, Mesh> meshes;
+  std::size_t triangles = 0;
+  for (const Visual& visual : model.visuals) {
+    const auto* const shape = std::get_if<MeshShape>(&visual.shape);
+    if (shape == nullptr || meshes.contains(shape->uri)) continue;
+    const fs::path file = mesh_file(shape->uri, folder);
+    if (file.empty()) continue;
+    Mesh mesh = read_mesh(file);
+    const std::size_t count = mesh.triangles.size() / 3;
+    if (count == 0 || triangles + count > most_triangles) continue;
+    triangles += count;
+    meshes[shape->uri] = std::move(mesh);
+  }
+  return meshes;
+}
+
+}  // namespace burnish::app

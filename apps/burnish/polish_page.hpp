@@ -1,0 +1,43 @@
+// The pages of polishing runs: of each, and of all of them beside each other.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "burnish/report/run_page.hpp"
+#include "polish_files.hpp"
+
+namespace burnish::app {
+
+/// All that the page of a run shows. Its rows are among those of a table of every `record_every`th.
+RunPage make_run_page(const PolishJob& job, const polishing::RunResult& result, int record_every);
+
+/// Writes what the runs of one call leave beside their tables.
+class PageWriter {
+ public:
+  PageWriter(bool pages, bool recordings) : pages_(pages), recordings_(recordings) {}
+  /// run.json, run.html and run.mcap as far as they are wanted and can be made; their names.
+  std::vector<std::string> write(const PolishJob& job, const polishing::RunResult& result,
+                                 int record_every, const std::filesystem::path& folder);
+  /// Behind the last run: comparison.html in the folder of all runs, if there are several.
+  /// Returns what is to be told about pages, one line, or nothing.
+  std::string finish(const std::filesystem::path& folder) const;
+
+ private:
+  bool pages_, recordings_;
+  std::vector<std::string> names_, runs_;  ///< of each run: name, and JSON as it is in a page
+  std::size_t size_ = 0;                   ///< bytes of runs_
+};
+
+/// The page of these runs (JSON of each) with a title of their names. Throws Error if the file
+/// cannot be written, or if this program has no page.
+void write_runs_page(const std::vector<std::string>& names, const std::vector<std::string>& runs,
+                     const std::filesystem::path& file);
+/// The page of a robot. Throws Error as write_runs_page() does.
+void write_robot_page(const RobotDrawing& robot, const std::filesystem::path& file);
+
+/// Such as "table_mpc, table_baseline and 3 more".
+std::string joined_names(const std::vector<std::string>& names);
+
+}  // namespace burnish::app

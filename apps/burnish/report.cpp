@@ -1,0 +1,122 @@
+// burnish report: pages of runs that were made before.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "burnish/base/error.hpp"
+#include "command.hpp"
+#include "polish_page.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct ReportArguments {
+  std::vector<std::string> runs;
+  std::string out = "report.html";
+};
+
+constexpr const char* wanted = "wanted a folder that burnish polish wrote, with run.json in it";
+
+/// The run.json files that an argument means: a file, a run's folder, or a folder of such.
+std::vector<fs::path> files_of(const std::string& argument) {
+  const fs::path path = argument;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    throw Error(fmt::format("'{}' does not exist; {}", argument, wanted));
+  if (!fs::is_directory(path, ignored)) return {path};
+  if (fs::exists(path / "run.json", ignored)) return {path / "run.json"};
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, ignored))
+    if (fs::exists(entry.path() / "run.json", ignored)) files.push_back(entry.path() / "run.json");
+  if (files.empty()) throw Error(fmt::format("'{}' is no run; {}", argument, wanted));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The runs in a file.
+Json runs_in(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error(fmt::format("'{}' cannot be opened", file.string()));
+  const Json page = Json::parse(stream, nullptr, false);
+  if (page.is_discarded() || !page.is_object())
+    throw Error(fmt::format("'{}' is no run: it holds no JSON object", file.string()));
+  const auto format = page.find("format");
+  if (format == page.end() || !format->is_string())
+    throw Error(fmt::format("'{}' is no run: it has no format; {}", file.string(), wanted));
+  if (format->get<std::string>() != page_format)
+    throw Error(fmt::format("'{}' has the format '{}'; this program reads '{}'", file.string(),
+                            format->get<std::string>(), page_format));
+  const auto runs = page.find("runs");
+  if (runs == page.end() || !runs->is_array() || runs->empty())
+    throw Error(fmt::format("'{}' holds no run", file.string()));
+  for (const Json& run : *runs)
+    if (!run.is_object() || !run.contains("name") || !run["name"].is_string() ||
+        !run.contains("series"))
+      throw Error(fmt::format("'{}' holds something else than runs", file.string()));
+  return *runs;
+}
+
+/// Runs of one name are told apart by the folder above theirs, or else by a number.
+void tell_apart(std::vector<Json>& runs, const std::vector<fs::path>& files) {
+  std::vector<std::string> names, given;
+  for (const Json& run : runs) given.push_back(run["name"].get<std::string>());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::string name = given[i];
+    std::error_code ignored;
+    if (std::count(given.begin(), given.end(), name) > 1)
+      name = fs::absolute(files[i], ignored).parent_path().parent_path().filename().string() + "/" +
+             name;
+    const std::string plain = name;
+    for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n)
+      name = fmt::format("{} ({})", plain, n);
+    names.push_back(name);
+    runs[i]["name"] = name;
+  }
+}
+
+void report(const ReportArguments& arguments) {
+  std::vector<Json> runs;
+  std::vector<fs::path> files;
+  for (const std::string& argument : arguments.runs)
+    for (const fs::path& file : files_of(argument))
+      for (Json& run : runs_in(file)) {
+        runs.push_back(std::move(run));
+        files.push_back(file);
+      }
+  tell_apart(runs, files);
+  std::vector<std::string> names, texts;
+  for (const Json& run : runs) {
+    names.push_back(run["name"].get<std::string>());
+    texts.push_back(run.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  write_runs_page(names, texts, arguments.out);
+  fmt::print("{} {} in {}\n", runs.size(), runs.size() == 1 ? "run" : "runs", arguments.out);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("report", "One page of runs that were made before");
+  const auto arguments = std::make_shared<ReportArguments>();
+  command
+      ->add_option("RUN", arguments->runs,
+                   "Folder of a run, or of several, that burnish polish wrote")
+      ->type_name("")
+      ->required();
+  command->add_option("--out", arguments->out, "The page [report.html]")->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  burnish report polishing_run/table_mpc\n"
+      "  burnish report before/table_mpc after/table_mpc --out comparison.html");
+  command->callback([arguments, &exit_code] {
+    report(*arguments);
+    exit_code = exit_ok;
+  });
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,28 @@
+#include "page/page_template.hpp"
+
+#ifdef BURNISH_PAGE_FILE
+// The assembler copies the file as it is: a million numbers would keep the compiler busy.
+__asm__(
+    ".section .rodata\n"
+    ".global burnish_page_begin\n"
+    ".global burnish_page_end\n"
+    "burnish_page_begin:\n"
+    ".incbin \"" BURNISH_PAGE_FILE
+    "\"\n"
+    "burnish_page_end:\n"
+    ".byte 0\n"
+    ".previous\n");
+extern "C" const char burnish_page_begin[], burnish_page_end[];
+#endif
+
+namespace burnish::app {
+
+std::string_view page_template() {
+#ifdef BURNISH_PAGE_FILE
+  return {burnish_page_begin, burnish_page_end};
+#else
+  return {};
+#endif
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,176 @@
+// The page of a run: one HTML file with a 3D replay, plots and figures, that any browser shows
+// without a network. Here are the values that the page shows, as plain structs, and their text.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/base/views.hpp"
+#include "burnish/model/model.hpp"
+#include "burnish/report/metrics.hpp"
+
+namespace burnish {
+
+/// The format of the data within a page, and of a run's run.json.
+inline constexpr std::string_view page_format = "burnish-page/1";
+
+/// Triangles to draw, in the axes of the file that they come from, unscaled.
+struct Mesh {
+  std::vector<float> vertices;           ///< x, y, z of each, m
+  std::vector<std::uint32_t> triangles;  ///< three vertices of each
+};
+
+/// A robot to draw.
+struct RobotDrawing {
+  Model model;
+  Eigen::VectorXd q = {};  ///< nq, posture at the start; empty: neutral
+  std::map<std::string, Eigen::VectorXd> postures = {};
+  /// By the uri of MeshShape. Meshes that are not here are drawn as nothing, and named.
+  std::map<std::string, Mesh> meshes = {};
+};
+
+/// Samples over the rows of a page.
+struct PageColumn {
+  std::string name, unit;
+  Eigen::VectorXd values;
+};
+/// Smallest and largest of all samples since the row before, over the rows of a page.
+struct PageEnvelope {
+  std::string name;
+  Eigen::VectorXd lower, upper;
+};
+
+struct PageMetric {
+  std::string name;             ///< such as force_rmse
+  std::string label;            ///< such as "force error, rms"
+  std::optional<double> value;  ///< none: not available
+  std::string unit;
+  std::string text;  ///< what it means
+};
+
+struct PagePhase {
+  std::string name;
+  double start = 0.0, end = 0.0;  ///< s
+};
+
+/// The plane that is polished. Columns of axes: two tangents and the normal, towards the robot.
+struct PageSurface {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d true_point = Eigen::Vector3d::Zero();  ///< as the plant has it
+  Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();
+  double friction = 0.0;  ///< in the plant
+};
+
+/// One entry per plan, or the fastest and slowest of a few that follow each other.
+struct PageSolver {
+  Eigen::VectorXd time = {};      ///< s
+  Eigen::VectorXd solve_ms = {};  ///< ms
+  Eigen::VectorXd iterations = {}, missed = {};
+  double period_ms = 0.0;                  ///< between two plans
+  std::optional<double> deadline_ms = {};  ///< none: no deadline
+};
+
+/// Some plans along a run.
+struct PagePlans {
+  Eigen::VectorXd time = {};            ///< s, of each plan's first knot
+  std::vector<std::string> terms = {};  ///< of the costs
+  RowMatrix costs = {};                 ///< plans x terms, summed over the horizon
+  int knots = 0, nq = 0;
+  double step = 0.0;          ///< s between these knots
+  std::vector<float> q = {};  ///< plans x knots x nq
+};
+
+struct PageFault {
+  std::string kind;  ///< such as "contact lost"
+  double time = 0.0;
+  std::string text;  ///< one sentence
+};
+
+/// All that a page shows of a run. SI units, angles in rad.
+struct RunPage {
+  std::string name;
+  std::int64_t created = 0;                                     ///< s since 1970, UTC
+  std::string version = {};                                     ///< of the program that made it
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< name and value, as they appear
+  std::string command = {};                                     ///< reproduces the run
+  std::string outcome = {};
+  bool polished = false;
+  std::optional<PageFault> fault = {};
+  std::vector<PageMetric> metrics = {};
+  std::optional<std::pair<double, double>> window = {};  ///< s, over which metrics are taken
+  std::string task_file = {};                            ///< its text
+  double duration = 0.0;                                 ///< s
+  RobotDrawing robot;
+  std::string tool_frame = {};
+  double tip_radius = 0.0;  ///< m
+  PageSurface surface = {};
+  Eigen::VectorXd path_u = {}, path_w = {};  ///< m, the path asked for, about path_origin
+  Eigen::Vector3d path_origin_world = Eigen::Vector3d::Zero();
+  Eigen::VectorXd time = {};  ///< s, of the rows
+  std::vector<PageColumn> columns = {};
+  std::vector<PageEnvelope> envelopes = {};
+  std::vector<PagePhase> phases = {};
+  std::optional<PageSolver> solver = {};
+  std::optional<PagePlans> plans = {};
+};
+
+/// How large a page may become.
+struct PageSize {
+  int most_rows = 8000;         ///< rows
+  double most_megabytes = 6.0;  ///< of columns and envelopes, as text
+  int most_plans = 4000;        ///< entries of PageSolver
+};
+
+/// Every how many rows of a trace the page has one: a multiple of `record_every`, so that its times
+/// are among those of a table that has every `record_every`th row, as large as the size asks for.
+int page_stride(const Trace& trace, const Model& model, int record_every,
+                const PageSize& size = {});
+
+/// Fills time, columns, envelopes, phases, duration and the solver's entries from a trace of
+/// ClosedLoop. Forces are taken along the surface's true axes, the path along its axes as the
+/// controller knows them. Robot, surface and path_origin_world have to be there. Throws Error for
+/// a column that is missing.
+void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size = {});
+
+/// The figures of a run with what they mean; all of them, with no value, without metrics.
+std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics);
+
+/// JSON of a robot and of a run, as the page reads them.
+std::string robot_json(const RobotDrawing& robot);
+std::string run_page_json(const RunPage& run);
+
+/// Meshes that the robot's description names and that are not there, by their file names.
+std::vector<std::string> missing_meshes(const RobotDrawing& robot);
+
+struct PageHead {
+  std::string title;
+  std::string version = {};  ///< of the program
+  std::int64_t created = 0;  ///< s since 1970, UTC
+};
+/// The data of a page with these runs, each as run_page_json() gives it.
+std::string page_json(const PageHead& head, const std::vector<std::string>& runs);
+/// The data of a page with a robot alone.
+std::string robot_page_json(const PageHead& head, const RobotDrawing& robot);
+
+/// The page: its template with the data (JSON) in place, whatever texts that holds. Throws Error
+/// for a template that has no place or several.
+std::string page_html(std::string_view page_template, std::string_view data);
+
+/// The run's rows as a recording: /joint_states, /force, /task, /tool_pose, /target_pose, /tf and
+/// /tf_static (every link), /scene (the robot's solids and the surface), /solver, /costs; facts and
+/// figures as metadata. Frames and poses have the names and fields of Foxglove's schemas. Throws
+/// Error if the file cannot be written.
+void write_run_mcap(const RunPage& run, const std::filesystem::path& file);
+
+/// Such as 2026-11-21T14:00:00Z.
+std::string utc_text(std::int64_t seconds);
+
+}  // namespace burnish

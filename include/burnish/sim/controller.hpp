@@ -1,4 +1,0 @@
-// What a controller is: see mpc/controller.hpp.
-#pragma once
-
-#include "burnish/mpc/controller.hpp"

@@ -1,0 +1,196 @@
+// From the trace of a run to the columns of its page.
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/mpc/controller.hpp"
+#include "burnish/report/run_page.hpp"
+#include "report/moving_mean.hpp"
+
+namespace burnish {
+namespace {
+
+/// Columns beside those of joints, and signals with envelopes beside torques.
+constexpr int plain_columns = 19, plain_envelopes = 5;
+constexpr double mean_over = 0.010;  // s, of the force's mean
+
+/// Every `stride`th row and the last.
+std::vector<int> rows_of(const Trace& trace, int stride) {
+  std::vector<int> rows;
+  for (int row = 0; row < trace.rows(); row += stride) rows.push_back(row);
+  if (!rows.empty() && rows.back() + 1 != trace.rows()) rows.push_back(trace.rows() - 1);
+  return rows;
+}
+
+/// Puts signals of all rows into the page's.
+class PageFiller {
+ public:
+  PageFiller(RunPage& page, const Trace& trace, std::vector<int> rows)
+      : page_(page), trace_(trace), rows_(std::move(rows)) {}
+
+  Eigen::VectorXd chosen(const Eigen::VectorXd& all) const { return all(rows_); }
+  void add(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
+    page_.columns.push_back({name, unit, chosen(all)});
+  }
+  /// With its extremes between the rows.
+  void add_with_envelope(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
+    add(name, unit, all);
+    PageEnvelope envelope{name, chosen(all), chosen(all)};
+    for (std::size_t i = 1; i < rows_.size(); ++i) {
+      const auto part = all.segment(rows_[i - 1] + 1, rows_[i] - rows_[i - 1]);
+      envelope.lower[static_cast<Eigen::Index>(i)] = part.minCoeff();
+      envelope.upper[static_cast<Eigen::Index>(i)] = part.maxCoeff();
+    }
+    page_.envelopes.push_back(std::move(envelope));
+  }
+  /// A column of the trace under its name in the page.
+  void copy(const std::string& name, const std::string& from) {
+    const int index = trace_.index(from);
+    add(name, trace_.columns()[static_cast<std::size_t>(index)].unit.c_str(), trace_.column(index));
+  }
+  /// The component of a vector in world axes.
+  Eigen::VectorXd along(const std::string& what, const Eigen::Vector3d& direction) const {
+    return trace_.column(what + "_x_world") * direction.x() +
+           trace_.column(what + "_y_world") * direction.y() +
+           trace_.column(what + "_z_world") * direction.z();
+  }
+
+ private:
+  RunPage& page_;
+  const Trace& trace_;
+  std::vector<int> rows_;
+};
+
+void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
+  const Eigen::Matrix3d& axes = page.surface.true_axes;
+  const Eigen::VectorXd force = fill.along("tool_force", axes.col(2));
+  const auto time = trace.column("time");
+  const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
+  const int width = std::max(1, static_cast<int>(std::lround(mean_over / dt)));
+  fill.add_with_envelope("force_normal", "N", force);
+  fill.add("force_normal_mean", "N", moving_mean(force, width));
+  fill.add_with_envelope("force_estimated", "N", fill.along("estimated_force", axes.col(2)));
+  fill.add_with_envelope("force_measured", "N", fill.along("measured_force", axes.col(2)));
+  fill.copy("force_target", "target_force");
+  fill.add("force_t1", "N", fill.along("tool_force", axes.col(0)));
+  fill.add("force_t2", "N", fill.along("tool_force", axes.col(1)));
+}
+
+void add_motion(PageFiller& fill, const RunPage& page, const Trace& trace) {
+  for (const char* axis : {"x", "y", "z"})
+    fill.copy(std::string("tool_") + axis, std::string("tool_") + axis + "_world");
+  const Eigen::Vector3d t1 = page.surface.axes.col(0), t2 = page.surface.axes.col(1);
+  const Eigen::Vector3d origin = page.path_origin_world;
+  const auto in_plane = [&](const std::string& what, const Eigen::Vector3d& t) {
+    return Eigen::VectorXd(fill.along(what, t).array() - t.dot(origin));
+  };
+  fill.add("path_u", "m", in_plane("tool", t1));
+  fill.add("path_w", "m", in_plane("tool", t2));
+  fill.add("target_u", "m", in_plane("target", t1));
+  fill.add("target_w", "m", in_plane("target", t2));
+  // Across the true normal, as it is measured.
+  const Eigen::Vector3d s1 = page.surface.true_axes.col(0), s2 = page.surface.true_axes.col(1);
+  const Eigen::VectorXd off_1 = fill.along("tool", s1) - fill.along("target", s1);
+  const Eigen::VectorXd off_2 = fill.along("tool", s2) - fill.along("target", s2);
+  fill.add_with_envelope("path_error", "m",
+                         (off_1.array().square() + off_2.array().square()).sqrt());
+  const auto turned = [&](const char* name) { return trace.column(name).array().square(); };
+  fill.add_with_envelope(
+      "tool_turned", "rad",
+      (turned("tool_rx_start") + turned("tool_ry_start") + turned("tool_rz_start")).sqrt());
+}
+
+void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
+  for (int k = 0; k < model.nq; ++k) fill.copy("q_" + model.q_name(k), "q_" + model.q_name(k));
+  for (int k = 0; k < model.nv; ++k) fill.copy("v_" + model.v_name(k), "v_" + model.v_name(k));
+  for (int k = 0; k < model.nv; ++k) {
+    const int from = trace.index("tau_applied_" + model.v_name(k));
+    fill.add_with_envelope("tau_" + model.v_name(k),
+                           trace.columns()[static_cast<std::size_t>(from)].unit.c_str(),
+                           trace.column(from));
+  }
+  for (int k = 0; k < model.nv; ++k)
+    fill.copy("tau_command_" + model.v_name(k), "tau_command_" + model.v_name(k));
+}
+
+std::vector<PagePhase> phases_of(const Trace& trace) {
+  constexpr const char* names[] = {"reach", "approach", "ramp", "track", "retreat"};
+  const auto time = trace.column("time"), phase = trace.column("phase");
+  std::vector<PagePhase> phases;
+  for (int row = 0; row < trace.rows(); ++row) {
+    const bool same = row > 0 && phase[row] == phase[row - 1];
+    if (!same)
+      phases.push_back({names[std::clamp(static_cast<int>(phase[row]), 0, 4)], time[row], 0.0});
+    phases.back().end = time[row];
+    if (!same && phases.size() > 1) phases[phases.size() - 2].end = time[row];
+  }
+  return phases;
+}
+
+/// Plans by row, or of every few that follow each other the fastest and the slowest.
+void add_solver(PageSolver& solver, const Trace& trace, int most) {
+  const auto tick = trace.column("tick"), seconds = trace.column("solve_time");
+  std::vector<int> plans;
+  for (int row = 0; row < trace.rows(); ++row)
+    if (tick[row] != 0.0 && seconds[row] > 0.0) plans.push_back(row);
+  const auto missed = trace.column("missed_deadline");
+  std::vector<int> kept;
+  std::vector<double> late;
+  const std::size_t group =
+      plans.size() <= static_cast<std::size_t>(most) ? 1 : 2 * plans.size() / most + 1;
+  for (std::size_t begin = 0; begin < plans.size(); begin += group) {
+    const auto first = plans.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last =
+        plans.begin() + static_cast<std::ptrdiff_t>(std::min(begin + group, plans.size()));
+    const auto faster = [&](int a, int b) { return seconds[a] < seconds[b]; };
+    const auto [low, high] = std::minmax_element(first, last, faster);
+    const bool any = std::any_of(first, last, [&](int row) { return missed[row] != 0.0; });
+    for (const int row : {std::min(*low, *high), std::max(*low, *high)}) {
+      if (!kept.empty() && kept.back() == row) continue;
+      kept.push_back(row);
+      late.push_back(any && row == *high ? 1.0 : 0.0);
+    }
+  }
+  const Eigen::VectorXd time = trace.column("time"), iterations = trace.column("iterations");
+  solver.time = time(kept);
+  solver.solve_ms = 1e3 * Eigen::VectorXd(seconds)(kept);
+  solver.iterations = iterations(kept);
+  solver.missed =
+      Eigen::Map<const Eigen::VectorXd>(late.data(), static_cast<Eigen::Index>(late.size()));
+}
+
+}  // namespace
+
+int page_stride(const Trace& trace, const Model& model, int record_every, const PageSize& size) {
+  const int columns = plain_columns + model.nq + 3 * model.nv + 2 * (plain_envelopes + model.nv);
+  constexpr double bytes_per_entry = 4.0 * 4.0 / 3.0;
+  const double rows = std::clamp(size.most_megabytes * 1e6 / (columns * bytes_per_entry), 100.0,
+                                 static_cast<double>(std::max(100, size.most_rows)));
+  const int every = std::max(1, record_every);
+  const double multiple = std::ceil(trace.rows() / (rows * every));
+  return every * std::max(1, static_cast<int>(multiple));
+}
+
+void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size) {
+  const Model& model = page.robot.model;
+  const int stride = page_stride(trace, model, record_every, size);
+  PageFiller fill(page, trace, rows_of(trace, stride));
+  page.columns.clear();
+  page.envelopes.clear();
+  page.time = fill.chosen(trace.column("time"));
+  page.duration = trace.rows() == 0 ? 0.0 : trace.at(trace.rows() - 1, trace.index("time"));
+  fill.copy("phase", "phase");
+  fill.copy("in_contact", "in_contact");
+  add_forces(fill, page, trace);
+  add_motion(fill, page, trace);
+  add_joints(fill, model, trace);
+  page.phases = phases_of(trace);
+  PageSolver solver = page.solver.value_or(PageSolver{});
+  add_solver(solver, trace, size.most_plans);
+  if (solver.time.size() > 0) {
+    page.solver = std::move(solver);
+  } else {
+    page.solver.reset();
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+#include "polishing/experiments/experiment.hpp"
+
+#include <algorithm>
+
+#include "model/sentence.hpp"
+#include "polishing/task_file.hpp"
+
+namespace burnish::polishing {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all{
+      {"paper", "MPC and baseline on table and board, three kinds of disturbances, beside the aims",
+       perform_paper},
+      {"orientation", "surfaces from horizontal to vertical and around; only the surface changes",
+       perform_orientation},
+      {"frames", "contact and force in the tool's axes or the surface's, as the wrist gets freer",
+       perform_frames},
+      {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
+      {"tick", "computing times at several rates of new plans", perform_tick}};
+  return all;
+}
+
+const Experiment& experiment_named(const std::string& name) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name == name) return experiment;
+    list += (names.empty() ? "" : ", ") + experiment.name;
+    names.push_back(experiment.name);
+  }
+  throw Error("experiment " + in_quotes(name) + " is not known; wanted one of " + list +
+              did_you_mean(name, names));
+}
+
+Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
+                     const std::string& disturbances, double duration) {
+  Task task;
+  put_on(task, surface);
+  task.disturbances = disturbance_preset(disturbances);
+  task.polish_duration = duration;
+  if (spec.quick) {
+    task.polish_duration = std::min(duration, 0.8);
+    task.path.start_up = 0.4;
+    task.path.radius = 0.02;
+    task.reach_duration = 0.2;
+    task.update_rate = 200.0;
+  }
+  override_task(task, spec.overrides);
+  return task;
+}
+
+void check_experiment_task(const ExperimentSpec& spec, const std::string& surface) {
+  check_task(experiment_task(spec, surface, "mismatch", 1.0));
+}
+
+}  // namespace burnish::polishing

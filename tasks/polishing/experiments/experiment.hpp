@@ -1,0 +1,86 @@
+// What an experiment is: many runs of the polishing task, and what they show.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "burnish/report/svg_plot.hpp"
+#include "polishing/experiments/results_table.hpp"
+#include "polishing/run.hpp"
+
+namespace burnish::polishing {
+
+struct ExperimentSpec {
+  PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
+  int seeds = 0;  ///< 0: the experiment's own number
+  int first_seed = 0;
+  int threads = 0;                         ///< runs at once; 0: as many as there are cores
+  bool quick = false;                      ///< few and short runs, to see whether it works
+  std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
+  /// Changes to the task, as override_task() takes them. What the experiment sweeps is set after
+  /// them.
+  std::vector<std::string> overrides = {};
+  /// Called now and then with the share that is done, 0 to 1, and what is being done; from one
+  /// thread at a time, but not always the same one.
+  std::function<void(double share, const std::string& what)> progress = nullptr;
+  /// Whether to stop; called from several threads at once.
+  std::function<bool()> stopped = nullptr;
+};
+
+struct Figure {
+  std::string name;  ///< of its file, without ending
+  PlotSpec plot;
+};
+
+/// A task worth running again by itself.
+struct NamedTask {
+  std::string name;  ///< of its file, without ending
+  Task task;
+};
+
+struct ExperimentReport {
+  std::string title;
+  /// The first one has a row for every run.
+  std::vector<ResultTable> tables = {};
+  std::vector<Figure> figures = {};
+  std::vector<NamedTask> tasks = {};
+  std::vector<std::string> findings = {};  ///< sentences
+  /// Runs that did not come to their end, and why; empty: all did.
+  std::vector<std::string> failures = {};
+  bool interrupted = false;
+};
+
+struct Experiment {
+  std::string name;
+  std::string summary;  ///< one line
+  ExperimentReport (*perform)(const ExperimentSpec& spec);
+};
+
+/// paper, orientation, frames, seeds, tick.
+const std::vector<Experiment>& experiments();
+/// Throws Error with the nearest known name.
+const Experiment& experiment_named(const std::string& name);
+
+/// MPC and baseline on several surfaces and under several disturbances, beside the aims.
+ExperimentReport perform_paper(const ExperimentSpec& spec);
+/// Surfaces of many orientations, from horizontal to vertical and around, each with a posture that
+/// is searched for it.
+ExperimentReport perform_orientation(const ExperimentSpec& spec);
+/// Contact and force in the tool's axes against the surface's, as the wrist gets freer to turn.
+ExperimentReport perform_frames(const ExperimentSpec& spec);
+/// Every disturbance at once, its size drawn anew for each of many seeds.
+ExperimentReport perform_seeds(const ExperimentSpec& spec);
+/// Computing times at several rates of new plans. The only one that measures time: its runs come
+/// one after the other, whatever the number of threads.
+ExperimentReport perform_tick(const ExperimentSpec& spec);
+
+/// The default task on a surface under a preset of disturbances, with the spec's overrides.
+/// `duration`: s on the path, before the overrides. Throws Error as override_task() does.
+Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
+                     const std::string& disturbances, double duration);
+
+/// Throws Error where an override is bad or a surface is not known, before anything is run.
+void check_experiment_task(const ExperimentSpec& spec, const std::string& surface);
+
+}  // namespace burnish::polishing

@@ -1,0 +1,250 @@
+// The same task on surfaces of many orientations.
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "polishing/experiments/batch.hpp"
+#include "polishing/posture.hpp"
+#include "polishing/task_file.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+/// Errors may be so many times those on the table.
+constexpr double allowed_ratio = 2.0;
+constexpr int runs_wanted = 24;
+
+/// Where a surface's normal points, degrees: away from straight up, and around it from the robot's
+/// front (x) to its left (y).
+struct Direction {
+  int tilt, azimuth;
+  Eigen::Vector3d normal() const {
+    const double t = tilt / degrees, a = azimuth / degrees;
+    return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
+  }
+  std::string name() const {
+    return "tilt " + std::to_string(tilt) + ", azimuth " + std::to_string(azimuth);
+  }
+};
+
+/// Over the hemisphere about evenly: straight up, then rings.
+std::vector<Direction> directions(bool quick) {
+  if (quick) return {{0, 0}, {60, 240}, {90, 180}};
+  std::vector<Direction> all{{0, 0}};
+  for (const auto& [tilt, count] : {std::pair{30, 6}, {60, 12}, {90, 12}})
+    for (int i = 0; i < count; ++i) all.push_back({tilt, 360 / count * i});
+  return all;
+}
+
+/// A direction with what was found for it.
+struct Place {
+  Direction direction;
+  std::optional<FoundPosture> posture;
+  std::string out_of_reach;  ///< why there is none
+  Eigen::Vector3d p_tool = Eigen::Vector3d::Zero();
+  RunFigures run;
+};
+
+Task task_for(const ExperimentSpec& spec, const Direction& direction) {
+  Task task = experiment_task(spec, "table", "mismatch", 12.6);
+  task.normal_world = direction.normal();
+  task.point_world.reset();
+  task.posture = searched_posture;
+  task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
+  return task;
+}
+
+/// Looks for a posture for every direction, before anything moves.
+std::vector<Place> find_places(const ExperimentSpec& spec) {
+  std::vector<Place> places;
+  for (const Direction& direction : directions(spec.quick))
+    places.push_back({direction, {}, "", {}, {}});
+  for_each_index(static_cast<int>(places.size()), spec.threads, [&](int index) {
+    Place& place = places[static_cast<std::size_t>(index)];
+    const Task task = task_for(spec, place.direction);
+    try {
+      const Robot robot = load_robot(task.robot);
+      place.posture = find_posture(task, robot);
+      place.p_tool = make_setting(task, robot, place.posture->q).p_center;
+    } catch (const Error& error) {
+      place.out_of_reach = error.what();
+    }
+  });
+  return places;
+}
+
+void run_places(const ExperimentSpec& spec, std::vector<Place>& places, RunFigures& table) {
+  std::vector<BatchRun> runs(1);
+  std::vector<RunFigures*> results{&table};
+  runs[0].name = "table";
+  runs[0].spec.task = experiment_task(spec, "table", "mismatch", 12.6);
+  runs[0].spec.task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
+  for (Place& place : places) {
+    if (!place.posture) continue;
+    BatchRun run;
+    run.name = place.direction.name();
+    run.spec.task = task_for(spec, place.direction);
+    runs.push_back(std::move(run));
+    results.push_back(&place.run);
+  }
+  for (BatchRun& run : runs) run.spec.plant = spec.plant;
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  for (std::size_t i = 0; i < figures.size(); ++i) *results[i] = figures[i];
+}
+
+std::string in_words(const Eigen::VectorXd& values) {
+  std::string text;
+  char number[32];
+  for (const double value : values) {
+    std::snprintf(number, sizeof number, "%s%.4f", text.empty() ? "" : " ", value);
+    text += number;
+  }
+  return text;
+}
+
+double worst_ratio(const Place& place, const RunFigures& table) {
+  return std::max(place.run.force_rmse / table.force_rmse,
+                  place.run.position_rmse / table.position_rmse);
+}
+
+ResultTable runs_table(const std::vector<Place>& places, const RunFigures& table) {
+  ResultTable result{.name = "runs", .title = "Every direction", .for_people = false};
+  result.columns = {{"name"},         {"tilt", "deg", 0}, {"azimuth", "deg", 0},
+                    {"out of reach"}, {"start", "rad"},   {"path origin x y z", "m"}};
+  for (const ResultColumn& column : run_columns()) result.columns.push_back(column);
+  const auto add = [&](std::vector<ResultCell> row, const RunFigures& run) {
+    for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
+    result.add(std::move(row));
+  };
+  add({std::string("table, named posture"), 0.0, 0.0, {}, {}, {}}, table);
+  for (const Place& place : places)
+    add({place.direction.name(), 1.0 * place.direction.tilt, 1.0 * place.direction.azimuth,
+         place.out_of_reach, place.posture ? in_words(place.posture->q) : "",
+         place.posture ? in_words(place.p_tool) : ""},
+        place.run);
+  return result;
+}
+
+ResultTable normals_table(const std::vector<Place>& places, const RunFigures& table) {
+  ResultTable result{.name = "normals", .title = "Errors for every normal, beside the table's"};
+  result.columns = {{"surface"},
+                    {"force rmse", "N"},
+                    {"of the table's", "", 2},
+                    {"position rmse", "mm"},
+                    {"of the table's", "", 2},
+                    {"lost", "%", 2},
+                    {"torque margin", "%", 1},
+                    {"joint margin", "rad", 2},
+                    {"tool to normal", "deg", 1},
+                    {"within twice the table's"}};
+  const auto add = [&](const std::string& name, const RunFigures& run, const std::string& verdict) {
+    result.add({name, run.force_rmse, run.force_rmse / table.force_rmse, 1e3 * run.position_rmse,
+                run.position_rmse / table.position_rmse, 100.0 * run.lost,
+                100.0 * run.torque_margin, run.joint_margin, degrees * run.tool_to_normal,
+                verdict});
+  };
+  add("table, named posture", table, "-");
+  for (const Place& place : places) {
+    if (!place.posture)
+      add(place.direction.name(), place.run, "out of reach");
+    else
+      add(place.direction.name(), place.run,
+          worst_ratio(place, table) <= allowed_ratio ? "yes" : "no");
+  }
+  return result;
+}
+
+ResultTable unreachable_table(const std::vector<Place>& places) {
+  ResultTable result{.name = "out_of_reach", .title = "Out of reach, known before anything moved"};
+  result.columns = {{"surface"}, {"why"}};
+  for (const Place& place : places)
+    if (!place.posture) result.add({place.direction.name(), place.out_of_reach});
+  return result;
+}
+
+/// A line per tilt over the azimuth; a direction of its own is a short level line.
+Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& table,
+                         const std::string& title, const std::string& label, double scale,
+                         double RunFigures::*figure) {
+  Panel panel{.title = title, .x_label = "azimuth of the normal [deg]", .y_label = label};
+  int color = 0;
+  for (std::size_t i = 0; i < places.size();) {
+    const int tilt = places[i].direction.tilt;
+    std::vector<double> x, y;
+    for (; i < places.size() && places[i].direction.tilt == tilt; ++i) {
+      x.push_back(places[i].direction.azimuth);
+      y.push_back(scale * (places[i].run.*figure));
+    }
+    if (x.size() == 1) {
+      x = {0.0, 330.0};
+      y.push_back(y.front());
+    }
+    const auto size = static_cast<Eigen::Index>(x.size());
+    panel.curves.push_back({.name = "tilt " + std::to_string(tilt),
+                            .x = Eigen::Map<Eigen::VectorXd>(x.data(), size),
+                            .y = Eigen::Map<Eigen::VectorXd>(y.data(), size),
+                            .color = color++});
+  }
+  const double limit = allowed_ratio * scale * (table.*figure);
+  panel.curves.push_back({.name = "twice the table's",
+                          .x = Eigen::Vector2d(0.0, 330.0),
+                          .y = Eigen::Vector2d(limit, limit),
+                          .color = 6,
+                          .dashed = true});
+  return panel;
+}
+
+Figure error_figure(const std::vector<Place>& places, const RunFigures& table) {
+  Figure figure{.name = "errors",
+                .plot = {.title = "Errors over the direction of the surface's normal"}};
+  figure.plot.panel_width = 760;
+  figure.plot.panels = {
+      panel_over_azimuth(places, table, "Force", "rms error [N]", 1.0, &RunFigures::force_rmse),
+      panel_over_azimuth(places, table, "Path", "rms error [mm]", 1e3, &RunFigures::position_rmse)};
+  return figure;
+}
+
+}  // namespace
+
+ExperimentReport perform_orientation(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "Surfaces of any orientation"};
+  std::vector<Place> places = find_places(spec);
+  RunFigures table;
+  run_places(spec, places, table);
+  report.tables = {runs_table(places, table), normals_table(places, table)};
+  std::vector<RunFigures> made{table};
+  int within = 0;
+  const Place* worst = nullptr;
+  for (const Place& place : places) {
+    if (!place.posture) continue;
+    made.push_back(place.run);
+    within += worst_ratio(place, table) <= allowed_ratio ? 1 : 0;
+    if (worst == nullptr || !(worst_ratio(place, table) <= worst_ratio(*worst, table)))
+      worst = &place;
+  }
+  const auto reached = static_cast<int>(made.size()) - 1;
+  const auto count = static_cast<int>(places.size());
+  if (reached < count) report.tables.push_back(unreachable_table(places));
+  report.findings.push_back(std::to_string(reached) + " of " + std::to_string(count) +
+                            " directions are within reach" +
+                            (spec.quick || reached >= runs_wanted
+                                 ? "."
+                                 : "; at least " + std::to_string(runs_wanted) + " are wanted."));
+  report.findings.push_back("Of these, " + std::to_string(within) +
+                            " have a force and a path error within twice the table's.");
+  if (worst != nullptr) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "Worst is %s: %.2f times the table's force error, %.2f times "
+                  "its path error.",
+                  worst->direction.name().c_str(), worst->run.force_rmse / table.force_rmse,
+                  worst->run.position_rmse / table.position_rmse);
+    report.findings.push_back(text);
+  }
+  report.figures = {error_figure(places, table)};
+  note_failures(spec, made, report);
+  return report;
+}
+
+}  // namespace burnish::polishing

@@ -1,0 +1,219 @@
+// The experiments of the paper, with disturbances, for MPC and baseline.
+#include <cmath>
+#include <cstdio>
+
+#include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/run_curves.hpp"
+#include "polishing/task_file.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+/// What the controller is held to, by the worst of its seeds.
+struct Aim {
+  const char* figure;
+  const char* unit;
+  double limit;
+  double (*value)(const RunFigures& run);
+};
+
+std::vector<Aim> aims_under(const std::string& disturbances) {
+  const double force = disturbances == "none" ? 0.05 : disturbances == "mismatch" ? 0.15 : 0.4;
+  const double path = disturbances == "none" ? 0.2 : disturbances == "mismatch" ? 0.7 : 1.5;
+  return {
+      {"force rmse", "N", force, [](const RunFigures& run) { return run.force_rmse; }},
+      {"position rmse", "mm", path, [](const RunFigures& run) { return 1e3 * run.position_rmse; }},
+      {"lost", "%", 0.0, [](const RunFigures& run) { return 100.0 * run.lost; }},
+      {"impact", "N", 45.0, [](const RunFigures& run) { return run.impact; }},
+      {"largest command", "% of limit", 100.0,
+       [](const RunFigures& run) { return 100.0 * run.largest_command; }}};
+}
+
+/// Runs that differ in nothing but their seed.
+struct Group {
+  std::string surface, disturbances;
+  ControllerKind controller;
+  std::vector<int> runs = {};  ///< indices
+};
+
+std::string verdict(double value, const Aim& aim) {
+  if (!std::isfinite(value)) return "missed: no figure";
+  if (value <= aim.limit + 1e-9) return "met";
+  char text[80];
+  if (aim.limit > 0.0)
+    std::snprintf(text, sizeof text, "missed by %.3g %s (%.0f %%)", value - aim.limit, aim.unit,
+                  100.0 * (value / aim.limit - 1.0));
+  else
+    std::snprintf(text, sizeof text, "missed by %.3g %s", value, aim.unit);
+  return text;
+}
+
+std::vector<RunFigures> members(const Group& group, const std::vector<RunFigures>& runs) {
+  std::vector<RunFigures> result;
+  for (const int index : group.runs) result.push_back(runs[static_cast<std::size_t>(index)]);
+  return result;
+}
+
+ResultTable runs_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs) {
+  ResultTable table{.name = "runs", .title = "Every run", .for_people = false};
+  table.columns = {{"surface"}, {"disturbances"}, {"controller"}, {"seed", "", 0}};
+  for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
+  for (const Group& group : groups)
+    for (const RunFigures& run : members(group, runs)) {
+      std::vector<ResultCell> row{group.surface, group.disturbances, name_of(group.controller),
+                                  static_cast<double>(run.seed)};
+      for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
+      table.add(std::move(row));
+    }
+  return table;
+}
+
+ResultTable summary_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs) {
+  ResultTable table{.name = "summary", .title = "Mean and worst over the seeds"};
+  table.columns = {{"surface"},
+                   {"disturbances"},
+                   {"controller"},
+                   {"seeds", "", 0},
+                   {"polished", "", 0},
+                   {"force rmse", "N"},
+                   {"worst", "N"},
+                   {"force peak", "N", 2},
+                   {"worst", "N", 2},
+                   {"position rmse", "mm"},
+                   {"worst", "mm"},
+                   {"lost, worst", "%", 2},
+                   {"impact", "N", 1},
+                   {"worst", "N", 1},
+                   {"torque margin, worst", "%", 1}};
+  for (const Group& group : groups) {
+    const std::vector<RunFigures> all = members(group, runs);
+    double polished = 0.0, margin = 1.0;
+    for (const RunFigures& run : all) {
+      polished += run.polished ? 1.0 : 0.0;
+      margin = std::min(margin, run.torque_margin);
+    }
+    const auto of = [&](double RunFigures::*figure) { return collect(all, figure); };
+    const auto force = of(&RunFigures::force_rmse), peak = of(&RunFigures::force_peak);
+    const auto place = of(&RunFigures::position_rmse), impact = of(&RunFigures::impact);
+    table.add({group.surface, group.disturbances, name_of(group.controller),
+               static_cast<double>(all.size()), polished, mean_of(force), largest_of(force),
+               mean_of(peak), largest_of(peak), 1e3 * mean_of(place), 1e3 * largest_of(place),
+               100.0 * largest_of(of(&RunFigures::lost)), mean_of(impact), largest_of(impact),
+               100.0 * margin});
+  }
+  return table;
+}
+
+ResultTable aims_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs,
+                       ExperimentReport& report) {
+  ResultTable table{.name = "aims", .title = "MPC beside the aims, by the worst seed"};
+  table.columns = {{"surface"}, {"disturbances"}, {"figure"},       {"unit"},
+                   {"worst"},   {"aim", "", 2},   {"room", "%", 0}, {"verdict"}};
+  int met = 0, all = 0;
+  for (const Group& group : groups) {
+    if (group.controller != ControllerKind::Mpc) continue;
+    for (const Aim& aim : aims_under(group.disturbances)) {
+      double worst = -1.0;
+      for (const RunFigures& run : members(group, runs)) {
+        const double value = aim.value(run);
+        if (!(value <= worst)) worst = value;  // a run without a figure is the worst
+      }
+      const std::string words = verdict(worst, aim);
+      met += words == "met" ? 1 : 0;
+      ++all;
+      ResultCell room = aim.limit > 0.0 ? ResultCell(100.0 * (1.0 - worst / aim.limit))
+                                        : ResultCell(std::monostate());
+      table.add({group.surface, group.disturbances, std::string(aim.figure), std::string(aim.unit),
+                 worst, aim.limit, std::move(room), words});
+      if (words != "met")
+        report.findings.push_back(group.surface + ", " + group.disturbances + ": " + aim.figure +
+                                  " " + words + ".");
+    }
+  }
+  report.findings.insert(report.findings.begin(),
+                         std::to_string(met) + " of " + std::to_string(all) + " aims are met.");
+  return table;
+}
+
+/// The one that strays goes under the one that does not.
+std::vector<Curve> overlaid(Curve mpc, Curve baseline) {
+  baseline.color = 1;
+  mpc.color = 0;
+  return {std::move(baseline), std::move(mpc)};
+}
+
+/// Force and path of MPC and baseline, a row of panels per surface.
+Figure force_and_path(const std::vector<std::string>& surfaces,
+                      const std::vector<RunCurves>& curves) {
+  Figure figure{.name = "force_and_path",
+                .plot = {.title = "MPC and baseline, preset mismatch, first seed", .columns = 3}};
+  figure.plot.panel_width = 480;
+  figure.plot.panel_height = 330;
+  const char* time = "time since the path began [s]";
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const RunCurves &mpc = curves[2 * i], &baseline = curves[2 * i + 1];
+    Panel force{.title = "Normal force, " + surfaces[i],
+                .x_label = time,
+                .y_label = "force, mean over 10 ms [N]",
+                .curves = overlaid(mpc.force, baseline.force)};
+    Panel path{.title = "Path, " + surfaces[i],
+               .x_label = "along the first tangent [mm]",
+               .y_label = "along the second tangent [mm]",
+               .curves = overlaid(mpc.path, baseline.path),
+               .equal_aspect = true};
+    path.curves.push_back(mpc.target);
+    Panel distance{.title = "Distance from the path, " + surfaces[i],
+                   .x_label = time,
+                   .y_label = "distance [mm]",
+                   .curves = overlaid(mpc.distance, baseline.distance)};
+    for (Panel* panel : {&force, &path, &distance}) figure.plot.panels.push_back(std::move(*panel));
+  }
+  return figure;
+}
+
+}  // namespace
+
+ExperimentReport perform_paper(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "MPC and baseline on the paper's task"};
+  const std::vector<std::string> surfaces =
+      spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
+  const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 1 : 5;
+  std::vector<Group> groups;
+  std::vector<BatchRun> runs;
+  std::vector<int> drawn;  // figure's place of a run, or -1
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (const char* disturbances : {"none", "mismatch", "joint_friction"})
+      for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+        groups.push_back({surfaces[s], disturbances, controller});
+        // Without disturbances nothing is drawn.
+        const int count = disturbances == std::string("none") ? 1 : seeds;
+        for (int seed = spec.first_seed; seed < spec.first_seed + count; ++seed) {
+          BatchRun run;
+          run.name = surfaces[s] + ", " + disturbances + ", " + name_of(controller) + ", seed " +
+                     std::to_string(seed);
+          run.spec.task = experiment_task(spec, surfaces[s], disturbances, 12.6);
+          run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
+          run.spec.controller = controller;
+          run.spec.plant = spec.plant;
+          const bool first = disturbances == std::string("mismatch") && seed == spec.first_seed;
+          const int place = 2 * static_cast<int>(s) + (controller == ControllerKind::Mpc ? 0 : 1);
+          drawn.push_back(first ? place : -1);
+          groups.back().runs.push_back(static_cast<int>(runs.size()));
+          runs.push_back(std::move(run));
+        }
+      }
+  std::vector<RunCurves> curves(2 * surfaces.size());
+  const auto figures = run_batch(spec, runs, [&](int index, const RunResult& result) {
+    const int place = drawn[static_cast<std::size_t>(index)];
+    if (place < 0) return;
+    const auto kind = runs[static_cast<std::size_t>(index)].spec.controller;
+    curves[static_cast<std::size_t>(place)] = curves_of(result, name_of(kind));
+  });
+  report.tables = {runs_table(groups, figures), summary_table(groups, figures)};
+  report.tables.push_back(aims_table(groups, figures, report));
+  report.figures = {force_and_path(surfaces, curves)};
+  note_failures(spec, figures, report);
+  return report;
+}
+
+}  // namespace burnish::polishing

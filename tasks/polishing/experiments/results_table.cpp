@@ -1,0 +1,106 @@
+#include "polishing/experiments/results_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+std::string rounded(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string exact(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string shown(const ResultCell& cell, const ResultColumn& column) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  const auto* value = std::get_if<double>(&cell);
+  return value != nullptr && std::isfinite(*value) ? rounded(*value, column.digits) : "-";
+}
+
+/// A text cell in Markdown must not end its column.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+bool holds_numbers(const ResultTable& table, std::size_t column) {
+  for (const auto& row : table.rows)
+    if (std::holds_alternative<std::string>(row[column])) return false;
+  return true;
+}
+
+}  // namespace
+
+void ResultTable::add(std::vector<ResultCell> row) {
+  if (row.size() != columns.size())
+    throw Error("a row of the table '" + name + "' has " + std::to_string(row.size()) +
+                " cells; wanted " + std::to_string(columns.size()));
+  rows.push_back(std::move(row));
+}
+
+std::string markdown(const ResultTable& table) {
+  // Padded, so that it reads well where it is not rendered either.
+  std::string head = "|", line = "|";
+  std::vector<std::string> lines(table.rows.size(), "|");
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const ResultColumn& column = table.columns[i];
+    const std::string name = column.name + (column.unit.empty() ? "" : " [" + column.unit + "]");
+    const bool numbers = holds_numbers(table, i);
+    std::vector<std::string> cells;
+    std::size_t width = std::max<std::size_t>(name.size(), 4);
+    for (const auto& row : table.rows) {
+      cells.push_back(escaped(shown(row[i], column)));
+      width = std::max(width, cells.back().size());
+    }
+    const auto padded = [&](const std::string& text) {
+      const std::string space(width - text.size(), ' ');
+      return " " + (numbers ? space + text : text + space) + " |";
+    };
+    head += padded(name);
+    line += " " + std::string(numbers ? width - 1 : width, '-') + (numbers ? ":" : "") + " |";
+    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] += padded(cells[k]);
+  }
+  std::string text = head + "\n" + line + "\n";
+  for (const std::string& each : lines) text += each + "\n";
+  return text;
+}
+
+std::string csv(const ResultTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const ResultColumn& column = table.columns[i];
+    text += (i == 0 ? "" : ",") +
+            quoted(column.name + (column.unit.empty() ? "" : " [" + column.unit + "]"));
+  }
+  text += "\n";
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) text += ",";
+      if (const auto* words = std::get_if<std::string>(&row[i])) text += quoted(*words);
+      const auto* value = std::get_if<double>(&row[i]);
+      if (value != nullptr && std::isfinite(*value)) text += exact(*value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace burnish::polishing

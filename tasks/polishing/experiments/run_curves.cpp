@@ -1,0 +1,96 @@
+#include "polishing/experiments/run_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish::polishing {
+namespace {
+
+/// Columns x, y, z of `what` along a direction of the world.
+Eigen::VectorXd along(const Trace& trace, const std::string& what,
+                      const Eigen::Vector3d& direction) {
+  return trace.column(what + "_x_world") * direction.x() +
+         trace.column(what + "_y_world") * direction.y() +
+         trace.column(what + "_z_world") * direction.z();
+}
+
+/// About `count` pieces of equal length; of each the smallest and the largest value, as they come.
+Curve extremes(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
+  const Eigen::Index n = x.size(), piece = std::max<Eigen::Index>(1, n / count);
+  std::vector<double> xs, ys;
+  for (Eigen::Index begin = 0; begin < n; begin += piece) {
+    const auto part = y.segment(begin, std::min(piece, n - begin));
+    Eigen::Index low = 0, high = 0;
+    part.minCoeff(&low);
+    part.maxCoeff(&high);
+    for (const Eigen::Index at : {std::min(low, high), std::max(low, high)}) {
+      xs.push_back(x[begin + at]);
+      ys.push_back(y[begin + at]);
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(xs.size());
+  return {.x = Eigen::Map<const Eigen::VectorXd>(xs.data(), size),
+          .y = Eigen::Map<const Eigen::VectorXd>(ys.data(), size)};
+}
+
+/// Every so many points.
+Curve sampled(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
+  const Eigen::Index n = x.size(), every = std::max<Eigen::Index>(1, n / count);
+  const Eigen::Index size = (n + every - 1) / every;
+  return {.x = x(Eigen::seqN(0, size, every)), .y = y(Eigen::seqN(0, size, every))};
+}
+
+Eigen::VectorXd averaged(const Eigen::VectorXd& x, Eigen::Index half) {
+  const Eigen::Index n = x.size();
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1), result(n);
+  for (Eigen::Index i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - half), to = std::min(n, i + half + 1);
+    result[i] = (sums[to] - sums[from]) / static_cast<double>(to - from);
+  }
+  return result;
+}
+
+}  // namespace
+
+RunCurves curves_of(const RunResult& result, const std::string& name) {
+  RunCurves curves;
+  const Trace& trace = result.trace;
+  const Eigen::VectorXd phase = trace.column("phase"), time = trace.column("time");
+  Eigen::Index first = 0, last = phase.size();
+  const auto track = static_cast<double>(Phase::Track);
+  while (first < last && phase[first] != track) ++first;
+  while (last > first && phase[last - 1] != track) --last;
+  const Eigen::Index size = last - first;
+  if (size < 10) return curves;
+  const double dt = time[first + 1] - time[first];
+  const Eigen::VectorXd since = time.segment(first, size).array() - time[first];
+  const Eigen::Matrix3d& axes = result.setting.surface_axes;
+  const Eigen::VectorXd force =
+      averaged(along(trace, "tool_force", axes.col(2)), std::lround(5e-3 / dt));
+  // The force is still settling at first; its last means reach into the retreat.
+  const Eigen::Index from = size > 2 * std::lround(0.5 / dt) ? std::lround(0.5 / dt) : 0;
+  const Eigen::Index kept = size - from - std::min<Eigen::Index>(size / 4, std::lround(0.02 / dt));
+  curves.force = extremes(since.segment(from, kept), force.segment(first + from, kept), 500);
+  curves.force.name = name;
+  const auto millimetres = [&](const std::string& what, int tangent) -> Eigen::VectorXd {
+    const Eigen::Vector3d t = axes.col(tangent);
+    const double origin = t.dot(result.setting.p_center);
+    return 1e3 * (along(trace, what, t).segment(first, size).array() - origin);
+  };
+  const Eigen::VectorXd u = millimetres("tool", 0), w = millimetres("tool", 1);
+  const Eigen::VectorXd u_target = millimetres("target", 0), w_target = millimetres("target", 1);
+  curves.path = sampled(u, w, 600);
+  curves.path.name = name;
+  curves.target = sampled(u_target, w_target, 300);
+  curves.target.name = "target";
+  curves.target.dashed = true;
+  curves.target.color = 6;
+  const Eigen::VectorXd distance =
+      ((u - u_target).array().square() + (w - w_target).array().square()).sqrt();
+  curves.distance = sampled(since, distance, 600);
+  curves.distance.name = name;
+  return curves;
+}
+
+}  // namespace burnish::polishing

@@ -1,0 +1,243 @@
+// Every disturbance at once, over many seeds: does any run fail?
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/disturbance_ranges.hpp"
+#include "polishing/task_file.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+// A run has diverged if it has not polished, or beyond these.
+constexpr double diverged_force = 5.0;      // N, rms error
+constexpr double diverged_position = 0.02;  // m, rms error
+
+bool diverged(const RunFigures& run) {
+  if (!run.made) return false;
+  return !run.polished || !run.finite || !(run.force_rmse <= diverged_force) ||
+         !(run.position_rmse <= diverged_position);
+}
+
+std::string surface_of(const ExperimentSpec& spec, int seed) {
+  const std::vector<std::string> surfaces =
+      spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
+  return surfaces[static_cast<std::size_t>(seed) % surfaces.size()];
+}
+
+/// Overrides count for all that is not drawn.
+Task task_of(const ExperimentSpec& spec, int seed) {
+  Task task = experiment_task(spec, surface_of(spec, seed), "none", 4.0);
+  draw_disturbances({}, static_cast<std::uint64_t>(seed), task);
+  return task;
+}
+
+ResultTable runs_table(const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
+                       const std::vector<RunFigures>& figures) {
+  ResultTable table{.name = "runs", .title = "Every seed", .for_people = false};
+  table.columns = {{"seed", "", 0},
+                   {"surface"},
+                   {"diverged"},
+                   {"finite"},
+                   {"fault"},
+                   {"torque scale range", "", 3},
+                   {"torque bias range", "Nm"},
+                   {"torque noise", "Nm"},
+                   {"command delay", "ms"},
+                   {"solver delay", "ms"},
+                   {"joint coulomb", "Nm"},
+                   {"joint viscous", "Nms/rad"},
+                   {"encoder", "bit", 0},
+                   {"velocity cutoff", "rad/s", 0},
+                   {"mass scale", "", 3},
+                   {"surface friction", "", 3},
+                   {"tilt about the first tangent", "deg", 2},
+                   {"about the second", "deg", 2},
+                   {"surface height", "mm", 2},
+                   {"push", "N", 2}};
+  for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Task& task = runs[i].spec.task;
+    const Disturbances& d = task.disturbances;
+    const RunFigures& run = figures[i];
+    std::vector<ResultCell> row{static_cast<double>(d.seed),
+                                surface_of(spec, static_cast<int>(d.seed)),
+                                std::string(diverged(run) ? "yes" : "no"),
+                                std::string(run.finite ? "yes" : "no"),
+                                std::string(name_of(run.fault)),
+                                d.torque_scale_range,
+                                d.torque_bias_range,
+                                d.torque_noise,
+                                1e3 * d.command_delay,
+                                1e3 * task.solver_delay,
+                                d.joint_coulomb,
+                                d.joint_viscous,
+                                static_cast<double>(d.encoder_bits),
+                                d.velocity_cutoff,
+                                d.mass_scale,
+                                d.surface_friction.value_or(0.0),
+                                d.surface_tilt_deg[0],
+                                d.surface_tilt_deg[1],
+                                1e3 * d.surface_height,
+                                d.pushes.front().force_world.norm()};
+    for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+ResultTable statistics_table(const std::vector<RunFigures>& figures) {
+  ResultTable table{.name = "statistics", .title = "Over all seeds"};
+  table.columns = {{"figure"}, {"median"}, {"95 %"}, {"worst"}};
+  const auto add = [&](const char* name, double scale, double RunFigures::*figure) {
+    const std::vector<double> values = collect(figures, figure);
+    table.add({std::string(name), scale * quantile_of(values, 0.5),
+               scale * quantile_of(values, 0.95), scale * largest_of(values)});
+  };
+  add("force rmse [N]", 1.0, &RunFigures::force_rmse);
+  add("force peak [N]", 1.0, &RunFigures::force_peak);
+  add("position rmse [mm]", 1e3, &RunFigures::position_rmse);
+  add("lost [%]", 100.0, &RunFigures::lost);
+  add("impact [N]", 1.0, &RunFigures::impact);
+  add("at torque limit [%]", 100.0, &RunFigures::limited);
+  return table;
+}
+
+ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
+  ResultTable table{.name = "outcomes", .title = "How the runs ended"};
+  table.columns = {{"outcome"}, {"runs", "", 0}};
+  double polished = 0.0, not_finite = 0.0, strayed = 0.0;
+  std::map<std::string, double> faults, others;
+  for (const RunFigures& run : figures) {
+    if (!run.made) continue;
+    polished += run.polished ? 1.0 : 0.0;
+    not_finite += run.finite ? 0.0 : 1.0;
+    strayed += diverged(run) ? 1.0 : 0.0;
+    if (run.fault != FaultKind::None)
+      faults["fault: " + std::string(name_of(run.fault))] += 1.0;
+    else if (!run.polished)
+      others[run.outcome] += 1.0;
+  }
+  table.add({std::string("polished"), polished});
+  for (const auto& [name, count] : faults) table.add({name, count});
+  for (const auto& [name, count] : others) table.add({name, count});
+  table.add({std::string("NaN or infinity in the trace"), not_finite});
+  table.add({std::string("diverged (not polished, or rms errors above 5 N or 20 mm)"), strayed});
+  return table;
+}
+
+/// The share of runs below a value, over the value.
+Curve distribution(std::vector<double> values, double scale) {
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return !std::isfinite(value); }),
+               values.end());
+  std::sort(values.begin(), values.end());
+  const auto size = static_cast<Eigen::Index>(values.size());
+  Curve curve{.x = Eigen::VectorXd(size), .y = Eigen::VectorXd(size)};
+  for (Eigen::Index i = 0; i < size; ++i) {
+    curve.x[i] = scale * values[static_cast<std::size_t>(i)];
+    curve.y[i] = 100.0 * static_cast<double>(i + 1) / static_cast<double>(size);
+  }
+  return curve;
+}
+
+/// A mark, a short level line, for every run.
+Curve marks(const std::vector<double>& x, const std::vector<double>& y, double width) {
+  const auto size = static_cast<Eigen::Index>(x.size());
+  Curve curve{.x = Eigen::VectorXd(3 * size), .y = Eigen::VectorXd(3 * size)};
+  curve.y.setConstant(std::numeric_limits<double>::quiet_NaN());
+  curve.x.setZero();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    curve.x.segment<2>(3 * i) = Eigen::Vector2d(x[at] - 0.5 * width, x[at] + 0.5 * width);
+    curve.y.segment<2>(3 * i).setConstant(y[at]);
+  }
+  return curve;
+}
+
+Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFigures>& figures) {
+  Figure figure{
+      .name = "distributions",
+      .plot = {.title = "Share of runs below a value, and what the force error depends on most",
+               .columns = 2}};
+  figure.plot.panel_width = 460;
+  const auto add = [&](const char* title, const char* label, double scale,
+                       double RunFigures::*value) {
+    Panel panel{.title = title, .x_label = label, .y_label = "runs [%]"};
+    panel.curves = {distribution(collect(figures, value), scale)};
+    figure.plot.panels.push_back(std::move(panel));
+  };
+  add("Force", "rms error [N]", 1.0, &RunFigures::force_rmse);
+  add("Path", "rms error [mm]", 1e3, &RunFigures::position_rmse);
+  add("Impact", "largest force [N]", 1.0, &RunFigures::impact);
+  std::vector<double> tilts;
+  for (const BatchRun& run : runs)
+    tilts.push_back(run.spec.task.disturbances.surface_tilt_deg.norm());
+  Panel tilt{.title = "Force over the surface's tilt, which the controller does not know",
+             .x_label = "tilt [deg]",
+             .y_label = "rms error [N]"};
+  tilt.curves = {marks(tilts, collect(figures, &RunFigures::force_rmse), 0.06)};
+  figure.plot.panels.push_back(std::move(tilt));
+  return figure;
+}
+
+/// One that diverged, otherwise the one with the largest force error.
+std::size_t worst_of(const std::vector<RunFigures>& figures) {
+  const auto badness = [](const RunFigures& run) {
+    if (!run.made) return -1.0;
+    const double error = std::isfinite(run.force_rmse) ? run.force_rmse : 1e3;
+    return (diverged(run) ? 1e6 : 0.0) + error;
+  };
+  const auto worst =
+      std::max_element(figures.begin(), figures.end(),
+                       [&](const auto& a, const auto& b) { return badness(a) < badness(b); });
+  return static_cast<std::size_t>(worst - figures.begin());
+}
+
+/// Which seed is worst, and how to see it again.
+void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchRun>& runs,
+                ExperimentReport& report) {
+  const std::size_t worst = worst_of(figures);
+  const RunFigures& run = figures[worst];
+  if (!run.made) return;
+  char force[48] = "";
+  if (run.reached_path)
+    std::snprintf(force, sizeof force, " with a force error of %.2f N", run.force_rmse);
+  const std::string seed = std::to_string(run.seed);
+  report.findings.push_back("Worst is seed " + seed + force +
+                            "; `burnish polish worst_seed.yaml --controller mpc` repeats it, and "
+                            "so does this experiment with `--first-seed " +
+                            seed + " --seeds 1`.");
+  report.tasks = {{"worst_seed", runs[worst].spec.task}};
+}
+
+}  // namespace
+
+ExperimentReport perform_seeds(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "Every disturbance at once"};
+  const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 4 : 200;
+  std::vector<BatchRun> runs;
+  for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
+    BatchRun run;
+    run.name = "seed " + std::to_string(seed);
+    run.spec.task = task_of(spec, seed);
+    run.spec.plant = spec.plant;
+    runs.push_back(std::move(run));
+  }
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  report.tables = {runs_table(spec, runs, figures), statistics_table(figures),
+                   outcomes_table(figures)};
+  report.figures = {distributions(runs, figures)};
+  const auto strayed = std::count_if(figures.begin(), figures.end(), diverged);
+  const auto made =
+      std::count_if(figures.begin(), figures.end(), [](const RunFigures& run) { return run.made; });
+  report.findings.push_back(std::to_string(strayed) + " of " + std::to_string(made) +
+                            " runs diverged.");
+  note_worst(figures, runs, report);
+  note_failures(spec, figures, report);
+  return report;
+}
+
+}  // namespace burnish::polishing

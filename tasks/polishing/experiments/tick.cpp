@@ -1,0 +1,130 @@
+// Computing times at several rates of new plans, one run after the other.
+#include <algorithm>
+#include <cmath>
+
+#include "polishing/experiments/batch.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+/// A rate with its run's times.
+struct Timed {
+  double rate;  ///< Hz, of plans
+  double tick_rate;
+  TickTimes ticks = {};
+  std::optional<SolverFigures> plans = {};
+  RunFigures run = {};
+
+  /// Its plans are made in time, and no worse for it than those of the slowest rate.
+  bool holds(const RunFigures& slowest) const {
+    return run.polished && plans && plans->p99 < 1.0 / rate &&
+           run.force_rmse <= slowest.force_rmse + 1e-9;
+  }
+};
+
+std::vector<double> rates_of(bool quick) {
+  if (quick) return {100.0, 500.0};
+  return {100.0, 200.0, 500.0, 1000.0, 2000.0, 4000.0};
+}
+
+std::vector<Timed> perform(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
+  const std::string surface = spec.surfaces.empty() ? "table" : spec.surfaces.front();
+  std::vector<Timed> timed;
+  std::vector<BatchRun> runs;
+  for (const double rate : rates_of(spec.quick)) {
+    timed.push_back({rate, std::max(2000.0, rate)});
+    BatchRun run;
+    run.name = std::to_string(std::lround(rate)) + " Hz";
+    run.spec.task = experiment_task(spec, surface, "mismatch", 60.0);
+    run.spec.task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
+    run.spec.task.update_rate = rate;
+    run.spec.task.tick_rate = timed.back().tick_rate;
+    run.spec.plant = spec.plant;
+    runs.push_back(std::move(run));
+  }
+  ExperimentSpec alone = spec;
+  alone.threads = 1;
+  figures = run_batch(alone, runs, [&](int index, const RunResult& result) {
+    Timed& each = timed[static_cast<std::size_t>(index)];
+    each.ticks = result.ticks;
+    if (result.metrics) each.plans = result.metrics->solver;
+  });
+  for (std::size_t i = 0; i < timed.size(); ++i) timed[i].run = figures[i];
+  return timed;
+}
+
+ResultTable rates_table(const std::vector<Timed>& timed) {
+  ResultTable table{.name = "rates", .title = "Times and errors for every rate of plans"};
+  table.columns = {{"plans", "Hz", 0},      {"ticks", "Hz", 0},
+                   {"tick median", "ms"},   {"p99", "ms"},
+                   {"max", "ms"},           {"late", "%", 2},
+                   {"plan median", "ms"},   {"p99", "ms"},
+                   {"max", "ms"},           {"p99 of the period", "%", 0},
+                   {"force rmse", "N"},     {"force peak", "N", 2},
+                   {"position rmse", "mm"}, {"holds"}};
+  for (const Timed& each : timed) {
+    const TickTimes& t = each.ticks;
+    const SolverFigures plans = each.plans.value_or(SolverFigures{});
+    table.add({each.rate, each.tick_rate, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
+               t.ticks > 0 ? 100.0 * t.late / t.ticks : 0.0, 1e3 * plans.median, 1e3 * plans.p99,
+               1e3 * plans.maximum, 100.0 * plans.p99 * each.rate, each.run.force_rmse,
+               each.run.force_peak, 1e3 * each.run.position_rmse,
+               std::string(each.holds(timed.front().run) ? "yes" : "no")});
+  }
+  return table;
+}
+
+Figure rates_figure(const std::vector<Timed>& timed) {
+  const auto size = static_cast<Eigen::Index>(timed.size());
+  Eigen::VectorXd x(size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    x[i] = std::log10(timed[static_cast<std::size_t>(i)].rate);
+  const auto curve = [&](const char* name, const auto& value) {
+    Curve result{.name = name, .x = x, .y = Eigen::VectorXd(size)};
+    for (Eigen::Index i = 0; i < size; ++i) result.y[i] = value(timed[static_cast<std::size_t>(i)]);
+    return result;
+  };
+  const char* axis = "plans per second [power of ten]";
+  const auto plans = [](const Timed& each) { return each.plans.value_or(SolverFigures{}); };
+  Panel times{.title = "Ticks with a plan", .x_label = axis, .y_label = "time [ms]", .log_y = true};
+  times.curves = {curve("median", [&](const Timed& t) { return 1e3 * plans(t).median; }),
+                  curve("p99", [&](const Timed& t) { return 1e3 * plans(t).p99; }),
+                  curve("max", [&](const Timed& t) { return 1e3 * plans(t).maximum; }),
+                  curve("between plans", [](const Timed& t) { return 1e3 / t.rate; })};
+  times.curves.back().color = 6;
+  times.curves.back().dashed = true;
+  Panel force{.title = "Force", .x_label = axis, .y_label = "rms error [N]"};
+  force.curves = {curve("", [](const Timed& t) { return t.run.force_rmse; })};
+  Panel path{.title = "Path", .x_label = axis, .y_label = "rms error [mm]"};
+  path.curves = {curve("", [](const Timed& t) { return 1e3 * t.run.position_rmse; })};
+  Figure figure{.name = "rates", .plot = {.title = "What a higher rate of plans takes and gives"}};
+  figure.plot.panels = {times, force, path};
+  return figure;
+}
+
+}  // namespace
+
+ExperimentReport perform_tick(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "Computing times"};
+  std::vector<RunFigures> figures;
+  const std::vector<Timed> timed = perform(spec, figures);
+  report.tables = {rates_table(timed)};
+  report.figures = {rates_figure(timed)};
+  double highest = 0.0;
+  for (const Timed& each : timed)
+    if (each.holds(timed.front().run)) highest = std::max(highest, each.rate);
+  const std::string slowest = std::to_string(std::lround(timed.front().rate));
+  report.findings.push_back(
+      highest > 0.0
+          ? "The highest rate that holds is " + std::to_string(std::lround(highest)) +
+                " Hz: 99 % of its plans take less than the time between two, and the force is no "
+                "worse than at " +
+                slowest + " Hz."
+          : "No rate holds: 99 % of its plans do not fit between two.");
+  report.findings.push_back(
+      "Times depend on the machine and on what else runs on it; the errors do not.");
+  note_failures(spec, figures, report);
+  return report;
+}
+
+}  // namespace burnish::polishing

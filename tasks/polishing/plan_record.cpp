@@ -1,0 +1,65 @@
+#include "polishing/plan_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish::polishing {
+namespace {
+
+constexpr double kept_every = 0.05;  // s between knots that are kept, about
+
+}  // namespace
+
+PlanRecorder::PlanRecorder(MpcController& controller, double step, double solver_delay, double rate)
+    : controller_(controller),
+      delay_(solver_delay),
+      period_(rate > 0.0 ? 1.0 / rate : 0.0),
+      stride_(std::max(1, static_cast<int>(std::lround(kept_every / step)))) {
+  if (period_ == 0.0) return;
+  const Problem& problem = controller.problem();
+  record_.nq = problem.layout().nq;
+  record_.step = stride_ * step;
+  record_.knots = problem.knots() / stride_ + 1;
+  term_of_.resize(problem.stage_names().size());
+}
+
+void PlanRecorder::look(double time, const Command& command) {
+  constexpr double slack = 1e-9;  // s: times are sums
+  if (period_ == 0.0 || time == last_) return;
+  last_ = time;
+  if (command.solve_time <= 0.0 || time < next_ - slack) return;
+  const MatrixView plan = controller_.plan();
+  if (!plan.allFinite()) return;
+  next_ = std::max(next_ + period_, time + 0.5 * period_);
+  const double begin = time + (record_.time.empty() ? 0.0 : delay_);
+  record_.time.push_back(begin);
+  for (int k = 0; k < record_.knots; ++k)
+    for (int i = 0; i < record_.nq; ++i)
+      record_.q.push_back(static_cast<float>(plan(k * stride_, i)));
+  add_costs();
+}
+
+void PlanRecorder::add_costs() {
+  const Problem& problem = controller_.problem();
+  const std::size_t plans = record_.time.size();
+  for (int knot = 0; knot <= problem.knots(); ++knot) {
+    const auto stage = static_cast<std::size_t>(problem.stage_of(knot));
+    if (term_of_[stage].empty()) find_terms(stage, knot);
+    for (std::vector<double>& costs : record_.costs) costs.resize(plans, 0.0);
+    const std::vector<double> costs = controller_.plan_costs(knot);
+    for (std::size_t term = 0; term < costs.size(); ++term)
+      record_.costs[term_of_[stage][term]].back() += costs[term];
+  }
+}
+
+void PlanRecorder::find_terms(std::size_t stage, int knot) {
+  for (const std::string& name : controller_.problem().term_names(knot)) {
+    const auto found = std::find(record_.terms.begin(), record_.terms.end(), name);
+    term_of_[stage].push_back(static_cast<std::size_t>(found - record_.terms.begin()));
+    if (found != record_.terms.end()) continue;
+    record_.terms.push_back(name);
+    record_.costs.emplace_back();
+  }
+}
+
+}  // namespace burnish::polishing

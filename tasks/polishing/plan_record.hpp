@@ -1,0 +1,46 @@
+// The plans of model predictive control, now and then along a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/mpc/mpc.hpp"
+
+namespace burnish::polishing {
+
+/// Empty without plans.
+struct PlanRecord {
+  std::vector<double> time;        ///< s, of each plan's first knot
+  std::vector<std::string> terms;  ///< of the costs of all stages that were planned with
+  /// Per term and plan: summed over the plan, terminal costs included.
+  std::vector<std::vector<double>> costs;
+  int knots = 0;  ///< of a plan that are kept
+  int nq = 0;
+  double step = 0.0;     ///< s between the knots that are kept
+  std::vector<float> q;  ///< plans x knots x nq
+};
+
+/// Copies plans out of a controller, without changing what it does.
+class PlanRecorder {
+ public:
+  /// rate: Hz, at most; 0: nothing is recorded. The controller must outlive the recorder.
+  PlanRecorder(MpcController& controller, double step, double solver_delay, double rate);
+  /// To be called behind ticks, with the measurement's time (s) and the command. Where a plan was
+  /// made and one is due it is copied.
+  void look(double time, const Command& command);
+  PlanRecord take() { return std::move(record_); }
+
+ private:
+  void add_costs();
+  void find_terms(std::size_t stage, int knot);
+
+  MpcController& controller_;
+  double delay_, period_;
+  int stride_;                                     ///< knots of the plan per one that is kept
+  double next_ = 0.0;                              ///< s, when the next one is due
+  double last_ = -1.0;                             ///< s, of the last tick that was looked at
+  std::vector<std::vector<std::size_t>> term_of_;  ///< per stage: its terms among the record's
+  PlanRecord record_;
+};
+
+}  // namespace burnish::polishing

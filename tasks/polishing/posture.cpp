@@ -1,0 +1,319 @@
+#include "polishing/posture.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/model/state.hpp"
+#include "burnish/sim/random.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+bool is_limited(const Model& model, const Joint& joint) {
+  return (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic) &&
+         std::isfinite(model.q_lower[joint.q_index]) && std::isfinite(model.q_upper[joint.q_index]);
+}
+
+struct Candidate {
+  Eigen::VectorXd q;
+  double tilt = 0.0, margin = 0.0, body = 0.0, off = 0.0, torque = 0.0;
+  double manipulability = 0.0;  ///< smallest singular value of the tool's Jacobian, m
+};
+
+/// How the axis and the middle of the joints' ranges count against each other.
+struct Balance {
+  double damping;  ///< rad; more leaves the axis further off, infinity where it is
+  double middle;   ///< share of the way to the middle that a step goes
+};
+constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
+
+/// Descends from a start, and judges where it ends.
+class Search {
+ public:
+  Search(const Task& task, const Robot& robot, const PostureOptions& options)
+      : task_(task),
+        options_(options),
+        robot_(robot),
+        model_(robot.model),
+        body_(model_),
+        tool_(body_.frame(task.tool)),
+        into_(-task.normal_world.normalized()),
+        q_middle_(model_.q_neutral),
+        reach_(Eigen::VectorXd::Ones(model_.nv)) {
+    for (const Joint& joint : model_.joints) {
+      if (!is_limited(model_, joint)) continue;
+      const double lower = model_.q_lower[joint.q_index], upper = model_.q_upper[joint.q_index];
+      q_middle_[joint.q_index] = 0.5 * (lower + upper);
+      reach_[joint.v_index] = std::max(0.5 * (upper - lower), 1e-6);
+    }
+  }
+
+  /// In the order in which they are tried.
+  std::vector<Eigen::VectorXd> starts() const {
+    std::vector<Eigen::VectorXd> result;
+    for (const auto& [name, posture] : robot_.postures) {
+      const Eigen::VectorXd q = robot_.posture(name);
+      if (q.size() == model_.nq) result.push_back(q);
+    }
+    result.push_back(q_middle_);
+    RandomStream random(options_.seed, 0);
+    for (int i = 0; i < options_.random_starts; ++i) {
+      Eigen::VectorXd q = q_middle_;
+      for (const Joint& joint : model_.joints)
+        if (is_limited(model_, joint))
+          q[joint.q_index] = random.uniform(model_.q_lower[joint.q_index] + options_.joint_margin,
+                                            model_.q_upper[joint.q_index] - options_.joint_margin);
+      result.push_back(std::move(q));
+    }
+    return result;
+  }
+
+  Candidate descend(Eigen::VectorXd q, const Balance& balance) {
+    walk(q, balance, 100);
+    // Joints that were stopped at their limits have left the tool a little off its place.
+    if (task_.point_world) walk(q, {std::numeric_limits<double>::infinity(), 0.0}, 50);
+    clamp(q);
+    return judged(q);
+  }
+
+  /// Nothing where the candidate meets the conditions of a start, otherwise which one it fails.
+  std::string complaint(const Candidate& c) const {
+    const auto turned = [](double rad) { return number(rad * 57.29577951308232) + " degrees"; };
+    if (c.off > options_.reach.tolerance)
+      return "the tool stays " + number(c.off) + " m away from its start above the surface's point";
+    if (c.tilt > options_.tilt_limit)
+      return "the tool's axis stays " + turned(c.tilt) + " off the normal; allowed are " +
+             turned(options_.tilt_limit);
+    if (c.margin < options_.joint_margin - 1e-9)
+      return "a joint comes within " + number(c.margin) + " rad of its limit; wanted at least " +
+             number(options_.joint_margin);
+    if (c.body < options_.body_distance)
+      return "the tool comes within " + number(c.body) +
+             " m of the robot's body; wanted at least " + number(options_.body_distance) + " m";
+    return "";
+  }
+  /// How far the candidate is from meeting them.
+  double shortfall(const Candidate& c) const {
+    return 10.0 * c.off + std::max(0.0, c.tilt - options_.tilt_limit) +
+           std::max(0.0, options_.joint_margin - c.margin) +
+           4.0 * std::max(0.0, options_.body_distance - c.body);
+  }
+
+ private:
+  void walk(Eigen::VectorXd& q, const Balance& balance, int iterations) {
+    constexpr double longest = 0.2;  // rad (m) per iteration
+    for (int i = 0; i < iterations; ++i) {
+      clamp(q);
+      const Eigen::VectorXd dq = step_from(q, balance);
+      const double size = dq.cwiseAbs().maxCoeff();
+      q = integrate(model_, q, dq * std::min(1.0, longest / std::max(size, 1e-12)));
+      if (size < 1e-5) break;
+    }
+  }
+
+  void evaluate(const Eigen::VectorXd& q) {
+    if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
+      throw Error("a posture of the search cannot be evaluated");
+    body_.frame_derivatives(tool_, FrameAxes::Centered, derivatives_);
+    placement_ = body_.placement(tool_);
+  }
+
+  /// Where the tool's centre shall be, if the surface says so.
+  std::optional<Eigen::Vector3d> wanted_position() const {
+    if (!task_.point_world) return std::nullopt;
+    return *task_.point_world - (task_.tip_radius + task_.clearance) * into_;
+  }
+
+  /// One damped step: axis and place first, the middle of the ranges in what they leave free.
+  Eigen::VectorXd step_from(const Eigen::VectorXd& q, const Balance& balance) {
+    constexpr double place_damping = 0.05;
+    evaluate(q);
+    const Eigen::Vector3d axis = pressing_axis(placement_);
+    const std::optional<Eigen::Vector3d> place = wanted_position();
+    const int rows = place ? 6 : 3, nv = model_.nv;
+    Eigen::MatrixXd J(rows, nv);
+    Eigen::VectorXd error(rows);
+    // The shortest turn from axis to normal; about any line across it where they are opposite.
+    Eigen::Vector3d turn = axis.cross(into_);
+    const double sine = turn.norm();
+    turn = sine > 1e-9 ? Eigen::Vector3d(turn / sine) : Eigen::Vector3d(axis.unitOrthogonal());
+    error.head<3>() = std::atan2(sine, axis.dot(into_)) * turn;
+    // Turns about the axis itself count for nothing.
+    J.topRows<3>() = derivatives_.jacobian.bottomRows<3>();
+    J.topRows<3>() -= axis * (axis.transpose() * derivatives_.jacobian.bottomRows<3>());
+    if (place) {
+      error.tail<3>() = 3.0 * (*place - placement_.translation());
+      J.bottomRows<3>() = 3.0 * derivatives_.jacobian.topRows<3>();
+    }
+    J *= reach_.asDiagonal();
+    const Eigen::VectorXd home =
+        balance.middle * difference(model_, q, q_middle_).cwiseQuotient(reach_);
+    Eigen::VectorXd damp = Eigen::VectorXd::Constant(rows, place_damping * place_damping);
+    if (std::isinf(balance.damping)) {
+      J.topRows<3>().setZero();
+      error.head<3>().setZero();
+    } else {
+      damp.head<3>().setConstant(balance.damping * balance.damping);
+    }
+    Eigen::MatrixXd A = J * J.transpose();
+    A += damp.asDiagonal();
+    const Eigen::VectorXd step = home + J.transpose() * A.ldlt().solve(error - J * home);
+    return step.cwiseProduct(reach_);
+  }
+
+  void clamp(Eigen::VectorXd& q) const {
+    for (const Joint& joint : model_.joints)
+      if (is_limited(model_, joint)) {
+        const double lower = model_.q_lower[joint.q_index] + options_.joint_margin;
+        const double upper = model_.q_upper[joint.q_index] - options_.joint_margin;
+        q[joint.q_index] =
+            lower > upper ? 0.5 * (lower + upper) : std::clamp(q[joint.q_index], lower, upper);
+      }
+  }
+
+  double smallest_margin(const Eigen::VectorXd& q) const {
+    double margin = std::numeric_limits<double>::infinity();
+    for (const Joint& joint : model_.joints)
+      if (is_limited(model_, joint))
+        margin = std::min({margin, q[joint.q_index] - model_.q_lower[joint.q_index],
+                           model_.q_upper[joint.q_index] - q[joint.q_index]});
+    return margin;
+  }
+
+  /// m between what stands for the last link and what stands for the body.
+  double distance_from_body() const {
+    const auto origin = [&](const std::string& frame) {
+      return Eigen::Vector3d(body_.placement(body_.frame(frame)).translation());
+    };
+    const auto joint = [&](int index) -> const Joint& {
+      return model_.joints[static_cast<std::size_t>(index)];
+    };
+    const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(task_.tool))].body;
+    if (last < 0) return std::numeric_limits<double>::infinity();
+    const Eigen::Vector3d tool = placement_.translation(), elbow = origin(joint(last).name);
+    double distance = std::numeric_limits<double>::infinity();
+    for (const double share : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
+      const Eigen::Vector3d p = elbow + share * (tool - elbow);
+      for (int j = joint(last).parent; j >= 0 && joint(j).parent >= 0; j = joint(j).parent)
+        distance = std::min(
+            distance, to_segment(p, origin(joint(j).name), origin(joint(joint(j).parent).name)));
+      for (const Frame& frame : model_.frames)
+        if (frame.kind == FrameKind::Link && frame.body != last && frame.body != joint(last).parent)
+          distance = std::min(distance, (p - origin(frame.name)).norm());
+    }
+    return distance;
+  }
+  static double to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                           const Eigen::Vector3d& b) {
+    const Eigen::Vector3d along = b - a;
+    const double length = along.squaredNorm();
+    const double share = length > 0.0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0.0;
+    return (p - a - share * along).norm();
+  }
+
+  double torque_share() const {
+    const Eigen::Vector3d push = -task_.force * into_;
+    const Eigen::VectorXd weight = body_.gravity_torque();
+    const Eigen::VectorXd pressing = weight - derivatives_.jacobian.topRows(3).transpose() * push;
+    double share = 0.0;
+    for (int k = 0; k < model_.nv; ++k)
+      if (std::isfinite(model_.effort_limit[k]) && model_.effort_limit[k] > 0.0)
+        share = std::max(
+            share, std::max(std::abs(weight[k]), std::abs(pressing[k])) / model_.effort_limit[k]);
+    return share;
+  }
+
+  Candidate judged(const Eigen::VectorXd& q) {
+    evaluate(q);
+    Candidate c{.q = q};
+    const Eigen::Vector3d axis = pressing_axis(placement_);
+    c.tilt = std::atan2(axis.cross(into_).norm(), axis.dot(into_));
+    c.margin = smallest_margin(q);
+    c.body = distance_from_body();
+    if (const auto place = wanted_position()) c.off = (*place - placement_.translation()).norm();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivatives_.jacobian.topRows(3));
+    c.manipulability = svd.singularValues().minCoeff();
+    c.torque = torque_share();
+    return c;
+  }
+
+  const Task& task_;
+  const PostureOptions& options_;
+  const Robot& robot_;
+  const Model& model_;
+  RigidBody body_;
+  int tool_;
+  Eigen::Vector3d into_;  ///< unit, into the surface
+  Eigen::VectorXd q_middle_;
+  Eigen::VectorXd reach_;  ///< nv, half of each joint's range: the unit that steps are measured in
+  Eigen::Isometry3d placement_;
+  FrameDerivatives derivatives_;
+};
+
+/// Lower is better; see find_posture().
+double score_of(const Candidate& c, double torque_share, double margin) {
+  return c.tilt + torque_share + 0.1 / std::max(margin, 1e-6) +
+         0.1 / std::max(c.manipulability, 1e-6);
+}
+double score_at_start(const Candidate& c) { return score_of(c, c.torque, c.margin); }
+
+/// Different starts often end in the same place.
+bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
+  return std::abs(score_at_start(a) - score_at_start(b)) < 1e-3 &&
+         difference(model, a.q, b.q).cwiseAbs().maxCoeff() < 1e-2;
+}
+
+}  // namespace
+
+Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement) {
+  return -tool_placement.linear().col(2);
+}
+
+FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {
+  Search search(task, robot, options);
+  std::vector<Candidate> good;
+  std::optional<Candidate> nearest;
+  for (const Eigen::VectorXd& start : search.starts())
+    for (const Balance& balance : balances) {
+      Candidate candidate = search.descend(start, balance);
+      if (search.complaint(candidate).empty())
+        good.push_back(std::move(candidate));
+      else if (!nearest || search.shortfall(candidate) < search.shortfall(*nearest))
+        nearest = std::move(candidate);
+    }
+  if (good.empty())
+    throw Error("no posture was found for the surface: " + search.complaint(*nearest));
+  std::stable_sort(good.begin(), good.end(), [](const Candidate& a, const Candidate& b) {
+    return score_at_start(a) < score_at_start(b);
+  });
+  const auto twice = std::unique(good.begin(), good.end(), [&](const auto& a, const auto& b) {
+    return same_place(robot.model, a, b);
+  });
+  good.erase(twice, good.end());
+
+  std::string in_the_way;
+  std::optional<FoundPosture> best;
+  const std::size_t checked = std::min(good.size(), static_cast<std::size_t>(options.checked));
+  for (std::size_t i = 0; i < checked; ++i) {
+    const Candidate& c = good[i];
+    ReachReport reach = check_reach(task, make_setting(task, robot, c.q), options.reach);
+    if (!reach.ok()) {
+      if (in_the_way.empty()) in_the_way = reach.text;
+      continue;
+    }
+    const double score = score_of(c, reach.torque_share, reach.joint_margin);
+    if (best && best->score <= score) continue;
+    best = {c.q, score, c.tilt, std::move(reach), static_cast<int>(good.size())};
+  }
+  if (best) return *best;
+  throw Error("no posture was found for the surface: of " + std::to_string(checked) +
+              " that suit its normal none leads along the path; from the best one, " + in_the_way);
+}
+
+}  // namespace burnish::polishing

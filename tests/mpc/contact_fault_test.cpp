@@ -1,0 +1,209 @@
+// Faults of contact that is lost, late, missing or unexpected, in closed loop and fed by hand.
+#include <gtest/gtest.h>
+
+#include "support/fault_checks.hpp"
+
+namespace burnish::test {
+namespace {
+
+using testing::expect_words;
+
+/// A plant whose surface is gone after a while.
+class Vanishing final : public Plant {
+ public:
+  Vanishing(const Model& model, const SceneSpec& scene, double until)
+      : until_(until), with_(make_ideal_plant(model, scene)) {
+    SceneSpec far = scene;
+    far.surface.point -= 10.0 * scene.surface.normal;
+    without_ = make_ideal_plant(model, far);
+  }
+  const Model& model() const override { return with_->model(); }
+  const SceneSpec& scene() const override { return with_->scene(); }
+  double dt() const override { return with_->dt(); }
+  Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override {
+    gone_ = false;
+    return with_->reset(q, v);
+  }
+  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push) noexcept override {
+    if (!gone_ && with_->time() > until_) {
+      gone_ = true;
+      if (without_->reset(with_->q(), with_->v()) != Status::Ok) return Status::NotFinite;
+    }
+    return now().step(tau, push);
+  }
+  double time() const override { return gone_ ? with_->time() + without_->time() : with_->time(); }
+  const Eigen::VectorXd& q() const override { return now().q(); }
+  const Eigen::VectorXd& v() const override { return now().v(); }
+  const Eigen::Vector3d& contact_force_world() const override {
+    return now().contact_force_world();
+  }
+  bool in_contact() const override { return now().in_contact(); }
+  const Eigen::VectorXd& friction_torque() const override { return now().friction_torque(); }
+  void save(PlantSnapshot& snapshot) const override { now().save(snapshot); }
+  Status restore(const PlantSnapshot& snapshot) noexcept override {
+    return now().restore(snapshot);
+  }
+
+ private:
+  Plant& now() const { return gone_ ? *without_ : *with_; }
+  double until_;
+  bool gone_ = false;
+  std::unique_ptr<Plant> with_, without_;
+};
+
+TEST(Fault, contact_lost_when_the_surface_is_taken_away) {
+  MpcCase wanted;
+  wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
+    return std::make_unique<Vanishing>(model, scene, 0.8);
+  };
+  MpcRun run(wanted);
+  ASSERT_EQ(run.polish(), Status::Ok);
+  expect_report(run.mpc().fault(), FaultKind::ContactLost, 0.95, 2e-3);
+  EXPECT_EQ(run.mpc().fault().limit, 0.15);
+  expect_fallback(run);
+  expect_rest(run);
+}
+
+TEST(Fault, no_contact_where_the_surface_is_not) {
+  MpcCase wanted;
+  wanted.task.disturbances.surface_height = -0.1;
+  MpcRun run(wanted);
+  ASSERT_EQ(run.run(2.0), Status::Ok);
+  // The clock waits from 0.25 s on; 3 cm at 0.025 m/s are 1.2 s.
+  const FaultReport& fault = run.mpc().fault();
+  ASSERT_EQ(fault.kind, FaultKind::NoContact) << fault.text();
+  EXPECT_NEAR(fault.time, 1.45, 0.1);
+  EXPECT_EQ(fault.limit, 0.03);
+  EXPECT_NEAR(fault.value, 0.03, 1e-3);
+  EXPECT_EQ(fault.last_second.column("phase")[0], static_cast<double>(Phase::Approach));
+  expect_words(fault.text(),
+               {"no contact at 1.", "went on 0.03", "m without a force", "allowed are 0.03 m"});
+  expect_fallback(run);
+  expect_rest(run);
+
+  // Limits are what they say, and may be never.
+  wanted.task.limits.late_contact_travel = 0.05;
+  MpcRun farther(wanted);
+  ASSERT_EQ(farther.run(3.0), Status::Ok);
+  EXPECT_EQ(farther.mpc().fault().kind, FaultKind::NoContact);
+  EXPECT_NEAR(farther.mpc().fault().time - fault.time, 0.8, 0.1);
+  wanted.task.limits.late_contact_travel = infinity;
+  MpcRun endless(wanted);
+  ASSERT_EQ(endless.run(2.5), Status::Ok);
+  EXPECT_EQ(endless.mpc().fault().kind, FaultKind::None) << endless.mpc().fault().text();
+}
+
+/// A controller that is told that nothing moves, in steps of its tick.
+struct HandFed {
+  explicit HandFed(const MpcCase& wanted)
+      : setting(polishing::make_setting(wanted.task)),
+        mpc(polishing::make_mpc(wanted.task, setting)) {
+    m.q = setting.q_start;
+    m.v = m.tau = Eigen::VectorXd::Zero(m.q.size());
+  }
+  /// Until this time, while a force along the normal is measured.
+  void feed(double until, double force) {
+    for (; m.time < until - 1e-9; m.time = 5e-4 * static_cast<double>(++ticks)) {
+      m.tool_force_world = force * setting.scene.surface.normal;
+      mpc.tick(m);
+    }
+  }
+  polishing::Setting setting;
+  MpcController mpc;
+  Measurement m;
+  long ticks = 0;
+};
+
+TEST(Fault, contact_late_when_the_tool_does_not_get_on) {
+  MpcCase wanted;
+  wanted.task.limits.late_contact_time = 0.2;
+  // The clock waits from 0.25 s on.
+  HandFed late(wanted);
+  late.feed(0.449, 1.9);
+  EXPECT_EQ(late.mpc.fault().kind, FaultKind::None) << late.mpc.fault().text();
+  late.feed(0.46, 1.9);
+  const FaultReport& fault = late.mpc.fault();
+  ASSERT_EQ(fault.kind, FaultKind::ContactLate) << fault.text();
+  EXPECT_NEAR(fault.time, 0.45, 1.1e-3);
+  EXPECT_EQ(fault.limit, 0.2);
+  expect_words(fault.text(), {"contact late at 0.4", "no force for 0.2", "allowed are 0.2 s"});
+
+  // Just in time.
+  HandFed good(wanted);
+  good.feed(0.449, 0.0);
+  good.feed(0.5, 6.0);
+  EXPECT_EQ(good.mpc.fault().kind, FaultKind::None) << good.mpc.fault().text();
+}
+
+TEST(Fault, unexpected_contact_in_the_retreat) {
+  MpcCase wanted;
+  wanted.task.polish_duration = 0.1;
+  const auto pressed_until_the_retreat = [&](HandFed& run) {
+    run.feed(0.25, 0.0);
+    while (
+        run.mpc.schedule().phases()[static_cast<std::size_t>(run.mpc.schedule().phase())].phase !=
+        Phase::Retreat)
+      run.feed(run.m.time + 5e-4, 30.0);
+    EXPECT_EQ(run.mpc.fault().kind, FaultKind::None) << run.mpc.fault().text();
+    return run.m.time;
+  };
+  // Once the tool is off, a force is not expected any more.
+  HandFed touches(wanted);
+  double begin = pressed_until_the_retreat(touches);
+  touches.feed(begin + 0.05, 30.0);
+  touches.feed(begin + 0.1, 0.0);
+  EXPECT_EQ(touches.mpc.fault().kind, FaultKind::None) << touches.mpc.fault().text();
+  touches.feed(begin + 0.11, 20.0);
+  EXPECT_EQ(touches.mpc.fault().kind, FaultKind::UnexpectedContact);
+  EXPECT_EQ(touches.mpc.fault().limit, 15.0);
+  EXPECT_NEAR(touches.mpc.fault().time, begin + 0.104, 1.1e-3);
+
+  // And it must come off at some time.
+  HandFed stuck(wanted);
+  begin = pressed_until_the_retreat(stuck);
+  stuck.feed(begin + 0.499, 30.0);
+  EXPECT_EQ(stuck.mpc.fault().kind, FaultKind::None) << stuck.mpc.fault().text();
+  stuck.feed(begin + 0.51, 30.0);
+  EXPECT_EQ(stuck.mpc.fault().kind, FaultKind::UnexpectedContact);
+
+  // A push in closed loop, and none.
+  wanted.task.polish_duration = 0.3;
+  for (const double push : {0.0, -25.0}) {
+    const double end = polishing::make_setting(wanted.task).track_end;
+    wanted.task.disturbances.pushes = {{end + 0.3, 0.5, Eigen::Vector3d(0.0, 0.0, push)}};
+    // The sensor feels what pushes.
+    wanted.spoil = [end, push](Measurement& m) {
+      if (m.time > end + 0.3 && m.time < end + 0.8) m.tool_force_world.z() -= push;
+    };
+    MpcRun run(wanted);
+    ASSERT_EQ(run.run(end + 0.5), Status::Ok);
+    EXPECT_EQ(run.mpc().fault().kind, push == 0.0 ? FaultKind::None : FaultKind::UnexpectedContact)
+        << run.mpc().fault().text();
+  }
+}
+
+TEST(Fault, unexpected_contact_in_the_reach) {
+  MpcCase wanted;
+  // The tool comes from 4 cm above and meets something 2 cm above the surface.
+  const polishing::Setting setting = polishing::make_setting(wanted.task);
+  wanted.task.reach_duration = 0.5;
+  wanted.task.clearance = 0.005;
+  wanted.task.point_world =
+      setting.p_start - (wanted.task.tip_radius + 0.04) * wanted.task.normal_world;
+  wanted.task.disturbances.surface_height = 0.02;
+  MpcRun run(wanted);
+  ASSERT_EQ(run.run(0.6), Status::Ok);
+  const FaultReport& fault = run.mpc().fault();
+  ASSERT_EQ(fault.kind, FaultKind::UnexpectedContact) << fault.text();
+  expect_report(fault, FaultKind::UnexpectedContact, fault.time, 1e-9);
+  EXPECT_GT(fault.value, 15.0);
+  const Trace::Column contact = run.loop().trace().column("in_contact");
+  int touch = 0;
+  while (contact[touch] == 0.0) ++touch;
+  EXPECT_LT(fault.time - run.loop().trace().at(touch, 0), 0.01) << "within the window";
+  expect_fallback(run);
+  expect_rest(run);
+}
+
+}  // namespace
+}  // namespace burnish::test

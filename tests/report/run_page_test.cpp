@@ -1,0 +1,262 @@
+// The data of a page: encoding, columns, envelopes, robots, and the HTML around it.
+#include "burnish/report/run_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report/json_writer.hpp"
+#include "report/page_data.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(JsonWriter, Base64IsAsInTheStandard) {
+  // RFC 4648, section 10.
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFB\xFF"), "+/8=");
+}
+
+TEST(JsonWriter, NumbersAndTextsReadBackAsTheyWere) {
+  JsonWriter json;
+  const std::string awkward = "a \"quote\" \\ \n\t\x01 </script> <!-- \xC3\xA9 \xE2\x82\xAC";
+  json.begin_object();
+  json.field("third", 1.0 / 3.0);
+  json.field("tiny", 5e-324);
+  json.field("large", std::int64_t{1} << 62U);
+  json.field("infinite", std::numeric_limits<double>::infinity());
+  json.field("yes", true);
+  json.field("text", awkward);
+  json.field("broken", std::string("a\xFF\xC3") + "b\xED\xA0\x80");
+  json.key("list");
+  json.begin_array();
+  json.null();
+  json.value(Eigen::Vector2d(1.5, -2.0));
+  json.end_array();
+  json.end_object();
+  const std::string text = json.take();
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  const Json read = Json::parse(text);
+  EXPECT_EQ(read["third"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(read["tiny"].get<double>(), 5e-324);
+  EXPECT_EQ(read["large"].get<std::int64_t>(), std::int64_t{1} << 62U);
+  EXPECT_TRUE(read["infinite"].is_null());
+  EXPECT_EQ(read["yes"], true);
+  EXPECT_EQ(read["text"], awkward);
+  EXPECT_EQ(read["broken"],
+            "a\uFFFD\uFFFD"
+            "b\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(read["list"], Json::parse("[null, [1.5, -2]]"));
+}
+
+TEST(JsonWriter, PackedNumbersKeepTheirBits) {
+  JsonWriter json;
+  const std::vector<float> numbers{0.1F, -0.0F, std::nanf(""), 3.4e38F};
+  json.floats(numbers);
+  const Json read = Json::parse(json.take());
+  EXPECT_EQ(read["f32"].get<std::string>().substr(0, 6), "zczMPQ");  // 0x3DCCCCCD
+  const std::vector<float> back = floats_of(read);
+  ASSERT_EQ(back.size(), 4U);
+  EXPECT_EQ(back[0], 0.1F);
+  EXPECT_TRUE(std::signbit(back[1]));
+  EXPECT_TRUE(std::isnan(back[2]));
+  EXPECT_EQ(back[3], 3.4e38F);
+  const std::vector<std::uint32_t> whole{1, 0x01020304};
+  json.integers(whole);
+  EXPECT_EQ(decoded(Json::parse(json.take())["u32"]), std::string("\1\0\0\0\4\3\2\1", 8));
+}
+
+TEST(RunPage, RowsAreSomeOfTheTablesAndPeaksStayInEnvelopes) {
+  PageSize size;
+  size.most_rows = 60;  // below 100 there is no less
+  RunPage page = page_of_run(1005, 4);
+  const Trace trace = page_trace(page.robot.model, 1005);
+  add_trace(page, trace, 4, size);
+  EXPECT_EQ(page_stride(trace, page.robot.model, 4, size) % 4, 0);
+  const Json run = Json::parse(run_page_json(page));
+  const std::vector<float> time = floats_of(run["series"]["time"]);
+  EXPECT_LE(time.size(), 102U);
+  EXPECT_GT(time.size(), 60U);
+  EXPECT_FLOAT_EQ(time.back(), 1.004F);
+  for (std::size_t i = 0; i + 1 < time.size(); ++i) {
+    const long row = std::lround(time[i] / page_dt);
+    EXPECT_EQ(row % 4, 0);
+    EXPECT_EQ(time[i], static_cast<float>(trace.at(static_cast<int>(row), 0)));
+  }
+  const Json force = named(run["envelopes"]["columns"], "force_normal");
+  const std::vector<float> lower = floats_of(force["min"]), upper = floats_of(force["max"]);
+  const std::vector<float> shown =
+      floats_of(named(run["series"]["columns"], "force_normal")["data"]);
+  ASSERT_EQ(upper.size(), time.size());
+  ASSERT_EQ(shown.size(), time.size());
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    const bool peak = time[i - 1] < 0.105F && time[i] >= 0.105F;
+    EXPECT_EQ(upper[i], peak ? 99.0F : 30.0F) << time[i];
+    EXPECT_EQ(lower[i], 30.0F);
+    EXPECT_EQ(shown[i], 30.0F);
+  }
+}
+
+TEST(RunPage, ColumnsAreWhatTheySay) {
+  RunPage page = page_of_run();
+  const Json run = Json::parse(run_page_json(page));
+  const auto at_end = [&](const char* name) {
+    return floats_of(named(run["series"]["columns"], name)["data"]).back();
+  };
+  EXPECT_FLOAT_EQ(at_end("force_normal"), 30.0F);
+  EXPECT_FLOAT_EQ(at_end("force_estimated"), 31.0F);
+  EXPECT_FLOAT_EQ(at_end("force_t1"), 4.0F);
+  EXPECT_FLOAT_EQ(at_end("tool_y"), 0.201F);
+  EXPECT_NEAR(at_end("path_u"), 0.0999F, 1e-6F);
+  EXPECT_NEAR(at_end("path_w"), 1e-3F, 1e-6F);
+  EXPECT_NEAR(at_end("target_w"), 0.0F, 1e-6F);
+  EXPECT_NEAR(at_end("path_error"), 1e-3F, 1e-6F);
+  EXPECT_FLOAT_EQ(at_end("tool_turned"), 0.5F);
+  EXPECT_FLOAT_EQ(at_end("q_hinge"), 0.4995F);
+  EXPECT_FLOAT_EQ(at_end("tau_hinge"), -2.0F);
+  EXPECT_FLOAT_EQ(at_end("tau_command_hinge"), -2.5F);
+  EXPECT_EQ(run["phases"].size(), 2U);
+  EXPECT_EQ(run["phases"][1]["name"], "track");
+  EXPECT_DOUBLE_EQ(run["phases"][0]["end"].get<double>(), 0.05);
+  EXPECT_EQ(run["limits"]["tau"], Json::parse("[[-10, 10], [null, null]]"));
+  EXPECT_EQ(run["limits"]["q"], Json::parse("[[-1, 2], [null, null]]"));
+  EXPECT_EQ(run["created"], "2023-11-14T22:13:20Z");
+  for (const char* name : {"fault", "costs", "horizon", "window"})
+    EXPECT_TRUE(run.at(name).is_null()) << name;
+  EXPECT_TRUE(named(run["metrics"], "force_rmse")["value"].is_null());
+  // Along the plate as it is: turned about its first tangent, it takes a part of the force.
+  const double angle = 0.1;
+  page.surface.true_axes = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
+  add_trace(page, page_trace(page.robot.model, 1000), 10);
+  for (const PageColumn& column : page.columns)
+    if (column.name == "force_normal") {
+      EXPECT_NEAR(column.values[0], 30.0 * std::cos(angle), 1e-12);
+    }
+}
+
+TEST(RunPage, AMeasurementThatIsMissingIsAGap) {
+  RunPage page = page_of_run(100, 1);
+  const Json run = Json::parse(run_page_json(page));
+  const std::vector<float> measured =
+      floats_of(named(run["series"]["columns"], "force_measured")["data"]);
+  EXPECT_TRUE(std::isnan(measured[7]));
+  EXPECT_EQ(measured[8], 29.0F);
+}
+
+TEST(RunPage, ThinnedPlansKeepTheSlowest) {
+  PageSize size;
+  size.most_plans = 100;
+  RunPage page = page_of_run(1000, 10);
+  add_trace(page, page_trace(page.robot.model, 1000), 10, size);
+  ASSERT_TRUE(page.solver);
+  EXPECT_LE(page.solver->time.size(), 102);
+  EXPECT_DOUBLE_EQ(page.solver->solve_ms.maxCoeff(), 7.0);
+  EXPECT_DOUBLE_EQ(page.solver->missed.sum(), 1.0);
+  Eigen::Index slowest = 0;
+  page.solver->solve_ms.maxCoeff(&slowest);
+  EXPECT_DOUBLE_EQ(page.solver->time[slowest], 0.205);
+  EXPECT_DOUBLE_EQ(page.solver->missed[slowest], 1.0);
+}
+
+TEST(RunPage, AMinuteStaysBelowTenMegabytes) {
+  Trace trace = page_trace(page_model(), 120'000);  // at 2 kHz
+  RunPage page = page_of_run();
+  add_trace(page, trace, 1);
+  EXPECT_LE(page.time.size(), 8001);
+  EXPECT_GT(page.time.size(), 6000);
+  EXPECT_LT(run_page_json(page).size(), 10'000'000U);
+}
+
+TEST(RunPage, AColumnThatIsMissingIsNamed) {
+  RunPage page = page_of_run();
+  const Trace poor({{"time", "s"}, {"phase", "-"}}, 1);
+  EXPECT_THROW(add_trace(page, poor, 1), Error);
+}
+
+TEST(RobotJson, HoldsTheTree) {
+  RobotDrawing robot{.model = page_model()};
+  robot.postures["bent"] = Eigen::Vector3d(1.0, 0.0, 1.0);
+  const Json json = Json::parse(robot_json(robot));
+  EXPECT_EQ(json["name"], "two");
+  EXPECT_EQ(json["moving"], Json::parse(R"(["hinge", "spin"])"));
+  EXPECT_EQ(json["nq"], 3);
+  EXPECT_EQ(json["q"], Json::parse("[0, 1, 0]"));  // neutral
+  const Json& wheel = json["bodies"][1];
+  EXPECT_EQ(wheel["parent"], 0);
+  EXPECT_EQ(wheel["joint"]["kind"], "continuous");
+  EXPECT_EQ(wheel["joint"]["q_index"], 1);
+  EXPECT_TRUE(wheel["joint"]["lower"].is_null());
+  EXPECT_EQ(json["bodies"][0]["joint"]["upper"], 2);
+  EXPECT_EQ(wheel["mass"], 2);
+  const Model model = page_model();
+  EXPECT_DOUBLE_EQ(wheel["inertia"][1].get<double>(), model.joints[1].inertia_at_com(1, 1));
+  EXPECT_DOUBLE_EQ(wheel["placement"][0].get<double>(),
+                   model.joints[1].placement.translation().x());
+  EXPECT_EQ(json["visuals"][0]["shape"],
+            Json::parse(R"({"kind": "box", "size": [0.1, 0.2, 0.3]})"));
+  EXPECT_EQ(json["postures"][0], Json::parse(R"({"name": "bent", "q": [1, 0, 1]})"));
+  EXPECT_EQ(named(json["frames"], "wheel")["kind"], "link");
+  // A mesh that is not there is named, one that is there is scaled.
+  EXPECT_EQ(json["visuals"][1]["shape"], Json::parse(R"({"kind": "mesh", "name": "wheel.stl"})"));
+  EXPECT_EQ(missing_meshes(robot), std::vector<std::string>{"wheel.stl"});
+  robot.meshes["package://parts/meshes/wheel.stl"] = {{1, 1, 1, 0, 0, 0, 2, 0, 0}, {0, 1, 2}};
+  const Json shape = Json::parse(robot_json(robot))["visuals"][1]["shape"];
+  EXPECT_EQ(floats_of(shape["vertices"])[0], 2.0F);
+  EXPECT_EQ(floats_of(shape["vertices"])[1], 1.0F);
+  EXPECT_EQ(decoded(shape["triangles"]["u32"]).size(), 12U);
+  EXPECT_TRUE(missing_meshes(robot).empty());
+}
+
+TEST(PageHtml, NoTextEndsTheScriptThatHoldsTheData) {
+  const std::string html_template =
+      "<html><script type=\"application/json\" id=\"burnish-data\">null</script></html>\n";
+  RunPage run = page_of_run(200, 10);
+  run.task_file = "note: </script><script>alert(1)</script><!-- & \"quotes\"\n";
+  const std::string text = run_page_json(run);
+  // As another program might have written it.
+  const std::string plain = Json::parse(text).dump();
+  EXPECT_NE(plain.find("</script>"), std::string::npos);
+  for (const std::string& data : {text, plain}) {
+    const std::string html = page_html(html_template, page_json({.title = "a <b>"}, {data}));
+    const std::string before = "id=\"burnish-data\">";
+    const std::size_t begin = html.find(before) + before.size(), end = html.find("</script>");
+    EXPECT_EQ(html.substr(end), "</script></html>\n");
+    const Json page = Json::parse(html.substr(begin, end - begin));
+    EXPECT_EQ(page["format"], "burnish-page/1");
+    EXPECT_EQ(page["kind"], "run");
+    EXPECT_EQ(page["title"], "a <b>");
+    EXPECT_EQ(page["runs"][0]["task_file"], run.task_file);
+  }
+}
+
+TEST(PageHtml, ATemplateWithoutOnePlaceIsRefused) {
+  const std::string place = "<script id=\"burnish-data\">null</script>";
+  EXPECT_NO_THROW(page_html(place, "{}"));
+  expect_words(refusal([] { (void)page_html("<html>", "{}"); }), {"no place"});
+  expect_words(refusal([&] { (void)page_html(place + place, "{}"); }), {"several places"});
+}
+
+TEST(PageHtml, ARobotAlone) {
+  const Json page =
+      Json::parse(robot_page_json({.title = "two"}, RobotDrawing{.model = page_model()}));
+  EXPECT_EQ(page["kind"], "robot");
+  EXPECT_EQ(page["runs"].size(), 0U);
+  EXPECT_EQ(page["robot"]["name"], "two");
+}
+
+TEST(UtcText, IsTheCivilCalendar) {
+  EXPECT_EQ(utc_text(0), "1970-01-01T00:00:00Z");
+  EXPECT_EQ(utc_text(951'782'399), "2000-02-28T23:59:59Z");
+  EXPECT_EQ(utc_text(951'868'799), "2000-02-29T23:59:59Z");
+  EXPECT_EQ(utc_text(1'795'269'600), "2026-11-21T14:00:00Z");
+}
+
+}  // namespace
+}  // namespace burnish::testing

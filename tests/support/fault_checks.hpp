@@ -1,0 +1,78 @@
+// What tests of faults look at: the report, the fallback's torque, that the robot comes to rest.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "support/mpc_run.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+
+/// The documented fallback at a state, but for its spring: gravity compensation and damping.
+inline Eigen::VectorXd fallback_torque(const Model& model, const Eigen::VectorXd& q,
+                                       const Eigen::VectorXd& v) {
+  ContactDynamics dynamics(model);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
+  EXPECT_EQ(dynamics.forward(q, zero, zero), Status::Ok);
+  return dynamics.bias() - Fallback{}.damping * dynamics.mass_matrix() * v;
+}
+
+/// The report of a fault at `time`, give or take `tolerance` s.
+inline void expect_report(const FaultReport& fault, FaultKind kind, double time, double tolerance) {
+  ASSERT_EQ(fault.kind, kind) << fault.text();
+  EXPECT_NEAR(fault.time, time, tolerance) << fault.text();
+  // The sentence.
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.4f s", fault.time);
+  testing::expect_words(fault.text(), {std::string(name_of(kind)) + " at ", seconds});
+  // The last second: in order, and the fault in its last row alone.
+  const Trace& trace = fault.last_second;
+  const int last = trace.rows() - 1;
+  ASSERT_EQ(trace.rows(), std::min(2000, static_cast<int>(std::lround(fault.time / 5e-4)) + 1));
+  EXPECT_NEAR(trace.column("time")[last], fault.time, 1e-12);
+  for (int row = 1; row <= last; ++row)
+    ASSERT_NEAR(trace.column("time")[row] - trace.column("time")[row - 1], 5e-4, 1e-9) << row;
+  EXPECT_EQ(trace.column("fault")[last], static_cast<double>(kind));
+  for (int row = 0; row < last; ++row) ASSERT_EQ(trace.column("fault")[row], 0.0);
+}
+
+inline const Eigen::VectorXd& effort_of(MpcRun& run) {
+  return run.mpc().problem().model().effort_limit;
+}
+
+/// What latches: the kind, the trace, no force aimed at, the fallback's torque.
+inline void expect_fallback(MpcRun& run) {
+  const FaultKind kind = run.mpc().fault().kind;
+  const double time = run.mpc().fault().time;
+  const int rows = run.mpc().fault().last_second.rows();
+  ASSERT_EQ(run.run(0.02), Status::Ok);
+  const Command& command = run.loop().command();
+  const Measurement& seen = run.watched().seen;
+  const Eigen::VectorXd wanted = fallback_torque(run.mpc().problem().model(), seen.q, seen.v);
+  // What the spring adds; fallback_test.cpp has it to the last digit.
+  const Eigen::ArrayXd spring = Fallback{}.give * effort_of(run).array();
+  EXPECT_TRUE(((command.tau - wanted).array().abs() <= spring + 1e-9).all())
+      << (command.tau - wanted).transpose();
+  EXPECT_EQ(command.target_force, 0.0);
+  EXPECT_EQ(command.iterations, 0);
+  EXPECT_EQ(run.mpc().fault().kind, kind);
+  EXPECT_EQ(run.mpc().fault().time, time);
+  EXPECT_EQ(run.mpc().fault().last_second.rows(), rows);
+}
+
+inline void expect_rest(MpcRun& run) {
+  ASSERT_EQ(run.run(1.5), Status::Ok);
+  EXPECT_LT(run.plant().v().norm(), 0.01);
+  EXPECT_TRUE(run.watched().finite);
+}
+
+inline std::function<void(Measurement&)> between(double from, double to,
+                                                 std::function<void(Measurement&)> what) {
+  return [from, to, what = std::move(what)](Measurement& m) {
+    const double time = m.time;
+    if (time > from - 1e-9 && time < to - 1e-9) what(m);
+  };
+}
+
+}  // namespace burnish::test

@@ -1,0 +1,286 @@
+// Experiments: their tables, their batches, and quick versions of each from start to end.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/disturbance_ranges.hpp"
+#include "polishing/experiments/experiment.hpp"
+#include "polishing/task_file.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+ExperimentSpec quick() {
+  ExperimentSpec spec;
+  spec.quick = true;
+  spec.threads = 2;
+  return spec;
+}
+
+const ResultTable& table_named(const ExperimentReport& report, const std::string& name) {
+  for (const ResultTable& table : report.tables)
+    if (table.name == name) return table;
+  throw Error("no table " + name);
+}
+
+double number_at(const ResultTable& table, std::size_t row, const std::string& column) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].name == column) return std::get<double>(table.rows.at(row)[i]);
+  throw Error("no column " + column);
+}
+
+void expect_complete(const ExperimentReport& report) {
+  EXPECT_FALSE(report.interrupted);
+  for (const std::string& failure : report.failures) ADD_FAILURE() << failure;
+  ASSERT_FALSE(report.tables.empty());
+  for (const ResultTable& table : report.tables) EXPECT_FALSE(table.rows.empty()) << table.name;
+  ASSERT_FALSE(report.figures.empty());
+  for (const Figure& figure : report.figures) {
+    const std::string svg = svg_plot(figure.plot);
+    EXPECT_NE(svg.find("<path class="), std::string::npos) << figure.name;
+    EXPECT_LT(svg.size(), 200e3) << figure.name;
+  }
+}
+
+TEST(ResultTable, IsMarkdownAndCsv) {
+  ResultTable table{.name = "t", .title = "T", .columns = {{"what"}, {"length", "mm", 1}}};
+  table.add({std::string("a, b|c"), 1.0 / 3.0});
+  table.add({std::string("say \"x\""), std::numeric_limits<double>::quiet_NaN()});
+  table.add({std::monostate(), 12.0});
+  EXPECT_EQ(markdown(table),
+            "| what    | length [mm] |\n"
+            "| ------- | ----------: |\n"
+            "| a, b\\|c |         0.3 |\n"
+            "| say \"x\" |           - |\n"
+            "| -       |        12.0 |\n");
+  EXPECT_EQ(csv(table),
+            "what,length [mm]\n"
+            "\"a, b|c\",0.3333333333333333\n"
+            "\"say \"\"x\"\"\",\n"
+            ",12\n");
+  expect_words(refusal([&] { table.add({1.0}); }), {"'t'", "has 1 cells; wanted 2"});
+}
+
+TEST(RunFigures, StatisticsPassOverWhatIsMissing) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> values{3.0, none, 1.0, 2.0, 4.0};
+  EXPECT_EQ(mean_of(values), 2.5);
+  EXPECT_EQ(largest_of(values), 4.0);
+  EXPECT_EQ(quantile_of(values, 0.5), 2.0);
+  EXPECT_EQ(quantile_of(values, 0.95), 4.0);
+  EXPECT_TRUE(std::isnan(mean_of({none})));
+  EXPECT_TRUE(std::isnan(largest_of({})));
+}
+
+TEST(Batch, EveryIndexIsVisitedOnceAndTheFirstErrorComesOut) {
+  for (const int threads : {1, 3}) {
+    std::vector<std::atomic<int>> visits(50);
+    for_each_index(50, threads, [&](int index) { ++visits[static_cast<std::size_t>(index)]; });
+    for (const auto& count : visits) EXPECT_EQ(count, 1);
+    const auto fail = [&] {
+      for_each_index(20, threads, [](int index) {
+        if (index % 7 == 6) throw Error("failed at " + std::to_string(index));
+      });
+    };
+    EXPECT_EQ(refusal(fail), "failed at 6");
+  }
+}
+
+TEST(Batch, ThreadsChangeNothing) {
+  ExperimentSpec spec = quick();
+  std::vector<BatchRun> runs;
+  for (int seed = 0; seed < 4; ++seed) {
+    BatchRun run;
+    run.name = std::to_string(seed);
+    run.spec.task = experiment_task(spec, seed % 2 == 0 ? "table" : "board", "mismatch", 0.5);
+    run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
+    runs.push_back(run);
+  }
+  spec.threads = 1;
+  const std::vector<RunFigures> one = run_batch(spec, runs);
+  spec.threads = 3;
+  const std::vector<RunFigures> three = run_batch(spec, runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    EXPECT_EQ(one[i].name, runs[i].name);
+    EXPECT_TRUE(one[i].polished) << one[i].outcome;
+    EXPECT_EQ(one[i].force_rmse, three[i].force_rmse);
+    EXPECT_EQ(one[i].position_rmse, three[i].position_rmse);
+    EXPECT_EQ(one[i].torque_margin, three[i].torque_margin);
+    EXPECT_EQ(one[i].outcome, three[i].outcome);
+    EXPECT_LE(one[i].largest_command, 1.0);
+    EXPECT_TRUE(one[i].finite);
+  }
+  EXPECT_NE(one[0].force_rmse, one[2].force_rmse);
+}
+
+TEST(Batch, WhatARunIsRefusedWithIsItsOutcome) {
+  ExperimentSpec spec = quick();
+  std::vector<BatchRun> runs(1);
+  runs[0].name = "far";
+  runs[0].spec.task = experiment_task(spec, "table", "none", 0.5);
+  runs[0].spec.task.path.radius = 0.8;
+  ExperimentReport report;
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  EXPECT_TRUE(std::isnan(figures[0].force_rmse));
+  note_failures(spec, figures, report);
+  ASSERT_EQ(report.failures.size(), 1U);
+  expect_words(report.failures[0], {"far: ", "out of reach"});
+}
+
+TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
+  const auto drawn = [](int seed) {
+    Task task;
+    draw_disturbances({}, static_cast<std::uint64_t>(seed), task);
+    return task;
+  };
+  const DisturbanceRanges ranges;
+  for (int seed = 0; seed < 100; ++seed) {
+    const Task task = drawn(seed);
+    EXPECT_NO_THROW(check_task(task));
+    EXPECT_NO_THROW(check_disturbances(make_setting(task).robot.model, task.disturbances));
+    EXPECT_LE(task.disturbances.command_delay, ranges.command_delay.high);
+    EXPECT_LE(task.solver_delay, 1.0 / task.update_rate);
+    EXPECT_GE(task.disturbances.mass_scale, ranges.mass_scale.low);
+    EXPECT_EQ(task.disturbances.pushes.size(), 1U);
+  }
+  EXPECT_EQ(task_text(drawn(3)), task_text(drawn(3)));
+  EXPECT_NE(task_text(drawn(3)), task_text(drawn(4)));
+  // The range of one changes no other.
+  DisturbanceRanges calm;
+  calm.torque_scale = {0.0, 0.0};
+  Task task;
+  draw_disturbances(calm, 3, task);
+  EXPECT_EQ(task.disturbances.torque_scale_range, 0.0);
+  EXPECT_EQ(task.disturbances.mass_scale, drawn(3).disturbances.mass_scale);
+}
+
+TEST(Experiments, AreFoundByName) {
+  EXPECT_EQ(experiments().size(), 5U);
+  EXPECT_EQ(experiment_named("tick").name, "tick");
+  expect_words(refusal([] { experiment_named("papr"); }),
+               {"experiment 'papr' is not known", "did you mean 'paper'?"});
+  expect_words(refusal([] { check_experiment_task({.overrides = {"froce=3"}}, "table"); }),
+               {"did you mean 'force'?"});
+  expect_words(refusal([] { check_experiment_task({}, "tabel"); }), {"did you mean 'table'?"});
+}
+
+TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
+  ExperimentSpec spec = quick();
+  spec.seeds = 2;
+  spec.surfaces = {"table"};
+  const ExperimentReport report = perform_paper(spec);
+  expect_complete(report);
+  EXPECT_EQ(table_named(report, "runs").rows.size(), 2U * (1 + 2 + 2));
+  const ResultTable& summary = table_named(report, "summary");
+  ASSERT_EQ(summary.rows.size(), 6U);
+  EXPECT_EQ(number_at(summary, 0, "seeds"), 1.0);
+  EXPECT_EQ(number_at(summary, 2, "seeds"), 2.0);
+  EXPECT_EQ(number_at(summary, 2, "polished"), 2.0);
+  const ResultTable& aims = table_named(report, "aims");
+  ASSERT_EQ(aims.rows.size(), 15U);
+  for (std::size_t row = 0; row < aims.rows.size(); ++row) {
+    const bool met = number_at(aims, row, "worst") <= number_at(aims, row, "aim") + 1e-9;
+    EXPECT_EQ(std::get<std::string>(aims.rows[row].back()) == "met", met) << row;
+  }
+}
+
+TEST(Experiments, OrientationSearchesAPosturePerNormal) {
+  const ExperimentReport report = perform_orientation(quick());
+  expect_complete(report);
+  const ResultTable& normals = table_named(report, "normals");
+  ASSERT_EQ(normals.rows.size(), 4U);
+  EXPECT_NEAR(number_at(normals, 0, "of the table's"), 1.0, 1e-12);
+  for (std::size_t row = 1; row < 4; ++row)
+    EXPECT_LT(number_at(normals, row, "tool to normal"), 40.0);
+  expect_words(report.findings.front(), {"3 of 3 directions"});
+}
+
+TEST(Experiments, OrientationSaysWhatIsOutOfReach) {
+  ExperimentSpec spec = quick();
+  spec.overrides = {"limits.force=9000", "force=3000"};
+  const ExperimentReport report = perform_orientation(spec);
+  const ResultTable& table = table_named(report, "out_of_reach");
+  EXPECT_GE(table.rows.size(), 1U);
+  expect_words(std::get<std::string>(table.rows[0][1]),
+               {"no posture was found for the surface", "pressing with 3000 N"});
+}
+
+TEST(Experiments, FramesShowThatTheSurfacesAxesAreRightWhereTheToolTurns) {
+  ExperimentSpec spec = quick();
+  spec.surfaces = {"board"};
+  spec.overrides = {"path.radius=0.05"};
+  const ExperimentReport report = perform_frames(spec);
+  expect_complete(report);
+  const ResultTable& axes = table_named(report, "axes");
+  ASSERT_EQ(axes.rows.size(), 4U);
+  // Ideal, the wrist free: the last column of force errors is the tool's axes.
+  const double surface = number_at(axes, 1, "force rmse, surface"),
+               local = number_at(axes, 1, "local");
+  EXPECT_GT(local, 5.0 * surface);
+}
+
+TEST(Experiments, SeedsCountWhatFails) {
+  ExperimentSpec spec = quick();
+  spec.seeds = 3;
+  spec.first_seed = 5;
+  const ExperimentReport report = perform_seeds(spec);
+  expect_complete(report);
+  EXPECT_EQ(number_at(report.tables.front(), 0, "seed"), 5.0);
+  EXPECT_EQ(report.tables.front().rows.size(), 3U);
+  ASSERT_EQ(report.tasks.size(), 1U);
+  EXPECT_GE(report.tasks[0].task.disturbances.seed, 5U);
+  EXPECT_LE(report.tasks[0].task.disturbances.seed, 7U);
+  // A limit that no run keeps.
+  spec.overrides = {"limits.tool_speed=0.005"};
+  const ExperimentReport failed = perform_seeds(spec);
+  EXPECT_EQ(failed.failures.size(), 3U);
+  const ResultTable& outcomes = table_named(failed, "outcomes");
+  EXPECT_EQ(std::get<std::string>(outcomes.rows[1][0]), "fault: speed limit");
+  EXPECT_EQ(std::get<double>(outcomes.rows[1][1]), 3.0);
+  expect_words(failed.findings.front(), {"3 of 3 runs diverged"});
+}
+
+TEST(Experiments, TickTimesEveryRate) {
+  const ExperimentReport report = perform_tick(quick());
+  expect_complete(report);
+  const ResultTable& rates = report.tables.front();
+  ASSERT_EQ(rates.rows.size(), 2U);
+  EXPECT_EQ(number_at(rates, 0, "plans"), 100.0);
+  EXPECT_GT(number_at(rates, 0, "plan median"), 0.0);
+  EXPECT_GE(number_at(rates, 1, "max"), number_at(rates, 1, "tick median"));
+}
+
+TEST(Experiments, WorkOnThePlantWithoutAnEngine) {
+  ExperimentSpec spec = quick();
+  spec.plant = PlantKind::Ideal;
+  spec.seeds = 1;
+  spec.surfaces = {"table"};
+  expect_complete(perform_paper(spec));
+}
+
+TEST(Experiments, StopWhenTheyAreTold) {
+  ExperimentSpec spec = quick();
+  spec.surfaces = {"table"};
+  std::atomic<int> asked = 0;
+  spec.stopped = [&] { return ++asked > 6; };
+  double share = 0.0;
+  spec.progress = [&](double done, const std::string& what) {
+    EXPECT_GE(done, 0.0);
+    EXPECT_LE(done, 1.0 + 1e-12);
+    EXPECT_FALSE(what.empty());
+    share = done;
+  };
+  const ExperimentReport report = perform_paper(spec);
+  EXPECT_TRUE(report.interrupted);
+  EXPECT_FALSE(report.failures.empty());
+  EXPECT_FALSE(report.tables.empty());
+}
+
+}  // namespace
+}  // namespace burnish::testing

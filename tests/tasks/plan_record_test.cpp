@@ -1,0 +1,85 @@
+// Plans that a run keeps, and that keeping them changes nothing.
+#include "polishing/plan_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "polishing/run.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+RunSpec short_run(double plan_rate) {
+  RunSpec spec;
+  spec.task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
+  spec.task.polish_duration = 0.3;
+  spec.task.reach_duration = 0.2;
+  spec.task.path.start_up = 0.2;
+  spec.task.horizon = 0.5;
+  spec.task.disturbances.force_noise = 0.3;
+  spec.plant = PlantKind::Ideal;
+  spec.plan_rate = plan_rate;
+  return spec;
+}
+
+TEST(PlanRecord, KeepingPlansDoesNotChangeTheRunByABit) {
+  const RunResult with = run_task(short_run(100.0)), without = run_task(short_run(0.0));
+  EXPECT_GT(with.plans.time.size(), 100U);
+  EXPECT_TRUE(without.plans.time.empty());
+  ASSERT_EQ(with.trace.rows(), without.trace.rows());
+  for (const TraceColumn& column : with.trace.columns()) {
+    if (column.name == "solve_time") continue;  // of the wall clock
+    EXPECT_EQ(Eigen::VectorXd(with.trace.column(column.name)),
+              Eigen::VectorXd(without.trace.column(column.name)))
+        << column.name;
+  }
+  EXPECT_EQ(with.outcome.substr(0, 12), without.outcome.substr(0, 12));
+}
+
+TEST(PlanRecord, PlansStartWhereTheRobotIsAndCostsAreNamed) {
+  RunSpec spec = short_run(20.0);
+  spec.task.disturbances = {};
+  const RunResult result = run_task(spec);
+  const PlanRecord& plans = result.plans;
+  const std::size_t count = plans.time.size();
+  const double duration = result.trace.at(result.trace.rows() - 1, 0);
+  EXPECT_NEAR(static_cast<double>(count), 20.0 * duration, 2.0);
+  EXPECT_EQ(plans.knots, 11);
+  EXPECT_DOUBLE_EQ(plans.step, 0.05);
+  ASSERT_EQ(plans.q.size(), count * 11 * 6);
+  const Model& model = result.setting.robot.model;
+  const auto time = result.trace.column("time");
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::Index row = 0;
+    (time.array() - plans.time[i]).abs().minCoeff(&row);
+    EXPECT_NEAR(time[row], plans.time[i], 1e-9);
+    for (int k = 0; k < 6; ++k)
+      EXPECT_NEAR(plans.q[i * 66 + static_cast<std::size_t>(k)],
+                  result.trace.column("q_" + model.q_name(k))[row], 1e-6);
+  }
+  ASSERT_EQ(plans.costs.size(), plans.terms.size());
+  const auto costs_of = [&](const std::string& name) {
+    const auto found = std::find(plans.terms.begin(), plans.terms.end(), name);
+    EXPECT_NE(found, plans.terms.end()) << name;
+    return plans.costs.at(static_cast<std::size_t>(found - plans.terms.begin()));
+  };
+  for (const std::vector<double>& costs : plans.costs) {
+    ASSERT_EQ(costs.size(), count);
+    for (const double cost : costs) EXPECT_GE(cost, 0.0);
+  }
+  // The last plans retreat: nothing is pressed against.
+  const std::vector<double> force = costs_of("force");
+  EXPECT_EQ(force.back(), 0.0);
+  EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.0);
+  EXPECT_GT(costs_of("position").front(), 0.0);
+}
+
+TEST(PlanRecord, ABaselineHasNone) {
+  RunSpec spec = short_run(20.0);
+  spec.controller = ControllerKind::Baseline;
+  EXPECT_TRUE(run_task(spec).plans.time.empty());
+}
+
+}  // namespace
+}  // namespace burnish::polishing

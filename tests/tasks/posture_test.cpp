@@ -1,0 +1,112 @@
+// A posture for any surface: it suits the surface, it is always the same, and where there is none
+// a sentence says why.
+#include "polishing/posture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+#include "polishing/task_file.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+const Robot& arm() {
+  static const Robot robot = load_robot("talos:right_arm");
+  return robot;
+}
+
+Task task_on(const Eigen::Vector3d& normal) {
+  Task task;
+  task.normal_world = normal;
+  task.posture = searched_posture;
+  return task;
+}
+
+const Eigen::Vector3d up(0.0, 0.0, 1.0), facing(-1.0, 0.0, 0.0), left(0.0, 1.0, 0.0),
+    slanted(-0.5, 0.3, 0.8);
+
+TEST(Posture, SuitsSurfacesOfAnyOrientation) {
+  for (const Eigen::Vector3d& normal : {up, facing, left, slanted}) {
+    const Task task = task_on(normal);
+    const FoundPosture found = find_posture(task, arm());
+    EXPECT_TRUE(found.reach.ok()) << found.reach.text;
+    EXPECT_LT(found.tilt, 0.3);
+    EXPECT_GT(found.reach.joint_margin, 0.15);
+    EXPECT_LT(found.reach.torque_share, 0.5);
+    const Eigen::Vector3d axis = pressing_axis(frame_placement(arm().model, found.q, task.tool));
+    EXPECT_NEAR(std::acos(-axis.dot(normal.normalized())), found.tilt, 1e-6);
+    for (int k = 0; k < arm().model.nq; ++k) {
+      EXPECT_GE(found.q[k] - arm().model.q_lower[k], 0.15 - 1e-9);
+      EXPECT_GE(arm().model.q_upper[k] - found.q[k], 0.15 - 1e-9);
+    }
+  }
+}
+
+TEST(Posture, PressingAxisOfNamedPosturesPointsIntoTheirSurfaces) {
+  for (const NamedSurface& surface : named_surfaces()) {
+    const Eigen::Vector3d axis =
+        pressing_axis(frame_placement(arm().model, arm().posture(surface.posture), "tool"));
+    EXPECT_GT(-axis.dot(surface.normal_world), std::cos(0.9)) << surface.name;
+  }
+}
+
+TEST(Posture, IsTheSameEveryTime) {
+  const Task task = task_on(slanted);
+  EXPECT_EQ(find_posture(task, arm()).q, find_posture(task, arm()).q);
+}
+
+TEST(Posture, DoesNotDependOnTheNormalsLength) {
+  const FoundPosture one = find_posture(task_on(slanted), arm());
+  const FoundPosture two = find_posture(task_on(2.0 * slanted), arm());
+  EXPECT_LT((one.q - two.q).norm(), 1e-6);
+}
+
+TEST(Posture, PutsTheToolAboveAPointThatTheSurfaceHas) {
+  Task task = task_on(facing);
+  task.point_world = Eigen::Vector3d(0.55, -0.2, 1.2);
+  const FoundPosture found = find_posture(task, arm());
+  const Eigen::Vector3d above = *task.point_world + (task.tip_radius + task.clearance) * facing;
+  EXPECT_LT((frame_placement(arm().model, found.q, task.tool).translation() - above).norm(), 1e-4);
+  const Setting setting = make_setting(task);
+  EXPECT_LT((setting.p_center - (*task.point_world + task.tip_radius * facing)).norm(), 2e-4);
+}
+
+TEST(Posture, IsTheStartOfATaskThatAsksForIt) {
+  const Task task = task_on(slanted);
+  EXPECT_EQ(make_setting(task).q_start, find_posture(task, arm()).q);
+  Task read = task_on(up);
+  override_task(read, {"surface.normal=[-0.5, 0.3, 0.8]"});
+  EXPECT_EQ(read.posture, "search");
+  EXPECT_EQ(make_setting(read).q_start, find_posture(task, arm()).q);
+  EXPECT_NE(task_text(read).find("posture: search"), std::string::npos);
+}
+
+TEST(Posture, TightLimitsAreRefusedWithTheOneThatFails) {
+  const Task task = task_on(up);
+  const auto refused = [&](const PostureOptions& options, const std::string& words) {
+    expect_words(refusal([&] { find_posture(task, arm(), options); }),
+                 {"no posture was found for the surface: ", words});
+  };
+  refused({.body_distance = 3.0}, "m of the robot's body; wanted at least 3 m");
+  refused({.tilt_limit = -0.1}, "degrees off the normal");
+  refused({.joint_margin = 2.0}, "rad of its limit; wanted at least 2");
+  PostureOptions strict;
+  strict.reach.torque_share = 0.01;
+  refused(strict, "none leads along the path; from the best one, ");
+}
+
+TEST(Posture, APointOutOfReachIsRefusedAsSuch) {
+  Task task = task_on(facing);
+  task.point_world = Eigen::Vector3d(2.0, 0.0, 1.0);
+  expect_words(refusal([&] { find_posture(task, arm()); }),
+               {"m away from its start above the surface's point"});
+  expect_words(refusal([&] { make_setting(task); }), {"no posture was found"});
+}
+
+}  // namespace
+}  // namespace burnish::testing
