@@ -125,8 +125,7 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
 /// Follows a run: when its path began and whether it is over.
 class Watch {
  public:
-  Watch(const RunSpec& spec, const Setting& setting, const Pieces& pieces)
-      : spec_(spec), setting_(setting), pieces_(pieces) {}
+  Watch(const RunSpec& spec, const Pieces& pieces) : spec_(spec), pieces_(pieces) {}
 
   /// About when the run will be over, s.
   double end() const {
@@ -148,7 +147,6 @@ class Watch {
   double after_path() const { return pieces_.mpc != nullptr ? spec_.task.retreat_duration : 0.0; }
 
   const RunSpec& spec_;
-  const Setting& setting_;
   const Pieces& pieces_;
   double track_begin_ = -1.0;  ///< s; negative: not yet
 };
@@ -241,7 +239,7 @@ RunResult run_task(const RunSpec& spec) {
   Stopwatch stopwatch(*pieces.controller,
                       static_cast<std::size_t>(options.max_duration / pieces.period) + 2);
   ClosedLoop loop(*plant, stopwatch, disturbances, options);
-  Watch watch(spec, setting, pieces);
+  Watch watch(spec, pieces);
   const Clock::time_point begin = Clock::now();
   result.plant_status = loop.reset(setting.q_start, Eigen::VectorXd::Zero(setting.robot.model.nv));
   if (result.plant_status <= Status::NotConverged)

@@ -175,7 +175,7 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
   std::vector<double> tilts;
   for (const BatchRun& run : runs)
     tilts.push_back(run.spec.task.disturbances.surface_tilt_deg.norm());
-  Panel tilt{.title = "Force over the surface's tilt, which the controller does not know",
+  Panel tilt{.title = "Force over the unknown tilt of the surface",
              .x_label = "tilt [deg]",
              .y_label = "rms error [N]"};
   tilt.curves = {marks(tilts, collect(figures, &RunFigures::force_rmse), 0.06)};
