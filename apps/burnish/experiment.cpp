@@ -7,6 +7,8 @@
 #include "command.hpp"
 #include "experiment_files.hpp"
 #include "polish_files.hpp"
+#include "progress_bar.hpp"
+#include "shell_word.hpp"
 
 namespace burnish::app {
 namespace {
@@ -29,16 +31,6 @@ extern "C" void stop_experiment(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-/// A word as a shell takes it.
-std::string shell_word(const std::string& word) {
-  constexpr const char* plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 /// What repeats the results: options that change them and no others.
 std::string command_of(const ExperimentArguments& a) {
   std::string command = "burnish experiment " + a.name;
@@ -49,14 +41,6 @@ std::string command_of(const ExperimentArguments& a) {
   if (a.quick) command += " --quick";
   for (const std::string& word : a.overrides) command += " --set " + shell_word(word);
   return command;
-}
-
-void show_progress(const std::string& name, double share, const std::string& what) {
-  constexpr int width = 30;
-  const int done = static_cast<int>(share * width);
-  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}", name, "", done, "", width - done,
-             100.0 * share, what);
-  std::fflush(stderr);
 }
 
 polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {

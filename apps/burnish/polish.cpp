@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 
 #include "command.hpp"
@@ -12,6 +11,8 @@
 #include "polish_page.hpp"
 #include "polishing/task_file.hpp"
 #include "polishing/task_notes.hpp"
+#include "progress_bar.hpp"
+#include "shell_word.hpp"
 
 namespace burnish::app {
 namespace {
@@ -62,18 +63,6 @@ std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
   return {ControllerKind::Mpc, ControllerKind::Baseline};
 }
 
-/// As typed in a shell.
-std::string quoted(const std::string& word) {
-  const std::string plain = "_-+=.,:/@%";
-  const auto harmless = [&](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), harmless)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// The words that make one run of all that were asked for.
 std::string command_of(const PolishArguments& arguments, const std::string& surface,
                        const PolishJob& job) {
@@ -91,7 +80,7 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
   if (arguments.duration) add("--duration", fmt::format("{}", *arguments.duration));
   if (arguments.unchecked) words.emplace_back("--unchecked");
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + quoted(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
   return text;
 }
 
@@ -156,20 +145,12 @@ void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments)
   for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);
 }
 
-/// A bar on the terminal; nothing where the output is a file.
-bool show_progress(const std::string& name, double time, double end) {
-  constexpr int width = 30;
-  const double share = std::min(1.0, time / std::max(end, 1e-9));
-  const int done = static_cast<int>(share * width);
-  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s of {:.1f} s", name, "", done,
-             "", width - done, 100.0 * share, time, end);
-  std::fflush(stderr);
-  return interrupt_wanted == 0;
-}
-
 RunResult run_job(PolishJob& job, bool bar) {
   job.spec.progress = [&job, bar](double time, double end) {
-    return bar ? show_progress(job.name, time, end) : interrupt_wanted == 0;
+    if (bar)
+      show_progress(job.name, time / std::max(end, 1e-9),
+                    fmt::format("{:.1f} s of {:.1f} s", time, end));
+    return interrupt_wanted == 0;
   };
   RunResult result = polishing::run_task(job.spec);
   if (bar) fmt::print(stderr, "\r\033[K");

@@ -1,0 +1,18 @@
+// Words of a command line as somebody would type them.
+#pragma once
+
+#include <string>
+
+namespace burnish::app {
+
+/// The word as it is where a POSIX shell leaves it alone, else in single quotes.
+inline std::string shell_word(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace burnish::app
