@@ -1,0 +1,5 @@
+"""Problems in files."""
+
+from __future__ import annotations
+
+__all__: list[str] = []

@@ -1,0 +1,5 @@
+"""Model predictive control."""
+
+from __future__ import annotations
+
+__all__: list[str] = []

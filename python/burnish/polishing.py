@@ -1,0 +1,5 @@
+"""The polishing task: what it is, its runs and experiments."""
+
+from __future__ import annotations
+
+__all__: list[str] = []

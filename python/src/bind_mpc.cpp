@@ -1,0 +1,9 @@
+// Model predictive control.
+#include "bind.hpp"
+#include "specs_mpc.hpp"
+
+namespace burnish::python {
+
+void bind_mpc(py::module_& /*m*/) {}
+
+}  // namespace burnish::python

@@ -1,0 +1,16 @@
+#include "machine.hpp"
+
+namespace burnish::python {
+
+void require(Status status, const char* what) {
+  if (status > Status::NotConverged)
+    throw EvaluationError(std::string(what) + ": " + std::string(describe(status)));
+}
+
+Busy::Lock::Lock(Busy& busy, const char* what) : busy_(busy) {
+  if (busy.taken_.test_and_set(std::memory_order_acquire))
+    throw Error(std::string(what) +
+                ": in use by another thread; make one object per thread, they share nothing");
+}
+
+}  // namespace burnish::python

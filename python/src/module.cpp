@@ -1,0 +1,24 @@
+// The extension module burnish._core: every layer of the library, bound in a file of its own.
+#include <pybind11/pybind11.h>
+
+#include "bind.hpp"
+
+namespace burnish::python {
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The compiled part of burnish; import burnish instead.";
+  bind_base(module);
+  bind_model(module);
+  bind_contact(module);
+  bind_dynamics(module);
+  bind_derivatives(module);
+  bind_ocp(module);
+  bind_solver(module);
+  bind_files(module);
+  bind_mpc(module);
+  bind_sim(module);
+  bind_report(module);
+  bind_polishing(module);
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,204 @@
+// Values cross the border between Python and C++ by value: a dataclass on one side, a struct on the
+// other, and between them a table of fields. So a value in Python is Python's own: it is copied,
+// pickled, compared and printed as such, and what is appended to its lists stays there.
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "arrays.hpp"
+#include "burnish/base/error.hpp"
+
+namespace burnish::python {
+
+namespace py = pybind11;
+
+class SpecTable;
+class EnumTable;
+
+/// The name of a type without its namespaces, as pybind11 writes it into signatures.
+template <class T>
+constexpr std::string_view type_name() {
+  constexpr std::string_view text = __PRETTY_FUNCTION__;
+  constexpr std::size_t begin = text.find("T = ") + 4;
+  constexpr std::string_view whole = text.substr(begin, text.find_first_of(";]", begin) - begin);
+  constexpr std::size_t colon = whole.rfind(':');
+  return colon == std::string_view::npos ? whole : whole.substr(colon + 1);
+}
+template <class T>
+struct TypeName {
+  static constexpr std::size_t size = type_name<T>().size();
+  struct Text {
+    char letters[size + 1] = {};
+  };
+  static constexpr Text text = [] {
+    Text copy;
+    for (std::size_t i = 0; i < size; ++i) copy.letters[i] = type_name<T>()[i];
+    return copy;
+  }();
+  static constexpr auto name = py::detail::descr<size>(text.letters);
+};
+
+/// What a struct that is a dataclass in Python derives its SpecOf from, before it is first used in
+/// a binding; table() is defined in the specs_*.cpp of its layer. EnumOf likewise.
+template <class T>
+struct AsDataclass : TypeName<T> {
+  static const SpecTable& table();
+};
+template <class T>
+struct AsEnum : TypeName<T> {
+  static const EnumTable& table();
+};
+template <class T>
+struct SpecOf {};
+template <class T>
+struct EnumOf {};
+
+template <class T>
+concept IsSpec = std::is_base_of_v<AsDataclass<T>, SpecOf<T>>;
+template <class T>
+concept IsEnum = std::is_base_of_v<AsEnum<T>, EnumOf<T>>;
+
+/// The class of a dataclass or enumeration, looked up in Python when it is first needed.
+class PythonClass {
+ public:
+  PythonClass(const char* module, const char* name) : module_(module), name_(name) {}
+  const char* name() const { return name_; }
+  py::handle get() const;
+
+ private:
+  const char *module_, *name_;
+  mutable py::handle class_ = {};  // never released: lives as long as the interpreter
+};
+
+/// An enumeration whose values count from 0.
+class EnumTable {
+ public:
+  EnumTable(const char* module, const char* name, std::vector<std::string> words)
+      : class_(module, name), words_(std::move(words)) {}
+  const std::vector<std::string>& words() const { return words_; }
+  /// Reads a member, or its name in small letters. False for anything else; throws Error for a name
+  /// that there is not.
+  bool load(py::handle from, int& value) const;
+  py::object make(int value) const;
+
+ private:
+  PythonClass class_;
+  std::vector<std::string> words_;  ///< in small letters
+};
+
+/// What a field takes, for error sentences.
+template <class Value>
+std::string wanted();
+
+class SpecTable {
+ public:
+  /// `module` has the dataclass `name`.
+  SpecTable(const char* module, const char* name) : class_(module, name) {}
+
+  template <class Spec, class Value>
+  SpecTable& field(const char* name, Value Spec::*member) {
+    fields_.push_back({name, wanted<Value>,
+                       [member](const void* spec) {
+                         return py::cast(static_cast<const Spec*>(spec)->*member,
+                                         py::return_value_policy::copy);
+                       },
+                       [member](void* spec, py::handle value) {
+                         py::detail::make_caster<Value> caster;
+                         if (!caster.load(value, true)) return false;
+                         // Copied: a caster may hand out an object that Python goes on using.
+                         const Value& loaded = py::detail::cast_op<Value&>(caster);
+                         static_cast<Spec*>(spec)->*member = loaded;
+                         return true;
+                       }});
+    return *this;
+  }
+
+  /// False if `from` is not of the dataclass; throws Error naming the field that does not fit.
+  bool load(py::handle from, void* spec) const;
+  py::object make(const void* spec) const;
+
+ private:
+  struct Field {
+    const char* name;
+    std::string (*wanted)();
+    std::function<py::object(const void*)> get;
+    std::function<bool(void*, py::handle)> set;
+  };
+  PythonClass class_;
+  std::vector<Field> fields_;
+};
+
+template <class>
+inline constexpr bool is_vector = false;
+template <class Value>
+inline constexpr bool is_vector<std::vector<Value>> = true;
+template <class>
+inline constexpr bool is_optional = false;
+template <class Value>
+inline constexpr bool is_optional<std::optional<Value>> = true;
+
+std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any number
+
+template <class Value>
+std::string wanted() {
+  if constexpr (IsEnum<Value>) {
+    std::string text = "one of";
+    for (const std::string& word : EnumOf<Value>::table().words()) text += " '" + word + "'";
+    return text;
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return "True or False";
+  } else if constexpr (std::is_integral_v<Value>) {
+    return "a whole number";
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return "a number";
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return "a text";
+  } else if constexpr (std::is_base_of_v<Eigen::PlainObjectBase<Value>, Value>) {
+    return wanted_array(Value::RowsAtCompileTime, Value::ColsAtCompileTime);
+  } else if constexpr (is_vector<Value>) {
+    return "a list, each entry " + wanted<typename Value::value_type>();
+  } else if constexpr (is_optional<Value>) {
+    return wanted<typename Value::value_type>() + ", or None";
+  } else {
+    return py::detail::make_caster<Value>::name.text;
+  }
+}
+
+}  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <class T>
+struct type_caster<T, std::enable_if_t<burnish::python::IsSpec<T>>> {
+  PYBIND11_TYPE_CASTER(T, burnish::python::SpecOf<T>::name);
+  bool load(handle from, bool) { return burnish::python::SpecOf<T>::table().load(from, &value); }
+  static handle cast(const T& from, return_value_policy, handle) {
+    return burnish::python::SpecOf<T>::table().make(&from).release();
+  }
+};
+
+template <class T>
+struct type_caster<T, std::enable_if_t<burnish::python::IsEnum<T>>> {
+  PYBIND11_TYPE_CASTER(T, burnish::python::EnumOf<T>::name);
+  bool load(handle from, bool) {
+    int number = 0;
+    if (!burnish::python::EnumOf<T>::table().load(from, number)) return false;
+    value = static_cast<T>(number);
+    return true;
+  }
+  static handle cast(T from, return_value_policy, handle) {
+    return burnish::python::EnumOf<T>::table().make(static_cast<int>(from)).release();
+  }
+};
+
+}  // namespace pybind11::detail

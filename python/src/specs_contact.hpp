@@ -1,0 +1,46 @@
+// Values of the contact layer. Directions are texts such as "z,rx,ry".
+#pragma once
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/contact/contact_force.hpp"
+#include "burnish/contact/solver_options.hpp"
+#include "specs_model.hpp"
+
+namespace burnish::python {
+
+template <>
+struct EnumOf<Reference::Origin> : AsEnum<Reference::Origin> {};
+template <>
+struct EnumOf<Reference::Axes> : AsEnum<Reference::Axes> {};
+template <>
+struct EnumOf<Acceleration> : AsEnum<Acceleration> {};
+template <>
+struct EnumOf<PoseError> : AsEnum<PoseError> {};
+template <>
+struct SpecOf<Reference> : AsDataclass<Reference> {};
+template <>
+struct SpecOf<ContactSpec> : AsDataclass<ContactSpec> {};
+template <>
+struct SpecOf<ContactSolver> : AsDataclass<ContactSolver> {};
+template <>
+struct SpecOf<ContactForce> : AsDataclass<ContactForce> {};
+
+}  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::Directions> {
+  PYBIND11_TYPE_CASTER(burnish::Directions, const_name("str"));
+  bool load(handle from, bool convert) {
+    make_caster<std::string> text;
+    if (!text.load(from, convert)) return false;
+    value = burnish::Directions::parse(cast_op<std::string&>(text));
+    return true;
+  }
+  static handle cast(const burnish::Directions& from, return_value_policy, handle) {
+    return pybind11::cast(from.text()).release();
+  }
+};
+
+}  // namespace pybind11::detail

@@ -1,0 +1,3 @@
+#include "specs_derivatives.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

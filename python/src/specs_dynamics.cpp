@@ -1,0 +1,3 @@
+#include "specs_dynamics.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

@@ -1,0 +1,3 @@
+#include "specs_files.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

@@ -1,0 +1,3 @@
+#include "specs_mpc.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

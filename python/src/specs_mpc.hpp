@@ -1,0 +1,7 @@
+// Values of the mpc layer.
+#pragma once
+
+#include "specs_ocp.hpp"
+#include "specs_solver.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

@@ -1,0 +1,3 @@
+#include "specs_ocp.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

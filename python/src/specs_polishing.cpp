@@ -1,0 +1,3 @@
+#include "specs_polishing.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

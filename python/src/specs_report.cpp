@@ -1,0 +1,3 @@
+#include "specs_report.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

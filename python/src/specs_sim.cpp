@@ -1,0 +1,3 @@
+#include "specs_sim.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

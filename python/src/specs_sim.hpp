@@ -1,0 +1,6 @@
+// Values of the sim layer.
+#pragma once
+
+#include "specs_mpc.hpp"
+
+namespace burnish::python {}  // namespace burnish::python

@@ -1,0 +1,3 @@
+#include "specs_solver.hpp"
+
+namespace burnish::python {}  // namespace burnish::python
