@@ -60,7 +60,7 @@ class Spec:
         return f"{type(self).__name__}({', '.join(entries)})"
 
     def __setattr__(self, name: str, value: Any) -> None:
-        known = [f.name for f in dataclasses.fields(self)]  # type: ignore[arg-type]
+        known = type(self).__dataclass_fields__  # type: ignore[attr-defined]
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
             hint = f"; did you mean '{near[0]}'?" if near else f"; it has {', '.join(known)}"

@@ -18,10 +18,13 @@ std::string type_of(const py::object& object) {
 
 /// An attribute that the object has to have.
 py::object attribute(const py::object& object, const char* kind, const char* name) {
-  if (!py::hasattr(object, name))
+  try {
+    return object.attr(name);
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_AttributeError)) throw;
     throw Error(std::string(kind) + ": " + type_of(object) + " has no '" + name +
                 "'; wanted is a burnish." + kind + " or an object with its attributes");
-  return object.attr(name);
+  }
 }
 
 template <class Value>

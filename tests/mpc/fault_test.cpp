@@ -169,7 +169,7 @@ TEST(Fault, solver_failed_when_a_function_throws) {
   try {
     std::rethrow_exception(thrown);
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "no such target");  // the first one
+    EXPECT_STREQ(error.what(), "no such point");  // the first one
   }
   EXPECT_FALSE(run.mpc().take_exception());
 }
