@@ -2,12 +2,14 @@
 // in Python.
 #pragma once
 
+#include <chrono>
 #include <exception>
 #include <memory>
 
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/impedance_controller.hpp"
 #include "burnish/sim/plant.hpp"
+#include "callback.hpp"
 #include "machine.hpp"
 #include "specs_sim.hpp"
 
