@@ -4,6 +4,6 @@
 
 namespace burnish::python {
 
-void bind_mpc(py::module_& /*m*/) {}
+void bind_mpc(py::module_& m) { m.def("fault_text", &FaultReport::text, py::arg("report")); }
 
 }  // namespace burnish::python

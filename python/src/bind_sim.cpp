@@ -4,6 +4,8 @@
 
 namespace burnish::python {
 
-void bind_sim(py::module_& /*m*/) {}
+void bind_sim(py::module_& m) {
+  m.def("circle_path_at", &CirclePath::at, py::arg("path"), py::arg("t"));
+}
 
 }  // namespace burnish::python
