@@ -107,15 +107,16 @@ def _path_begin(result: RunResult) -> float:
     return float(result.trace["time"][on_path[0]]) if len(on_path) else result.setting.ramp_end
 
 
-def _finish(axis: Any, title: str, x: str, y: str, legend: bool = True) -> None:
+def _finish(axis: Any, title: str, x: str, y: str, **legend: Any) -> None:
+    """Labels, and a legend where something is named."""
     axis.set_title(title, fontsize="medium")
     axis.set_xlabel(x)
     axis.set_ylabel(y)
     axis.grid(True, linewidth=0.4, alpha=0.5)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
-    if legend:
-        axis.legend(fontsize="small", frameon=False, loc="best")
+    if axis.get_legend_handles_labels()[1]:
+        axis.legend(**{"fontsize": "small", "edgecolor": "none", "framealpha": 0.8, **legend})
 
 
 def forces(runs: Runs, axes: Any = None, *, estimated: bool = False) -> NDArray[Any]:
@@ -130,7 +131,8 @@ def forces(runs: Runs, axes: Any = None, *, estimated: bool = False) -> NDArray[
         lines = {name: _force_over_time(result, estimated) for name, result in group.items()}
         for i, (name, (time, force, _)) in enumerate(lines.items()):
             what = "estimated" if estimated else "mean over 10 ms"
-            axis.plot(time, force, color=PALETTE[i % len(PALETTE)], linewidth=1.0, label=name or what)
+            axis.plot(time, force, color=PALETTE[i % len(PALETTE)], label=name or what,
+                      linewidth=0.6 if estimated else 1.0)
         drawn: List[Tuple[Array, Array]] = []
         for time, _, target in lines.values():
             if any(_same_line((time, target), other) for other in drawn):
@@ -150,8 +152,8 @@ def _force_over_time(result: RunResult, estimated: bool) -> Tuple[Array, Array, 
     shown = (trace["phase"] >= _RAMP) & (trace["phase"] < _RETREAT)
     if not estimated:
         force = _averaged(force, _time_step(result))
-        # What is 10 ms before the retreat is averaged with the loss of contact.
-        shown[np.flatnonzero(shown)[-round(0.005 / _time_step(result)):]] = False
+        # Before the retreat the mean reaches into it.
+        shown[np.flatnonzero(shown)[-round(0.01 / _time_step(result)):]] = False
     return (trace["time"][shown] - _path_begin(result), force[shown], trace["target_force"][shown])
 
 
@@ -180,8 +182,8 @@ def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
         axis.set_aspect("equal", adjustable="datalim")
         tangents = np.asarray(first.setting.surface_axes).T
         _finish(axis, surface, f"along {_vector(tangents[0])} [mm]",
-                f"along {_vector(tangents[1])} [mm]", legend=False)
-        axis.legend(fontsize="small", frameon=False, loc="center")
+                f"along {_vector(tangents[1])} [mm]", loc="upper center",
+                bbox_to_anchor=(0.5, -0.13), ncol=2)
     return panels
 
 
@@ -211,7 +213,7 @@ def run(result: RunResult, axes: Any = None) -> NDArray[Any]:
     time = trace["time"]
     on_path = time[trace["phase"] == _TRACK]
     panels[1].plot(on_path, 1e3 * np.hypot(u - u_target, w - w_target), color=PALETTE[0], linewidth=0.8)
-    _finish(panels[1], "path error", "time [s]", "distance [mm]", legend=False)
+    _finish(panels[1], "path error", "time [s]", "distance [mm]")
     panels[1].set_ylim(bottom=0.0)
     _draw_torques(panels[2], result)
     _draw_plans(panels[3], result)
@@ -239,8 +241,8 @@ def _draw_torques(axis: Any, result: RunResult) -> None:
                       linestyle="-" if i < len(PALETTE) else ":")
     for side in (-100.0, 100.0):
         axis.axhline(side, linestyle="--", color="black", linewidth=0.9)
-    _finish(axis, "joint torques", "time [s]", "of their limits [%]", legend=False)
-    axis.legend(fontsize="x-small", frameon=False, loc="upper right", ncol=2)
+    _finish(axis, "joint torques", "time [s]", "of their limits [%]",
+            fontsize="x-small", ncol=2, loc="upper right", bbox_to_anchor=(1.0, 0.93))
 
 
 def _draw_plans(axis: Any, result: RunResult) -> None:
@@ -249,7 +251,7 @@ def _draw_plans(axis: Any, result: RunResult) -> None:
     if not planned.any():
         axis.text(0.5, 0.5, "no plans: nothing is optimised", ha="center", va="center",
                   transform=axis.transAxes)
-        _finish(axis, "computing time", "time [s]", "per plan [ms]", legend=False)
+        _finish(axis, "computing time", "time [s]", "per plan [ms]")
         return
     axis.semilogy(trace["time"][planned], 1e3 * trace["solve_time"][planned], ".", markersize=1.5,
                   color=PALETTE[0], rasterized=True, label="plan")
