@@ -8,6 +8,7 @@ namespace burnish::python {
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of burnish; import burnish instead.";
   bind_base(module);
+  bind_specs(module);
   bind_model(module);
   bind_contact(module);
   bind_dynamics(module);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace burnish::python {
 
@@ -44,7 +45,13 @@ bool EnumTable::load(py::handle from, int& value) const {
 }
 
 py::object EnumTable::make(int value) const {
-  return py::reinterpret_borrow<py::object>(class_.get())(value);
+  if (members_.empty()) {
+    std::vector<py::handle> members;
+    for (int i = 0; i < static_cast<int>(words_.size()); ++i)
+      members.push_back(py::reinterpret_borrow<py::object>(class_.get())(i).release());
+    members_ = std::move(members);
+  }
+  return py::reinterpret_borrow<py::object>(members_.at(static_cast<std::size_t>(value)));
 }
 
 bool SpecTable::load(py::handle from, void* spec) const {
@@ -62,6 +69,59 @@ py::object SpecTable::make(const void* spec) const {
   py::dict values;
   for (const Field& field : fields_) values[field.name] = field.get(spec);
   return py::reinterpret_borrow<py::object>(class_.get())(**values);
+}
+
+std::vector<KnownSpec>& known_specs() {
+  static std::vector<KnownSpec> all;
+  return all;
+}
+std::vector<const EnumTable& (*)()>& known_enums() {
+  static std::vector<const EnumTable& (*)()> all;
+  return all;
+}
+
+namespace {
+
+const KnownSpec& known_spec(const std::string& name) {
+  std::vector<std::string> names;
+  for (const KnownSpec& spec : known_specs()) {
+    names.push_back(spec.table().full_name());
+    if (names.back() == name) return spec;
+  }
+  throw Error("there is no dataclass '" + name + "'" + did_you_mean(name, names));
+}
+
+}  // namespace
+
+void bind_specs(py::module_& m) {
+  m.def(
+      "spec_names",
+      [] {
+        std::vector<std::string> names;
+        for (const KnownSpec& spec : known_specs()) names.push_back(spec.table().full_name());
+        return names;
+      },
+      "Dataclasses that have a struct in C++, as 'burnish.contact.ContactSpec'.");
+  m.def(
+      "spec_default", [](const std::string& name) { return known_spec(name).make_default(); },
+      py::arg("name"), "The struct with C++'s defaults, as a dataclass.");
+  m.def(
+      "spec_round_trip",
+      [](const py::object& value) {
+        const py::handle type = py::type::handle_of(value);
+        const auto name = py::str(type.attr("__module__")).cast<std::string>() + "." +
+                          py::str(type.attr("__qualname__")).cast<std::string>();
+        return known_spec(name).round_trip(value);
+      },
+      py::arg("value"), "The dataclass after a way into the struct and back.");
+  m.def(
+      "enum_words",
+      [] {
+        std::map<std::string, std::vector<std::string>> words;
+        for (const auto table : known_enums()) words[table().full_name()] = table().words();
+        return words;
+      },
+      "Names of the members of every enumeration, in the order of their values.");
 }
 
 std::string wanted_array(Eigen::Index rows, Eigen::Index columns) {

@@ -73,6 +73,7 @@ class PythonClass {
  public:
   PythonClass(const char* module, const char* name) : module_(module), name_(name) {}
   const char* name() const { return name_; }
+  std::string full_name() const { return std::string(module_) + "." + name_; }
   py::handle get() const;
 
  private:
@@ -86,6 +87,7 @@ class EnumTable {
   EnumTable(const char* module, const char* name, std::vector<std::string> words)
       : class_(module, name), words_(std::move(words)) {}
   const std::vector<std::string>& words() const { return words_; }
+  std::string full_name() const { return class_.full_name(); }
   /// Reads a member, or its name in small letters. False for anything else; throws Error for a name
   /// that there is not.
   bool load(py::handle from, int& value) const;
@@ -93,12 +95,23 @@ class EnumTable {
 
  private:
   PythonClass class_;
-  std::vector<std::string> words_;  ///< in small letters
+  std::vector<std::string> words_;             ///< in small letters
+  mutable std::vector<py::handle> members_{};  ///< looked up once; never released
 };
 
 /// What a field takes, for error sentences.
 template <class Value>
 std::string wanted();
+
+/// A struct and its dataclass, for tests that hold for all of them.
+struct KnownSpec {
+  const SpecTable& (*table)();
+  py::object (*make_default)();             ///< of the struct's own defaults
+  py::object (*round_trip)(py::handle of);  ///< into the struct and back
+};
+/// All that are used in some binding; likewise enumerations.
+std::vector<KnownSpec>& known_specs();
+std::vector<const EnumTable& (*)()>& known_enums();
 
 class SpecTable {
  public:
@@ -126,6 +139,7 @@ class SpecTable {
   /// False if `from` is not of the dataclass; throws Error naming the field that does not fit.
   bool load(py::handle from, void* spec) const;
   py::object make(const void* spec) const;
+  std::string full_name() const { return class_.full_name(); }
 
  private:
   struct Field {
@@ -146,6 +160,27 @@ template <class>
 inline constexpr bool is_optional = false;
 template <class Value>
 inline constexpr bool is_optional<std::optional<Value>> = true;
+
+/// Filling the lists above, when the module is loaded.
+template <class Spec>
+inline const bool is_known_spec = [] {
+  known_specs().push_back({&SpecOf<Spec>::table,
+                           [] {
+                             const Spec spec{};
+                             return SpecOf<Spec>::table().make(&spec);
+                           },
+                           [](py::handle of) {
+                             Spec spec{};
+                             if (!SpecOf<Spec>::table().load(of, &spec)) return py::object();
+                             return SpecOf<Spec>::table().make(&spec);
+                           }});
+  return true;
+}();
+template <class Enum>
+inline const bool is_known_enum = [] {
+  known_enums().push_back(&EnumOf<Enum>::table);
+  return true;
+}();
 
 std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any number
 
@@ -181,8 +216,12 @@ namespace pybind11::detail {
 template <class T>
 struct type_caster<T, std::enable_if_t<burnish::python::IsSpec<T>>> {
   PYBIND11_TYPE_CASTER(T, burnish::python::SpecOf<T>::name);
-  bool load(handle from, bool) { return burnish::python::SpecOf<T>::table().load(from, &value); }
+  bool load(handle from, bool) {
+    static_cast<void>(&burnish::python::is_known_spec<T>);
+    return burnish::python::SpecOf<T>::table().load(from, &value);
+  }
   static handle cast(const T& from, return_value_policy, handle) {
+    static_cast<void>(&burnish::python::is_known_spec<T>);
     return burnish::python::SpecOf<T>::table().make(&from).release();
   }
 };
@@ -191,12 +230,14 @@ template <class T>
 struct type_caster<T, std::enable_if_t<burnish::python::IsEnum<T>>> {
   PYBIND11_TYPE_CASTER(T, burnish::python::EnumOf<T>::name);
   bool load(handle from, bool) {
+    static_cast<void>(&burnish::python::is_known_enum<T>);
     int number = 0;
     if (!burnish::python::EnumOf<T>::table().load(from, number)) return false;
     value = static_cast<T>(number);
     return true;
   }
   static handle cast(T from, return_value_policy, handle) {
+    static_cast<void>(&burnish::python::is_known_enum<T>);
     return burnish::python::EnumOf<T>::table().make(static_cast<int>(from)).release();
   }
 };

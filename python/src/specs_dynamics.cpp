@@ -1,3 +1,11 @@
 #include "specs_dynamics.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+namespace burnish::python {
+
+template <>
+const EnumTable& AsEnum<FrameAxes>::table() {
+  static const EnumTable words("burnish.dynamics", "FrameAxes", {"local", "centered", "world"});
+  return words;
+}
+
+}  // namespace burnish::python

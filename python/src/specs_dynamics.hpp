@@ -1,6 +1,12 @@
 // Values of the dynamics layer.
 #pragma once
 
+#include "burnish/dynamics/frame_kinematics.hpp"
 #include "specs_contact.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+namespace burnish::python {
+
+template <>
+struct EnumOf<FrameAxes> : AsEnum<FrameAxes> {};
+
+}  // namespace burnish::python

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "burnish/base/thread_pool.hpp"
 #include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/math/pack.hpp"
 
@@ -43,20 +44,28 @@ void scatter(const NativePack* from, int count, double* out, int stride, int lan
 }  // namespace
 
 struct ContactDynamicsBatch::Impl {
+  /// What one thread works with.
+  struct Worker {
+    Worker(const Model& model, const ContactSet& set, const ContactSolver& solver)
+        : dynamics(model, set, solver),
+          derivatives(dynamics),
+          q(static_cast<std::size_t>(model.nq)),
+          v(static_cast<std::size_t>(model.nv)),
+          tau(static_cast<std::size_t>(model.nv)) {}
+
+    ConstrainedDynamics<NativePack> dynamics;
+    ConstrainedDerivatives<NativePack> derivatives;
+    std::vector<NativePack> q, v, tau;
+  };
+
   Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
-       const ContactSolver& solver)
-      : set(model, specs),
-        dynamics(model, set, solver),
-        derivatives(dynamics),
-        nq(model.nq),
-        nv(model.nv),
-        capacity(room),
-        q(static_cast<std::size_t>(nq)),
-        v(static_cast<std::size_t>(nv)),
-        tau(static_cast<std::size_t>(nv)) {
+       const ContactSolver& solver, int threads)
+      : set(model, specs), nq(model.nq), nv(model.nv), capacity(room), pool(threads) {
     if (room < 1)
       throw Error("ContactDynamicsBatch: a capacity of " + std::to_string(room) +
                   " states; wanted at least 1");
+    workers.reserve(static_cast<std::size_t>(threads));
+    for (int w = 0; w < threads; ++w) workers.emplace_back(model, set, solver);
     const auto states = static_cast<std::size_t>(room);
     status.assign(states, Status::Ok);
     a.assign(states * nv, 0.0);
@@ -71,48 +80,56 @@ struct ContactDynamicsBatch::Impl {
     const bool fits = n > 0 && n <= capacity && q_in.rows() == nq && v_in.rows() == nv &&
                       tau_in.rows() == nv && v_in.cols() == n && tau_in.cols() == n;
     if (!fits) return Status::WrongSize;
+    // Enough states that taking a piece costs nothing beside working on it.
+    constexpr int states_per_piece = 8 * native_lanes;
+    pool.for_each((n + states_per_piece - 1) / states_per_piece, [&](int worker, int piece) {
+      const int end = std::min(n, (piece + 1) * states_per_piece);
+      for (int first = piece * states_per_piece; first < end; first += native_lanes)
+        run_pack(workers[static_cast<std::size_t>(worker)], q_in, v_in, tau_in, first,
+                 with_derivatives);
+    });
     Status worst_of_all = Status::Ok;
-    for (int first = 0; first < n; first += native_lanes) {
-      const int lanes = std::min(native_lanes, n - first);
-      gather(q_in, first, q);
-      gather(v_in, first, v);
-      gather(tau_in, first, tau);
-      dynamics.set_state(q.data(), v.data());
-      dynamics.forward(tau.data());
-      if (with_derivatives) derivatives.forward(dynamics);
-      store(first, lanes, with_derivatives);
-      for (int l = 0; l < lanes; ++l) {
-        status[first + l] = dynamics.status(l);
-        worst_of_all = worst(worst_of_all, dynamics.status(l));
-      }
-    }
+    for (int i = 0; i < n; ++i) worst_of_all = worst(worst_of_all, status[i]);
     return worst_of_all;
   }
 
-  void store(int first, int lanes, bool with_derivatives) {
-    const int m = dynamics.rows();
-    scatter(dynamics.a.data(), nv, a.data() + first * nv, nv, lanes);
-    scatter(dynamics.lambda.data(), m, lambda.data() + first * set.rows(), set.rows(), lanes);
+  void run_pack(Worker& with, const ConstMatrixRef& q_in, const ConstMatrixRef& v_in,
+                const ConstMatrixRef& tau_in, int first, bool with_derivatives) {
+    gather(q_in, first, with.q);
+    gather(v_in, first, with.v);
+    gather(tau_in, first, with.tau);
+    with.dynamics.set_state(with.q.data(), with.v.data());
+    with.dynamics.forward(with.tau.data());
+    if (with_derivatives) with.derivatives.forward(with.dynamics);
+    const int lanes = std::min(native_lanes, static_cast<int>(q_in.cols()) - first);
+    store(with, first, lanes, with_derivatives);
+    for (int l = 0; l < lanes; ++l) status[first + l] = with.dynamics.status(l);
+  }
+
+  void store(const Worker& from, int first, int lanes, bool with_derivatives) {
+    const int m = rows();
+    scatter(from.dynamics.a.data(), nv, a.data() + first * nv, nv, lanes);
+    scatter(from.dynamics.lambda.data(), m, lambda.data() + first * set.rows(), set.rows(), lanes);
     if (!with_derivatives) return;
     const int stride = (nv + set.rows()) * nv;
     const int count = (nv + m) * nv;
-    scatter(derivatives.d_dq.data(), count, d_dq.data() + first * stride, stride, lanes);
-    scatter(derivatives.d_dv.data(), count, d_dv.data() + first * stride, stride, lanes);
-    scatter(derivatives.d_dtau.data(), count, d_dtau.data() + first * stride, stride, lanes);
+    scatter(from.derivatives.d_dq.data(), count, d_dq.data() + first * stride, stride, lanes);
+    scatter(from.derivatives.d_dv.data(), count, d_dv.data() + first * stride, stride, lanes);
+    scatter(from.derivatives.d_dtau.data(), count, d_dtau.data() + first * stride, stride, lanes);
   }
 
+  int rows() const { return workers.front().dynamics.rows(); }
   MatrixView rows_of_a(const std::vector<double>& stacked, int state) const {
     return {stacked.data() + state * (nv + set.rows()) * nv, nv, nv};
   }
   MatrixView rows_of_lambda(const std::vector<double>& stacked, int state) const {
-    return {stacked.data() + state * (nv + set.rows()) * nv + nv * nv, dynamics.rows(), nv};
+    return {stacked.data() + state * (nv + set.rows()) * nv + nv * nv, rows(), nv};
   }
 
   ContactSet set;
-  ConstrainedDynamics<NativePack> dynamics;
-  ConstrainedDerivatives<NativePack> derivatives;
   int nq, nv, capacity;
-  std::vector<NativePack> q, v, tau;
+  ThreadPool pool;
+  std::vector<Worker> workers;  ///< one per thread
   std::vector<Status> status;
   std::vector<double> a, lambda;           ///< per state: nv and rows
   std::vector<double> d_dq, d_dv, d_dtau;  ///< per state: (nv + rows) x nv, row-major
@@ -120,8 +137,8 @@ struct ContactDynamicsBatch::Impl {
 
 ContactDynamicsBatch::ContactDynamicsBatch(const Model& model,
                                            const std::vector<ContactSpec>& contacts, int capacity,
-                                           const ContactSolver& solver)
-    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver)) {}
+                                           const ContactSolver& solver, int threads)
+    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver, threads)) {}
 ContactDynamicsBatch::~ContactDynamicsBatch() = default;
 ContactDynamicsBatch::ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept = default;
 ContactDynamicsBatch& ContactDynamicsBatch::operator=(ContactDynamicsBatch&&) noexcept = default;
@@ -130,10 +147,11 @@ void ContactDynamicsBatch::set_active(int contact, bool active) {
   if (contact < 0 || contact >= impl_->set.size())
     throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
                 std::to_string(impl_->set.size()));
-  impl_->dynamics.set_active(contact, active);
+  for (Impl::Worker& worker : impl_->workers) worker.dynamics.set_active(contact, active);
 }
-int ContactDynamicsBatch::rows() const { return impl_->dynamics.rows(); }
+int ContactDynamicsBatch::rows() const { return impl_->rows(); }
 int ContactDynamicsBatch::capacity() const { return impl_->capacity; }
+int ContactDynamicsBatch::threads() const { return impl_->pool.workers(); }
 
 Status ContactDynamicsBatch::forward(const ConstMatrixRef& q, const ConstMatrixRef& v,
                                      const ConstMatrixRef& tau) {

@@ -7,7 +7,7 @@
 #include "burnish/solver/buffer.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "burnish/solver/riccati.hpp"
-#include "burnish/solver/thread_pool.hpp"
+#include "burnish/base/thread_pool.hpp"
 
 namespace burnish {
 

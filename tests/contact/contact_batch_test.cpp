@@ -108,6 +108,32 @@ TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
   }
 }
 
+TEST_P(BatchOf, threads_change_no_bit) {
+  const int count = 20 * pack_width() + 1;
+  ContactDynamics single(model_, contacts(Reference::centered()));
+  const Batch batch = states(count, single);
+  ContactDynamicsBatch alone(model_, contacts(Reference::centered()), count);
+  ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
+  for (const int threads : {2, 3}) {
+    ContactDynamicsBatch shared(model_, contacts(Reference::centered()), count, {}, threads);
+    EXPECT_EQ(shared.threads(), threads);
+    ASSERT_EQ(shared.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(alone.a(i), shared.a(i));
+      EXPECT_EQ(alone.da_dq(i), shared.da_dq(i));
+      EXPECT_EQ(alone.dlambda_dtau(i), shared.dlambda_dtau(i));
+    }
+    // What one thread is told holds for all.
+    shared.set_active(1, false);
+    alone.set_active(1, false);
+    ASSERT_EQ(alone.forward(batch.q, batch.v, batch.tau), Status::Ok);
+    ASSERT_EQ(shared.forward(batch.q, batch.v, batch.tau), Status::Ok);
+    for (int i = 0; i < count; ++i) EXPECT_EQ(alone.lambda(i), shared.lambda(i));
+    alone.set_active(1, true);
+    ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
+  }
+}
+
 TEST_P(BatchOf, flags_a_bad_state_in_its_own_lane_alone) {
   const int count = 2 * pack_width() + 1, bad = pack_width() / 2;
   ContactDynamics single(model_, contacts(Reference::local()));

@@ -13,13 +13,14 @@ namespace burnish {
 int pack_width();
 
 /// Evaluates a batch of states with the same contacts. Results equal those of ContactDynamics state
-/// by state, to rounding, and do not depend on how a batch is cut. One object per thread; nothing
-/// is allocated after construction.
+/// by state, to rounding, and depend neither on how a batch is cut nor on the number of threads.
+/// One call at a time; nothing is allocated after construction.
 class ContactDynamicsBatch {
  public:
-  /// Room for `capacity` states. Throws Error as ContactDynamics does.
+  /// Room for `capacity` states, shared out among `threads`, the calling one included. Throws Error
+  /// as ContactDynamics does, and for no room and no threads.
   ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
-                       const ContactSolver& solver = {});
+                       const ContactSolver& solver = {}, int threads = 1);
   ~ContactDynamicsBatch();
   ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept;
   ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;
@@ -27,6 +28,7 @@ class ContactDynamicsBatch {
   void set_active(int contact, bool active);
   int rows() const;
   int capacity() const;
+  int threads() const;
 
   using ConstMatrixRef = Eigen::Ref<const Eigen::MatrixXd>;
   /// One state per column: q is nq x n, v and tau nv x n, n at most capacity. Fills a and lambda.

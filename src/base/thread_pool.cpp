@@ -1,4 +1,4 @@
-#include "burnish/solver/thread_pool.hpp"
+#include "burnish/base/thread_pool.hpp"
 
 #include <string>
 #include <utility>

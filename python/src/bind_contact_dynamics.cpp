@@ -1,0 +1,287 @@
+// Contact dynamics of one state, with all derivatives.
+#include "bind_derivatives.hpp"
+#include "machine.hpp"
+
+namespace burnish::python {
+
+namespace {
+
+using Vector = Eigen::Ref<const Eigen::VectorXd>;
+
+/// Evaluations and the derivatives of each: results belong to the last ones made.
+enum : unsigned { forward = 1, inverse = 2, acceleration = 4, derivatives = 8 };
+constexpr unsigned any = forward | inverse | acceleration;
+
+struct Dynamics {
+  Dynamics(const Model& model, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
+      : machine(model, specs, solver), robot(model.name), nq(model.nq) {
+    for (const CompiledContact& contact : machine.contacts().contacts())
+      names.push_back(contact.spec.name);
+  }
+
+  /// Runs `evaluate` with the interpreter's lock released.
+  Status run(unsigned what, const char* name, const auto& evaluate) {
+    const Busy::Lock lock(busy, name);
+    if ((what & derivatives) == 0) evaluated = 0;
+    Status status;
+    {
+      const py::gil_scoped_release unlocked;
+      status = evaluate(machine);
+    }
+    require(status, name);
+    evaluated |= what;
+    return status;
+  }
+  void require_state_sizes(const char* name, const Vector& q, const Vector& v) const {
+    require_size(name, "q", q.size(), nq);
+    require_size(name, "v", v.size(), machine.nv());
+  }
+  /// Throws EvaluationError unless the last evaluation was one of `by`, differentiated if
+  /// `differentiated`.
+  void require_result(const char* name, unsigned by, bool differentiated) const {
+    if ((evaluated & by) != 0 && (!differentiated || (evaluated & derivatives) != 0)) return;
+    std::string wanted;
+    for (const auto& [bit, call] : {std::pair{forward, "forward"}, std::pair{inverse, "inverse"},
+                                    std::pair{acceleration, "acceleration"}})
+      if ((by & bit) != 0)
+        wanted += (wanted.empty() ? "" : " or ") + std::string(call) +
+                  (differentiated ? "_derivatives()" : "()");
+    throw EvaluationError("ContactDynamics." + std::string(name) + ": a result of " + wanted +
+                          ", which was not called since the last evaluation or change of contacts");
+  }
+
+  ContactDynamics machine;
+  std::string robot;
+  std::vector<std::string> names;  ///< of the contacts
+  int nq;
+  unsigned evaluated = 0;
+  Busy busy;
+};
+
+using Class = py::class_<Dynamics>;
+
+/// A property that copies a result of the calls `by`.
+template <class View>
+void result(Class& of, const char* name, View (ContactDynamics::*view)() const, unsigned by,
+            bool differentiated, const char* text) {
+  of.def_property_readonly(
+      name,
+      [=](Dynamics& self) {
+        const Busy::Lock lock(self.busy, name);
+        self.require_result(name, by, differentiated);
+        return copied((self.machine.*view)());
+      },
+      text);
+}
+
+void bind_evaluations(Class& of) {
+  of.def(
+        "forward",
+        [](Dynamics& self, const Vector& q, const Vector& v, const Vector& tau) {
+          constexpr const char* name = "ContactDynamics.forward";
+          self.require_state_sizes(name, q, v);
+          require_size(name, "tau", tau.size(), self.machine.nv());
+          return self.run(forward, name, [&](auto& machine) { return machine.forward(q, v, tau); });
+        },
+        py::arg("q"), py::arg("v"), py::arg("tau"),
+        "Fills a, lambda_, mass_matrix, bias, jacobian. q: (nq,), v: (nv,), tau: (nv,), Nm or N. "
+        "Returns OK or NOT_CONVERGED; raises EvaluationError for singular contacts and for a state "
+        "that is not finite or not normalized, Error for wrong sizes.")
+      .def(
+          "forward_derivatives",
+          [](Dynamics& self) {
+            return self.run(forward | derivatives, "ContactDynamics.forward_derivatives",
+                            [](auto& machine) { return machine.forward_derivatives(); });
+          },
+          "Fills the six derivative blocks of a and lambda_ at the last forward(). Returns what "
+          "that returned; raises EvaluationError if another evaluation came between.")
+      .def(
+          "inverse",
+          [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a,
+             const Vector& lambda) {
+            constexpr const char* name = "ContactDynamics.inverse";
+            self.require_state_sizes(name, q, v);
+            require_size(name, "a", a.size(), self.machine.nv());
+            require_size(name, "lambda_", lambda.size(), self.machine.rows());
+            self.run(inverse, name,
+                     [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
+          },
+          py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
+          "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
+          "Nm. Raises as forward().")
+      .def(
+          "inverse_derivatives",
+          [](Dynamics& self) {
+            self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
+                     [](auto& machine) { return machine.inverse_derivatives(); });
+          },
+          "Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix, dtau/dlambda "
+          "is -jacobian.T.")
+      .def(
+          "acceleration",
+          [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a) {
+            constexpr const char* name = "ContactDynamics.acceleration";
+            self.require_state_sizes(name, q, v);
+            require_size(name, "a", a.size(), self.machine.nv());
+            self.run(acceleration, name,
+                     [&](auto& machine) { return machine.acceleration(q, v, a); });
+          },
+          py::arg("q"), py::arg("v"), py::arg("a"),
+          "Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. q: (nq,), v: "
+          "(nv,), a: (nv,). Raises as forward().")
+      .def(
+          "acceleration_derivatives",
+          [](Dynamics& self) {
+            self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
+                     [](auto& machine) { return machine.acceleration_derivatives(); });
+          },
+          "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian.");
+}
+
+void bind_results(Class& of) {
+  using D = ContactDynamics;
+  result(of, "a", &D::a, any, false,
+         "(nv,), rad/s^2 or m/s^2: of forward(), or as given to inverse() or acceleration().");
+  result(of, "lambda_", &D::lambda, forward | inverse, false,
+         "(rows,), N or Nm: of forward(), or as given to inverse().");
+  result(of, "tau", &D::tau, inverse, false, "(nv,), Nm or N: of inverse().");
+  result(of, "alpha", &D::alpha, acceleration, false,
+         "(rows,), m/s^2 or rad/s^2: of acceleration().");
+  result(of, "bias", &D::bias, any, false, "(nv,), b(q, v) of the last evaluation, Nm or N.");
+  result(of, "mass_matrix", &D::mass_matrix, any, false, "(nv, nv), armature included.");
+  result(of, "jacobian", &D::jacobian, any, false, "(rows, nv), of the active contacts.");
+  result(of, "da_dq", &D::da_dq, forward, true,
+         "(nv, nv), by the right tangent increment of q; of forward_derivatives().");
+  result(of, "da_dv", &D::da_dv, forward, true, "(nv, nv), of forward_derivatives().");
+  result(of, "da_dtau", &D::da_dtau, forward, true, "(nv, nv), of forward_derivatives().");
+  result(of, "dlambda_dq", &D::dlambda_dq, forward, true, "(rows, nv), of forward_derivatives().");
+  result(of, "dlambda_dv", &D::dlambda_dv, forward, true, "(rows, nv), of forward_derivatives().");
+  result(of, "dlambda_dtau", &D::dlambda_dtau, forward, true,
+         "(rows, nv), of forward_derivatives().");
+  result(of, "dtau_dq", &D::dtau_dq, inverse, true, "(nv, nv), of inverse_derivatives().");
+  result(of, "dtau_dv", &D::dtau_dv, inverse, true, "(nv, nv), of inverse_derivatives().");
+  result(of, "dalpha_dq", &D::dalpha_dq, acceleration, true,
+         "(rows, nv), of acceleration_derivatives().");
+  result(of, "dalpha_dv", &D::dalpha_dv, acceleration, true,
+         "(rows, nv), of acceleration_derivatives().");
+  result(of, "contact_velocity", &D::contact_velocity, any, false,
+         "(rows,), nu of the active rows at the last state, m/s or rad/s.");
+  result(of, "contact_error", &D::contact_error, any, false,
+         "(rows,), pose error e of the active rows at the last state, m or rad.");
+  of.def_property_readonly(
+        "proximal_iterations",
+        [](const Dynamics& self) {
+          self.require_result("proximal_iterations", forward, false);
+          return self.machine.proximal_iterations();
+        },
+        "Proximal iterations of the last forward().")
+      .def_property_readonly(
+          "proximal_residual",
+          [](const Dynamics& self) {
+            self.require_result("proximal_residual", forward, false);
+            return self.machine.proximal_residual();
+          },
+          "Contact acceleration that the proximal iterations left, m/s^2.");
+}
+
+void bind_forces(Class& of) {
+  of.def(
+        "force",
+        [](Dynamics& self, const NumberOrName& contact) {
+          constexpr const char* name = "ContactDynamics.force";
+          const Busy::Lock lock(self.busy, name);
+          const int number = contact_number(name, contact, self.names);
+          self.require_result("force", forward | inverse, false);
+          return self.machine.force(number);
+        },
+        py::arg("contact"),
+        "The force of a contact (name or number) at the last forward(), in the contact's own "
+        "reference; zero for one that is not active.")
+      .def(
+          "wrench",
+          [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {
+            constexpr const char* name = "ContactDynamics.wrench";
+            const Busy::Lock lock(self.busy, name);
+            const int number = contact_number(name, contact, self.names);
+            self.require_result("wrench", forward | inverse, false);
+            return self.machine.wrench(number, reference);
+          },
+          py::arg("contact"), py::arg("reference"),
+          "The same as numbers (6,) in any reference: force (N), then moment (Nm).")
+      .def(
+          "wrench_derivatives",
+          [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {
+            constexpr const char* name = "ContactDynamics.wrench_derivatives";
+            const Busy::Lock lock(self.busy, name);
+            const int number = contact_number(name, contact, self.names);
+            self.require_result("wrench_derivatives", forward, true);
+            WrenchDerivatives result;
+            self.machine.wrench_derivatives(number, reference, result);
+            return result;
+          },
+          py::arg("contact"), py::arg("reference"),
+          "Derivatives of wrench(), (6, nv) each, at the last forward_derivatives().");
+}
+
+}  // namespace
+
+void bind_contact_dynamics(py::module_& m) {
+  Class of(m, "ContactDynamics",
+           "Dynamics of a robot in contact, one state at a time, with all derivatives.\n\n"
+           "M a + b = tau + J^T lambda_; linear parts first; d/dq is by the right increment "
+           "q (+) dq of nv entries; rows are those of the active contacts, in the order given. "
+           "Results are copies. They belong to the last evaluation: others are refused with "
+           "EvaluationError. One thread at a time.");
+  of.def(py::init([](const Model& model, const std::vector<ContactSpec>& contacts,
+                     const std::optional<ContactSolver>& solver) {
+           return std::make_unique<Dynamics>(model, contacts, solver.value_or(ContactSolver{}));
+         }),
+         py::arg("model"), py::arg("contacts") = py::tuple(), py::arg("solver") = py::none(),
+         "Compiles the contacts against the model. Raises Error with one sentence.")
+      .def_property_readonly(
+          "contacts",
+          [](const Dynamics& self) {
+            std::vector<ContactSpec> specs;
+            for (const CompiledContact& contact : self.machine.contacts().contacts())
+              specs.push_back(contact.spec);
+            return specs;
+          },
+          "The contacts, in the order given, all named.")
+      .def_readonly("nq", &Dynamics::nq, "Entries of q.")
+      .def_property_readonly(
+          "nv", [](const Dynamics& self) { return self.machine.nv(); }, "Entries of v, tau and a.")
+      .def_property_readonly(
+          "rows", [](const Dynamics& self) { return self.machine.rows(); },
+          "Rows of the active contacts: entries of lambda_ and alpha.")
+      .def_property_readonly(
+          "row_names", [](const Dynamics& self) { return self.machine.row_names(); },
+          "Names of the active rows, such as 'pad/z'.")
+      .def(
+          "set_active",
+          [](Dynamics& self, const NumberOrName& contact, bool active) {
+            const Busy::Lock lock(self.busy, "ContactDynamics.set_active");
+            const int number = contact_number("ContactDynamics.set_active", contact, self.names);
+            self.machine.set_active(number, active);
+            self.evaluated = 0;
+          },
+          py::arg("contact"), py::arg("active"),
+          "Makes or breaks a contact (name or number). Results before it are gone.")
+      .def(
+          "is_active",
+          [](const Dynamics& self, const NumberOrName& contact) {
+            return self.machine.is_active(
+                contact_number("ContactDynamics.is_active", contact, self.names));
+          },
+          py::arg("contact"), "Whether a contact (name or number) is made.")
+      .def("__repr__", [](const Dynamics& self) {
+        std::string text = "<ContactDynamics of '" + self.robot +
+                           "': nv = " + std::to_string(self.machine.nv()) + ", rows";
+        for (const std::string& row : self.machine.row_names()) text += " " + row;
+        return text + (self.machine.rows() == 0 ? " none>" : ">");
+      });
+  bind_evaluations(of);
+  bind_results(of);
+  bind_forces(of);
+}
+
+}  // namespace burnish::python
