@@ -6,6 +6,7 @@
 #include "bind.hpp"
 #include "polishing/run.hpp"
 #include "polishing/task_notes.hpp"
+#include "run_files.hpp"
 #include "specs_polishing.hpp"
 
 namespace burnish::python {
@@ -123,6 +124,56 @@ std::string repr_of(const Run& run) {
   return text + ">";
 }
 
+py::tuple state_of(const Run& run) {
+  const RunResult& r = run.result;
+  return py::make_tuple(run.spec, r.setting, r.reach, r.trace, plans_of(r.plans), r.plant_status,
+                        r.fault, r.interrupted, r.polished, r.metrics, r.ticks, r.first_tick,
+                        r.wall_time, r.outcome);
+}
+
+template <class Value>
+std::vector<Value> values_of(const py::object& array) {
+  const auto flat = py::array_t<Value, py::array::c_style | py::array::forcecast>(array);
+  return std::vector<Value>(flat.data(), flat.data() + flat.size());
+}
+
+PlanRecord record_of(const py::object& plans) {
+  PlanRecord record{.time = values_of<double>(plans.attr("time")),
+                    .terms = py::cast<std::vector<std::string>>(plans.attr("terms")),
+                    .step = py::cast<double>(plans.attr("step")),
+                    .q = values_of<float>(plans.attr("q"))};
+  for (const py::handle costs : plans.attr("costs"))
+    record.costs.push_back(values_of<double>(py::reinterpret_borrow<py::object>(costs)));
+  const auto shape = py::cast<std::vector<int>>(plans.attr("q").attr("shape"));
+  record.knots = shape.at(1);
+  record.nq = shape.at(2);
+  return record;
+}
+
+Run run_of(const py::tuple& state) {
+  std::size_t next = 0;
+  const auto take = [&](auto& entry) {
+    entry = py::cast<std::decay_t<decltype(entry)>>(state[next++]);
+  };
+  Run run;
+  RunResult& r = run.result;
+  take(run.spec);
+  take(r.setting);
+  take(r.reach);
+  take(r.trace);
+  r.plans = record_of(state[next++]);
+  take(r.plant_status);
+  take(r.fault);
+  take(r.interrupted);
+  take(r.polished);
+  take(r.metrics);
+  take(r.ticks);
+  take(r.first_tick);
+  take(r.wall_time);
+  take(r.outcome);
+  return run;
+}
+
 void bind_run(py::module_& m) {
   py::class_<Run> run_class(m, "RunResult",
                             "What came out of a run. Its trace stays where it is: views of its "
@@ -151,7 +202,24 @@ void bind_run(py::module_& m) {
       .def_property_readonly(
           "plans", [](const Run& self) { return plans_of(self.result.plans); },
           "PlanRecord: plans of the MPC, now and then; a copy.")
-      .def("__repr__", &repr_of);
+      .def(
+          "write",
+          [](const Run& self, const std::filesystem::path& folder, const std::string& name,
+             bool page, bool recording, int record_every) {
+            return write_run_folder(self.spec, self.result, folder,
+                                    {name, record_every, page, recording});
+          },
+          py::arg("folder"), py::kw_only(), py::arg("name") = "run", py::arg("page") = true,
+          py::arg("recording") = false, py::arg("record_every") = 10,
+          py::call_guard<py::gil_scoped_release>(),
+          "Writes into a folder, which is made, what `burnish polish` leaves of a run: run.html "
+          "and "
+          "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, plots "
+          "as SVG, run.mcap (recording), and after a fault its report. `name` stands on the page. "
+          "Returns the files' names. Raises Error if they cannot be written, or in a build without "
+          "the command line.")
+      .def("__repr__", &repr_of)
+      .def(py::pickle(&state_of, &run_of));
   add("setting", &RunResult::setting, "Setting: the task with everything resolved; a copy.");
   add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
   add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
