@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from .polishing import ControllerKind, Path, RunResult, named_surfaces
 
-__all__ = ["PALETTE", "Runs", "forces", "paths", "run"]
+__all__ = ["PALETTE", "Runs", "forces", "overview", "paths"]
 
 Runs = Union[RunResult, Mapping[str, RunResult]]
 Array = NDArray[np.float64]
@@ -171,7 +171,7 @@ def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
     panel for each surface, a line for each run (the paper's figure 4). axes: one or several, as many
     as surfaces."""
     groups = _by_surface(_named(runs))
-    panels = _axes(axes, len(groups), (4.2, 4.2), columns=2 if len(groups) > 1 else 1)
+    panels = _axes(axes, len(groups), (5.0, 3.8), columns=2 if len(groups) > 1 else 1)
     for axis, (surface, group) in zip(panels, groups):
         for i, (name, result) in enumerate(group.items()):
             u, w = (1e3 * x for x in _in_plane(result, "tool"))
@@ -182,8 +182,8 @@ def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
         axis.set_aspect("equal", adjustable="datalim")
         tangents = np.asarray(first.setting.surface_axes).T
         _finish(axis, surface, f"along {_vector(tangents[0])} [mm]",
-                f"along {_vector(tangents[1])} [mm]", loc="upper center",
-                bbox_to_anchor=(0.5, -0.13), ncol=2)
+                f"along {_vector(tangents[1])} [mm]", loc="upper left",
+                bbox_to_anchor=(1.0, 1.0))
     return panels
 
 
@@ -202,7 +202,7 @@ def _asked_for(result: RunResult) -> Array:
     return Path(task.path).positions(np.linspace(0.0, task.polish_duration, 2000))
 
 
-def run(result: RunResult, axes: Any = None) -> NDArray[Any]:
+def overview(result: RunResult, axes: Any = None) -> NDArray[Any]:
     """One run on four panels: normal force, distance from the path, torques as shares of their
     limits, and computing times (of plans of the MPC; of the whole run's ticks without). axes: four."""
     panels = _axes(axes, 4, (6.0, 2.6), columns=2)

@@ -50,15 +50,15 @@ from .sim import Disturbances, SceneSpec
 from .solver import StepUpdate
 
 __all__ = [
-    "SEARCHED_POSTURE", "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec",
-    "Figure", "ForceAxes", "FoundPosture", "NamedSurface", "NamedTask", "Path", "PathKind",
-    "PathSpec", "PlanRecord", "PlanarPoint", "PlantKind", "PostureOptions", "ReachOptions",
-    "ReachProblem", "ReachReport", "ResultCell", "ResultColumn", "ResultTable", "RunResult",
-    "RunSpec", "Setting", "Task", "TickTimes", "Weights", "check_reach", "check_task",
-    "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
-    "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
-    "perform_experiment", "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes",
-    "task_point", "task_text", "write_task",
+    "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes",
+    "FoundPosture", "NamedSurface", "NamedTask", "Path", "PathKind", "PathSpec", "PlanRecord",
+    "PlanarPoint", "PlantKind", "PostureOptions", "ReachOptions", "ReachProblem", "ReachReport",
+    "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
+    "Setting", "Task", "TickTimes", "Weights", "check_reach", "check_task", "disturbance_preset",
+    "disturbance_presets", "experiments", "find_posture", "has_mujoco", "make_baseline", "make_mpc",
+    "make_setting", "make_task", "named_surfaces", "override_task", "perform_experiment",
+    "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes", "task_point",
+    "task_text", "write_task",
 ]
 
 SEARCHED_POSTURE = "search"

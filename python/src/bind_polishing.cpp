@@ -93,23 +93,32 @@ ExperimentReport perform(const std::string& name, const py::object& given) {
   return report;
 }
 
-template <class Value>
-py::array_t<Value> array_of(std::vector<py::ssize_t> sizes, const std::vector<Value>& values) {
-  py::array_t<Value> array(std::move(sizes));
-  std::copy(values.begin(), values.end(), array.mutable_data());
-  return array;
+PlanArrays arrays_of(const PlanRecord& record) {
+  const auto plans = static_cast<Eigen::Index>(record.time.size());
+  PlanArrays arrays{.time = Eigen::Map<const Eigen::VectorXd>(record.time.data(), plans),
+                    .terms = record.terms,
+                    .costs = RowMatrix(static_cast<Eigen::Index>(record.terms.size()), plans),
+                    .step = record.step,
+                    .q = {py::array_t<float>({static_cast<py::ssize_t>(plans),
+                                              py::ssize_t{record.knots}, py::ssize_t{record.nq}},
+                                             record.q.data())}};
+  for (std::size_t term = 0; term < record.terms.size(); ++term)
+    arrays.costs.row(static_cast<Eigen::Index>(term)) =
+        Eigen::Map<const Eigen::RowVectorXd>(record.costs[term].data(), plans);
+  return arrays;
 }
 
-py::object plans_of(const PlanRecord& record) {
-  const auto plans = static_cast<py::ssize_t>(record.time.size());
-  const auto terms = static_cast<py::ssize_t>(record.terms.size());
-  py::array_t<double> costs({terms, plans});
-  for (py::ssize_t term = 0; term < terms; ++term)
-    std::copy_n(record.costs[static_cast<std::size_t>(term)].begin(), plans,
-                costs.mutable_data(term));
-  return polishing_class("PlanRecord")(array_of<double>({plans}, record.time), record.terms, costs,
-                                       record.step,
-                                       array_of<float>({plans, record.knots, record.nq}, record.q));
+PlanRecord record_of(const PlanArrays& arrays) {
+  const py::array_t<float>& q = arrays.q.array;
+  PlanRecord record;
+  record.time = {arrays.time.begin(), arrays.time.end()};
+  record.terms = arrays.terms;
+  record.knots = static_cast<int>(q.shape(1));
+  record.nq = static_cast<int>(q.shape(2));
+  record.step = arrays.step;
+  record.q = {q.data(), q.data() + q.size()};
+  for (const auto& row : arrays.costs.rowwise()) record.costs.emplace_back(row.begin(), row.end());
+  return record;
 }
 
 std::string repr_of(const Run& run) {
@@ -126,28 +135,9 @@ std::string repr_of(const Run& run) {
 
 py::tuple state_of(const Run& run) {
   const RunResult& r = run.result;
-  return py::make_tuple(run.spec, r.setting, r.reach, r.trace, plans_of(r.plans), r.plant_status,
+  return py::make_tuple(run.spec, r.setting, r.reach, r.trace, arrays_of(r.plans), r.plant_status,
                         r.fault, r.interrupted, r.polished, r.metrics, r.ticks, r.first_tick,
                         r.wall_time, r.outcome);
-}
-
-template <class Value>
-std::vector<Value> values_of(const py::object& array) {
-  const auto flat = py::array_t<Value, py::array::c_style | py::array::forcecast>(array);
-  return std::vector<Value>(flat.data(), flat.data() + flat.size());
-}
-
-PlanRecord record_of(const py::object& plans) {
-  PlanRecord record{.time = values_of<double>(plans.attr("time")),
-                    .terms = py::cast<std::vector<std::string>>(plans.attr("terms")),
-                    .step = py::cast<double>(plans.attr("step")),
-                    .q = values_of<float>(plans.attr("q"))};
-  for (const py::handle costs : plans.attr("costs"))
-    record.costs.push_back(values_of<double>(py::reinterpret_borrow<py::object>(costs)));
-  const auto shape = py::cast<std::vector<int>>(plans.attr("q").attr("shape"));
-  record.knots = shape.at(1);
-  record.nq = shape.at(2);
-  return record;
 }
 
 Run run_of(const py::tuple& state) {
@@ -161,7 +151,9 @@ Run run_of(const py::tuple& state) {
   take(r.setting);
   take(r.reach);
   take(r.trace);
-  r.plans = record_of(state[next++]);
+  PlanArrays plans;
+  take(plans);
+  r.plans = record_of(plans);
   take(r.plant_status);
   take(r.fault);
   take(r.interrupted);
@@ -200,7 +192,7 @@ void bind_run(py::module_& m) {
           py::return_value_policy::reference_internal,
           "Trace of every plant step, every nth beyond 100 s; columns as of ClosedLoop.")
       .def_property_readonly(
-          "plans", [](const Run& self) { return plans_of(self.result.plans); },
+          "plans", [](const Run& self) { return arrays_of(self.result.plans); },
           "PlanRecord: plans of the MPC, now and then; a copy.")
       .def(
           "write",
@@ -351,10 +343,9 @@ void bind_experiments(py::module_& m) {
   m.def(
       "experiments",
       [] {
-        py::list all;
-        const py::object experiment_class = polishing_class("Experiment");
+        std::vector<NamedExperiment> all;
         for (const Experiment& experiment : experiments())
-          all.append(experiment_class(experiment.name, experiment.summary));
+          all.push_back({experiment.name, experiment.summary});
         return all;
       },
       "Experiment of each: paper, orientation, frames, seeds, tick.");

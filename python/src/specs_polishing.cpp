@@ -266,5 +266,22 @@ const SpecTable& AsDataclass<ExperimentReport>::table() {
                                       .field("interrupted", &ExperimentReport::interrupted);
   return fields;
 }
+template <>
+const SpecTable& AsDataclass<PlanArrays>::table() {
+  static const SpecTable fields = SpecTable("burnish.polishing", "PlanRecord")
+                                      .field("time", &PlanArrays::time)
+                                      .field("terms", &PlanArrays::terms)
+                                      .field("costs", &PlanArrays::costs)
+                                      .field("step", &PlanArrays::step)
+                                      .field("q", &PlanArrays::q);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<NamedExperiment>::table() {
+  static const SpecTable fields = SpecTable("burnish.polishing", "Experiment")
+                                      .field("name", &NamedExperiment::name)
+                                      .field("summary", &NamedExperiment::summary);
+  return fields;
+}
 
 }  // namespace burnish::python

@@ -12,6 +12,25 @@
 
 namespace burnish::python {
 
+/// An array of plans x knots x nq.
+struct PlanPostures {
+  py::array_t<float> array;
+};
+
+/// burnish.polishing.PlanRecord: polishing::PlanRecord as arrays.
+struct PlanArrays {
+  Eigen::VectorXd time;            ///< plans
+  std::vector<std::string> terms;  ///< of the costs
+  RowMatrix costs;                 ///< terms x plans
+  double step = 0.0;
+  PlanPostures q = {};
+};
+
+/// burnish.polishing.Experiment: what a polishing::Experiment says of itself.
+struct NamedExperiment {
+  std::string name, summary;
+};
+
 template <>
 struct EnumOf<polishing::PathKind> : AsEnum<polishing::PathKind> {};
 template <>
@@ -58,5 +77,26 @@ template <>
 struct SpecOf<polishing::NamedTask> : AsDataclass<polishing::NamedTask> {};
 template <>
 struct SpecOf<polishing::ExperimentReport> : AsDataclass<polishing::ExperimentReport> {};
+template <>
+struct SpecOf<PlanArrays> : AsDataclass<PlanArrays> {};
+template <>
+struct SpecOf<NamedExperiment> : AsDataclass<NamedExperiment> {};
 
 }  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::python::PlanPostures> {
+  PYBIND11_TYPE_CASTER(burnish::python::PlanPostures, const_name("numpy.ndarray[numpy.float32]"));
+  bool load(handle from, bool) {
+    value.array = array_t<float, array::c_style | array::forcecast>::ensure(from);
+    return value.array && value.array.ndim() == 3;
+  }
+  static handle cast(const burnish::python::PlanPostures& from, return_value_policy, handle) {
+    return from.array.ndim() == 3 ? from.array.inc_ref()
+                                  : array_t<float>(std::vector<ssize_t>{0, 0, 0}).release();
+  }
+};
+
+}  // namespace pybind11::detail
