@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import abc
 import enum
 import math
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import TYPE_CHECKING, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Trace
+from ._core import Schedule, TorqueErrorObserver, Trace
 from ._spec import Spec, empty, zeros
 from .base import Status
 
 __all__ = [
-    "Command", "Fallback", "FaultKind", "FaultReport", "LinearFeedback", "Measurement",
-    "ModelErrorKind", "ModelErrorOptions", "Phase", "SafetyLimits", "SchedulePhase", "TaskTarget",
+    "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "LinearFeedback",
+    "Measurement", "ModelErrorKind", "ModelErrorOptions", "Phase", "SafetyLimits", "Schedule",
+    "SchedulePhase", "TaskTarget", "TorqueErrorObserver",
 ]
 
 
@@ -237,3 +239,26 @@ class LinearFeedback(Spec):
     """nu x ndx: by position, velocity and, with a torque model, torque"""
     state: NDArray[np.float64] = empty()
     """nx, (q, v) or (q, v, tau)"""
+
+
+class Controller(abc.ABC):
+    """What a controller is to the simulation: measurements in, a torque out, at a fixed period. The
+    library's controllers are of this class; so is one of your own, which has the attribute `nv` and
+    these two methods. What they raise ends the run and is raised by the loop's methods."""
+
+    if TYPE_CHECKING:
+
+        @property
+        def nv(self) -> int:
+            """Torques of a command."""
+
+    @abc.abstractmethod
+    def reset(self) -> None:
+        """Forgets all ticks before."""
+
+    @abc.abstractmethod
+    def tick(self, measurement: Measurement) -> Union[Command, NDArray[np.float64]]:
+        """The command that follows a measurement; the torque (nv,; Nm, N) alone will do."""
+
+
+Controller.register(_core.CompiledController)

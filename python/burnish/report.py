@@ -8,9 +8,12 @@ from typing import List, Optional
 
 from numpy.typing import ArrayLike
 
+from . import _core
+from ._core import measure, metrics_table, plot_palette, svg_plot, write_svg_plot
 from ._spec import Spec, empty, items, vector
 
-__all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec", "SolverFigures"]
+__all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec", "SolverFigures",
+           "measure", "metrics_table", "plot_palette", "svg_plot", "write_svg_plot"]
 
 
 @dataclass(eq=False, repr=False)
@@ -97,6 +100,10 @@ class Metrics(Spec):
 
     solver: Optional[SolverFigures] = None
     """where a controller reports solve times"""
+
+    def text(self) -> str:
+        """All figures, one per line: name, value, unit, what it means."""
+        return _core.metrics_text(self)
 
 
 @dataclass(eq=False, repr=False)

@@ -73,6 +73,18 @@ const SpecTable& AsDataclass<PlantSnapshot>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<ActuationStep>::table() {
+  static const SpecTable fields = SpecTable("burnish.sim", "ActuationStep")
+                                      .field("command", &ActuationStep::command)
+                                      .field("delayed", &ActuationStep::delayed)
+                                      .field("tracked", &ActuationStep::tracked)
+                                      .field("noise", &ActuationStep::noise)
+                                      .field("applied", &ActuationStep::applied)
+                                      .field("limited", &ActuationStep::limited)
+                                      .field("held", &ActuationStep::held);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<TaskPoint>::table() {
   static const SpecTable fields = SpecTable("burnish.sim", "TaskPoint")
                                       .field("p_world", &TaskPoint::p_world)

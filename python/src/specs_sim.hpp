@@ -1,6 +1,7 @@
 // Values of the sim layer.
 #pragma once
 
+#include "burnish/sim/actuation.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/ideal_plant.hpp"
@@ -25,6 +26,8 @@ template <>
 struct SpecOf<SceneSpec> : AsDataclass<SceneSpec> {};
 template <>
 struct SpecOf<PlantSnapshot> : AsDataclass<PlantSnapshot> {};
+template <>
+struct SpecOf<ActuationStep> : AsDataclass<ActuationStep> {};
 template <>
 struct SpecOf<TaskPoint> : AsDataclass<TaskPoint> {};
 template <>
