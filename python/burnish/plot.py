@@ -13,7 +13,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from .polishing import ControllerKind, Path, RunResult, named_surfaces
+from .polishing import ControllerKind, RunResult, SurfacePath, named_surfaces
 
 __all__ = ["PALETTE", "Runs", "forces", "overview", "paths"]
 
@@ -69,7 +69,7 @@ def _axes(given: Any, count: int, size: Tuple[float, float], columns: int = 1) -
         axes = np.atleast_1d(np.asarray(given, dtype=object)).ravel()
         if len(axes) != count:
             raise ValueError(f"plot: given are {len(axes)} axes; wanted are {count}, one per panel")
-        return axes
+        return np.asarray(axes)
     rows = -(-count // columns)
     _, made = _pyplot().subplots(rows, columns, squeeze=False, constrained_layout=True,
                                  figsize=(columns * size[0], rows * size[1]))
@@ -81,10 +81,8 @@ def _axes(given: Any, count: int, size: Tuple[float, float], columns: int = 1) -
 def _along(result: RunResult, what: str, direction: Array) -> Array:
     """A vector of the trace along a direction in the world."""
     trace = result.trace
-    return sum(  # type: ignore[return-value]
-        (trace[f"{what}_{axis}_world"] * direction[i] for i, axis in enumerate("xyz")),
-        np.zeros(len(trace)),
-    )
+    parts = np.stack([trace[f"{what}_{axis}_world"] for axis in "xyz"])
+    return np.asarray(direction @ parts)
 
 
 def _averaged(values: Array, dt: float) -> Array:
@@ -93,7 +91,7 @@ def _averaged(values: Array, dt: float) -> Array:
     sums = np.concatenate([[0.0], np.cumsum(values)])
     rows = np.arange(len(values))
     first, last = np.maximum(0, rows - half), np.minimum(len(values), rows + half)
-    return (sums[last] - sums[first]) / np.maximum(1, last - first)
+    return np.asarray((sums[last] - sums[first]) / np.maximum(1, last - first))
 
 
 def _time_step(result: RunResult) -> float:
@@ -199,7 +197,7 @@ def _in_plane(result: RunResult, what: str) -> Tuple[Array, Array]:
 
 def _asked_for(result: RunResult) -> Array:
     task = result.task
-    return Path(task.path).positions(np.linspace(0.0, task.polish_duration, 2000))
+    return SurfacePath(task.path).positions(np.linspace(0.0, task.polish_duration, 2000))
 
 
 def overview(result: RunResult, axes: Any = None) -> NDArray[Any]:

@@ -8,9 +8,8 @@
 from __future__ import annotations
 
 import enum
-import math
 from dataclasses import dataclass, field
-from pathlib import Path as _File
+from pathlib import Path
 from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy as np
@@ -18,15 +17,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import (
-    Path,
     RunResult,
+    SurfacePath,
     check_reach,
     check_task,
     disturbance_preset,
     disturbance_presets,
     experiments,
     find_posture,
-    has_mujoco,
     make_baseline,
     make_mpc,
     make_setting,
@@ -46,19 +44,19 @@ from ._spec import Spec, items, vector, zeros
 from .model import Robot
 from .mpc import Fallback, ModelErrorOptions, SafetyLimits
 from .report import PlotSpec
-from .sim import Disturbances, SceneSpec
+from .sim import Disturbances, SceneSpec, has_mujoco
 from .solver import StepUpdate
 
 __all__ = [
     "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes",
-    "FoundPosture", "NamedSurface", "NamedTask", "Path", "PathKind", "PathSpec", "PlanRecord",
+    "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanRecord",
     "PlanarPoint", "PlantKind", "PostureOptions", "ReachOptions", "ReachProblem", "ReachReport",
     "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
-    "Setting", "Task", "TickTimes", "Weights", "check_reach", "check_task", "disturbance_preset",
-    "disturbance_presets", "experiments", "find_posture", "has_mujoco", "make_baseline", "make_mpc",
-    "make_setting", "make_task", "named_surfaces", "override_task", "perform_experiment",
-    "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes", "task_point",
-    "task_text", "write_task",
+    "Setting", "SurfacePath", "Task", "TickTimes", "Weights", "check_reach", "check_task",
+    "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
+    "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
+    "perform_experiment", "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes",
+    "task_point", "task_text", "write_task",
 ]
 
 SEARCHED_POSTURE = "search"
@@ -557,7 +555,7 @@ class Experiment(Spec):
 
 
 def make_task(
-    where: Union[str, _File, Task] = "table",
+    where: Union[str, Path, Task] = "table",
     *,
     disturbances: Union[str, Disturbances, None] = None,
     seed: Optional[int] = None,
@@ -573,7 +571,7 @@ def make_task(
     Raises Error for what does not fit together."""
     if isinstance(where, Task):
         task = where.replace()
-    elif isinstance(where, _File) or where.endswith((".yaml", ".yml")):
+    elif isinstance(where, Path) or where.endswith((".yaml", ".yml")):
         task = read_task(where)
     else:
         task = put_on(Task(), where)
@@ -592,7 +590,7 @@ def make_task(
 
 
 def run(
-    where: Union[str, _File, Task] = "table",
+    where: Union[str, Path, Task] = "table",
     *,
     controller: Union[str, ControllerKind] = "mpc",
     plant: Union[str, PlantKind, None] = None,

@@ -233,7 +233,8 @@ void bind_run(py::module_& m) {
 }
 
 void bind_task(py::module_& m) {
-  py::class_<Path>(m, "Path", "A PathSpec compiled. Raises Error for numbers that make no path.")
+  py::class_<Path>(m, "SurfacePath",
+                   "A PathSpec compiled. Raises Error for numbers that make no path.")
       .def(py::init<const PathSpec&>(), py::arg("spec"))
       .def("at", &Path::at, py::arg("t"), "PlanarPoint t s after its start; before, the start.")
       .def(
@@ -362,7 +363,6 @@ void bind_experiments(py::module_& m) {
 }  // namespace
 
 void bind_polishing(py::module_& m) {
-  m.def("has_mujoco", &has_mujoco, "Whether MuJoCo is there as a plant in this build.");
   bind_task(m);
   bind_setting(m);
   bind_run(m);
