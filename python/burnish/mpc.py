@@ -6,20 +6,22 @@ import abc
 import enum
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING, Callable, List, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Schedule, TorqueErrorObserver, Trace
-from ._spec import Spec, empty, zeros
+from ._core import MpcController, Schedule, TorqueErrorObserver, Trace
+from ._spec import Spec, empty, items, vector, zeros
 from .base import Status
+from .ocp import ProblemSpec
+from .solver import DdpOptions, StepUpdate
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "LinearFeedback",
-    "Measurement", "ModelErrorKind", "ModelErrorOptions", "Phase", "SafetyLimits", "Schedule",
-    "SchedulePhase", "TaskTarget", "TorqueErrorObserver",
+    "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController", "MpcSpec", "Phase",
+    "SafetyLimits", "Schedule", "SchedulePhase", "TaskTarget", "TorqueErrorObserver",
 ]
 
 
@@ -239,6 +241,40 @@ class LinearFeedback(Spec):
     """nu x ndx: by position, velocity and, with a torque model, torque"""
     state: NDArray[np.float64] = empty()
     """nx, (q, v) or (q, v, tau)"""
+
+
+@dataclass(eq=False, repr=False)
+class MpcSpec(Spec):
+    """Model predictive control of a contact task: a horizon that moves with time, solved again and
+    again from the measured state, and its policy in between."""
+
+    problem: ProblemSpec
+    """horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
+    segments matter for the number of knots alone; all stages have the same step."""
+    schedule: List[SchedulePhase] = items()
+    tool: str = "tool"
+    normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
+    """3, of the surface, towards the robot"""
+    target: Optional[Callable[[float], TaskTarget]] = None
+    """by time of the schedule, asked at each tick; must be given"""
+    tick_period: float = 5e-4
+    """s"""
+    update_period: float = 0.01
+    """s between solves, a multiple of the tick"""
+    solver_delay: float = 0.0
+    """s from a measurement to the use of the plan that starts from it, at most the update period. The
+    plan is made for the state that the policy in use leads to by then."""
+    solver: DdpOptions = field(default_factory=lambda: DdpOptions(
+        update=StepUpdate.MULTIPLE_SHOOTING, max_iterations=1))
+    first_iterations: int = 100
+    """of the first solve"""
+    jump_iterations: int = 3
+    """of one after the schedule's clock jumped or stood still"""
+    model_error: ModelErrorOptions = field(default_factory=ModelErrorOptions)
+    limits: SafetyLimits = field(default_factory=SafetyLimits)
+    fallback: Fallback = field(default_factory=Fallback)
+    feedback: bool = True
+    """the Riccati policy between solves; without, the planned torque is held"""
 
 
 class Controller(abc.ABC):

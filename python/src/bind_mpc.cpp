@@ -1,6 +1,7 @@
 // Model predictive control.
 #include "bind.hpp"
 #include "loop_parts.hpp"
+#include "machine_ocp.hpp"
 
 namespace burnish::python {
 
@@ -121,10 +122,71 @@ void bind_observer(py::module_& m) {
       });
 }
 
+void bind_mpc_controller(py::module_& m) {
+  py::class_<BoundMpc, BoundController>(
+      m, "MpcController",
+      "Model predictive control of a contact task. A new controller is ready; reset() makes it so "
+      "again, and the same measurements then give the same torques to the last bit. tick() is to "
+      "be called once per tick_period; the first call solves the problem to its end. An update "
+      "that fails is bridged by the plan before it; the first fault latches the fallback until "
+      "reset(). What targets and residuals raise fails the update, and is raised by tick(), or by "
+      "the run of a ClosedLoop.")
+      .def(py::init([](const MpcSpec& spec) {
+             const py::gil_scoped_release release;
+             return std::make_unique<BoundMpc>(spec);
+           }),
+           py::arg("spec"),
+           "Raises Error with one sentence for a specification that does not fit together.")
+      .def_property_readonly(
+          "spec", [](const BoundMpc& self) { return self.spec(); }, "As given: a copy.")
+      .def_property_readonly(
+          "problem",
+          [](const BoundMpc& self) {
+            return std::make_unique<ProblemMachine>(self.spec().problem);
+          },
+          "A Problem of the specification; the controller's own moves with its schedule.")
+      .def(
+          "fault", [](const BoundMpc& self) { return self.mpc().fault(); },
+          "A FaultReport; its kind is NONE until there is a fault.")
+      .def(
+          "feedback", [](const BoundMpc& self) { return self.mpc().feedback(); },
+          "The policy of the last tick, a LinearFeedback.")
+      .def_property_readonly(
+          "torque_error", [](const BoundMpc& self) { return self.mpc().torque_error(); },
+          "(nv,), estimated, Nm or N.")
+      .def_property_readonly(
+          "force_error", [](const BoundMpc& self) { return self.mpc().force_error(); },
+          "N, estimated (ModelErrorKind.FORCE).")
+      .def_property_readonly(
+          "schedule", [](const BoundMpc& self) { return self.mpc().schedule(); },
+          "A copy of the schedule with its clock as it is now.")
+      .def(
+          "plan", [](const BoundMpc& self) { return copied(self.mpc().plan()); },
+          "States of the plan as solved last (N + 1, nx), a copy; with a solver delay not in use "
+          "yet.")
+      .def(
+          "plan_costs",
+          [](BoundMpc& self, int knot) {
+            const Busy::Lock lock(self.busy, "MpcController.plan_costs");
+            std::vector<double> costs;
+            {
+              const py::gil_scoped_release release;
+              costs = self.mpc().plan_costs(knot);
+            }
+            py::dict named;
+            const std::vector<std::string> names = self.mpc().problem().term_names(knot);
+            for (std::size_t i = 0; i < costs.size(); ++i) named[py::str(names.at(i))] = costs[i];
+            return named;
+          },
+          py::arg("knot"),
+          "Cost of each term by its name at a knot of that plan; the knots' steps are in it.");
+}
+
 }  // namespace
 
 void bind_mpc(py::module_& m) {
   bind_controller(m);
+  bind_mpc_controller(m);
   bind_schedule(m);
   bind_observer(m);
   m.def("fault_text", &FaultReport::text, py::arg("report"));

@@ -75,6 +75,7 @@ void Interrupt::check() {
 
 BoundMpc::BoundMpc(const MpcSpec& spec)
     : BoundController(std::make_unique<MpcController>(spec)),
+      spec_(spec),
       mpc_(static_cast<MpcController*>(controller.get())) {}
 
 BoundImpedance::BoundImpedance(const Model& model, const ImpedanceSpec& spec)

@@ -61,9 +61,11 @@ class BoundMpc final : public BoundController {
  public:
   explicit BoundMpc(const MpcSpec& spec);
   MpcController& mpc() const { return *mpc_; }
+  const MpcSpec& spec() const { return spec_; }
   std::exception_ptr take_exception() noexcept override { return mpc_->take_exception(); }
 
  private:
+  MpcSpec spec_;
   MpcController* mpc_;
 };
 

@@ -120,5 +120,25 @@ const SpecTable& AsDataclass<LinearFeedback>::table() {
                                       .field("state", &LinearFeedback::state);
   return fields;
 }
+template <>
+const SpecTable& AsDataclass<MpcSpec>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "MpcSpec")
+                                      .field("problem", &MpcSpec::problem)
+                                      .field("schedule", &MpcSpec::schedule)
+                                      .field("tool", &MpcSpec::tool)
+                                      .field("normal_world", &MpcSpec::normal_world)
+                                      .field("target", &MpcSpec::target)
+                                      .field("tick_period", &MpcSpec::tick_period)
+                                      .field("update_period", &MpcSpec::update_period)
+                                      .field("solver_delay", &MpcSpec::solver_delay)
+                                      .field("solver", &MpcSpec::solver)
+                                      .field("first_iterations", &MpcSpec::first_iterations)
+                                      .field("jump_iterations", &MpcSpec::jump_iterations)
+                                      .field("model_error", &MpcSpec::model_error)
+                                      .field("limits", &MpcSpec::limits)
+                                      .field("fallback", &MpcSpec::fallback)
+                                      .field("feedback", &MpcSpec::feedback);
+  return fields;
+}
 
 }  // namespace burnish::python

@@ -31,5 +31,7 @@ template <>
 struct SpecOf<FaultReport> : AsDataclass<FaultReport> {};
 template <>
 struct SpecOf<LinearFeedback> : AsDataclass<LinearFeedback> {};
+template <>
+struct SpecOf<MpcSpec> : AsDataclass<MpcSpec> {};
 
 }  // namespace burnish::python
