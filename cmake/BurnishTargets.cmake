@@ -59,9 +59,36 @@ function(burnish_part option what)
   endif()
 endfunction()
 
-# burnish_layer(name SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as burnish::name.
+# burnish_variants(name): the layer once more for newer processors, as shared libraries that the C
+# library's loader prefers where the processor has what they need (glibc-hwcaps). Only layers whose
+# kernels gain by it call this. What crosses the library's boundary is the same in all of them
+# (base/abi.hpp), and a set cannot be mixed: packs of another width are other symbols.
+function(burnish_variants name)
+  get_target_property(sources burnish_${name} SOURCES)
+  get_target_property(links burnish_${name} LINK_LIBRARIES)
+  foreach(level IN ITEMS x86-64-v3 x86-64-v4)
+    set(variant burnish_${name}_${level})
+    add_library(${variant} SHARED ${sources})
+    set_target_properties(${variant} PROPERTIES OUTPUT_NAME burnish_${name}
+      VERSION ${PROJECT_VERSION} SOVERSION 0
+      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/glibc-hwcaps/${level}
+      # Its neighbours are those of the plain library, chosen by the loader again.
+      INSTALL_RPATH "$ORIGIN/../.." BUILD_RPATH "${CMAKE_CURRENT_BINARY_DIR}")
+    get_target_property(definitions burnish_${name} COMPILE_DEFINITIONS)
+    target_compile_definitions(${variant} PRIVATE ${definitions})
+    target_include_directories(${variant} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+    target_compile_options(${variant} PRIVATE -march=${level})
+    target_link_libraries(${variant} PRIVATE ${links})
+    add_dependencies(burnish_${name} ${variant})
+    install(TARGETS ${variant} LIBRARY
+      DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${level} NAMELINK_SKIP)
+  endforeach()
+endfunction()
+
+# burnish_layer(name [VARIANTS] SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as
+# burnish::name. VARIANTS: see burnish_variants().
 function(burnish_layer name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "VARIANTS" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(burnish_${name} ${arg_SOURCES})
   add_library(burnish::${name} ALIAS burnish_${name})
   set_target_properties(burnish_${name} PROPERTIES
@@ -76,6 +103,9 @@ function(burnish_layer name)
   target_link_libraries(burnish_${name} PUBLIC Eigen3::Eigen ${arg_LINK}
     PRIVATE $<BUILD_INTERFACE:burnish_flags> ${arg_PRIVATE_LINK})
   set_property(GLOBAL APPEND PROPERTY BURNISH_LAYERS burnish_${name})
+  if(arg_VARIANTS AND BURNISH_HWCAPS)
+    burnish_variants(${name})
+  endif()
 endfunction()
 
 # burnish_program(name SOURCES ... LINK ...)

@@ -3,17 +3,44 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 File = Union[str, Path]
+S = TypeVar("S")
 
 # ---------------------------------------------------------------------------
 # base
 # ---------------------------------------------------------------------------
+
+from .base import Status
+
+class Error(ValueError): ...
+class EvaluationError(Error): ...
+
+class Trace:
+    @property
+    def columns(self) -> List[str]: ...
+    @property
+    def units(self) -> Dict[str, str]: ...
+    @property
+    def dropped(self) -> int: ...
+    def __len__(self) -> int: ...
+    def __contains__(self, name: str) -> bool: ...
+    def __getitem__(self, column: str) -> Array: ...  # (rows,)
+    def array(self) -> NDArray[np.void]: ...  # (rows,), a field per column
+    def write_csv(self, file: File) -> None: ...
+
+def describe(status: Union[Status, str]) -> str: ...
+
+# What tests ask of all dataclasses and enumerations.
+def spec_names() -> List[str]: ...
+def spec_default(name: str) -> Any: ...
+def spec_round_trip(value: S) -> S: ...
+def enum_words() -> Dict[str, List[str]]: ...
 
 # (end of base)
 
@@ -22,12 +49,106 @@ File = Union[str, Path]
 # model
 # ---------------------------------------------------------------------------
 
+from .model import (
+    Frame,
+    Joint,
+    ModelOptions,
+    Posture,
+    RobotOverrides,
+    TreeSpec,
+    Visual,
+)
+
+class Model:
+    @property
+    def name(self) -> str: ...
+    @property
+    def nq(self) -> int: ...
+    @property
+    def nv(self) -> int: ...
+    @property
+    def joints(self) -> List[Joint]: ...
+    @property
+    def frames(self) -> List[Frame]: ...
+    @property
+    def visuals(self) -> List[Visual]: ...
+    @property
+    def gravity(self) -> Array: ...  # (3,)
+    @property
+    def locked_joints(self) -> List[str]: ...
+    @property
+    def v_names(self) -> List[str]: ...
+    @property
+    def q_names(self) -> List[str]: ...
+    @property
+    def total_mass(self) -> float: ...
+    def support(self, body: int) -> List[int]: ...
+    def frame_index(self, name: str) -> int: ...
+    def joint_index(self, name: str) -> int: ...
+    def has_frame(self, name: str) -> bool: ...
+    @property
+    def q_neutral(self) -> Array: ...  # (nq,)
+    @property
+    def q_lower(self) -> Array: ...  # (nq,)
+    @property
+    def q_upper(self) -> Array: ...  # (nq,)
+    @property
+    def velocity_limit(self) -> Array: ...  # (nv,)
+    @property
+    def effort_limit(self) -> Array: ...  # (nv,)
+    @property
+    def damping(self) -> Array: ...  # (nv,)
+    @property
+    def friction(self) -> Array: ...  # (nv,)
+    @property
+    def armature(self) -> Array: ...  # (nv,)
+    def __copy__(self) -> Model: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Model: ...
+
+class Robot:
+    @property
+    def model(self) -> Model: ...
+    @property
+    def postures(self) -> Dict[str, Posture]: ...
+    @property
+    def default_posture(self) -> str: ...
+    def posture(self, name: str) -> Array: ...  # (nq,)
+    def reference_configuration(self) -> Array: ...  # (nq,)
+    def __copy__(self) -> Robot: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> Robot: ...
+
+def load_robot(name: str, overrides: Optional[RobotOverrides] = None) -> Robot: ...
+def robot_search_path() -> List[Path]: ...
+def build_model(tree: TreeSpec, options: Optional[ModelOptions] = None) -> Model: ...
+def read_urdf(file: File) -> TreeSpec: ...
+def parse_urdf(xml: str, source: str = "<string>") -> TreeSpec: ...
+def configuration(model: Model, posture: Posture) -> Array: ...  # (nq,)
+def integrate(model: Model, q: ArrayLike, dq: ArrayLike) -> Array: ...  # (nq,) or (n, nq)
+def difference(model: Model, q0: ArrayLike, q1: ArrayLike) -> Array: ...  # (nv,) or (n, nv)
+def tangent_map(model: Model, q: ArrayLike) -> Array: ...  # (nq, nv)
+def normalized(model: Model, q: ArrayLike) -> Array: ...  # (nq,)
+def random_configuration(
+    model: Model, seed: int = 0, count: Optional[int] = None
+) -> Array: ...  # (nq,) or (count, nq)
+def check_configuration(model: Model, q: ArrayLike, argument: str = "q") -> None: ...
+def check_tangent(model: Model, v: ArrayLike, argument: str = "v") -> None: ...
+
 # (end of model)
 
 
 # ---------------------------------------------------------------------------
 # contact
 # ---------------------------------------------------------------------------
+
+from .contact import ContactForce, ContactSolver, ContactSpec, Reference
+
+def surface_with_normal(normal: ArrayLike) -> Reference: ...
+def parse_reference(name: str) -> Reference: ...
+def reference_name(reference: Reference) -> str: ...
+def force_in(force: ContactForce, reference: Reference) -> ContactForce: ...
+def force_axes(force: ContactForce) -> Array: ...  # (3, 3)
+def force_origin(force: ContactForce) -> Array: ...  # (3,)
+def force_text(force: ContactForce) -> str: ...
 
 # (end of contact)
 
@@ -36,12 +157,223 @@ File = Union[str, Path]
 # dynamics
 # ---------------------------------------------------------------------------
 
+from .dynamics import FrameAxes
+
+def frame_placement(model: Model, q: ArrayLike, frame: str) -> Array: ...  # (4, 4)
+def frame_placements(model: Model, q: ArrayLike) -> Array: ...  # (frames, 4, 4)
+
 # (end of dynamics)
 
 
 # ---------------------------------------------------------------------------
 # derivatives
 # ---------------------------------------------------------------------------
+
+from .derivatives import (
+    CheckGains,
+    CheckOptions,
+    CheckReport,
+    ContactDiagnosis,
+    FrameDerivatives,
+    PlacementDerivatives,
+    RedundantRow,
+    WrenchDerivatives,
+)
+
+class ContactDynamics:
+    def __init__(
+        self,
+        model: Model,
+        contacts: Sequence[ContactSpec] = (),
+        solver: Optional[ContactSolver] = None,
+    ) -> None: ...
+    @property
+    def contacts(self) -> List[ContactSpec]: ...
+    @property
+    def nq(self) -> int: ...
+    @property
+    def nv(self) -> int: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def row_names(self) -> List[str]: ...
+    def set_active(self, contact: Union[int, str], active: bool) -> None: ...
+    def is_active(self, contact: Union[int, str]) -> bool: ...
+    def forward(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike) -> Status: ...
+    def forward_derivatives(self) -> Status: ...
+    def inverse(self, q: ArrayLike, v: ArrayLike, a: ArrayLike, lambda_: ArrayLike) -> None: ...
+    def inverse_derivatives(self) -> None: ...
+    def acceleration(self, q: ArrayLike, v: ArrayLike, a: ArrayLike) -> None: ...
+    def acceleration_derivatives(self) -> None: ...
+    @property
+    def a(self) -> Array: ...  # (nv,)
+    @property
+    def lambda_(self) -> Array: ...  # (rows,)
+    @property
+    def tau(self) -> Array: ...  # (nv,)
+    @property
+    def alpha(self) -> Array: ...  # (rows,)
+    @property
+    def bias(self) -> Array: ...  # (nv,)
+    @property
+    def mass_matrix(self) -> Array: ...  # (nv, nv)
+    @property
+    def jacobian(self) -> Array: ...  # (rows, nv)
+    @property
+    def da_dq(self) -> Array: ...  # (nv, nv)
+    @property
+    def da_dv(self) -> Array: ...  # (nv, nv)
+    @property
+    def da_dtau(self) -> Array: ...  # (nv, nv)
+    @property
+    def dlambda_dq(self) -> Array: ...  # (rows, nv)
+    @property
+    def dlambda_dv(self) -> Array: ...  # (rows, nv)
+    @property
+    def dlambda_dtau(self) -> Array: ...  # (rows, nv)
+    @property
+    def dtau_dq(self) -> Array: ...  # (nv, nv)
+    @property
+    def dtau_dv(self) -> Array: ...  # (nv, nv)
+    @property
+    def dalpha_dq(self) -> Array: ...  # (rows, nv)
+    @property
+    def dalpha_dv(self) -> Array: ...  # (rows, nv)
+    @property
+    def contact_velocity(self) -> Array: ...  # (rows,)
+    @property
+    def contact_error(self) -> Array: ...  # (rows,)
+    @property
+    def proximal_iterations(self) -> int: ...
+    @property
+    def proximal_residual(self) -> float: ...
+    def force(self, contact: Union[int, str]) -> ContactForce: ...
+    def wrench(self, contact: Union[int, str], reference: Reference) -> Array: ...  # (6,)
+    def wrench_derivatives(
+        self, contact: Union[int, str], reference: Reference
+    ) -> WrenchDerivatives: ...
+
+class ContactDynamicsBatch:
+    def __init__(
+        self,
+        model: Model,
+        contacts: Sequence[ContactSpec],
+        capacity: int,
+        solver: Optional[ContactSolver] = None,
+        threads: int = 1,
+    ) -> None: ...
+    @property
+    def nq(self) -> int: ...
+    @property
+    def nv(self) -> int: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def capacity(self) -> int: ...
+    @property
+    def threads(self) -> int: ...
+    def set_active(self, contact: Union[int, str], active: bool) -> None: ...
+    # q: (n, nq), v and tau: (n, nv)
+    def forward(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike) -> Status: ...
+    def forward_with_derivatives(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike) -> Status: ...
+    @property
+    def status(self) -> Status: ...
+    @property
+    def statuses(self) -> NDArray[np.uint8]: ...  # (n,)
+    # Read-only views, written over by the next call.
+    @property
+    def a(self) -> Array: ...  # (n, nv)
+    @property
+    def lambda_(self) -> Array: ...  # (n, rows)
+    @property
+    def da_dq(self) -> Array: ...  # (n, nv, nv)
+    @property
+    def da_dv(self) -> Array: ...  # (n, nv, nv)
+    @property
+    def da_dtau(self) -> Array: ...  # (n, nv, nv)
+    @property
+    def dlambda_dq(self) -> Array: ...  # (n, rows, nv)
+    @property
+    def dlambda_dv(self) -> Array: ...  # (n, rows, nv)
+    @property
+    def dlambda_dtau(self) -> Array: ...  # (n, rows, nv)
+
+def pack_width() -> int: ...
+
+class RigidBody:
+    def __init__(self, model: Model, slip_velocity: float = 0.01) -> None: ...
+    @property
+    def nq(self) -> int: ...
+    @property
+    def nv(self) -> int: ...
+    def frame(self, name: str) -> int: ...
+    def update(self, q: ArrayLike, v: ArrayLike, a: Optional[ArrayLike] = None) -> None: ...
+    def update_derivatives(self) -> None: ...
+    def placement(self, frame: Union[int, str]) -> Array: ...  # (4, 4)
+    def velocity(self, frame: Union[int, str], axes: Union[FrameAxes, str]) -> Array: ...  # (6,)
+    def acceleration(
+        self, frame: Union[int, str], axes: Union[FrameAxes, str]
+    ) -> Array: ...  # (6,)
+    def frame_derivatives(
+        self, frame: Union[int, str], axes: Union[FrameAxes, str]
+    ) -> FrameDerivatives: ...
+    def placement_error(self, frame: Union[int, str], target: ArrayLike) -> Array: ...  # (6,)
+    def placement_derivatives(
+        self, frame: Union[int, str], target: ArrayLike
+    ) -> PlacementDerivatives: ...
+    @property
+    def mass(self) -> float: ...
+    @property
+    def kinetic_energy(self) -> float: ...
+    @property
+    def potential_energy(self) -> float: ...
+    @property
+    def com(self) -> Array: ...  # (3,)
+    @property
+    def com_velocity(self) -> Array: ...  # (3,)
+    @property
+    def momentum(self) -> Array: ...  # (6,)
+    @property
+    def centroidal_momentum(self) -> Array: ...  # (6,)
+    @property
+    def gravity_torque(self) -> Array: ...  # (nv,)
+    @property
+    def passive_torque(self) -> Array: ...  # (nv,)
+    @property
+    def com_dq(self) -> Array: ...  # (3, nv)
+    @property
+    def com_velocity_dq(self) -> Array: ...  # (3, nv)
+    @property
+    def momentum_dq(self) -> Array: ...  # (6, nv)
+    @property
+    def momentum_dv(self) -> Array: ...  # (6, nv)
+    @property
+    def centroidal_momentum_dq(self) -> Array: ...  # (6, nv)
+    @property
+    def centroidal_momentum_dv(self) -> Array: ...  # (6, nv)
+    @property
+    def kinetic_energy_dq(self) -> Array: ...  # (nv,)
+    @property
+    def kinetic_energy_dv(self) -> Array: ...  # (nv,)
+    @property
+    def potential_energy_dq(self) -> Array: ...  # (nv,)
+    @property
+    def passive_torque_dv(self) -> Array: ...  # (nv,)
+
+def check_derivatives(model: Model, options: Optional[CheckOptions] = None) -> CheckReport: ...
+def default_check_references() -> List[Reference]: ...
+def default_check_directions() -> List[str]: ...
+def default_check_gains() -> List[CheckGains]: ...
+def check_report_text(report: CheckReport) -> str: ...
+def diagnose(
+    model: Model,
+    contacts: Sequence[ContactSpec],
+    q: ArrayLike,
+    active: Sequence[Union[int, str]] = (),
+    tolerance: float = 1e-8,
+) -> ContactDiagnosis: ...
+def redundant_row_text(row: RedundantRow) -> str: ...
+def contact_diagnosis_text(diagnosis: ContactDiagnosis) -> str: ...
 
 # (end of derivatives)
 
@@ -418,6 +750,110 @@ def plot_palette() -> List[str]: ...
 # ---------------------------------------------------------------------------
 # polishing
 # ---------------------------------------------------------------------------
+
+from .model import Robot
+from .mpc import FaultReport, MpcSpec
+from .polishing import (
+    ControllerKind,
+    Experiment,
+    ExperimentReport,
+    ExperimentSpec,
+    FoundPosture,
+    NamedSurface,
+    PathSpec,
+    PlanarPoint,
+    PlanRecord,
+    PlantKind,
+    PostureOptions,
+    ReachOptions,
+    ReachReport,
+    ResultTable,
+    RunSpec,
+    Setting,
+    Task,
+    TickTimes,
+)
+from .report import Metrics
+from .sim import Disturbances, ImpedanceSpec, TaskPoint
+
+class SurfacePath:
+    def __init__(self, spec: PathSpec) -> None: ...
+    def at(self, t: float) -> PlanarPoint: ...
+    def positions(self, t: ArrayLike) -> Array: ...  # (n,) -> (n, 2)
+    @property
+    def duration(self) -> float: ...
+
+class RunResult:
+    @property
+    def task(self) -> Task: ...
+    @property
+    def controller(self) -> ControllerKind: ...
+    @property
+    def plant(self) -> PlantKind: ...
+    @property
+    def setting(self) -> Setting: ...
+    @property
+    def reach(self) -> Optional[ReachReport]: ...
+    @property
+    def trace(self) -> Trace: ...
+    @property
+    def plans(self) -> PlanRecord: ...
+    @property
+    def plant_status(self) -> Status: ...
+    @property
+    def fault(self) -> FaultReport: ...
+    @property
+    def interrupted(self) -> bool: ...
+    @property
+    def polished(self) -> bool: ...
+    @property
+    def metrics(self) -> Optional[Metrics]: ...
+    @property
+    def ticks(self) -> TickTimes: ...
+    @property
+    def first_tick(self) -> float: ...
+    @property
+    def wall_time(self) -> float: ...
+    @property
+    def outcome(self) -> str: ...
+    def write(
+        self,
+        folder: File,
+        *,
+        name: str = "run",
+        page: bool = True,
+        recording: bool = False,
+        record_every: int = 10,
+    ) -> List[str]: ...
+
+def named_surfaces() -> List[NamedSurface]: ...
+def put_on(task: Task, surface: str) -> Task: ...
+def disturbance_presets() -> List[str]: ...
+def disturbance_preset(name: str) -> Disturbances: ...
+def read_task(file: File, overrides: Sequence[str] = ...) -> Task: ...
+def override_task(task: Task, overrides: Sequence[str]) -> Task: ...
+def check_task(task: Task) -> None: ...
+def task_text(task: Task) -> str: ...
+def write_task(task: Task, file: File) -> None: ...
+def task_notes(task: Task, plant: Union[PlantKind, str]) -> List[str]: ...
+def make_setting(
+    task: Task, robot: Optional[Robot] = None, q_start: Optional[ArrayLike] = None
+) -> Setting: ...
+def task_point(task: Task, setting: Setting, path: SurfacePath, time: float) -> TaskPoint: ...
+def make_mpc(task: Task, setting: Setting) -> MpcSpec: ...
+def make_baseline(task: Task, setting: Setting) -> ImpedanceSpec: ...
+def check_reach(
+    task: Task, setting: Optional[Setting] = None, options: Optional[ReachOptions] = None
+) -> ReachReport: ...
+def pressing_axis(tool_placement: ArrayLike) -> Array: ...  # (4, 4) -> (3,)
+def find_posture(
+    task: Task, robot: Optional[Robot] = None, options: Optional[PostureOptions] = None
+) -> FoundPosture: ...
+def run_task(spec: RunSpec) -> RunResult: ...
+def experiments() -> List[Experiment]: ...
+def perform_experiment(name: str, spec: Optional[ExperimentSpec] = None) -> ExperimentReport: ...
+def table_markdown(table: ResultTable) -> str: ...
+def table_csv(table: ResultTable) -> str: ...
 
 # (end of polishing)
 

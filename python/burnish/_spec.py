@@ -5,7 +5,8 @@ from __future__ import annotations
 import copy
 import dataclasses
 import difflib
-from typing import Any, TypeVar
+import functools
+from typing import Any, ClassVar, Dict, Tuple, TypeVar
 
 import numpy as np
 
@@ -30,27 +31,33 @@ def _default(field: dataclasses.Field[Any]) -> Any:
     return field.default
 
 
+@functools.lru_cache(maxsize=None)
+def _names(of: type) -> Tuple[str, ...]:
+    return tuple(f.name for f in dataclasses.fields(of))
+
+
 class Spec:
     """A plain value: compared entry by entry, printed with what differs from the defaults, copied
     and pickled like any dataclass. Entries that it does not have cannot be set."""
 
+    __dataclass_fields__: ClassVar[Dict[str, dataclasses.Field[Any]]]
     __hash__ = None  # type: ignore[assignment]
 
     def replace(self: S, **changes: Any) -> S:
         """A deep copy with these entries changed."""
-        return dataclasses.replace(copy.deepcopy(self), **changes)  # type: ignore[type-var]
+        return dataclasses.replace(copy.deepcopy(self), **changes)
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
         return all(
             _same(getattr(self, f.name), getattr(other, f.name))
-            for f in dataclasses.fields(self)  # type: ignore[arg-type]
+            for f in dataclasses.fields(self)
         )
 
     def __repr__(self) -> str:
         entries = []
-        for f in dataclasses.fields(self):  # type: ignore[arg-type]
+        for f in dataclasses.fields(self):
             value = getattr(self, f.name)
             default = _default(f)
             if default is dataclasses.MISSING or not _same(value, default):
@@ -60,7 +67,7 @@ class Spec:
         return f"{type(self).__name__}({', '.join(entries)})"
 
     def __setattr__(self, name: str, value: Any) -> None:
-        known = type(self).__dataclass_fields__  # type: ignore[attr-defined]
+        known = _names(type(self))
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
             hint = f"; did you mean '{near[0]}'?" if near else f"; it has {', '.join(known)}"

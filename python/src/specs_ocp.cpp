@@ -10,11 +10,12 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Numbers that a function of Python's answered, or nothing in the array if they are none.
 Numbers numbers_of(const py::object& answer) {
-  return answer.is_none() ? Numbers() : Numbers::ensure(answer);
+  return answer.is_none() ? py::reinterpret_steal<Numbers>(py::handle()) : Numbers::ensure(answer);
 }
 
-std::string shape_of(const Numbers& numbers) {
-  return numbers ? std::string(py::str(numbers.attr("shape"))) : "no numbers";
+std::string what_came(const Numbers& numbers) {
+  return numbers ? "an array of shape " + std::string(py::str(numbers.attr("shape")))
+                 : "no numbers";
 }
 
 /// A function of time that Python gave.
@@ -25,8 +26,8 @@ struct PythonSignal {
     const py::gil_scoped_acquire lock;
     const Numbers numbers = numbers_of(function.get()(time));
     if (!numbers || numbers.ndim() > 1 || numbers.size() != out.size())
-      throw Error("signal: the function of time gave an array of shape " + shape_of(numbers) +
-                  " at " + std::string(py::str(py::float_(time))) + " s; wanted are " +
+      throw Error("signal: the function of time gave " + what_came(numbers) + " at " +
+                  std::string(py::str(py::float_(time))) + " s; wanted are " +
                   std::to_string(out.size()) + " numbers");
     out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
   }
@@ -43,8 +44,8 @@ struct PythonResidual {
   }
   [[noreturn]] void refuse(const char* what, const Numbers& numbers,
                            const std::string& wanted_shape) const {
-    throw Error("residual '" + names->name + "': " + what + " gave an array of shape " +
-                shape_of(numbers) + "; wanted is " + wanted_shape);
+    throw Error("residual '" + names->name + "': " + what + " gave " + what_came(numbers) +
+                "; wanted is " + wanted_shape);
   }
 };
 
@@ -115,7 +116,7 @@ bool load_signal(py::handle from, Signal& signal) {
   if (PyCallable_Check(from.ptr()) != 0) {
     const Numbers first = numbers_of(object(0.0));
     if (!first || first.ndim() > 1)
-      throw Error("signal: the function of time gave an array of shape " + shape_of(first) +
+      throw Error("signal: the function of time gave " + what_came(first) +
                   " at 0 s; wanted are numbers");
     signal = signal_over_time(static_cast<int>(first.size()), object);
     return true;

@@ -1,5 +1,9 @@
 #include "burnish/model/robot.hpp"
 
+#if __has_include(<dlfcn.h>)
+#include <dlfcn.h>
+#endif
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -174,6 +178,25 @@ void check_postures(const Robot& robot, const std::string& origin) {
   }
 }
 
+/// share/burnish/robots in the folder of the program or library that this code is part of, or in
+/// one of the folders around it: where an installation has it, wherever it was moved to.
+std::optional<fs::path> robots_beside_the_library() {
+#if __has_include(<dlfcn.h>)
+  Dl_info info;
+  if (dladdr(reinterpret_cast<const void*>(&robot_search_path), &info) == 0) return std::nullopt;
+  std::error_code ignored;
+  fs::path folder = fs::canonical(info.dli_fname, ignored).parent_path();
+  // lib/python3.11/site-packages/burnish is the deepest that an installation puts it.
+  constexpr int levels = 5;
+  for (int level = 0; level < levels && folder.has_relative_path(); ++level) {
+    const fs::path robots = folder / "share/burnish/robots";
+    if (fs::is_directory(robots, ignored)) return robots;
+    folder = folder.parent_path();
+  }
+#endif
+  return std::nullopt;
+}
+
 }  // namespace
 
 Eigen::VectorXd Robot::posture(const std::string& name) const {
@@ -195,6 +218,7 @@ std::vector<fs::path> robot_search_path() {
       if (!folder.empty()) folders.emplace_back(folder);
     }
   }
+  if (const auto beside = robots_beside_the_library()) folders.push_back(*beside);
   folders.emplace_back(BURNISH_SOURCE_ROBOTS);
   folders.emplace_back(BURNISH_INSTALLED_ROBOTS);
   return folders;

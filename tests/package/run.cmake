@@ -1,6 +1,6 @@
 # Installs burnish into a folder of its own, builds the project beside this file against it, runs it.
 # -DBUILD= the build to install, -DWORK= where to work, -DGENERATOR= -DCOMPILER= -DEIGEN= include
-# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DJOBS=
+# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DPYTHON=, -DJOBS=
 cmake_minimum_required(VERSION 3.22)
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
@@ -41,9 +41,23 @@ endforeach()
 
 # The installed command line runs from where it was moved to.
 if(EXISTS ${prefix}/bin/burnish)
-  run("the installed command line" ${CMAKE_COMMAND} -E env BURNISH_ROBOTS=${robots}
-    ${prefix}/bin/burnish show talos:right_arm)
-  message(STATUS "the installed command line runs")
+  # A robot that only the moved installation has.
+  file(COPY ${prefix}/share/burnish/robots/arm7/ DESTINATION ${prefix}/share/burnish/robots/only_here)
+  run("the installed command line" ${CMAKE_COMMAND} -E env --unset=BURNISH_ROBOTS
+    ${prefix}/bin/burnish show only_here)
+  message(STATUS "the installed command line runs, and finds the robots")
+endif()
+
+# So does the installed Python package, in a folder where nothing else is.
+file(GLOB python_package ${prefix}/lib/python3*/site-packages)
+if(python_package)
+  run("the installed Python package" ${CMAKE_COMMAND} -E env --unset=BURNISH_ROBOTS
+    PYTHONPATH=${python_package} ${PYTHON} -c
+    "import burnish; print(burnish.__file__, burnish.load_robot('only_here'))")
+  if(NOT output MATCHES "^${python_package}")
+    message(FATAL_ERROR "the installed Python package is not what was imported: ${output}")
+  endif()
+  message(STATUS "the installed Python package runs, and finds the robots")
 endif()
 
 set(flags "")

@@ -38,7 +38,8 @@ struct RobotOverrides {
 ///  - a settings file (`robots/talos/robot.yaml`), with `:variant` behind it if wanted,
 ///  - a folder that holds robot.yaml (`robots/talos`, `robots/talos:right_arm`),
 ///  - the name of a robot that came with the library (`talos`, `talos:right_arm`), looked up in
-///    $BURNISH_ROBOTS, then where the library was built or installed.
+///    $BURNISH_ROBOTS, then in share/burnish/robots around the program or library that runs, then
+///    where the library was built or installed.
 /// Throws Error with one sentence naming the file, the key and what was wanted.
 ///
 /// A settings file (all keys but `urdf` are optional; angles in rad, lengths in m):

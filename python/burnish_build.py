@@ -1,0 +1,107 @@
+"""Builds the Python package for `pip install .`: CMake builds and installs it into a folder, which
+then becomes a wheel. Needs nothing but the standard library, so that no network is needed either.
+
+CMAKE_ARGS in the environment, or `--config-settings cmake-args=...`, go to CMake; JOBS is the number
+of compilers at a time. The build folder build-wheel is kept, so that a second time is fast."""
+
+import base64
+import hashlib
+import os
+import re
+import shlex
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import zipfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+OFF = ("TESTS", "APPS", "EXAMPLES", "BENCHMARKS", "PAGE", "MESHES")
+
+
+def _version():
+    found = re.search(r"project\(burnish VERSION ([0-9.]+)", (SOURCE / "CMakeLists.txt").read_text())
+    if not found:
+        sys.exit("burnish_build: no version in CMakeLists.txt")
+    return found.group(1)
+
+
+def _metadata():
+    return (
+        "Metadata-Version: 2.1\n"
+        "Name: burnish\n"
+        f"Version: {_version()}\n"
+        "Summary: Contact dynamics, its derivatives in any reference frame, and optimal control\n"
+        "License: BSD-3-Clause\n"
+        "Requires-Python: >=3.9\n"
+        "Requires-Dist: numpy>=1.21\n"
+        "Provides-Extra: plot\n"
+        "Requires-Dist: matplotlib; extra == 'plot'\n"
+    )
+
+
+def _tag():
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    return f"{python}-{python}-{platform}"
+
+
+def _run(*command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"burnish_build: '{shlex.join(command[:3])} ...' failed:\n{done.stdout[-8000:]}")
+    return done.stdout
+
+
+def _build(stage, settings):
+    build = SOURCE / "build-wheel"
+    given = (settings or {}).get("cmake-args", "")
+    extra = shlex.split(os.environ.get("CMAKE_ARGS", ""))
+    extra += [word for text in ([given] if isinstance(given, str) else given) for word in shlex.split(text)]
+    said = _run(
+        "cmake", "-S", str(SOURCE), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release",
+        "-DBURNISH_PYTHON=ON", "-DBURNISH_PYTHON_INSTALL_DIR=.", f"-DPython3_EXECUTABLE={sys.executable}",
+        *(f"-DBURNISH_{part}=OFF" for part in OFF), *extra,
+    )
+    parts = [line for line in said.splitlines() if "burnish:" in line]
+    if not any("Python: on" in line for line in parts):
+        sys.exit("burnish_build: something that the package needs is missing (scripts/setup installs it "
+                 "on Debian):\n" + "\n".join(parts))
+    _run("cmake", "--build", str(build), "--target", "burnish_python",
+         "-j", os.environ.get("JOBS", str(os.cpu_count() or 1)))
+    for component in ("python", "python_data"):
+        _run("cmake", "--install", str(build), "--component", component, "--prefix", str(stage))
+
+
+def get_requires_for_build_wheel(config_settings=None):
+    return []
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    name = f"burnish-{_version()}-{_tag()}.whl"
+    info = f"burnish-{_version()}.dist-info"
+    with tempfile.TemporaryDirectory() as folder:
+        stage = Path(folder)
+        _build(stage, config_settings)
+        (stage / info).mkdir()
+        (stage / info / "METADATA").write_text(_metadata())
+        (stage / info / "WHEEL").write_text(
+            f"Wheel-Version: 1.0\nGenerator: burnish\nRoot-Is-Purelib: false\nTag: {_tag()}\n")
+        (stage / info / "LICENSE").write_text((SOURCE / "LICENSE").read_text())
+        files = sorted(p for p in stage.rglob("*") if p.is_file())
+        lines = []
+        with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
+            for file in files:
+                data = file.read_bytes()
+                place = file.relative_to(stage).as_posix()
+                digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+                lines.append(f"{place},sha256={digest},{len(data)}")
+                wheel.writestr(place, data)
+            lines.append(f"{info}/RECORD,,")
+            wheel.writestr(f"{info}/RECORD", "\n".join(lines) + "\n")
+    return name
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    sys.exit("burnish_build: there are no source archives; install from the repository")

@@ -1,0 +1,119 @@
+"""References, directions, forces that say what they are."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import Axes, ContactSpec, Origin, Reference
+
+ROBOT = burnish.load_robot("talos:right_arm")
+REFERENCES = [Reference.local(), Reference.centered(),
+              Reference.surface_with_normal([0.2, -0.4, 0.9]), Reference.world()]
+
+
+def dynamics_of(*contacts: ContactSpec) -> burnish.ContactDynamics:
+    dynamics = burnish.ContactDynamics(ROBOT.model, contacts)
+    zero = np.zeros(ROBOT.model.nv)
+    dynamics.forward(ROBOT.posture("tilt_45"), zero, zero)
+    return dynamics
+
+
+class TestReferences:
+    def test_have_the_names_that_they_are_read_by(self) -> None:
+        assert [r.name for r in REFERENCES] == ["local", "centered", "surface", "world"]
+        for reference in (Reference.local(), Reference.centered(), Reference.world()):
+            assert Reference.parse(reference.name) == reference
+        with pytest.raises(burnish.Error, match="did you mean 'centered'"):
+            Reference.parse("centred")
+
+    def test_are_an_origin_and_axes(self) -> None:
+        assert Reference() == Reference.centered()
+        assert (Reference.local().origin, Reference.local().axes) == (Origin.TOOL, Axes.TOOL)
+        assert (Reference.world().origin, Reference.world().axes) == (Origin.WORLD, Axes.WORLD)
+        assert Reference.surface(np.eye(3)).axes is Axes.BASE
+
+    def test_a_surface_has_its_normal_as_z(self) -> None:
+        normal = np.array([1.0, -2.0, 2.0]) / 3.0
+        rotation = np.asarray(Reference.surface_with_normal(3.0 * normal).rotation)
+        np.testing.assert_allclose(rotation[:, 2], normal, atol=1e-15)
+        np.testing.assert_allclose(rotation.T @ rotation, np.eye(3), atol=1e-15)
+
+    def test_own_their_rotation(self) -> None:
+        rotation = np.eye(3)
+        reference = Reference.local(rotation)
+        rotation[0, 0] = 5.0
+        assert np.asarray(reference.rotation)[0, 0] == 1.0
+
+
+class TestContacts:
+    def test_have_one_row_per_direction_in_order(self) -> None:
+        for directions, count in [("z", 1), ("linear", 3), ("z,rx,ry", 3), ("all", 6), ("x, y", 2)]:
+            spec = ContactSpec(tool="tool", directions=directions)
+            assert burnish.ContactDynamics(ROBOT.model, [spec]).rows == count
+        spec = ContactSpec(name="pad", tool="tool", directions="ry,z,rx")
+        assert burnish.ContactDynamics(ROBOT.model, [spec]).row_names == ["pad/z", "pad/rx", "pad/ry"]
+
+    def test_are_called_after_their_tool_unless_named(self) -> None:
+        (compiled,) = burnish.ContactDynamics(ROBOT.model, [ContactSpec(tool="tool")]).contacts
+        assert compiled == ContactSpec(name="tool", tool="tool")
+
+    def test_with_gains_leaves_the_original(self) -> None:
+        spec = ContactSpec(tool="tool")
+        gains = spec.with_gains(7.0, 3.0)
+        assert np.all(np.asarray(spec.kp) == 0.0) and np.all(np.asarray(gains.kp) == 7.0)
+        assert np.all(np.asarray(gains.kd) == 3.0) and gains.tool == "tool"
+
+    def test_that_cannot_be_used_are_refused_with_a_sentence(self) -> None:
+        for spec, sentence in [
+            (ContactSpec(tool="tol"), "did you mean 'tool'"),
+            (ContactSpec(tool="tool", directions="zz"), "zz"),
+            (ContactSpec(tool="tool", directions=""), "directions"),
+            (ContactSpec(tool="tool").with_gains(-1.0, 0.0), "gain"),
+            (ContactSpec(tool="tool", reference=Reference(rotation=2.0 * np.eye(3))), "rotation"),
+            (ContactSpec(tool="tool", base="tool"), "tool"),
+        ]:
+            with pytest.raises(burnish.Error, match=sentence):
+                burnish.ContactDynamics(ROBOT.model, [spec])
+        with pytest.raises(burnish.Error, match="taken by another"):
+            burnish.ContactDynamics(ROBOT.model, 2 * [ContactSpec(tool="tool")])
+
+    def test_solver_options_are_checked(self) -> None:
+        with pytest.raises(burnish.Error, match="mu"):
+            burnish.ContactDynamics(ROBOT.model, [], burnish.ContactSolver(mu=-1.0))
+
+
+class TestForces:
+    def test_say_what_they_are(self) -> None:
+        force = dynamics_of(ContactSpec(name="pad", tool="tool", directions="linear")).force("pad")
+        assert (force.contact, force.on, force.by) == ("pad", "tool", "world")
+        assert force.reference == Reference.centered()
+        assert "on tool, by the world" in force.text()
+
+    def test_are_the_same_wrench_in_every_reference(self) -> None:
+        force = dynamics_of(ContactSpec(tool="tool", directions="pad_z")).force(0)
+        axes, origin = force.axes(), force.origin()
+        f = axes @ force.value[:3]
+        at_zero = axes @ force.value[3:] + np.cross(origin, f)
+        for reference in REFERENCES:
+            other = force.in_(reference)
+            axes, origin = other.axes(), other.origin()
+            np.testing.assert_allclose(axes @ other.value[:3], f, atol=1e-9)
+            np.testing.assert_allclose(
+                axes @ other.value[3:] + np.cross(origin, axes @ other.value[:3]), at_zero, atol=1e-9)
+            np.testing.assert_allclose(other.in_(force.reference).value, force.value, atol=1e-9)
+
+    def test_are_what_wrench_gives_as_numbers(self) -> None:
+        dynamics = dynamics_of(ContactSpec(tool="tool", directions="all"))
+        for reference in REFERENCES:
+            np.testing.assert_allclose(dynamics.wrench("tool", reference),
+                                       dynamics.force("tool").in_(reference).value, atol=1e-9)
+
+    def test_of_contacts_that_there_are_not_are_refused(self) -> None:
+        dynamics = dynamics_of(ContactSpec(name="pad", tool="tool", directions="z"))
+        with pytest.raises(burnish.Error, match="unknown contact 'pat'; did you mean 'pad'"):
+            dynamics.force("pat")
+        for number in (1, -1):
+            with pytest.raises(burnish.Error, match=f"no contact {number}; the set has 1"):
+                dynamics.force(number)

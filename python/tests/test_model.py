@@ -1,0 +1,231 @@
+"""Robots: descriptions, compiled models, configurations."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import JointKind, JointSpec, JointType, LinkSpec, ModelOptions, TreeSpec
+
+TALOS = burnish.load_robot("talos")
+ARM = burnish.load_robot("talos:right_arm")
+
+
+def two_links(joint: JointSpec) -> TreeSpec:
+    inertia = burnish.InertiaSpec(mass=2.0, com=[0.0, 0.0, 0.5], inertia_at_com=0.1 * np.eye(3))
+    return TreeSpec(name="two", links=[LinkSpec("base"), LinkSpec("body", inertia)], joints=[joint])
+
+
+def joint(kind: JointType, **entries: object) -> JointSpec:
+    return JointSpec(**{"name": "j", "type": kind, "parent_link": "base", "child_link": "body",
+                        **entries})  # type: ignore[arg-type]
+
+
+class TestRobotsByName:
+    def test_have_the_sizes_of_their_joints(self) -> None:
+        model = TALOS.model
+        assert model.nq == sum(j.nq for j in model.joints) == len(model.q_names)
+        assert model.nv == sum(j.nv for j in model.joints) == len(model.v_names)
+        assert model.joints[0].kind is JointKind.FREE_FLYER
+        for entries in (model.q_neutral, model.q_lower, model.q_upper):
+            assert entries.shape == (model.nq,)
+        for entries in (model.velocity_limit, model.effort_limit, model.damping, model.friction,
+                        model.armature):
+            assert entries.shape == (model.nv,)
+        assert model.total_mass == pytest.approx(sum(j.mass for j in model.joints))
+
+    def test_say_what_they_are(self) -> None:
+        assert repr(ARM.model) == "<Model 'talos': 6 joints, nq = 6, nv = 6>"
+        assert repr(ARM).startswith("<Robot 'talos': ")
+
+    def test_take_overrides(self) -> None:
+        locked = burnish.load_robot("arm7", burnish.RobotOverrides(locked=["joint_7"]))
+        free = burnish.load_robot("arm7")
+        assert locked.model.nv == free.model.nv - 1
+        assert "joint_7" in locked.model.locked_joints
+
+    def test_are_refused_by_the_nearest_name(self) -> None:
+        with pytest.raises(burnish.Error, match="talos"):
+            burnish.load_robot("tallos")
+        with pytest.raises(burnish.Error, match="did you mean 'tool'"):
+            ARM.model.frame_index("tol")
+
+    def test_postures_are_configurations(self) -> None:
+        for name, posture in TALOS.postures.items():
+            np.testing.assert_array_equal(TALOS.posture(name),
+                                          burnish.configuration(TALOS.model, posture))
+        np.testing.assert_array_equal(TALOS.reference_configuration(),
+                                      TALOS.posture(TALOS.default_posture))
+
+    def test_are_found_in_folders(self) -> None:
+        assert any((folder / "talos").is_dir() for folder in burnish.robot_search_path())
+
+
+class TestCopies:
+    @pytest.mark.parametrize("make", [copy.copy, copy.deepcopy,
+                                      lambda robot: pickle.loads(pickle.dumps(robot))])
+    def test_of_robots_are_equal_in_everything(self, make: object) -> None:
+        again = make(TALOS)  # type: ignore[operator]
+        assert again is not TALOS
+        assert again.postures == TALOS.postures and again.default_posture == TALOS.default_posture
+        assert again.model.joints == TALOS.model.joints
+        assert again.model.frames == TALOS.model.frames
+        assert again.model.visuals == TALOS.model.visuals
+        for name in ("q_lower", "effort_limit", "damping", "friction", "armature", "gravity"):
+            np.testing.assert_array_equal(getattr(again.model, name), getattr(TALOS.model, name))
+        bodies = range(-1, len(TALOS.model.joints))
+        assert [again.model.support(b) for b in bodies] == [TALOS.model.support(b) for b in bodies]
+
+    def test_of_models_move_as_the_original(self) -> None:
+        model = pickle.loads(pickle.dumps(ARM.model))
+        q = ARM.posture("tilt_45")
+        results = []
+        for of in (ARM.model, model):
+            dynamics = burnish.ContactDynamics(of)
+            dynamics.forward(q, np.ones(of.nv), np.ones(of.nv))
+            results.append(dynamics.a)
+        np.testing.assert_array_equal(*results)
+
+    def test_a_model_outlives_its_robot(self) -> None:
+        model = burnish.load_robot("arm7").model
+        assert model.name == "arm7" and len(model.joints) == model.nv
+
+    def test_what_a_model_gives_is_a_copy(self) -> None:
+        ARM.model.q_lower[:] = 100.0
+        ARM.model.joints[0].mass = 100.0
+        assert ARM.model.q_lower[0] != 100.0 and ARM.model.joints[0].mass != 100.0
+
+    def test_a_model_cannot_be_changed(self) -> None:
+        with pytest.raises(AttributeError):
+            ARM.model.nq = 3  # type: ignore[misc]
+
+
+class TestDescriptions:
+    def test_compile_to_models(self) -> None:
+        tree = two_links(joint(JointType.REVOLUTE, axis=[0.0, 1.0, 0.0], lower=-1.0, upper=2.0,
+                               armature=0.25))
+        model = burnish.build_model(tree, ModelOptions(gravity=[0.0, 0.0, -10.0]))
+        assert (model.nq, model.nv, model.name) == (1, 1, "two")
+        assert (model.q_lower[0], model.q_upper[0], model.armature[0]) == (-1.0, 2.0, 0.25)
+        dynamics = burnish.ContactDynamics(model)
+        dynamics.forward([math.pi / 2], [0.0], [0.0])
+        # com 0.5 m from the axis and level with it
+        assert dynamics.a[0] == pytest.approx(2.0 * 10.0 * 0.5 / (0.1 + 2.0 * 0.25 + 0.25))
+
+    def test_take_names_of_kinds_and_refuse_others(self) -> None:
+        assert burnish.build_model(two_links(joint("continuous"))).nq == 2  # type: ignore[arg-type]
+        with pytest.raises(burnish.Error, match="JointType: there is no 'revolut'; did you mean"):
+            burnish.build_model(two_links(joint("revolut")))  # type: ignore[arg-type]
+
+    def test_that_cannot_be_used_are_refused_with_a_sentence(self) -> None:
+        tree = two_links(joint(JointType.REVOLUTE, child_link="bodi"))
+        with pytest.raises(burnish.Error, match="bodi"):
+            burnish.build_model(tree)
+        tree = two_links(joint(JointType.REVOLUTE, axis=[0.0, 1.0]))
+        with pytest.raises(burnish.Error, match=r"JointSpec.axis: got \[0.0, 1.0\], wanted 3 num"):
+            burnish.build_model(tree)
+        tree = two_links(joint(JointType.REVOLUTE, placement=np.ones((4, 4))))
+        with pytest.raises(burnish.Error, match="rotation"):
+            burnish.build_model(tree)
+
+    def test_are_read_from_urdf(self, tmp_path: Path) -> None:
+        text = ('<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/><inertia '
+                'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" '
+                'type="prismatic"><parent link="a"/><child link="b"/><limit lower="0" upper="2" '
+                'effort="3" velocity="4"/></joint></robot>')
+        file = tmp_path / "r.urdf"
+        file.write_text(text)
+        for tree in (burnish.parse_urdf(text), burnish.read_urdf(file),
+                     burnish.read_urdf(str(file))):
+            assert tree.joints[0].type is JointType.PRISMATIC
+            assert burnish.build_model(tree).effort_limit[0] == 3.0
+        with pytest.raises(burnish.Error, match="here.urdf"):
+            burnish.parse_urdf("<robot", source="here.urdf")
+
+    def test_keep_shapes_to_draw(self) -> None:
+        tree = two_links(joint(JointType.FIXED))
+        shapes = [burnish.BoxShape([1.0, 2.0, 3.0]), burnish.CylinderShape(0.5, 2.0),
+                  burnish.SphereShape(0.25), burnish.MeshShape("part.stl", [1.0, 1.0, 2.0])]
+        tree.links[0].visuals = [burnish.VisualSpec(shape) for shape in shapes]
+        assert [visual.shape for visual in burnish.build_model(tree).visuals] == shapes
+
+
+class TestConfigurations:
+    def test_integrate_and_difference_undo_each_other_for_one_state_and_for_rows(self) -> None:
+        model = TALOS.model
+        q = burnish.random_configuration(model, seed=3, count=5)
+        dq = np.random.default_rng(1).uniform(-1.0, 1.0, (5, model.nv))
+        moved = burnish.integrate(model, q, dq)
+        assert moved.shape == q.shape
+        np.testing.assert_allclose(burnish.difference(model, q, moved), dq, atol=1e-12)
+        np.testing.assert_array_equal(burnish.integrate(model, q[2], dq[2]), moved[2])
+        np.testing.assert_allclose(burnish.integrate(model, q[2].tolist(), list(dq[2])), moved[2])
+
+    def test_tangent_map_is_the_derivative_of_integrate(self) -> None:
+        model = TALOS.model
+        q = burnish.random_configuration(model, seed=4)
+        step = 1e-6 * np.eye(model.nv)
+        columns = [(burnish.integrate(model, q, h) - burnish.integrate(model, q, -h)) / 2e-6
+                   for h in step]
+        np.testing.assert_allclose(burnish.tangent_map(model, q), np.transpose(columns), atol=1e-8)
+
+    def test_random_ones_depend_on_the_seed_alone_and_keep_the_limits(self) -> None:
+        model = ARM.model
+        rows = burnish.random_configuration(model, seed=7, count=20)
+        np.testing.assert_array_equal(rows, burnish.random_configuration(model, 7, 20))
+        np.testing.assert_array_equal(rows[0], burnish.random_configuration(model, 7))
+        assert not np.array_equal(rows, burnish.random_configuration(model, 8, 20))
+        assert (rows >= model.q_lower).all() and (rows <= model.q_upper).all()
+        assert burnish.random_configuration(model, 7, 0).shape == (0, model.nq)
+        with pytest.raises(burnish.Error, match="count is -1"):
+            burnish.random_configuration(model, 7, -1)
+
+    def test_checks_name_the_argument_and_the_entry(self) -> None:
+        model = TALOS.model
+        q = model.q_neutral
+        burnish.check_configuration(model, q)
+        q[3:7] *= 1.1
+        with pytest.raises(burnish.Error, match="q_start"):
+            burnish.check_configuration(model, q, "q_start")
+        burnish.check_configuration(model, burnish.normalized(model, q))
+        v = np.zeros(model.nv)
+        burnish.check_tangent(model, v)
+        v[5] = np.nan
+        with pytest.raises(burnish.Error, match="v_start"):
+            burnish.check_tangent(model, v, argument="v_start")
+        with pytest.raises(burnish.Error):
+            burnish.integrate(model, q, np.zeros(3))
+        with pytest.raises(burnish.Error, match="same number of rows"):
+            burnish.integrate(model, np.zeros((2, model.nq)), np.zeros((3, model.nv)))
+
+    def test_placements_are_those_of_urdf(self) -> None:
+        X = burnish.model.placement([1.0, 2.0, 3.0], [0.1, 0.2, 0.3])
+        text = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed">'
+                '<parent link="a"/><child link="b"/><origin xyz="1 2 3" rpy="0.1 0.2 0.3"/></joint>'
+                '</robot>')
+        np.testing.assert_allclose(burnish.parse_urdf(text).joints[0].placement, X, atol=1e-15)
+
+
+class TestFrames:
+    def test_placements_are_in_the_order_of_the_frames(self) -> None:
+        model, q = TALOS.model, TALOS.reference_configuration()
+        all_of_them = burnish.frame_placements(model, q)
+        assert all_of_them.shape == (len(model.frames), 4, 4)
+        for name in ("left_sole_link", "right_sole_link"):
+            np.testing.assert_array_equal(all_of_them[model.frame_index(name)],
+                                          burnish.frame_placement(model, q, name))
+        np.testing.assert_array_equal(burnish.frame_placement(model, q, "world"), np.eye(4))
+
+    def test_that_there_are_not_are_refused(self) -> None:
+        q = ARM.posture("tilt_45")
+        with pytest.raises(burnish.Error, match="did you mean 'tool'"):
+            burnish.frame_placement(ARM.model, q, "tol")
+        with pytest.raises(burnish.Error):
+            burnish.frame_placements(ARM.model, q[:3])
+        assert ARM.model.has_frame("tool") and not ARM.model.has_frame("tol")

@@ -1,0 +1,225 @@
+"""Laws of all dataclasses and enumerations of the package. New ones join by themselves."""
+
+from __future__ import annotations
+
+import collections.abc
+import copy
+import dataclasses
+import enum
+import importlib
+import pickle
+import pkgutil
+import typing
+from pathlib import Path
+from typing import Any, Dict, List, Type
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import _core
+from burnish._spec import Spec, _same
+
+MODULES = [importlib.import_module(info.name)
+           for info in pkgutil.walk_packages(burnish.__path__, "burnish.")]
+
+
+def full_name(of: type) -> str:
+    return f"{of.__module__}.{of.__qualname__}"
+
+
+def in_package(base: type) -> Dict[str, type]:
+    found = {}
+    for module in MODULES:
+        for value in vars(module).values():
+            if isinstance(value, type) and issubclass(value, base) and value is not base \
+                    and value.__module__ == module.__name__:
+                found[full_name(value)] = value
+    return found
+
+
+SPECS = in_package(Spec)
+ENUMS = in_package(enum.Enum)
+
+
+def has_defaults(of: Type[Spec]) -> bool:
+    return all(f.default is not dataclasses.MISSING or f.default_factory is not dataclasses.MISSING
+               for f in dataclasses.fields(of) if f.init)
+
+
+DEFAULTED = [name for name, of in SPECS.items() if has_defaults(of)]
+
+
+def a_value(of: type) -> Spec:
+    """Some value of a dataclass: its defaults, and C++'s where it has none."""
+    if has_defaults(of):
+        return of()
+    value: Spec = _core.spec_default(full_name(of))
+    for name, entry in vars(value).items():
+        if isinstance(entry, np.ndarray):  # C++ may leave its numbers as they are
+            setattr(value, name, np.eye(*entry.shape) if entry.ndim == 2 else np.zeros(entry.shape))
+    return value
+
+
+class Unknown(Exception):
+    """There is no telling what other values an entry takes."""
+
+
+def another(value: Any, hint: Any) -> Any:
+    """A value that differs, of the same kind."""
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, int):
+        return value + 1
+    if isinstance(value, float):
+        return value + 0.5 if np.isfinite(value) else 2.5
+    if isinstance(value, str):
+        return "z"  # a direction too
+    if isinstance(value, Path):
+        return Path("z")
+    if isinstance(value, enum.Enum):
+        members = list(type(value))
+        return members[(members.index(value) + 1) % len(members)]
+    if isinstance(value, np.ndarray):
+        if value.shape == (4, 4):
+            value = np.eye(4)
+            value[:3, 3] = [0.25, 0.5, -1.0]
+            return value
+        if value.shape == (3, 3):
+            return np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+        return value + 0.25 if value.size else np.ones((2, 3)[: value.ndim])
+    if isinstance(value, Spec):
+        for f, h in typing.get_type_hints(type(value)).items():
+            try:
+                return value.replace(**{f: another(getattr(value, f), h)})
+            except (Unknown, AttributeError):
+                continue
+    if origin is list and isinstance(value, list):
+        return value[1:] if value else [sample(arguments[0])]
+    if origin is dict and not value:
+        return {sample(arguments[0]): sample(arguments[1])}
+    if value is None and origin is typing.Union:
+        for argument in arguments:
+            if argument is not type(None):
+                return sample(argument)
+    raise Unknown(f"{value!r} as {hint}")
+
+
+def sample(hint: Any) -> Any:
+    """A value that is not the simplest of its kind."""
+    if hint in (bool, int, float, str):
+        return {bool: True, int: 3, float: 2.5, str: "z"}[hint]
+    if isinstance(hint, type) and issubclass(hint, enum.Enum):
+        return list(hint)[-1]
+    if isinstance(hint, type) and issubclass(hint, Spec) and has_defaults(hint):
+        return hint()
+    if typing.get_origin(hint) is list:
+        return [sample(typing.get_args(hint)[0])]
+    raise Unknown(str(hint))
+
+
+def test_the_package_has_dataclasses_and_enumerations() -> None:
+    assert len(SPECS) >= 30 and len(ENUMS) >= 10
+    assert "burnish.contact.ContactSpec" in DEFAULTED
+
+
+def test_every_dataclass_has_a_struct_in_cpp_and_the_other_way_round() -> None:
+    assert sorted(SPECS) == sorted(_core.spec_names())
+
+
+def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
+    assert sorted(ENUMS) == sorted(_core.enum_words())
+    for name, words in _core.enum_words().items():
+        members: List[enum.Enum] = list(ENUMS[name])
+        assert [m.name.lower() for m in members] == words, name
+        assert [m.value for m in members] == list(range(len(members))), name
+
+
+@pytest.mark.parametrize("name", SPECS)
+class TestEveryDataclass:
+    def test_is_made_with_the_defaults_of_cpp(self, name: str) -> None:
+        from_cpp = _core.spec_default(name)
+        assert type(from_cpp) is SPECS[name]
+        if name in DEFAULTED:
+            assert SPECS[name]() == from_cpp
+            assert _core.spec_round_trip(SPECS[name]()) == SPECS[name]()
+
+    def test_carries_every_entry_to_cpp_and_back(self, name: str) -> None:
+        value = a_value(SPECS[name])
+        hints = typing.get_type_hints(SPECS[name])
+        for field in dataclasses.fields(value):
+            before = getattr(value, field.name)
+            if callable(before) or typing.get_origin(hints[field.name]) is collections.abc.Callable:
+                continue
+            try:
+                changed = value.replace(**{field.name: another(before, hints[field.name])})
+            except Unknown:
+                continue
+            try:
+                back = _core.spec_round_trip(changed)
+            except burnish.Error as error:  # not every sample fits; then it is refused by name
+                assert f"{SPECS[name].__name__}.{field.name}" in str(error)
+                continue
+            got, sent = getattr(back, field.name), getattr(changed, field.name)
+            if isinstance(got, Path) or isinstance(sent, Path):
+                got, sent = str(got), str(sent)
+            assert _same(got, sent), field.name
+            assert changed != value, field.name
+
+    def test_is_equal_to_its_copies_which_are_its_own(self, name: str) -> None:
+        value = a_value(SPECS[name])
+        for copied in (copy.deepcopy(value), pickle.loads(pickle.dumps(value)), value.replace()):
+            for field in dataclasses.fields(value):
+                ours, theirs = getattr(value, field.name), getattr(copied, field.name)
+                if isinstance(ours, np.ndarray):
+                    np.testing.assert_array_equal(ours, theirs)
+                    assert not np.shares_memory(ours, theirs) or ours.size == 0
+                elif isinstance(ours, (list, dict, Spec)):
+                    assert ours is not theirs
+            if name in DEFAULTED:
+                assert copied == value
+
+    def test_says_what_differs_from_the_defaults(self, name: str) -> None:
+        value = a_value(SPECS[name])
+        short = SPECS[name].__name__
+        assert repr(value).startswith(short + "(")
+        if name in DEFAULTED:
+            assert repr(value) == short + "()"
+            for field in dataclasses.fields(value):
+                if isinstance(getattr(value, field.name), (bool, int, float)):
+                    changed = value.replace(
+                        **{field.name: another(getattr(value, field.name), None)})
+                    assert repr(changed) == f"{short}({field.name}={getattr(changed, field.name)})"
+
+    def test_refuses_entries_that_it_does_not_have(self, name: str) -> None:
+        value = a_value(SPECS[name])
+        first = dataclasses.fields(value)[0].name
+        with pytest.raises(AttributeError, match="did you mean '"):
+            setattr(value, first + "_", 1)
+        with pytest.raises(AttributeError, match="has no entry 'qqqqqq'"):
+            setattr(value, "qqqqqq", 1)
+
+    def test_differs_from_other_dataclasses(self, name: str) -> None:
+        assert a_value(SPECS[name]) != object()
+
+def test_an_entry_of_the_wrong_kind_is_named_with_what_came_and_what_was_wanted() -> None:
+    contact = burnish.ContactSpec(tool="tool", kp=[1.0, 2.0])
+    with pytest.raises(burnish.Error) as refused:
+        _core.spec_round_trip(contact)
+    assert str(refused.value) == "ContactSpec.kp: got [1.0, 2.0], wanted 6 numbers"
+
+
+def test_a_name_that_an_enumeration_does_not_have_is_answered_with_the_nearest() -> None:
+    contact = burnish.ContactSpec(error="log5")  # type: ignore[arg-type]
+    with pytest.raises(burnish.Error, match="PoseError: there is no 'log5'; did you mean 'log6'"):
+        _core.spec_round_trip(contact)
+
+
+def test_lists_of_a_value_are_python_s_own() -> None:
+    options = burnish.ModelOptions()
+    options.locked.append("elbow")
+    options.posture["wrist"] = [0.5]
+    back = _core.spec_round_trip(options)
+    assert back.locked == ["elbow"] and back.posture == {"wrist": [0.5]}
+    assert burnish.ModelOptions().locked == []

@@ -1,0 +1,110 @@
+"""The stubs name what the compiled part has, with the same arguments; what the modules export is
+there."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import pkgutil
+import re
+from pathlib import Path
+from typing import Any, Dict, List, Optional
+
+import pytest
+
+import burnish
+from burnish import _core
+
+STUB = ast.parse((Path(burnish.__file__).parent / "_core.pyi").read_text())
+CLASSES = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
+MODULES = [info.name for info in pkgutil.walk_packages(burnish.__path__, "burnish.")
+           if not info.name.rsplit(".", 1)[1].startswith("_")]
+
+
+def functions(body: List[ast.stmt]) -> Dict[str, ast.FunctionDef]:
+    return {node.name: node for node in body if isinstance(node, ast.FunctionDef)}
+
+
+def arguments(node: ast.FunctionDef) -> List[str]:
+    return [argument.arg for argument in node.args.args + node.args.kwonlyargs]
+
+
+def bound_arguments(function: Any) -> Optional[List[str]]:
+    """As pybind11 writes them into the first line of the docstring; None where it has none, or
+    several overloads."""
+    first = (function.__doc__ or "").split("\n", 1)[0]
+    match = re.match(r"\w+\((.*)\) -> ", first)
+    if match is None or "*args" in first:
+        return None
+    text, depth, names = match[1], 0, []
+    for part in re.split(r"(, |[\[\](){}<>])", text):
+        if part in ("[", "(", "{", "<"):
+            depth += 1
+        elif part in ("]", ")", "}", ">"):
+            depth -= 1
+        elif depth == 0 and re.match(r"\w+: ", part):
+            names.append(part.split(":", 1)[0])
+    return names
+
+
+def public(of: Any) -> List[str]:
+    return [name for name in vars(of) if not name.startswith("_") and not hasattr(object, name)]
+
+
+def test_the_stub_names_everything_that_is_compiled() -> None:
+    in_stub = set(CLASSES) | set(functions(STUB.body))
+    compiled = {name for name in public(_core) if not isinstance(getattr(_core, name), type(ast))}
+    assert compiled - in_stub == set()
+    assert in_stub - compiled == set()
+
+
+def test_functions_take_the_arguments_that_the_stub_says() -> None:
+    for name, node in functions(STUB.body).items():
+        bound = bound_arguments(getattr(_core, name))
+        assert bound is None or bound == arguments(node), name
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_classes_have_the_members_that_the_stub_says(name: str) -> None:
+    compiled = getattr(_core, name)
+    in_stub = functions(CLASSES[name].body)
+    annotated = {node.target.id for node in CLASSES[name].body
+                 if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)}
+    assert set(public(compiled)) == {n for n in in_stub if not n.startswith("_")} | {
+        n for n in annotated if not n.startswith("_")}
+    for member, node in in_stub.items():
+        if member.startswith("__") and member != "__init__":
+            continue  # called by position
+        bound = bound_arguments(vars(compiled).get(member))
+        assert bound is None or bound == arguments(node), f"{name}.{member}"
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_members_have_docstrings(name: str) -> None:
+    compiled = getattr(_core, name)
+    assert compiled.__doc__
+    for member in public(compiled):
+        text = getattr(vars(compiled)[member], "__doc__", None) or ""
+        if text.startswith(member + "("):  # the signature
+            text = text.partition("\n")[2]
+        assert text.strip(), f"{name}.{member}"
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_exports_are_sorted_and_exist(name: str) -> None:
+    module = importlib.import_module(name)
+    assert module.__doc__
+    assert module.__all__ == sorted(module.__all__)
+    for exported in module.__all__:
+        assert hasattr(module, exported), exported
+
+
+def test_nothing_is_exported_by_two_modules() -> None:
+    seen: Dict[str, str] = {}
+    for name in MODULES:
+        for exported in importlib.import_module(name).__all__:
+            value = getattr(importlib.import_module(name), exported)
+            if exported in seen and value is not getattr(
+                    importlib.import_module(seen[exported]), exported):
+                pytest.fail(f"{exported} is in {seen[exported]} and in {name}")
+            seen[exported] = name
