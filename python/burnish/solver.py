@@ -2,4 +2,226 @@
 
 from __future__ import annotations
 
-__all__: list[str] = []
+import enum
+import math
+from dataclasses import dataclass, field
+from typing import Callable, List, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._core import DdpSolver, Problem
+from ._spec import Spec, items
+from .base import Status
+
+__all__ = ["CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
+           "DdpSummary", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization", "StepUpdate",
+           "StopReason"]
+
+
+class StepUpdate(enum.Enum):
+    """How a direction becomes the next iterate."""
+
+    ROLLOUT = 0
+    """the controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha, and after a
+    step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)"""
+    MULTIPLE_SHOOTING = 1
+    """states and controls move along the solution of the linear-quadratic problem; every knot is
+    evaluated on its own, in packs and threads; gaps vanish with convergence"""
+
+
+class StopReason(enum.Enum):
+    """Why a solve ended."""
+
+    CONVERGED = 0
+    """feasible, and the expected improvement is below stop_tolerance"""
+    MAX_ITERATIONS = 1
+    """max_iterations were made"""
+    TIME_BUDGET = 2
+    """time_budget was spent"""
+    NOT_EVALUATED = 3
+    """a knot of the iterate cannot be evaluated: see status, knot, term"""
+    NOT_POSITIVE_DEFINITE = 4
+    """Quu of a knot, with the largest regularisation"""
+    NO_STEP = 5
+    """no step length was acceptable, with the largest regularisation"""
+    CALLBACK = 6
+    """the callback asked for it"""
+
+
+@dataclass(eq=False, repr=False)
+class Regularization(Spec):
+    """Levenberg term, added to the diagonal of Quu, in cost per squared unit of control."""
+
+    initial: float = 0.0
+    smallest: float = 1e-9
+    """below this there is none: a decrease ends at 0, an increase from 0 begins here"""
+    largest: float = 1e9
+    """needed more than this: the solver gives up"""
+    factor: float = 10.0
+    """of an increase, and 1 / factor of a decrease"""
+    decrease_above: float = 0.5
+    """decreases after a step of length > this"""
+    increase_at_or_below: float = 0.01
+    """increases after a step of length <= this"""
+
+
+@dataclass(eq=False, repr=False)
+class LineSearch(Spec):
+    """The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken."""
+
+    halvings: int = 9
+    """the smallest length is 2^-halvings"""
+    sufficient_decrease: float = 0.1
+    """ROLLOUT, expected improvement dV(alpha) >= 0: taken if
+    cost - trial > sufficient_decrease * dV(alpha)"""
+    allowed_increase: float = 2.0
+    """ROLLOUT, dV(alpha) < 0 (closing gaps costs): taken if
+    cost - trial > allowed_increase * dV(alpha)"""
+    merit_decrease: float = 1e-4
+    """MULTIPLE_SHOOTING, merit = cost + penalty * sum |gap|_1 with slope D: taken if
+    trial <= merit + merit_decrease * alpha * D"""
+    merit_share: float = 0.5
+    """MULTIPLE_SHOOTING: the penalty makes D <= -merit_share * penalty * sum |gap|_1"""
+    rounding: float = 1e-14
+    """of a sum of costs: every comparison above is relaxed by rounding * |cost|"""
+
+
+@dataclass(eq=False, repr=False)
+class DdpProgress(Spec):
+    """What a callback sees after each iteration."""
+
+    iteration: int = 0
+    """from 1"""
+    cost: float = 0.0
+    expected_improvement: float = 0.0
+    """what the quadratic model said before the step that the whole step would save"""
+    largest_gap: float = 0.0
+    step_length: float = 0.0
+    """0: no length was acceptable"""
+    regularization: float = 0.0
+    penalty: float = 0.0
+    """of gaps in the merit; MULTIPLE_SHOOTING only"""
+    feasible: bool = False
+    seconds: float = 0.0
+    """since the solve began"""
+
+
+@dataclass(eq=False, repr=False)
+class DdpOptions(Spec):
+    """How a DdpSolver works, each tolerance beside the inequality it enters."""
+
+    update: StepUpdate = StepUpdate.ROLLOUT
+    max_iterations: int = 100
+    time_budget: float = math.inf
+    """s, looked at between phases and between trials; the best iterate so far is kept"""
+    threads: int = 1
+    stop_tolerance: float = 1e-9
+    """converged if feasible and expected improvement < stop_tolerance (in units of cost)"""
+    gap_tolerance: float = 1e-9
+    """feasible if every |entry of a gap| <= gap_tolerance"""
+    line_search: LineSearch = field(default_factory=LineSearch)
+    regularization: Regularization = field(default_factory=Regularization)
+    callback: Optional[Callable[[DdpProgress], Optional[bool]]] = None
+    """called after each iteration; False stops the solve, None and True go on, and what it raises
+    reaches the caller of solve()"""
+
+    def check(self) -> None:
+        """Raises Error with a sentence naming the option that is out of range."""
+        _core.check_ddp_options(self)
+
+
+@dataclass(eq=False, repr=False)
+class PhaseTimes(Spec):
+    """Seconds of a solve by phase."""
+
+    expand: float = 0.0
+    """values and derivatives"""
+    backward: float = 0.0
+    """Riccati recursion"""
+    trial: float = 0.0
+    """rollouts and evaluations of the line search"""
+    total: float = 0.0
+
+
+@dataclass(eq=False, repr=False)
+class DdpSummary(Spec):
+    """Why a solve ended and what it reached."""
+
+    reason: StopReason = StopReason.MAX_ITERATIONS
+    iterations: int = 0
+    """line searches made"""
+    cost: float = 0.0
+    """of the trajectory that is returned"""
+    feasible: bool = False
+    expected_improvement: float = 0.0
+    """the last one computed"""
+    regularization: float = 0.0
+    """the last one used"""
+    largest_gap: float = 0.0
+    """of the trajectory that is returned"""
+    gap_knot: int = 0
+    """where: the state that the gap leads to, 0 for the initial one"""
+    gap_entry: int = 0
+    """entry of dx"""
+    status: Status = Status.OK
+    """NOT_EVALUATED, NOT_POSITIVE_DEFINITE, and NO_STEP where the last trial could not be evaluated:
+    where and what"""
+    knot: int = -1
+    term: int = -1
+    """cost term that is not finite, -1: none or the dynamics"""
+    in_derivatives: bool = False
+    """NOT_EVALUATED: values are finite, derivatives are not"""
+    control: int = -1
+    """NOT_POSITIVE_DEFINITE: the first one whose pivot is not positive"""
+    options: DdpOptions = field(default_factory=DdpOptions)
+    """those it was solved with, without callback"""
+    seconds: PhaseTimes = field(default_factory=PhaseTimes)
+    log: List[DdpProgress] = items()
+    """an entry per iteration"""
+
+    def text(self, problem: Problem) -> str:
+        """One sentence that says why the solver stopped, with names from the problem."""
+        return _core.summary_text(self, problem)
+
+
+@dataclass(eq=False, repr=False)
+class CostEntry(Spec):
+    """What one cost term adds."""
+
+    name: str
+    cost: float
+
+
+@dataclass(eq=False, repr=False)
+class CostKnot(Spec):
+    """What one knot costs."""
+
+    name: str
+    cost: float
+    terms: List[CostEntry]
+
+
+@dataclass(eq=False, repr=False)
+class CostReport(Spec):
+    """Where a cost comes from."""
+
+    total: float
+    terms: List[CostEntry]
+    """summed over knots, in order of appearance"""
+    knots: List[CostKnot]
+    """N + 1"""
+
+    def text(self) -> str:
+        """A table for people: terms from the largest down, and the five most expensive knots."""
+        return _core.cost_report_text(self)
+
+
+@dataclass(eq=False, repr=False)
+class NamedMatrix(Spec):
+    """A result with the names of what its rows and columns stand for."""
+
+    rows: List[str]
+    columns: List[str]
+    values: NDArray[np.float64]

@@ -136,6 +136,21 @@ class SpecTable {
     return *this;
   }
 
+  /// A vector for which a number stands too: one entry.
+  template <class Spec>
+  SpecTable& numbers(const char* name, Eigen::VectorXd Spec::*member) {
+    field(name, member);
+    Field& added = fields_.back();
+    added.wanted = [] { return std::string("a number or a vector of numbers"); };
+    added.set = [member, of_vector = added.set](void* spec, py::handle value) {
+      if (!py::isinstance<py::float_>(value) && !py::isinstance<py::int_>(value))
+        return of_vector(spec, value);
+      (static_cast<Spec*>(spec)->*member).setConstant(1, py::cast<double>(value));
+      return true;
+    };
+    return *this;
+  }
+
   /// False if `from` is not of the dataclass; throws Error naming the field that does not fit.
   bool load(py::handle from, void* spec) const;
   py::object make(const void* spec) const;
@@ -204,6 +219,9 @@ std::string wanted() {
     return "a list, each entry " + wanted<typename Value::value_type>();
   } else if constexpr (is_optional<Value>) {
     return wanted<typename Value::value_type>() + ", or None";
+  } else if constexpr (std::is_base_of_v<py::detail::type_caster_generic,
+                                         py::detail::make_caster<Value>>) {
+    return "a " + std::string(type_name<Value>());  // a bound class, whose caster has no name yet
   } else {
     return py::detail::make_caster<Value>::name.text;
   }

@@ -1,3 +1,431 @@
 #include "specs_ocp.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+#include "node_handle.hpp"
+
+namespace burnish::python {
+
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Numbers that a function of Python's answered, or nothing in the array if they are none.
+Numbers numbers_of(const py::object& answer) {
+  return answer.is_none() ? py::reinterpret_steal<Numbers>(py::handle()) : Numbers::ensure(answer);
+}
+
+std::string what_came(const Numbers& numbers) {
+  return numbers ? "an array of shape " + std::string(py::str(numbers.attr("shape")))
+                 : "no numbers";
+}
+
+/// A function of time that Python gave.
+struct PythonSignal {
+  Kept function;
+
+  void operator()(double time, Eigen::Ref<Eigen::VectorXd> out) const {
+    const py::gil_scoped_acquire lock;
+    const Numbers numbers = numbers_of(function.get()(time));
+    if (!numbers || numbers.ndim() > 1 || numbers.size() != out.size())
+      throw Error("signal: the function of time gave " + what_came(numbers) + " at " +
+                  std::string(py::str(py::float_(time))) + " s; wanted are " +
+                  std::to_string(out.size()) + " numbers");
+    out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
+  }
+};
+
+/// A residual that Python gave.
+struct PythonResidual {
+  Kept value, jacobian;  ///< jacobian: None if there is none
+  std::shared_ptr<const residual::Custom> names;
+
+  Numbers call(const Kept& function, const NodeView& at, bool with_derivatives) const {
+    const NodeLease lease(at, *names, with_derivatives);
+    return numbers_of(function.get()(lease.object()));
+  }
+  [[noreturn]] void refuse(const char* what, const Numbers& numbers,
+                           const std::string& wanted_shape) const {
+    throw Error("residual '" + names->name + "': " + what + " gave " + what_came(numbers) +
+                "; wanted is " + wanted_shape);
+  }
+};
+
+struct PythonValue {
+  PythonResidual residual;
+
+  void operator()(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
+    const py::gil_scoped_acquire lock;
+    const Numbers numbers = residual.call(residual.value, at, false);
+    const bool fits = numbers && numbers.size() == out.size() && numbers.ndim() <= 1;
+    if (!fits) residual.refuse("value", numbers, "(" + std::to_string(out.size()) + ",)");
+    out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
+  }
+};
+
+struct PythonJacobian {
+  PythonResidual residual;
+
+  void operator()(const NodeView& at, Eigen::Ref<RowMatrix> out) const {
+    const py::gil_scoped_acquire lock;
+    const Numbers numbers = residual.call(residual.jacobian, at, true);
+    const bool row = numbers && numbers.ndim() == 1 && out.rows() == 1;
+    const bool fits = numbers && numbers.size() == out.size() &&
+                      (row || (numbers.ndim() == 2 && numbers.shape(0) == out.rows()));
+    if (!fits)
+      residual.refuse("jacobian", numbers,
+                      "(" + std::to_string(out.rows()) + ", " + std::to_string(out.cols()) + ")");
+    out = Eigen::Map<const RowMatrix>(numbers.data(), out.rows(), out.cols());
+  }
+};
+
+py::object class_of(const char* module, const char* name) {
+  return py::module_::import(module).attr(name);
+}
+
+Signal signal_over_time(int size, const py::object& function) {
+  return Signal::over_time(size, PythonSignal{Kept(function)});
+}
+
+/// An entry of a Custom; throws Error naming it.
+template <class Value>
+void read_entry(py::handle from, const char* name, Value& value) {
+  py::detail::make_caster<Value> caster;
+  if (!caster.load(from.attr(name), true))
+    throw Error(std::string("Custom.") + name + ": wanted " + wanted<Value>());
+  value = py::detail::cast_op<Value&>(caster);
+}
+
+}  // namespace
+
+bool load_signal(py::handle from, Signal& signal) {
+  if (from.is_none()) {
+    signal = {};
+    return true;
+  }
+  if (py::isinstance(from, class_of("burnish._signal", "OverTime"))) {
+    const py::object function = from.attr("function");
+    signal = py::isinstance<SignalFunction>(function)
+                 ? py::cast<const SignalFunction&>(function).signal
+                 : signal_over_time(py::cast<int>(from.attr("size")), function);
+    return true;
+  }
+  const auto object = py::reinterpret_borrow<py::object>(from);
+  if (py::isinstance<SignalFunction>(from)) {
+    signal = py::cast<const SignalFunction&>(from).signal;
+    return true;
+  }
+  if (PyCallable_Check(from.ptr()) != 0) {
+    const Numbers first = numbers_of(object(0.0));
+    if (!first || first.ndim() > 1)
+      throw Error("signal: the function of time gave " + what_came(first) +
+                  " at 0 s; wanted are numbers");
+    signal = signal_over_time(static_cast<int>(first.size()), object);
+    return true;
+  }
+  const Numbers numbers = Numbers::ensure(from);
+  if (!numbers || numbers.ndim() > 1) return false;
+  signal = Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size()));
+  return true;
+}
+
+py::object make_signal(const Signal& signal) {
+  if (signal.empty()) return py::none();
+  if (signal.is_constant()) {
+    Eigen::VectorXd value(signal.size());
+    signal.at(0.0, value);
+    return py::cast(value);
+  }
+  const auto* ours = signal.function().target<PythonSignal>();
+  const py::object function =
+      ours != nullptr ? ours->function.get() : py::cast(SignalFunction{signal});
+  return class_of("burnish._signal", "OverTime")(signal.size(), function);
+}
+
+bool load_custom(py::handle from, residual::Custom& custom) {
+  if (!py::isinstance(from, class_of("burnish.residual", "Custom"))) return false;
+  custom = {};
+  read_entry(from, "name", custom.name);
+  read_entry(from, "rows", custom.rows);
+  read_entry(from, "frames", custom.frames);
+  read_entry(from, "contacts", custom.contacts);
+  const py::object value = from.attr("value"), jacobian = from.attr("jacobian");
+  const PythonResidual residual{Kept(value), Kept(jacobian),
+                                std::make_shared<const residual::Custom>(custom)};
+  if (!value.is_none()) custom.value = PythonValue{residual};
+  if (!jacobian.is_none()) custom.jacobian = PythonJacobian{residual};
+  return true;
+}
+
+py::object make_custom(const residual::Custom& custom) {
+  py::object value = py::none(), jacobian = py::none();
+  if (const auto* ours = custom.value.target<PythonValue>()) {
+    value = ours->residual.value.get();
+  } else if (custom.value) {
+    value = py::cpp_function([custom](const NodeHandle& at) {
+      Eigen::VectorXd r(custom.rows);
+      custom.value(at.view(), r);
+      return r;
+    });
+  }
+  if (const auto* ours = custom.jacobian.target<PythonJacobian>()) {
+    jacobian = ours->residual.jacobian.get();
+  } else if (custom.jacobian) {
+    jacobian = py::cpp_function([custom](const NodeHandle& at) {
+      RowMatrix J = RowMatrix::Zero(custom.rows, at.view().layout().nz());
+      custom.jacobian(at.view(), J);
+      return J;
+    });
+  }
+  return class_of("burnish.residual", "Custom")(custom.name, custom.rows, custom.frames,
+                                                custom.contacts, value, jacobian);
+}
+
+template <>
+const EnumTable& AsEnum<Penalty::Kind>::table() {
+  static const EnumTable words("burnish.ocp", "PenaltyKind",
+                               {"square", "barrier", "smooth_absolute", "log_barrier"});
+  return words;
+}
+template <>
+const EnumTable& AsEnum<Integrator>::table() {
+  static const EnumTable words("burnish.ocp", "Integrator",
+                               {"semi_implicit_euler", "runge_kutta4"});
+  return words;
+}
+template <>
+const EnumTable& AsEnum<TorqueModel::Discretization>::table() {
+  static const EnumTable words("burnish.ocp", "Discretization", {"exact", "euler"});
+  return words;
+}
+template <>
+const SpecTable& AsDataclass<Penalty>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "Penalty")
+                                      .field("kind", &Penalty::kind)
+                                      .numbers("lower", &Penalty::lower)
+                                      .numbers("upper", &Penalty::upper)
+                                      .field("width", &Penalty::width);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::State>::table() {
+  static const SpecTable fields =
+      SpecTable("burnish.residual", "State").field("target", &residual::State::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::Control>::table() {
+  static const SpecTable fields =
+      SpecTable("burnish.residual", "Control").field("target", &residual::Control::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::JointPosition>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "JointPosition")
+                                      .field("joints", &residual::JointPosition::joints)
+                                      .field("target", &residual::JointPosition::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::JointVelocity>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "JointVelocity")
+                                      .field("joints", &residual::JointVelocity::joints)
+                                      .field("target", &residual::JointVelocity::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::JointTorque>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "JointTorque")
+                                      .field("joints", &residual::JointTorque::joints)
+                                      .field("target", &residual::JointTorque::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::FramePosition>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "FramePosition")
+                                      .field("frame", &residual::FramePosition::frame)
+                                      .field("target", &residual::FramePosition::target)
+                                      .field("axes", &residual::FramePosition::axes);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::FrameRotation>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "FrameRotation")
+                                      .field("frame", &residual::FrameRotation::frame)
+                                      .field("target", &residual::FrameRotation::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::FramePlacement>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "FramePlacement")
+                                      .field("frame", &residual::FramePlacement::frame)
+                                      .field("target", &residual::FramePlacement::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::FrameVelocity>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "FrameVelocity")
+                                      .field("frame", &residual::FrameVelocity::frame)
+                                      .field("axes", &residual::FrameVelocity::axes)
+                                      .field("target", &residual::FrameVelocity::target)
+                                      .field("rotation", &residual::FrameVelocity::rotation);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::ContactForce>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "ContactForce")
+                                      .field("contact", &residual::ContactForce::contact)
+                                      .field("reference", &residual::ContactForce::reference)
+                                      .field("target", &residual::ContactForce::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::FrictionCone>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "FrictionCone")
+                                      .field("contact", &residual::FrictionCone::contact)
+                                      .field("friction", &residual::FrictionCone::friction)
+                                      .field("normal", &residual::FrictionCone::normal)
+                                      .field("reference", &residual::FrictionCone::reference);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::CenterOfPressure>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "CenterOfPressure")
+                                      .field("contact", &residual::CenterOfPressure::contact)
+                                      .field("half_x", &residual::CenterOfPressure::half_x)
+                                      .field("half_y", &residual::CenterOfPressure::half_y);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::CenterOfMass>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "CenterOfMass")
+                                      .field("target", &residual::CenterOfMass::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<residual::CentroidalMomentum>::table() {
+  static const SpecTable fields = SpecTable("burnish.residual", "CentroidalMomentum")
+                                      .field("target", &residual::CentroidalMomentum::target);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<CostTerm>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "CostTerm")
+                                      .field("name", &CostTerm::name)
+                                      .field("residual", &CostTerm::residual)
+                                      .field("weight", &CostTerm::weight)
+                                      .field("weights", &CostTerm::weights)
+                                      .field("penalty", &CostTerm::penalty);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<TorqueModel>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "TorqueModel")
+                                      .field("cutoff", &TorqueModel::cutoff)
+                                      .field("discretization", &TorqueModel::discretization);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ActuationSpec>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "ActuationSpec")
+                                      .field("joints", &ActuationSpec::joints)
+                                      .field("passive_torques", &ActuationSpec::passive_torques)
+                                      .field("slip_velocity", &ActuationSpec::slip_velocity);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<Stage>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "Stage")
+                                      .field("name", &Stage::name)
+                                      .field("contacts", &Stage::contacts)
+                                      .field("costs", &Stage::costs)
+                                      .field("step", &Stage::step)
+                                      .field("integrator", &Stage::integrator)
+                                      .field("impact", &Stage::impact);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<HorizonSegment>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "HorizonSegment")
+                                      .field("stage", &HorizonSegment::stage)
+                                      .field("knots", &HorizonSegment::knots);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ProblemSpec>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "ProblemSpec")
+                                      .field("model", &ProblemSpec::model)
+                                      .field("contacts", &ProblemSpec::contacts)
+                                      .field("contact_solver", &ProblemSpec::contact_solver)
+                                      .field("actuation", &ProblemSpec::actuation)
+                                      .field("torque_model", &ProblemSpec::torque_model)
+                                      .numbers("control_lower", &ProblemSpec::control_lower)
+                                      .numbers("control_upper", &ProblemSpec::control_upper)
+                                      .field("stages", &ProblemSpec::stages)
+                                      .field("horizon", &ProblemSpec::horizon)
+                                      .field("terminal", &ProblemSpec::terminal)
+                                      .field("initial_state", &ProblemSpec::initial_state)
+                                      .field("start_time", &ProblemSpec::start_time);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<StateLayout>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "StateLayout")
+                                      .field("nq", &StateLayout::nq)
+                                      .field("nv", &StateLayout::nv)
+                                      .field("filtered", &StateLayout::filtered)
+                                      .field("nu", &StateLayout::nu)
+                                      .field("actuated", &StateLayout::actuated);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<Problem::QuasiStatic>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "QuasiStatic")
+                                      .field("control", &Problem::QuasiStatic::control)
+                                      .field("force", &Problem::QuasiStatic::force)
+                                      .field("residual", &Problem::QuasiStatic::residual);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ProblemCheckOptions>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "ProblemCheckOptions")
+                                      .field("states", &ProblemCheckOptions::states)
+                                      .field("seed", &ProblemCheckOptions::seed)
+                                      .field("tolerance", &ProblemCheckOptions::tolerance)
+                                      .field("x", &ProblemCheckOptions::x)
+                                      .field("u", &ProblemCheckOptions::u)
+                                      .field("position", &ProblemCheckOptions::position)
+                                      .field("velocity", &ProblemCheckOptions::velocity)
+                                      .field("torque", &ProblemCheckOptions::torque)
+                                      .field("progress", &ProblemCheckOptions::progress);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ProblemCheckRow>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "ProblemCheckRow")
+                                      .field("stage", &ProblemCheckRow::stage)
+                                      .field("term", &ProblemCheckRow::term)
+                                      .field("states", &ProblemCheckRow::states)
+                                      .field("worst_error", &ProblemCheckRow::worst_error)
+                                      .field("worst", &ProblemCheckRow::worst)
+                                      .field("pass_", &ProblemCheckRow::pass);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ProblemReport>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "ProblemReport")
+                                      .field("robot", &ProblemReport::robot)
+                                      .field("rows", &ProblemReport::rows)
+                                      .field("tolerance", &ProblemReport::tolerance)
+                                      .field("pass_", &ProblemReport::pass);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<TrajectoryValues>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "TrajectoryValues")
+                                      .field("costs", &TrajectoryValues::costs)
+                                      .field("next_states", &TrajectoryValues::next_states)
+                                      .field("statuses", &TrajectoryValues::statuses)
+                                      .field("terms", &TrajectoryValues::terms);
+  return fields;
+}
+
+}  // namespace burnish::python

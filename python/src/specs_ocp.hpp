@@ -1,6 +1,120 @@
-// Values of the ocp layer.
+// Values of the ocp layer. Signals are None, numbers, or functions of time; residuals of the user's
+// own hold functions of Python's.
 #pragma once
 
+#include "burnish/ocp/check.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "callback.hpp"
+#include "specs_contact.hpp"
 #include "specs_derivatives.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+namespace burnish::python {
+
+/// What Problem.evaluate answers.
+struct TrajectoryValues {
+  Eigen::VectorXd costs;
+  RowMatrix next_states;
+  std::vector<Status> statuses;
+  std::vector<int> terms;
+};
+
+/// A function of time that C++ made, such as one from a problem file: Python can call it, and it
+/// comes back as it was.
+struct SignalFunction {
+  Signal signal;
+};
+
+bool load_signal(py::handle from, Signal& signal);
+py::object make_signal(const Signal& signal);
+bool load_custom(py::handle from, residual::Custom& custom);
+py::object make_custom(const residual::Custom& custom);
+
+template <>
+inline std::string wanted<Signal>() {
+  return "a number, a vector of numbers, a function of time, or None";
+}
+
+template <>
+struct EnumOf<Penalty::Kind> : AsEnum<Penalty::Kind> {};
+template <>
+struct EnumOf<Integrator> : AsEnum<Integrator> {};
+template <>
+struct EnumOf<TorqueModel::Discretization> : AsEnum<TorqueModel::Discretization> {};
+template <>
+struct SpecOf<Penalty> : AsDataclass<Penalty> {};
+template <>
+struct SpecOf<residual::State> : AsDataclass<residual::State> {};
+template <>
+struct SpecOf<residual::Control> : AsDataclass<residual::Control> {};
+template <>
+struct SpecOf<residual::JointPosition> : AsDataclass<residual::JointPosition> {};
+template <>
+struct SpecOf<residual::JointVelocity> : AsDataclass<residual::JointVelocity> {};
+template <>
+struct SpecOf<residual::JointTorque> : AsDataclass<residual::JointTorque> {};
+template <>
+struct SpecOf<residual::FramePosition> : AsDataclass<residual::FramePosition> {};
+template <>
+struct SpecOf<residual::FrameRotation> : AsDataclass<residual::FrameRotation> {};
+template <>
+struct SpecOf<residual::FramePlacement> : AsDataclass<residual::FramePlacement> {};
+template <>
+struct SpecOf<residual::FrameVelocity> : AsDataclass<residual::FrameVelocity> {};
+template <>
+struct SpecOf<residual::ContactForce> : AsDataclass<residual::ContactForce> {};
+template <>
+struct SpecOf<residual::FrictionCone> : AsDataclass<residual::FrictionCone> {};
+template <>
+struct SpecOf<residual::CenterOfPressure> : AsDataclass<residual::CenterOfPressure> {};
+template <>
+struct SpecOf<residual::CenterOfMass> : AsDataclass<residual::CenterOfMass> {};
+template <>
+struct SpecOf<residual::CentroidalMomentum> : AsDataclass<residual::CentroidalMomentum> {};
+template <>
+struct SpecOf<CostTerm> : AsDataclass<CostTerm> {};
+template <>
+struct SpecOf<TorqueModel> : AsDataclass<TorqueModel> {};
+template <>
+struct SpecOf<ActuationSpec> : AsDataclass<ActuationSpec> {};
+template <>
+struct SpecOf<Stage> : AsDataclass<Stage> {};
+template <>
+struct SpecOf<HorizonSegment> : AsDataclass<HorizonSegment> {};
+template <>
+struct SpecOf<ProblemSpec> : AsDataclass<ProblemSpec> {};
+template <>
+struct SpecOf<StateLayout> : AsDataclass<StateLayout> {};
+template <>
+struct SpecOf<Problem::QuasiStatic> : AsDataclass<Problem::QuasiStatic> {};
+template <>
+struct SpecOf<ProblemCheckOptions> : AsDataclass<ProblemCheckOptions> {};
+template <>
+struct SpecOf<ProblemCheckRow> : AsDataclass<ProblemCheckRow> {};
+template <>
+struct SpecOf<ProblemReport> : AsDataclass<ProblemReport> {};
+template <>
+struct SpecOf<TrajectoryValues> : AsDataclass<TrajectoryValues> {};
+
+}  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::Signal> {
+  PYBIND11_TYPE_CASTER(burnish::Signal, const_name("Signal"));
+  bool load(handle from, bool) { return burnish::python::load_signal(from, value); }
+  static handle cast(const burnish::Signal& from, return_value_policy, handle) {
+    return burnish::python::make_signal(from).release();
+  }
+};
+
+template <>
+struct type_caster<burnish::residual::Custom> {
+  PYBIND11_TYPE_CASTER(burnish::residual::Custom, const_name("Custom"));
+  bool load(handle from, bool) { return burnish::python::load_custom(from, value); }
+  static handle cast(const burnish::residual::Custom& from, return_value_policy, handle) {
+    return burnish::python::make_custom(from).release();
+  }
+};
+
+}  // namespace pybind11::detail

@@ -1,6 +1,53 @@
 // Values of the solver layer.
 #pragma once
 
+#include "burnish/solver/ddp.hpp"
+#include "callback.hpp"
 #include "specs_base.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+namespace burnish::python {
+
+using DdpCallback = std::function<bool(const DdpProgress&)>;
+
+bool load_callback(py::handle from, DdpCallback& callback);
+py::object make_callback(const DdpCallback& callback);
+
+template <>
+struct EnumOf<StepUpdate> : AsEnum<StepUpdate> {};
+template <>
+struct EnumOf<StopReason> : AsEnum<StopReason> {};
+template <>
+struct SpecOf<Regularization> : AsDataclass<Regularization> {};
+template <>
+struct SpecOf<LineSearch> : AsDataclass<LineSearch> {};
+template <>
+struct SpecOf<DdpProgress> : AsDataclass<DdpProgress> {};
+template <>
+struct SpecOf<DdpOptions> : AsDataclass<DdpOptions> {};
+template <>
+struct SpecOf<PhaseTimes> : AsDataclass<PhaseTimes> {};
+template <>
+struct SpecOf<DdpSummary> : AsDataclass<DdpSummary> {};
+template <>
+struct SpecOf<CostReport::Entry> : AsDataclass<CostReport::Entry> {};
+template <>
+struct SpecOf<CostReport::Knot> : AsDataclass<CostReport::Knot> {};
+template <>
+struct SpecOf<CostReport> : AsDataclass<CostReport> {};
+template <>
+struct SpecOf<NamedMatrix> : AsDataclass<NamedMatrix> {};
+
+}  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::python::DdpCallback> {
+  PYBIND11_TYPE_CASTER(burnish::python::DdpCallback, const_name("Callable"));
+  bool load(handle from, bool) { return burnish::python::load_callback(from, value); }
+  static handle cast(const burnish::python::DdpCallback& from, return_value_policy, handle) {
+    return burnish::python::make_callback(from).release();
+  }
+};
+
+}  // namespace pybind11::detail

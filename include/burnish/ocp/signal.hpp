@@ -29,6 +29,8 @@ class Signal {
   bool empty() const { return constant_.size() == 0 && !function_; }
   bool is_constant() const { return !function_; }
   int size() const { return function_ ? size_ : static_cast<int>(constant_.size()); }
+  /// What over_time() was given; empty if constant.
+  const Function& function() const { return function_; }
   /// Writes size() entries.
   void at(double time, Eigen::Ref<Eigen::VectorXd> out) const;
 

@@ -1,0 +1,16 @@
+// The parts of bind_ocp.cpp that are files of their own.
+#pragma once
+
+#include "arrays.hpp"
+#include "machine_ocp.hpp"
+
+namespace burnish::python {
+
+using ProblemClass = py::class_<ProblemMachine>;
+/// Rows one after the other, whatever came.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+void bind_problem(py::module_& m);
+void bind_trajectory(ProblemClass& c);
+
+}  // namespace burnish::python

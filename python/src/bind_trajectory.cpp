@@ -1,0 +1,189 @@
+// Problem: values and derivatives of a whole trajectory.
+#include "bind_ocp.hpp"
+#include "specs_ocp.hpp"
+
+namespace burnish::python {
+
+namespace {
+
+TrajectoryView trajectory(const char* call, const Problem& problem, const Numbers& xs,
+                          const Numbers& us) {
+  const auto check = [call](const char* name, const Numbers& m, int rows, int columns) {
+    if (m.ndim() != 2 || m.shape(0) != rows || m.shape(1) != columns)
+      throw Error(std::string(call) + ": " + name + " has the shape " +
+                  std::string(py::str(m.attr("shape"))) + "; wanted is (" + std::to_string(rows) +
+                  ", " + std::to_string(columns) + ")");
+  };
+  check("xs", xs, problem.knots() + 1, problem.layout().nx());
+  check("us", us, problem.knots(), problem.max_controls());
+  return {xs.data(), us.data()};
+}
+
+/// call(worker, range) for all ranges of knots, by this many threads. Without the interpreter's
+/// lock.
+template <class Call>
+void for_each_range(ProblemMachine& machine, const char* name, int threads, Call&& call) {
+  if (threads < 1)
+    throw Error(std::string(name) + ": threads is " + std::to_string(threads) +
+                "; wanted at least 1");
+  machine.problem.prepare(threads);
+  if (!machine.pool || machine.pool->workers() != threads)
+    machine.pool = std::make_unique<ThreadPool>(threads);
+  const std::span<const KnotRange> ranges = machine.problem.ranges();
+  machine.pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
+    call(worker, ranges[static_cast<std::size_t>(piece)]);
+  });
+}
+
+TrajectoryValues values_of(const std::vector<KnotValue>& values, const RowMatrix& next) {
+  TrajectoryValues answer;
+  answer.next_states = next.topRows(next.rows() - 1);
+  answer.costs.resize(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    answer.costs[static_cast<Eigen::Index>(k)] = values[k].cost;
+    answer.statuses.push_back(values[k].status);
+    answer.terms.push_back(values[k].term);
+  }
+  return answer;
+}
+
+TrajectoryValues evaluate(ProblemMachine& machine, const Numbers& xs, const Numbers& us,
+                          int threads) {
+  constexpr const char* call = "Problem.evaluate";
+  const Busy::Lock lock(machine.busy, call);
+  Problem& problem = machine.problem;
+  const TrajectoryView at = trajectory(call, problem, xs, us);
+  const py::gil_scoped_release release;
+  std::vector<KnotValue> values(static_cast<std::size_t>(problem.knots()) + 1);
+  RowMatrix next = RowMatrix::Zero(problem.knots() + 1, problem.layout().nx());
+  for_each_range(machine, call, threads, [&](int worker, KnotRange range) {
+    problem.evaluate(worker, range, at, next.data(), values.data());
+  });
+  return values_of(values, next);
+}
+
+/// Memory for the expansions of a horizon.
+struct ExpansionRoom {
+  explicit ExpansionRoom(const Problem& problem) : nz(problem.layout().nz()) {
+    const StateShape& state = problem.state();
+    const auto knots = static_cast<std::size_t>(problem.knots()) + 1;
+    const auto entries = static_cast<std::size_t>(nz);
+    const auto rows = static_cast<std::size_t>(state.ndx);
+    std::size_t lead = 0;
+    for (const LeadBlock& block : state.blocks)
+      lead += 2 * static_cast<std::size_t>(block.size * block.size);
+    // The problem may write whole packs at the end of a row.
+    constexpr std::size_t slack = 16;
+    const std::size_t stride = entries + slack;
+    const std::size_t each = stride * (1 + entries + rows) + lead + rows + slack;
+    memory.assign(each * knots, 0.0);
+    out.resize(knots);
+    double* from = memory.data();
+    for (KnotExpansion& e : out) {
+      e.stride = static_cast<int>(stride);
+      e.gradient = from;
+      e.hessian = e.gradient + stride;
+      e.dynamics = e.hessian + stride * entries;
+      e.lead = e.dynamics + stride * rows;
+      e.decay = e.lead + lead;
+      from += each;
+    }
+  }
+  int nz;
+  std::vector<double> memory;
+  std::vector<KnotExpansion> out;
+};
+
+/// F of one knot, ndx x nz with the columns of missing controls zero, from either form.
+void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
+                    Eigen::Ref<RowMatrix> F) {
+  using Rows = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
+  F.setZero();
+  const int skip = max_nu - nu;
+  const bool dense = e.form == DynamicsForm::Dense;
+  const int rows = dense ? state.ndx : state.nv;
+  const Rows given(e.dynamics, rows, nu + state.ndx, Eigen::OuterStride<>(e.stride));
+  F.block(dense ? 0 : state.nv, skip, rows, nu + state.ndx) = given;
+  if (dense) return;
+  const int nv = state.nv, q = max_nu;
+  RowMatrix A = RowMatrix::Identity(nv, nv), B = A;
+  const double* lead = e.lead;
+  for (const LeadBlock& block : state.blocks) {
+    const Eigen::Map<const RowMatrix> a(lead, block.size, block.size);
+    const Eigen::Map<const RowMatrix> b(lead + a.size(), block.size, block.size);
+    A.block(block.first, block.first, block.size, block.size) = a;
+    B.block(block.first, block.first, block.size, block.size) = b;
+    lead += 2 * a.size();
+  }
+  F.topRows(nv) = e.step * B * F.middleRows(nv, nv);
+  F.block(0, q, nv, nv) += A;
+  for (int i = 0; i < state.filtered; ++i) {
+    F(2 * nv + i, q + 2 * nv + i) = e.decay[i];
+    if (nu > 0) F(2 * nv + i, skip + i) = 1.0 - e.decay[i];
+  }
+}
+
+/// Gradient and Hessian of a knot; columns of missing controls are zero.
+void write_costs(const KnotExpansion& e, int n, Eigen::Ref<Eigen::VectorXd> gradient,
+                 Eigen::Ref<RowMatrix> hessian) {
+  const Eigen::Index skip = gradient.size() - n;
+  gradient.setZero();
+  hessian.setZero();
+  gradient.tail(n) = Eigen::Map<const Eigen::VectorXd>(e.gradient, n);
+  for (int r = 0; r < n; ++r)
+    for (int c = 0; c <= r; ++c)
+      hessian(skip + r, skip + c) = hessian(skip + c, skip + r) = e.hessian[r * e.stride + c];
+}
+
+py::object expand(ProblemMachine& machine, const Numbers& xs, const Numbers& us, int threads) {
+  constexpr const char* call = "Problem.expand";
+  const Busy::Lock lock(machine.busy, call);
+  Problem& problem = machine.problem;
+  const TrajectoryView at = trajectory(call, problem, xs, us);
+  const int N = problem.knots(), ndx = problem.layout().ndx(), nz = problem.layout().nz();
+  py::array_t<double> gradients(std::vector<py::ssize_t>{N + 1, nz});
+  py::array_t<double> hessians(std::vector<py::ssize_t>{N + 1, nz, nz});
+  py::array_t<double> dynamics(std::vector<py::ssize_t>{N, ndx, nz});
+  double *gradient = gradients.mutable_data(), *hessian = hessians.mutable_data(),
+         *F = dynamics.mutable_data();
+
+  std::vector<KnotValue> values(static_cast<std::size_t>(N) + 1);
+  RowMatrix next = RowMatrix::Zero(N + 1, problem.layout().nx());
+  {
+    const py::gil_scoped_release release;
+    ExpansionRoom room(problem);
+    for_each_range(machine, call, threads, [&](int worker, KnotRange range) {
+      problem.expand(worker, range, at, next.data(), values.data(), room.out.data());
+    });
+    for (int k = 0; k <= N; ++k, gradient += nz, hessian += nz * nz, F += ndx * nz) {
+      const KnotExpansion& e = room.out[static_cast<std::size_t>(k)];
+      const int nu = problem.controls(k);
+      write_costs(e, nu + ndx, Eigen::Map<Eigen::VectorXd>(gradient, nz),
+                  Eigen::Map<RowMatrix>(hessian, nz, nz));
+      if (k < N)
+        write_dynamics(problem.state(), e, nu, problem.max_controls(),
+                       Eigen::Map<RowMatrix>(F, ndx, nz));
+    }
+  }
+  static const PythonClass answer("burnish.ocp", "TrajectoryExpansion");
+  const TrajectoryValues common = values_of(values, next);
+  return py::reinterpret_borrow<py::object>(answer.get())(
+      py::arg("costs") = common.costs, py::arg("next_states") = common.next_states,
+      py::arg("statuses") = common.statuses, py::arg("terms") = common.terms,
+      py::arg("gradients") = gradients, py::arg("hessians") = hessians,
+      py::arg("dynamics") = dynamics);
+}
+
+}  // namespace
+
+void bind_trajectory(ProblemClass& c) {
+  c.def("evaluate", &evaluate, py::arg("xs"), py::arg("us"), py::arg("threads") = 1,
+        "Costs and next states of all knots at once, in packs and threads: xs (N + 1, nx), us "
+        "(N, max_controls) -> TrajectoryValues. Its statuses say which knots cannot be "
+        "evaluated.")
+      .def("expand", &expand, py::arg("xs"), py::arg("us"), py::arg("threads") = 1,
+           "The same with gradients, Gauss-Newton Hessians and linearised dynamics of all knots: a "
+           "TrajectoryExpansion.");
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,28 @@
+// A Problem as Python holds it.
+#pragma once
+
+#include <memory>
+
+#include "burnish/base/thread_pool.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "machine.hpp"
+
+namespace burnish::python {
+
+/// Solvers lock it while they solve.
+struct ProblemMachine {
+  explicit ProblemMachine(const ProblemSpec& spec) : problem(spec) {}
+
+  Problem problem;
+  Busy busy;
+  std::unique_ptr<ThreadPool> pool;  ///< of evaluations, made when first asked for
+};
+
+/// Throws Error unless 0 <= knot <= last.
+inline void check_knot(const char* call, int knot, int last) {
+  if (knot < 0 || knot > last)
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(last));
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,75 @@
+// A knot as a residual written in Python sees it: only while it is asked.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "burnish/base/error.hpp"
+#include "burnish/ocp/node_view.hpp"
+#include "burnish/ocp/residual.hpp"
+#include "spec.hpp"
+
+namespace burnish::python {
+
+/// What Python holds: it may be kept beyond the call, when what it looked at is gone.
+class NodeHandle {
+ public:
+  NodeHandle(const NodeView& view, const residual::Custom& names, bool with_derivatives)
+      : view_(&view), names_(&names), with_derivatives_(with_derivatives) {}
+
+  const NodeView& view() const {
+    if (view_ == nullptr)
+      throw Error(
+          "NodeView: used after the call that it came with; copy what is needed from it instead");
+    return *view_;
+  }
+  bool with_derivatives() const { return with_derivatives_; }
+  void end() { view_ = nullptr; }
+
+  using Place = std::variant<int, std::string>;
+  /// Frames and contacts by their place in the residual's lists, or by name. Throw Error.
+  int frame(const Place& at) const { return place(at, "frame", view(), names_->frames); }
+  int contact(const Place& at) const { return place(at, "contact", view(), names_->contacts); }
+
+ private:
+  int place(const Place& at, const char* what, const NodeView& /*alive*/,
+            const std::vector<std::string>& known) const {
+    const std::string residual = "residual '" + names_->name + "': ";
+    if (const int* index = std::get_if<int>(&at)) {
+      if (*index < 0 || *index >= static_cast<int>(known.size()))
+        throw Error(residual + "there is no " + what + " " + std::to_string(*index) +
+                    "; it declares " + std::to_string(known.size()));
+      return *index;
+    }
+    const auto& name = std::get<std::string>(at);
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end())
+      throw Error(residual + "it does not declare the " + what + " '" + name + "'" +
+                  did_you_mean(name, known));
+    return static_cast<int>(found - known.begin());
+  }
+
+  const NodeView* view_;
+  const residual::Custom* names_;
+  bool with_derivatives_;
+};
+
+/// Lends a view to Python for as long as this lives. Under the interpreter's lock.
+class NodeLease {
+ public:
+  NodeLease(const NodeView& view, const residual::Custom& names, bool with_derivatives)
+      : handle_(std::make_shared<NodeHandle>(view, names, with_derivatives)) {}
+  ~NodeLease() { handle_->end(); }
+  NodeLease(const NodeLease&) = delete;
+  NodeLease& operator=(const NodeLease&) = delete;
+
+  py::object object() const { return py::cast(handle_); }
+
+ private:
+  std::shared_ptr<NodeHandle> handle_;
+};
+
+}  // namespace burnish::python

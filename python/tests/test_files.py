@@ -1,0 +1,98 @@
+"""Problem files in Python."""
+
+import pickle
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish as bn
+from burnish import residual
+
+PROBLEMS = Path(__file__).parents[2] / "examples" / "problems"
+
+
+@pytest.mark.parametrize("file", sorted(PROBLEMS.glob("*.yaml")), ids=lambda file: file.stem)
+def test_every_problem_file_is_read(file):
+    read = bn.read_problem_file(file)
+    assert read.description and read.spec.model.name == read.robot.model.name
+    problem = bn.Problem(read.spec)
+    guess = bn.make_guess(problem, read.guess)
+    assert guess.xs.shape == (problem.knots + 1, problem.nx)
+    assert guess.us.shape == (problem.knots, problem.max_controls)
+    np.testing.assert_array_equal(guess.xs[0], problem.initial_state)
+    assert np.isfinite(problem.evaluate(guess.xs, guess.us).cost)
+
+
+def test_a_problem_file_solves():
+    read = bn.read_problem_file(str(PROBLEMS / "reaching.yaml"))
+    problem = bn.Problem(read.spec)
+    solver = bn.DdpSolver(problem, read.solver)
+    solver.set_guess(*vars(bn.make_guess(problem, read.guess)).values())
+    assert solver.solve().reason is bn.StopReason.CONVERGED
+    options = read.solver.replace(max_iterations=1)
+    assert bn.DdpSolver(problem, options).solve().iterations == 1
+    assert read.solver.max_iterations != 1
+
+
+def signals_of(spec):
+    terms = [term for stage in spec.stages for term in stage.costs] + spec.terminal
+    return [term.residual.target for term in terms if hasattr(term.residual, "target")]
+
+
+def test_references_over_time_are_functions():
+    spec = bn.read_problem_file(PROBLEMS / "polishing.yaml").spec
+    moving = [signal for signal in signals_of(spec) if isinstance(signal, bn.OverTime)]
+    assert moving
+    for signal in moving:
+        assert signal.function(0.1).shape == (signal.size,)
+    # They come back from Python as they were: the same problem.
+    xs = bn.make_guess(bn.Problem(spec)).xs
+    us = bn.make_guess(bn.Problem(spec)).us
+    again = bn.Problem(spec).spec
+    np.testing.assert_array_equal(
+        bn.Problem(again).evaluate(xs, us).costs, bn.Problem(spec).evaluate(xs, us).costs
+    )
+
+
+def test_a_file_is_changed_in_python(tmp_path):
+    spec = bn.read_problem_file(PROBLEMS / "reaching.yaml").spec
+    spec.terminal.append(bn.CostTerm(residual.Control(), name="none"))
+    spec.terminal.pop()
+    spec.horizon[0].knots = 12
+    assert bn.Problem(spec).knots == 12 + sum(segment.knots for segment in spec.horizon[1:])
+    if not any(isinstance(signal, bn.OverTime) for signal in signals_of(spec)):
+        bn.Problem(pickle.loads(pickle.dumps(spec)))
+
+
+def test_mistakes_in_a_file_are_sentences(tmp_path):
+    with pytest.raises(bn.Error, match="nothing.yaml"):
+        bn.read_problem_file(tmp_path / "nothing.yaml")
+    text = (PROBLEMS / "reaching.yaml").read_text()
+    key = re.search(r"^(stages|horizon|terminal):", text, re.M).group(1)
+    broken = tmp_path / "broken.yaml"
+    broken.write_text(text.replace(f"\n{key}:", f"\n{key}x:"))
+    with pytest.raises(bn.Error, match=f"broken.yaml.*{key}x.*did you mean '{key}'"):
+        bn.read_problem_file(broken)
+
+
+def test_guesses_hold_or_stand_still():
+    read = bn.read_problem_file(PROBLEMS / "reaching.yaml")
+    problem = bn.Problem(read.spec)
+    hold, still = bn.make_guess(problem), bn.make_guess(problem, bn.WarmStart("still"))
+    assert not still.us.any() and hold.us.any()
+    np.testing.assert_array_equal(hold.xs, still.xs)
+    np.testing.assert_allclose(
+        hold.us[0], problem.quasi_static(problem.stage_of(0), problem.initial_state).control
+    )
+    with pytest.raises(bn.Error, match="nowhere.csv"):
+        bn.make_guess(problem, bn.WarmStart(bn.WarmStartKind.FILE, "nowhere.csv"))
+
+
+def test_defaults_are_those_of_the_library():
+    from burnish import _core
+
+    assert bn.WarmStart() == _core.spec_default("burnish.files.WarmStart")
+    guess = bn.TrajectoryGuess(np.zeros((2, 3)), np.ones((1, 2)))
+    assert _core.spec_round_trip(guess) == guess

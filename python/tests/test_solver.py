@@ -1,0 +1,414 @@
+"""Solves in Python: results, callbacks, exceptions, threads, Ctrl-C, budgets."""
+
+import _thread
+import gc
+import math
+import pickle
+import threading
+import time
+import weakref
+
+import numpy as np
+import pytest
+
+import burnish as bn
+from burnish import _core, residual
+
+
+@pytest.fixture(scope="module")
+def robot():
+    return bn.load_robot("arm7")
+
+
+def reaching(robot, goal=(0.55, -0.15, 0.35), knots=40, reach=None, **entries):
+    term = reach if reach is not None else residual.FramePosition("tool", goal)
+    return bn.ProblemSpec(
+        robot.model,
+        initial_state=np.concatenate([robot.reference_configuration(), np.zeros(robot.model.nv)]),
+        stages=[
+            bn.Stage("move", costs=[bn.CostTerm(residual.State(), 0.1), bn.CostTerm(residual.Control(), 1e-4)])
+        ],
+        horizon=[bn.HorizonSegment("move", knots)],
+        terminal=[bn.CostTerm(term, 1e4, "reach"), bn.CostTerm(residual.JointVelocity(), 1e2)],
+        **entries,
+    )
+
+
+def solved(spec, **options):
+    solver = bn.DdpSolver(bn.Problem(spec), bn.DdpOptions(**options))
+    solver.solve()
+    return solver
+
+
+@pytest.mark.parametrize("update", list(bn.StepUpdate))
+def test_a_solve_reaches_an_optimum_and_says_so(robot, update):
+    problem = bn.Problem(reaching(robot))
+    solver = bn.DdpSolver(problem, bn.DdpOptions(update=update))
+    summary = solver.solve()
+    assert summary.reason is bn.StopReason.CONVERGED and summary.feasible
+    assert summary.iterations == len(summary.log) > 1 and summary.log[-1].iteration == summary.iterations
+    assert summary.options.update is update and summary.options.callback is None
+    assert solver.summary.cost == summary.cost and summary.seconds.total > 0.0
+    assert solver.optimality_error() < 1e-4
+    assert solver.text() == summary.text(problem) and "onverged" in solver.text()
+    values = problem.evaluate(solver.xs, solver.us)
+    assert values.cost == pytest.approx(summary.cost, rel=1e-12)
+    np.testing.assert_allclose(values.next_states, solver.xs[1:], atol=1e-8)
+    report = solver.cost_report()
+    assert report.total == pytest.approx(summary.cost) and len(report.knots) == 41
+    assert {t.name for t in report.terms} == {"state", "control", "reach", "joint velocity"}
+    assert "reach" in report.text()
+
+
+def test_results_are_the_callers_own(robot):
+    solver = solved(reaching(robot))
+    xs, gain = solver.xs, solver.gain(0)
+    xs[:], gain[:] = 0.0, 0.0
+    assert solver.xs.any() and solver.gain(0).any()
+    kept = solver.xs
+    del solver
+    gc.collect()
+    assert np.isfinite(kept).all()
+
+
+def test_policies_and_value_functions_fit_together(robot):
+    solver = solved(reaching(robot))
+    problem = solver.problem
+    e = problem.expand(solver.xs, solver.us)
+    nu = problem.max_controls
+    for k in (39, 20, 0):
+        F, H = e.dynamics[k], e.hessians[k]
+        Q = H + F.T @ solver.value_hessian(k + 1) @ F
+        q = e.gradients[k] + F.T @ solver.value_gradient(k + 1)
+        np.testing.assert_allclose(solver.gain(k), -np.linalg.solve(Q[:nu, :nu], Q[:nu, nu:]),
+                                   rtol=1e-5, atol=1e-5 * np.abs(solver.gain(k)).max())
+        assert np.abs(q[:nu]).max() < 1e-3
+        np.testing.assert_allclose(solver.feedforward(k), 0.0, atol=2e-3)
+    gain, value = solver.named_gain(3), solver.named_value_hessian(40)
+    assert gain.rows == problem.control_names and gain.columns == problem.state_names
+    np.testing.assert_array_equal(gain.values, solver.gain(3))
+    assert value.rows == value.columns == problem.state_names
+    np.testing.assert_array_equal(value.values, solver.value_hessian(40))
+    with pytest.raises(bn.Error, match="DdpSolver.gain: knot 40; wanted 0 to 39"):
+        solver.gain(40)
+    with pytest.raises(bn.Error, match="DdpSolver.value_gradient: knot -1; wanted 0 to 40"):
+        solver.value_gradient(-1)
+
+
+@pytest.mark.parametrize("update", list(bn.StepUpdate))
+def test_results_have_the_same_bits_for_any_number_of_threads(robot, update):
+    one, two = (solved(reaching(robot), threads=threads, update=update) for threads in (1, 2))
+    np.testing.assert_array_equal(one.xs, two.xs)
+    np.testing.assert_array_equal(one.us, two.us)
+    np.testing.assert_array_equal(one.gain(0), two.gain(0))
+
+
+class Reach:
+    name, rows, frames = "own", 3, ["tool"]
+
+    def __init__(self, goal, jacobian=True):
+        self.goal = np.asarray(goal)
+        if not jacobian:
+            self.jacobian = None
+
+    def value(self, at):
+        return at.placement(0)[:3, 3] - self.goal
+
+    def jacobian(self, at):
+        out = np.zeros((3, at.layout.nz))
+        out[:, at.layout.column_q : at.layout.column_v] = at.jacobian(0, bn.FrameAxes.CENTERED)[:3]
+        return out
+
+
+def test_own_residuals_solve_to_the_same_trajectory(robot):
+    goal = (0.55, -0.15, 0.35)
+    built_in = solved(reaching(robot, goal))
+    for jacobian in (True, False):
+        for threads in (1, 2):
+            own = solved(reaching(robot, reach=residual.custom(Reach(goal, jacobian))), threads=threads)
+            assert own.summary.reason is bn.StopReason.CONVERGED
+            assert own.summary.cost == pytest.approx(built_in.summary.cost, rel=1e-9)
+            np.testing.assert_allclose(own.xs, built_in.xs, atol=1e-5)
+
+
+def test_own_residuals_in_all_knots_work_in_threads(robot):
+    goal = (0.55, -0.15, 0.35)
+    spec = reaching(robot)
+    spec.stages[0].costs.append(bn.CostTerm(residual.custom(Reach(goal)), 10.0))
+    one, two = solved(spec, threads=1), solved(spec, threads=2)
+    np.testing.assert_array_equal(one.xs, two.xs)
+    spec.stages[0].costs[-1].residual = residual.FramePosition("tool", goal)
+    np.testing.assert_allclose(one.xs, solved(spec).xs, atol=1e-6)
+
+
+def test_pickled_problems_solve_to_the_same_bits(robot):
+    spec = reaching(robot, reach=residual.custom(Reach((0.5, 0.0, 0.4))))
+    first, second = solved(spec), solved(pickle.loads(pickle.dumps(spec)))
+    assert first.summary.cost == second.summary.cost
+    np.testing.assert_array_equal(first.xs, second.xs)
+    summary = pickle.loads(pickle.dumps(first.summary))
+    assert summary == first.summary
+
+
+# Callbacks and exceptions
+
+
+def test_a_callback_sees_every_iteration_and_may_stop(robot):
+    seen = []
+    solver = solved(reaching(robot), callback=seen.append)  # answers None: goes on
+    assert solver.summary.reason is bn.StopReason.CONVERGED
+    assert [p.iteration for p in seen] == list(range(1, solver.summary.iterations + 1))
+    assert seen == solver.summary.log
+    assert solver.options.callback == seen.append
+    solver = solved(reaching(robot), callback=lambda p: p.iteration < 2)
+    assert solver.summary.reason is bn.StopReason.CALLBACK and solver.summary.iterations == 2
+
+
+class Mine(Exception):
+    pass
+
+
+def test_what_a_callback_raises_arrives(robot):
+    def callback(progress):
+        raise Mine(progress.iteration)
+
+    solver = bn.DdpSolver(bn.Problem(reaching(robot)), bn.DdpOptions(callback=callback))
+    with pytest.raises(Mine, match="1"):
+        solver.solve()
+    solver.set_options(bn.DdpOptions())
+    assert solver.solve().reason is bn.StopReason.CONVERGED
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_what_a_residual_raises_arrives_from_any_thread(robot, threads):
+    calls, broken = [], [True]
+
+    class Broken(Reach):
+        def value(self, at):
+            calls.append(threading.get_ident())
+            if broken[0] and len(calls) > 100:
+                raise Mine("in the middle")
+            return super().value(at)
+
+    spec = reaching(robot)
+    spec.stages[0].costs.append(bn.CostTerm(residual.custom(Broken((0.5, 0.0, 0.4)))))
+    solver = bn.DdpSolver(bn.Problem(spec), bn.DdpOptions(threads=threads))
+    for _ in range(2):
+        with pytest.raises(Mine, match="in the middle") as caught:
+            solver.solve()
+        assert any("value" in str(entry) for entry in caught.traceback)
+    broken[0] = False
+    assert solver.solve().reason is bn.StopReason.CONVERGED
+
+
+def test_a_wrong_size_in_the_middle_of_a_solve_is_a_sentence(robot):
+    count = [0]
+
+    class Broken(Reach):
+        def value(self, at):
+            count[0] += 1
+            return super().value(at)[: 3 if count[0] < 20 else 2]
+
+    with pytest.raises(bn.Error, match=r"residual 'own': value gave an array of shape \(2,\); wanted is \(3,\)"):
+        solved(reaching(robot, reach=residual.custom(Broken((0.5, 0.0, 0.4)))))
+
+
+def test_numbers_that_are_none_end_a_solve_with_a_reason(robot):
+    spec = reaching(robot, reach=residual.Custom("nothing", 1, value=lambda at: math.nan))
+    summary = solved(spec).summary
+    assert summary.reason is bn.StopReason.NOT_EVALUATED and summary.status is bn.Status.NOT_FINITE
+    assert summary.knot == 40 and summary.term == 0
+    assert "reach" in summary.text(bn.Problem(spec))
+
+
+def long_options(**more):
+    """Would go on for minutes."""
+    return bn.DdpOptions(max_iterations=10**6, stop_tolerance=1e-300, gap_tolerance=1e-300, **more)
+
+
+def test_ctrl_c_ends_a_solve(robot):
+    solver = bn.DdpSolver(
+        bn.Problem(reaching(robot, knots=200)),
+        long_options(line_search=bn.LineSearch(halvings=0, rounding=1e-3)),
+    )
+    finished = []
+    timer = threading.Timer(0.3, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        finished.append(solver.solve())
+        timer.join()
+        time.sleep(1.0)
+    assert not finished
+    solver.set_options(bn.DdpOptions(max_iterations=1))
+    solver.solve()
+
+
+def test_a_time_budget_is_kept(robot):
+    solver = bn.DdpSolver(bn.Problem(reaching(robot)))
+    solver.set_time_budget(0.0)
+    assert solver.options.time_budget == 0.0
+    summary = solver.solve()
+    assert summary.reason is bn.StopReason.TIME_BUDGET and math.isfinite(summary.cost)
+    solver.set_time_budget(math.inf)
+    solver.set_max_iterations(2)
+    assert solver.solve().reason is bn.StopReason.MAX_ITERATIONS
+
+
+# Threads and lifetimes
+
+
+def test_a_solve_lets_other_threads_work(robot):
+    """Nobody could count, or release the one that waits, if the interpreter's lock were held."""
+    inside, counted = threading.Event(), []
+
+    class Slow(Reach):
+        def value(self, at):
+            inside.set()
+            return super().value(at)
+
+    solvers = [
+        bn.DdpSolver(bn.Problem(reaching(robot, goal))) for goal in [(0.5, 0.1, 0.4), (0.4, -0.2, 0.3)]
+    ]
+    expected = [solved(reaching(robot, goal)).xs for goal in [(0.5, 0.1, 0.4), (0.4, -0.2, 0.3)]]
+    barrier = threading.Barrier(2)
+
+    def work(solver):
+        for _ in range(3):
+            solver.set_guess(*guess)
+            barrier.wait(20.0)
+            counted.append(solver.solve().reason)
+
+    start = bn.make_guess(solvers[0].problem, bn.WarmStart("still"))
+    guess = (start.xs, start.us)
+    threads = [threading.Thread(target=work, args=(solver,)) for solver in solvers]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(60.0)
+    assert counted == [bn.StopReason.CONVERGED] * 6
+    for solver, xs in zip(solvers, expected):
+        np.testing.assert_array_equal(solver.xs, xs)
+
+
+def test_solves_overlap(robot):
+    """Two solves wait for each other inside: only possible if both run at once."""
+    barrier = threading.Barrier(2)
+    met = []
+
+    def callback(progress):
+        if progress.iteration == 1:
+            barrier.wait(20.0)
+            met.append(threading.get_ident())
+
+    solvers = [bn.DdpSolver(bn.Problem(reaching(robot)), bn.DdpOptions(callback=callback)) for _ in range(2)]
+    threads = [threading.Thread(target=solver.solve) for solver in solvers]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(60.0)
+    assert len(set(met)) == 2
+
+
+def test_a_solver_and_its_problem_are_locked_during_a_solve(robot):
+    answers = []
+
+    def callback(progress):
+        for call in (solver.solve, lambda: solver.xs, lambda: problem.advance("move"),
+                     lambda: other.solve(), lambda: solver.set_time_budget(1.0)):
+            try:
+                call()
+            except bn.Error as error:
+                answers.append(str(error))
+        return False
+
+    problem = bn.Problem(reaching(robot))
+    other = bn.DdpSolver(problem)
+    solver = bn.DdpSolver(problem, bn.DdpOptions(callback=callback))
+    solver.solve()
+    assert [a.split(":")[0] for a in answers] == [
+        "DdpSolver.solve", "DdpSolver.xs", "Problem.advance", "DdpSolver.solve", "DdpSolver.set_time_budget"]
+    assert other.solve().reason is bn.StopReason.CONVERGED
+
+
+def test_a_solver_keeps_its_problem_alive(robot):
+    problem = bn.Problem(reaching(robot))
+    solver = bn.DdpSolver(problem)
+    assert solver.problem is problem
+    del problem
+    gc.collect()
+    assert solver.solve().reason is bn.StopReason.CONVERGED
+
+
+def test_nothing_leaks(robot):
+    reach = Reach((0.5, 0.0, 0.4))
+    alive = weakref.ref(reach)
+    solved(reaching(robot, reach=residual.custom(reach)), threads=2)
+    del reach
+    gc.collect()
+    assert alive() is None
+
+
+# Guesses, changes between solves, options
+
+
+def test_a_guess_is_where_a_solve_starts(robot):
+    first = solved(reaching(robot))
+    second = bn.DdpSolver(bn.Problem(reaching(robot)))
+    second.set_guess(first.xs, first.us)
+    assert second.solve().iterations <= 1
+    with pytest.raises(bn.Error, match="guess of states is 40 x 14; wanted 41 x 14"):
+        second.set_guess(first.xs[1:], first.us)
+    with pytest.raises(TypeError):
+        second.set_guess("xs", first.us)
+
+
+def test_problems_change_between_solves(robot):
+    solver = solved(reaching(robot))
+    problem = solver.problem
+    problem.set_target(problem.knots, "reach", [0.4, 0.2, 0.4])
+    solver.solve()
+    np.testing.assert_allclose(solver.xs, solved(reaching(robot, (0.4, 0.2, 0.4))).xs, atol=1e-3)
+    x = problem.initial_state
+    x[0] += 0.1
+    problem.set_initial_state(x)
+    solver.solve()
+    np.testing.assert_allclose(solver.xs[0], x, atol=1e-9)
+
+
+def test_bounds_are_kept(robot):
+    free = solved(reaching(robot))
+    limit = 0.8 * np.abs(free.us).max()
+    bounded = solved(reaching(robot, control_lower=-limit, control_upper=limit))
+    assert np.abs(bounded.us).max() <= limit < np.abs(free.us).max()
+    assert bounded.summary.cost > free.summary.cost
+
+
+def test_options_out_of_range_are_sentences(robot):
+    problem = bn.Problem(reaching(robot))
+    with pytest.raises(bn.Error, match="threads"):
+        bn.DdpSolver(problem, bn.DdpOptions(threads=0))
+    with pytest.raises(bn.Error, match="max_iterations"):
+        bn.DdpOptions(max_iterations=-1).check()
+    with pytest.raises(bn.Error, match="'multiple_shotting'; did you mean 'multiple_shooting'"):
+        bn.DdpSolver(problem, bn.DdpOptions(update="multiple_shotting"))
+    with pytest.raises(bn.Error, match="DdpOptions.callback: got 3"):
+        bn.DdpSolver(problem, bn.DdpOptions(callback=3))
+    with pytest.raises(AttributeError, match="no entry 'max_iteration'; did you mean 'max_iterations'"):
+        bn.DdpOptions().max_iteration = 3
+    solver = bn.DdpSolver(problem, bn.DdpOptions(max_iterations=7))
+    with pytest.raises(bn.Error):
+        solver.set_options(bn.DdpOptions(threads=-1))
+    assert solver.options.max_iterations == 7
+
+
+def test_dataclasses_have_the_defaults_of_the_library():
+    for name in _core.spec_names():
+        if not name.startswith("burnish.solver."):
+            continue
+        default = _core.spec_default(name)
+        assert _core.spec_round_trip(default) == default, name
+        try:
+            mine = getattr(bn, name.rpartition(".")[2])()
+        except TypeError:
+            continue  # a result: every entry has to be given
+        assert mine == default, name
