@@ -545,7 +545,7 @@ class TestChecker:
 
     def test_lets_the_keyboard_interrupt_it(self) -> None:
         timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
-        options = burnish.CheckOptions(states=100, gains=20 * burnish.default_check_gains())
+        options = burnish.CheckOptions(states=20, gains=50 * burnish.default_check_gains())
         with pytest.raises(KeyboardInterrupt):
             timer.start()
             burnish.check_derivatives(TALOS.model, options.replace(tool="left_sole_link"))
