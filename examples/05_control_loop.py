@@ -18,7 +18,7 @@ surface = burnish.Reference.surface_with_normal(tilted)
 axes = np.asarray(surface.rotation)
 along: NDArray[np.float64] = axes[:, 0]
 n: NDArray[np.float64] = axes[:, 2]
-start = np.asarray(scene.surface.point) + scene.tip.radius * n
+start: NDArray[np.float64] = np.asarray(scene.surface.point) + scene.tip.radius * n
 
 
 def place(t: float) -> NDArray[np.float64]:

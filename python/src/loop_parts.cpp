@@ -65,13 +65,6 @@ ImpedanceSpec guarded(ImpedanceSpec spec, const std::shared_ptr<KeptException>& 
 
 }  // namespace
 
-void Interrupt::check() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_ < std::chrono::milliseconds(50)) return;
-  last_ = now;
-  let_signals_through();
-}
-
 BoundMpc::BoundMpc(const MpcSpec& spec)
     : BoundController(std::make_unique<MpcController>(spec)),
       spec_(spec),

@@ -2,7 +2,6 @@
 // in Python.
 #pragma once
 
-#include <chrono>
 #include <exception>
 #include <memory>
 
@@ -26,16 +25,6 @@ class KeptException {
 
  private:
   std::exception_ptr first_;
-};
-
-/// Lets Ctrl-C through a long run without the interpreter's lock: raises what a signal's handler
-/// did, looking every 50 ms.
-class Interrupt {
- public:
-  void check();
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// A plant of the library.

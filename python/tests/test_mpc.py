@@ -133,6 +133,8 @@ def test_what_it_knows_can_be_asked(press):
     schedule.reset()
     assert controller.schedule.phase == 1, "it was a copy"
     assert controller.spec.update_period == 5e-3
+    assert controller.spec.target == press.target
+    assert controller.spec.problem.stages[1].contacts == ["board"]
     controller.reset()
     assert controller.schedule.time == 0.0
 
@@ -237,8 +239,11 @@ def test_what_a_signal_raises_at_the_first_solve(press):
 
 def test_what_a_target_gives_that_does_not_fit_is_said(press):
     press.spec.target = lambda t: 3.0
-    with pytest.raises((burnish.Error, RuntimeError, TypeError)):
+    with pytest.raises(burnish.Error, match="gave 3.0 at 0.0 s; wanted is a TaskTarget"):
         press.loop().run(0.1)
+    press.spec.target = 3.0
+    with pytest.raises(burnish.Error, match=r"MpcSpec.target: got 3.0, wanted Callable"):
+        burnish.MpcController(press.spec)
 
 
 def test_specifications_that_do_not_fit_are_refused(press):
@@ -343,3 +348,30 @@ def test_an_observer_finds_a_constant_torque(press):
     assert not np.any(observer.torque_error)
     with pytest.raises(burnish.Error, match="bandwidth"):
         burnish.TorqueErrorObserver(model, options=burnish.ModelErrorOptions(bandwidth=-1.0))
+
+
+def test_a_plan_is_a_controller_between_two_solves(press):
+    problem = burnish.Problem(press.spec.problem)
+    solver = burnish.DdpSolver(problem, press.spec.solver.replace(max_iterations=50))
+    plan = burnish.FeedbackPlan(problem, 5, 0.01)
+    assert plan.empty and plan.knots == 5
+    with pytest.raises(burnish.Error, match="no plan"):
+        plan.at(0.0)
+    solver.solve()
+    plan.load(solver, 2.0)
+    assert plan.start == 2.0 and not plan.empty
+    feedback = plan.at(2.013)
+    assert np.array_equal(feedback.feedforward, solver.us[1])
+    assert np.array_equal(feedback.gain, solver.gain(1))
+    assert np.allclose(feedback.state, 0.7 * solver.xs[1] + 0.3 * solver.xs[2], atol=1e-12)
+    x = solver.xs[1] + 0.01
+    wanted = feedback.feedforward + feedback.gain @ (x - feedback.state)
+    assert np.allclose(plan.control(2.013, x), wanted)
+    with pytest.raises(burnish.Error, match="3 numbers; wanted 14"):
+        plan.control(2.0, [1.0, 2.0, 3.0])
+    small = burnish.Problem(press.spec.problem.replace(
+        horizon=[burnish.HorizonSegment("approach", 2)]))
+    with pytest.raises(burnish.Error, match="another problem"):
+        plan.load(burnish.DdpSolver(small), 0.0)
+    del problem
+    assert plan.at(2.0).gain.shape == (7, 14)
