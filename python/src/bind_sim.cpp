@@ -105,11 +105,12 @@ class BoundLoop {
   Busy busy_;
 };
 
-void bind_plant(py::module_& m) {
-  py::class_<BoundPlant>(m, "CompiledPlant", "A plant of the library; see burnish.Plant.")
-      .def_property_readonly(
-          "model", [](const BoundPlant& self) -> const Model& { return self.plant->model(); },
-          py::return_value_policy::reference_internal, "The robot as it is.")
+using PlantClass = py::class_<BoundPlant>;
+
+void bind_plant_readings(PlantClass& c) {
+  c.def_property_readonly(
+       "model", [](const BoundPlant& self) -> const Model& { return self.plant->model(); },
+       py::return_value_policy::reference_internal, "The robot as it is.")
       .def_property_readonly(
           "scene", [](const BoundPlant& self) { return self.plant->scene(); },
           "Surface and tip as they are; a normal of length one.")
@@ -130,19 +131,22 @@ void bind_plant(py::module_& m) {
           "Whether the surface pushed during the last step.")
       .def_property_readonly(
           "friction_torque", [](const BoundPlant& self) { return self.plant->friction_torque(); },
-          "Torque of joint friction during the last step (nv,), Nm or N: against the motion.")
-      .def(
-          "reset",
-          [](BoundPlant& self, const Vector& q, const std::optional<Eigen::VectorXd>& v) {
-            const py::gil_scoped_release release;
-            const Busy::Lock lock(self.busy, "Plant.reset");
-            require(self.plant->reset(
-                        q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(self.plant->model().nv))),
-                    "Plant.reset");
-          },
-          py::arg("q"), py::arg("v") = py::none(),
-          "Starts at the configuration q (nq,) with the velocity v (nv,), None: at rest, at time "
-          "zero, without force. Raises EvaluationError for a state that is none.")
+          "Torque of joint friction during the last step (nv,), Nm or N: against the motion.");
+}
+
+void bind_plant_motion(PlantClass& c) {
+  c.def(
+       "reset",
+       [](BoundPlant& self, const Vector& q, const std::optional<Eigen::VectorXd>& v) {
+         const py::gil_scoped_release release;
+         const Busy::Lock lock(self.busy, "Plant.reset");
+         require(self.plant->reset(
+                     q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(self.plant->model().nv))),
+                 "Plant.reset");
+       },
+       py::arg("q"), py::arg("v") = py::none(),
+       "Starts at the configuration q (nq,) with the velocity v (nv,), None: at rest, at time "
+       "zero, without force. Raises EvaluationError for a state that is none.")
       .def(
           "step",
           [](BoundPlant& self, const Vector& tau, const std::optional<Eigen::Vector3d>& push) {
@@ -175,11 +179,17 @@ void bind_plant(py::module_& m) {
           },
           py::arg("snapshot"),
           "Goes back: the same torques then give the same bits. Raises EvaluationError for "
-          "another plant's snapshot.")
-      .def("__repr__", [](const BoundPlant& self) {
-        return "<Plant of '" + self.plant->model().name + "' at " +
-               std::to_string(self.plant->time()) + " s>";
-      });
+          "another plant's snapshot.");
+}
+
+void bind_plant(py::module_& m) {
+  PlantClass c(m, "CompiledPlant", "A plant of the library; see burnish.Plant.");
+  bind_plant_readings(c);
+  bind_plant_motion(c);
+  c.def("__repr__", [](const BoundPlant& self) {
+    return "<Plant of '" + self.plant->model().name + "' at " + std::to_string(self.plant->time()) +
+           " s>";
+  });
 
   m.def("make_ideal_plant", &ideal_plant, py::arg("model"), py::arg("scene"),
         py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),

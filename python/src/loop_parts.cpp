@@ -106,7 +106,6 @@ class PlantPart::Adaptor final : public Plant {
   const Eigen::VectorXd& friction_torque() const override { return friction_; }
 
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override {
-    const py::gil_scoped_acquire lock;
     return guarded([&] {
       const py::object answer = object_.attr("reset")(array_of(q), array_of(v));
       has_time_ = py::hasattr(object_, "time");
@@ -118,7 +117,6 @@ class PlantPart::Adaptor final : public Plant {
   }
 
   Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override {
-    const py::gil_scoped_acquire lock;
     return guarded([&] {
       return take(object_.attr("step")(array_of(tau), array_of(push_world)), time_ + dt_);
     });
@@ -135,6 +133,7 @@ class PlantPart::Adaptor final : public Plant {
   template <class Call>
   Status guarded(Call&& call) noexcept {
     try {
+      const py::gil_scoped_acquire lock;
       return call();
     } catch (...) {
       kept.keep();
@@ -201,9 +200,9 @@ class ControllerPart::Adaptor final : public Controller {
   int nv() const override { return nv_; }
 
   void reset() noexcept override {
-    const py::gil_scoped_acquire lock;
-    command_ = Command{Eigen::VectorXd::Zero(nv_)};
     try {
+      command_ = Command{Eigen::VectorXd::Zero(nv_)};
+      const py::gil_scoped_acquire lock;
       object_.attr("reset")();
     } catch (...) {
       kept.keep();
@@ -211,8 +210,8 @@ class ControllerPart::Adaptor final : public Controller {
   }
 
   const Command& tick(const Measurement& measurement) noexcept override {
-    const py::gil_scoped_acquire lock;
     try {
+      const py::gil_scoped_acquire lock;
       take(object_.attr("tick")(measurement));
     } catch (...) {
       kept.keep();
