@@ -48,6 +48,24 @@ Model model_of(const py::dict& state) {
   return model;
 }
 
+/// Everything is equal, entry by entry.
+bool same(const py::object& a, const py::object& b) {
+  return py::module_::import("burnish._spec").attr("_same")(a, b).cast<bool>();
+}
+bool equal(const Model& a, const Model& b) {
+  return &a == &b || (a.name == b.name && a.nq == b.nq && same(state_of(a), state_of(b)));
+}
+bool equal(const Robot& a, const Robot& b) {
+  return equal(a.model, b.model) && a.postures == b.postures &&
+         a.default_posture == b.default_posture;
+}
+/// Against another of the class; Python decides about the rest.
+template <class Machine>
+py::object equals(const Machine& self, const py::object& other) {
+  if (!py::isinstance<Machine>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+  return py::bool_(equal(self, py::cast<const Machine&>(other)));
+}
+
 /// f(row of a, row of b) for one state or for rows of states; `size` entries each.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
@@ -102,6 +120,7 @@ void bind_robot(py::module_& m) {
              return "<Robot '" + robot.model.name + "': " + std::to_string(robot.postures.size()) +
                     " postures>";
            })
+      .def("__eq__", &equals<Robot>)
       .def("__copy__", [](const Robot& robot) { return robot; })
       .def("__deepcopy__", [](const Robot& robot, const py::dict&) { return robot; })
       .def(py::pickle(
@@ -247,6 +266,7 @@ void bind_model(py::module_& m) {
                     " joints, nq = " + std::to_string(self.nq) +
                     ", nv = " + std::to_string(self.nv) + ">";
            })
+      .def("__eq__", &equals<Model>)
       .def("__copy__", [](const Model& self) { return self; })
       .def("__deepcopy__", [](const Model& self, const py::dict&) { return self; })
       .def(py::pickle(&state_of, &model_of));
