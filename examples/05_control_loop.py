@@ -5,9 +5,10 @@ Shows: model predictive control of a task of your own, its schedule, a plant, an
 import sys
 
 import numpy as np
+from numpy.typing import NDArray
 
 import burnish
-from burnish import CostTerm, Phase, SchedulePhase, Stage, residual
+from burnish import CostTerm, FrameAxes, Phase, SchedulePhase, Stage, residual
 
 robot = burnish.load_robot("arm7")
 q = robot.posture("ready")
@@ -15,13 +16,14 @@ tilted = [0.2, -0.1, 1.0]  # out of the board, world
 scene = burnish.scene_under_tip(robot.model, q, tilted, clearance=0.01)  # 1 cm under the tool
 surface = burnish.Reference.surface_with_normal(tilted)
 axes = np.asarray(surface.rotation)
-n = axes[:, 2]
-start = scene.surface.point + scene.tip.radius * n
+along: NDArray[np.float64] = axes[:, 0]
+n: NDArray[np.float64] = axes[:, 2]
+start: NDArray[np.float64] = np.asarray(scene.surface.point) + scene.tip.radius * n
 
 
-def place(t: float) -> np.ndarray:
+def place(t: float) -> NDArray[np.float64]:
     """Where the tool shall be, by time. Contact is due at 0.5 s."""
-    return start + np.clip(0.03 * (t - 1.0), 0.0, 0.06) * axes[:, 0]
+    return start + min(max(0.03 * (t - 1.0), 0.0), 0.06) * along
 
 
 def push(t: float) -> float:
@@ -34,7 +36,7 @@ board = burnish.ContactSpec("board", tool="tool", reference=surface, directions=
 state = CostTerm(residual.State(rest), weight=0.1)
 across = CostTerm(residual.FramePosition("tool", place, axes), weight=1e4, weights=[1, 1, 0])
 speed = [0.0, 0.0, -0.02, 0.0, 0.0, 0.0]  # m/s, towards the board
-down = CostTerm(residual.FrameVelocity("tool", "centered", speed, axes), weight=1e2,
+down = CostTerm(residual.FrameVelocity("tool", FrameAxes.CENTERED, speed, axes), weight=1e2,
                 weights=[0, 0, 1, 0, 0, 0])
 force = CostTerm(residual.ContactForce("board", target=push))
 torque = CostTerm(residual.Control(), weight=1e-4)

@@ -12,16 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import MpcController, Schedule, TorqueErrorObserver, Trace
+from ._core import FeedbackPlan, MpcController, Schedule, TorqueErrorObserver, Trace
 from ._spec import Spec, empty, items, vector, zeros
 from .base import Status
 from .ocp import ProblemSpec
 from .solver import DdpOptions, StepUpdate
 
 __all__ = [
-    "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "LinearFeedback",
-    "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController", "MpcSpec", "Phase",
-    "SafetyLimits", "Schedule", "SchedulePhase", "TaskTarget", "TorqueErrorObserver",
+    "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
+    "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
+    "MpcSpec", "Phase", "SafetyLimits", "Schedule", "SchedulePhase", "TaskTarget",
+    "TorqueErrorObserver",
 ]
 
 

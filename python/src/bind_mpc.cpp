@@ -1,7 +1,7 @@
 // Model predictive control.
 #include "bind.hpp"
 #include "loop_parts.hpp"
-#include "machine_ocp.hpp"
+#include "machine_solver.hpp"
 
 namespace burnish::python {
 
@@ -122,6 +122,69 @@ void bind_observer(py::module_& m) {
       });
 }
 
+void bind_feedback_plan(py::module_& m) {
+  py::class_<FeedbackPlan>(
+      m, "FeedbackPlan",
+      "The plan of a solve as a controller between two solves: a copy of the first knots of a "
+      "solution and their policy, for a controller of your own.")
+      .def(py::init([](const ProblemMachine& machine, int knots, double step) {
+             return FeedbackPlan(machine.problem, knots, step);
+           }),
+           py::arg("problem"), py::arg("knots"), py::arg("step"), py::keep_alive<1, 2>(),
+           "Room for `knots` knots of the problem's horizon, all of them if there are no more; "
+           "step: s between them. Raises Error for fewer than one knot and for a step that is not "
+           "positive.")
+      .def(
+          "load",
+          [](FeedbackPlan& self, SolverMachine& machine, double time) {
+            const Busy::Lock lock(machine.busy, "FeedbackPlan.load");
+            const MatrixView xs = machine.solver.xs();
+            const LinearFeedback sizes = self.make_feedback();
+            if (xs.rows() <= self.knots() || xs.cols() != sizes.state.size() ||
+                machine.solver.us().cols() != sizes.feedforward.size())
+              throw Error("FeedbackPlan.load: the solver is of another problem");
+            self.load(machine.solver, time);
+          },
+          py::arg("solver"), py::arg("time"),
+          "Copies the trajectory and gains of a DdpSolver of the plan's problem, to hold from "
+          "`time` (s) on.")
+      .def("clear", &FeedbackPlan::clear, "Forgets the plan.")
+      .def_property_readonly("empty", &FeedbackPlan::empty, "Whether there is no plan.")
+      .def_property_readonly("knots", &FeedbackPlan::knots, "Knots that it has room for.")
+      .def_property_readonly("start", &FeedbackPlan::start, "s.")
+      .def(
+          "at",
+          [](const FeedbackPlan& self, double time) {
+            if (self.empty()) throw Error("FeedbackPlan.at: there is no plan; load one first");
+            LinearFeedback feedback = self.make_feedback();
+            self.at(time, feedback);
+            return feedback;
+          },
+          py::arg("time"),
+          "The policy at a time (s), a LinearFeedback: the controls and gains of the knot that it "
+          "falls into, about a state between that knot's and the next one's; the first and the "
+          "last beyond the ends. Raises Error while the plan is empty.")
+      .def(
+          "control",
+          [](const FeedbackPlan& self, double time, const Vector& x) {
+            if (self.empty()) throw Error("FeedbackPlan.control: there is no plan; load one first");
+            LinearFeedback feedback = self.make_feedback();
+            if (x.size() != feedback.state.size())
+              throw Error("FeedbackPlan.control: a state of " + std::to_string(x.size()) +
+                          " numbers; wanted " + std::to_string(feedback.state.size()));
+            self.at(time, feedback);
+            Eigen::VectorXd u(feedback.feedforward.size());
+            self.control(feedback, Eigen::VectorXd(x), u);
+            return u;
+          },
+          py::arg("time"), py::arg("x"),
+          "u = feedforward + gain (x (-) state) of that policy (nu,), Nm or N; x: (nx,).")
+      .def("__repr__", [](const FeedbackPlan& self) {
+        return "<FeedbackPlan of " + std::to_string(self.knots()) + " knots" +
+               (self.empty() ? ", empty>" : ">");
+      });
+}
+
 void bind_mpc_controller(py::module_& m) {
   py::class_<BoundMpc, BoundController>(
       m, "MpcController",
@@ -187,6 +250,7 @@ void bind_mpc_controller(py::module_& m) {
 void bind_mpc(py::module_& m) {
   bind_controller(m);
   bind_mpc_controller(m);
+  bind_feedback_plan(m);
   bind_schedule(m);
   bind_observer(m);
   m.def("fault_text", &FaultReport::text, py::arg("report"));

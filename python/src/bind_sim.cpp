@@ -65,14 +65,15 @@ class BoundLoop {
     if (!(steps >= 0.0 && steps < 1e15))
       throw Error("ClosedLoop.run: got a duration of " + std::to_string(duration) +
                   ", wanted seconds that are not negative");
+    SignalWatch watch;
+    watch.begin();
     return drive("ClosedLoop.run", [&] {
-      Interrupt interrupt;
       Status status = Status::Ok;
       for (auto left = static_cast<long>(steps); left > 0; --left) {
         status = worst(status, loop_.step());
         rethrow();
         if (status > Status::NotConverged) break;
-        interrupt.check();
+        watch.look();
       }
       return status;
     });

@@ -1,60 +1,12 @@
 // Differential dynamic programming.
-#include <chrono>
-#include <thread>
-
 #include "arrays.hpp"
 #include "bind.hpp"
-#include "machine_ocp.hpp"
+#include "machine_solver.hpp"
 #include "specs_ocp.hpp"
-#include "specs_solver.hpp"
 
 namespace burnish::python {
 
 namespace {
-
-/// Looks for Ctrl-C now and then: on the main thread, which alone hears it, and rarely enough that
-/// a fast solve never waits for the interpreter.
-class SignalWatch {
- public:
-  /// Under the interpreter's lock.
-  void begin() {
-    const py::module_ threading = py::module_::import("threading");
-    on_main_thread_ = threading.attr("current_thread")().is(threading.attr("main_thread")());
-    last_ = Clock::now();
-  }
-  void look() {
-    constexpr std::chrono::milliseconds pause(50);
-    if (!on_main_thread_ || Clock::now() - last_ < pause) return;
-    let_signals_through();
-    last_ = Clock::now();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool on_main_thread_ = false;
-  Clock::time_point last_ = {};
-};
-
-/// A solver as Python holds it. Python keeps the problem alive.
-struct SolverMachine {
-  SolverMachine(ProblemMachine& machine, const DdpOptions& options)
-      : problem(machine), callback(options.callback), solver(machine.problem, watched(options)) {}
-
-  /// The same with a callback that looks for Ctrl-C before it asks the user's.
-  DdpOptions watched(DdpOptions options) {
-    options.callback = [this, user = options.callback](const DdpProgress& progress) {
-      watch.look();
-      return !user || user(progress);
-    };
-    return options;
-  }
-
-  ProblemMachine& problem;
-  Busy busy;
-  SignalWatch watch;
-  DdpCallback callback;  ///< the user's
-  DdpSolver solver;
-};
 
 /// Both are in use: the solver reads the problem.
 class BothLocked {

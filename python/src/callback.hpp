@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -31,5 +32,28 @@ inline void let_signals_through() {
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
+
+/// Looks for Ctrl-C now and then: on the main thread, which alone hears it, and rarely enough that
+/// a fast solve never waits for the interpreter.
+class SignalWatch {
+ public:
+  /// Under the interpreter's lock.
+  void begin() {
+    const py::module_ threading = py::module_::import("threading");
+    on_main_thread_ = threading.attr("current_thread")().is(threading.attr("main_thread")());
+    last_ = Clock::now();
+  }
+  void look() {
+    constexpr std::chrono::milliseconds pause(50);
+    if (!on_main_thread_ || Clock::now() - last_ < pause) return;
+    let_signals_through();
+    last_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool on_main_thread_ = false;
+  Clock::time_point last_ = {};
+};
 
 }  // namespace burnish::python

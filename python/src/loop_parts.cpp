@@ -65,14 +65,6 @@ ImpedanceSpec guarded(ImpedanceSpec spec, const std::shared_ptr<KeptException>& 
 
 }  // namespace
 
-void Interrupt::check() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_ < std::chrono::milliseconds(50)) return;
-  last_ = now;
-  const py::gil_scoped_acquire lock;
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
-
 BoundMpc::BoundMpc(const MpcSpec& spec)
     : BoundController(std::make_unique<MpcController>(spec)),
       spec_(spec),
@@ -95,7 +87,7 @@ class PlantPart::Adaptor final : public Plant {
         q_(model_.q_neutral),
         v_(Eigen::VectorXd::Zero(model_.nv)),
         friction_(v_) {
-    for (const char* name : {"reset", "step", "q", "v"}) (void)attribute(plant, "Plant", name);
+    for (const char* name : {"reset", "step"}) (void)attribute(plant, "Plant", name);
     const bool has_scene = py::hasattr(plant, "scene");
     scene_ =
         checked_scene(model_, has_scene ? read<SceneSpec>(plant, "Plant", "scene") : SceneSpec{});

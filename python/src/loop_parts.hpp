@@ -8,6 +8,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/impedance_controller.hpp"
 #include "burnish/sim/plant.hpp"
+#include "callback.hpp"
 #include "machine.hpp"
 #include "specs_sim.hpp"
 
@@ -24,16 +25,6 @@ class KeptException {
 
  private:
   std::exception_ptr first_;
-};
-
-/// Lets Ctrl-C through a long run without the interpreter's lock: raises what a signal's handler
-/// did, looking every 50 ms.
-class Interrupt {
- public:
-  void check();
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// A plant of the library.

@@ -4,6 +4,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"
+#include "time_function.hpp"
 
 namespace burnish::python {
 
@@ -35,3 +36,11 @@ template <>
 struct SpecOf<MpcSpec> : AsDataclass<MpcSpec> {};
 
 }  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<std::function<burnish::TaskTarget(double)>>
+    : burnish::python::TimeFunctionCaster<burnish::TaskTarget> {};
+
+}  // namespace pybind11::detail

@@ -42,3 +42,11 @@ template <>
 struct SpecOf<ClosedLoopOptions> : AsDataclass<ClosedLoopOptions> {};
 
 }  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<std::function<burnish::TaskPoint(double)>>
+    : burnish::python::TimeFunctionCaster<burnish::TaskPoint> {};
+
+}  // namespace pybind11::detail

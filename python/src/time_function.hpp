@@ -1,0 +1,50 @@
+// Functions of time (s) that give a dataclass, such as what a task aims at.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "callback.hpp"
+#include "spec.hpp"
+
+namespace burnish::python {
+
+/// A function of Python's. What it raises passes, and an answer that is no such value is an Error.
+template <class Value>
+struct TimeFunction {
+  Kept function;
+
+  Value operator()(double time) const {
+    const py::gil_scoped_acquire lock;
+    const py::object answer = function.get()(time);
+    py::detail::make_caster<Value> caster;
+    if (!caster.load(answer, true))
+      throw Error("the function of time gave " + std::string(py::repr(answer)) + " at " +
+                  std::string(py::str(py::float_(time))) + " s; wanted is a " +
+                  std::string(type_name<Value>()));
+    return py::detail::cast_op<Value&>(caster);
+  }
+};
+
+/// None is an empty function; what came from Python goes back as it was.
+template <class Value>
+struct TimeFunctionCaster {
+  using Function = std::function<Value(double)>;
+  PYBIND11_TYPE_CASTER(Function, py::detail::const_name("Callable[[float], ") +
+                                     SpecOf<Value>::name + py::detail::const_name("]"));
+  bool load(py::handle from, bool) {
+    value = nullptr;
+    if (from.is_none()) return true;
+    if (PyCallable_Check(from.ptr()) == 0) return false;
+    value = TimeFunction<Value>{Kept(py::reinterpret_borrow<py::object>(from))};
+    return true;
+  }
+  static py::handle cast(const Function& from, py::return_value_policy, py::handle) {
+    if (!from) return py::none().release();
+    if (const auto* ours = from.template target<TimeFunction<Value>>())
+      return py::object(ours->function.get()).release();
+    return py::cpp_function(from).release();
+  }
+};
+
+}  // namespace burnish::python

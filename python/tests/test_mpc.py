@@ -1,0 +1,377 @@
+"""Model predictive control through Python."""
+
+from __future__ import annotations
+
+import copy
+import math
+import os
+import pickle
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import FaultKind, Phase, SchedulePhase, Status, residual
+
+TILTED = [0.2, -0.1, 1.0]
+
+
+class Press:
+    """The arm comes down on a board and presses: what a test needs to change is an entry."""
+
+    def __init__(self, solver=None):
+        self.robot = burnish.load_robot("arm7")
+        self.q = self.robot.posture("ready")
+        self.scene = burnish.scene_under_tip(self.robot.model, self.q, TILTED, clearance=0.003)
+        surface = burnish.Reference.surface_with_normal(TILTED)
+        self.axes = np.asarray(surface.rotation)
+        self.n = self.axes[:, 2]
+        self.start = self.scene.surface.point + self.scene.tip.radius * self.n
+        rest = np.concatenate([self.q, np.zeros(self.robot.model.nv)])
+        board = burnish.ContactSpec("board", tool="tool", reference=surface, directions="z")
+        state = burnish.CostTerm(residual.State(rest), weight=0.1)
+        torque = burnish.CostTerm(residual.Control(), weight=1e-4)
+        across = burnish.CostTerm(residual.FramePosition("tool", self.start, self.axes), 1e4,
+                                  weights=[1, 1, 0])
+        down = burnish.CostTerm(
+            residual.FrameVelocity("tool", "centered", [0, 0, -0.02, 0, 0, 0], self.axes), 1e2,
+            weights=[0, 0, 1, 0, 0, 0])
+        force = burnish.CostTerm(residual.ContactForce("board", target=self.push))
+        self.spec = burnish.MpcSpec(
+            problem=burnish.ProblemSpec(
+                self.robot.model,
+                contacts=[board.with_gains(0.0, 40.0)],
+                stages=[burnish.Stage("approach", costs=[state, torque, across, down]),
+                        burnish.Stage("press", contacts=["board"],
+                                      costs=[state, torque, across, force])],
+                terminal=[state, across],
+                horizon=[burnish.HorizonSegment("approach", 20)],
+                initial_state=rest,
+            ),
+            schedule=[SchedulePhase(Phase.APPROACH, "approach", 0.15, until_contact=True),
+                      SchedulePhase(Phase.TRACK, "press")],
+            normal_world=TILTED,
+            target=self.target,
+            tick_period=1e-3,
+            update_period=5e-3,
+            model_error=burnish.ModelErrorOptions(bandwidth=100.0),
+        )
+        if solver is not None:
+            self.spec.solver = self.spec.solver.replace(**solver)
+
+    def push(self, t):
+        return 0.0 if t < 0.15 else 10.0
+
+    def target(self, t):
+        return burnish.TaskTarget(self.start, self.push(t))
+
+    def plant(self):
+        real = burnish.Disturbances(mass_scale=1.03)
+        return burnish.make_ideal_plant(burnish.plant_model(self.robot.model, real), self.scene)
+
+    def loop(self, controller=None, plant=None, **options):
+        controller = burnish.MpcController(self.spec) if controller is None else controller
+        loop = burnish.ClosedLoop(self.plant() if plant is None else plant, controller, None,
+                                  burnish.ClosedLoopOptions(**options))
+        loop.reset(self.q)
+        return loop
+
+
+@pytest.fixture
+def press():
+    return Press()
+
+
+def rows(loop):
+    """All that does not hang on the clock on the wall."""
+    array = loop.trace.array()
+    return {name: array[name].tobytes() for name in loop.trace.columns if name != "solve_time"}
+
+
+def test_it_presses_and_gives_the_same_bits_again(press):
+    loop = press.loop()
+    assert loop.run(0.6) == Status.OK
+    controller = loop.controller
+    assert controller.fault().kind == FaultKind.NONE and len(controller.fault().last_second) == 0
+    assert abs(loop.plant.contact_force_world @ press.n - 10.0) < 0.2
+    assert loop.trace["phase"][0] == Phase.APPROACH.value
+    assert loop.trace["phase"][-1] == Phase.TRACK.value and loop.command.target_force == 10.0
+    first = rows(loop)
+    loop.reset(press.q)
+    loop.run(0.6)
+    assert rows(loop) == first
+    other = Press(solver={"threads": 2}).loop()
+    other.run(0.6)
+    assert rows(other) == first
+
+
+def test_what_it_knows_can_be_asked(press):
+    loop = press.loop()
+    loop.run(0.5)
+    controller = loop.controller
+    assert isinstance(controller, burnish.Controller) and controller.nv == 7
+    feedback = controller.feedback()
+    assert feedback.feedforward.shape == (7,) and feedback.gain.shape == (7, 14)
+    assert feedback.state.shape == (14,) and np.any(feedback.gain != 0.0)
+    # The command is that policy at the measured state, which is near the plan's.
+    x = np.concatenate([loop.measurement.q, loop.measurement.v])
+    policy = feedback.feedforward + feedback.gain @ (x - feedback.state)
+    assert np.allclose(policy, loop.command.tau, atol=1e-9)
+    plan = controller.plan()
+    assert plan.shape == (21, 14) and np.allclose(plan[0], x, atol=0.05)
+    assert 0.1 < np.abs(controller.torque_error).max() < 5.0 and controller.force_error == 0.0
+    costs = controller.plan_costs(0)
+    assert list(costs) == ["state", "control", "frame position", "contact force"]
+    assert controller.problem.term_names(0)[-1] == "frame velocity", "of its horizon as specified"
+    assert all(cost >= 0.0 for cost in costs.values())
+    with pytest.raises(burnish.Error, match="knot 21"):
+        controller.plan_costs(21)
+    schedule = controller.schedule
+    assert schedule.phase == 1 and schedule.phases == press.spec.schedule
+    schedule.reset()
+    assert controller.schedule.phase == 1, "it was a copy"
+    assert controller.spec.update_period == 5e-3
+    assert controller.spec.target == press.target
+    assert controller.spec.problem.stages[1].contacts == ["board"]
+    controller.reset()
+    assert controller.schedule.time == 0.0
+
+
+def test_ticks_can_be_made_by_hand(press):
+    controller = burnish.MpcController(press.spec)
+    loop = press.loop()
+    loop.step()
+    command = controller.tick(loop.measurement)
+    assert command.replace(solve_time=0.0) == loop.command.replace(solve_time=0.0)
+    assert command.iterations > 1 and command.solve_time > 0.0
+    bad = loop.measurement.replace(time=1e-3, q=np.full(7, np.nan))
+    again = controller.tick(bad)
+    assert again.status != Status.OK and np.all(np.isfinite(again.tau))
+
+
+def test_a_fault_is_reported_and_pickled(press):
+    press.spec.limits.force = 3.0
+    loop = press.loop()
+    loop.run(0.5)
+    fault = loop.controller.fault()
+    assert fault.kind == FaultKind.FORCE_LIMIT and fault.limit == 3.0 and fault.value > 3.0
+    assert fault.text().startswith(f"force limit at {fault.time:.4f} s")
+    record = fault.last_second
+    assert math.isclose(record["time"][-1], fault.time) and len(record) > 50
+    back = pickle.loads(pickle.dumps(fault))
+    assert back == fault and copy.deepcopy(fault) == fault
+    loop.controller.reset()
+    assert len(record) > 50, "it was a copy"
+    assert loop.controller.fault().kind == FaultKind.NONE
+
+
+class Broken(Exception):
+    pass
+
+
+def test_what_a_target_raises_comes_out_and_ends_the_run(press):
+    def target(t):
+        if t > 0.1:
+            raise Broken("no such target")
+        return press.target(t)
+
+    press.spec.target = target
+    loop = press.loop()
+    with pytest.raises(Broken, match="no such target"):
+        loop.run(5.0)
+    assert np.flatnonzero(loop.trace["status"]).tolist() == [len(loop.trace) - 1]
+    assert loop.command.status == Status.NOT_EVALUATED
+    assert loop.controller.fault().kind == FaultKind.NONE
+    assert np.all(np.isfinite(loop.command.tau))
+    with pytest.raises(Broken):
+        loop.run(0.01)
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_what_a_signal_or_residual_raises_fails_the_update(press, threads):
+    """The run may go on: the last plan bridges it until the limits say otherwise."""
+
+    class Throwing:
+        rows = 1
+
+        def value(self, at):
+            if at.time > 0.3:
+                raise Broken("no such entry")
+            return at.q[:1]
+
+    press.spec.solver.threads = threads
+    for stage in press.spec.problem.stages:
+        stage.costs = stage.costs + [
+            burnish.CostTerm(residual.custom(Throwing()), 1e-6, name="throwing")]
+    loop = press.loop()
+    raised = 0
+    while loop.controller.fault().kind == FaultKind.NONE:
+        try:
+            loop.run(1e-3)
+        except Broken:
+            raised += 1
+        assert loop.plant.time < 1.0
+    assert raised >= press.spec.limits.failed_solves
+    assert loop.controller.fault().kind == FaultKind.SOLVER_FAILED
+    assert 0.1 < loop.controller.fault().time < 0.2  # when the horizon's end came near 0.3
+    assert loop.run(0.1) == Status.OK, "held by the fallback"
+
+
+def test_what_a_signal_raises_at_the_first_solve(press):
+    class Wild:
+        calls = 0
+
+        def __call__(self, t):
+            self.calls += 1
+            if self.calls > 40:
+                raise Broken("no signal")
+            return 10.0
+
+    press.spec.problem.stages[1].costs[3].residual.target = Wild()
+    press.spec.schedule = [SchedulePhase("track", "press")]
+    with pytest.raises(Broken, match="no signal"):
+        burnish.MpcController(press.spec).tick(
+            burnish.Measurement(0.0, press.q, np.zeros(7), np.zeros(7)))
+        press.loop().run(1.0)
+
+
+def test_what_a_target_gives_that_does_not_fit_is_said(press):
+    press.spec.target = lambda t: 3.0
+    with pytest.raises(burnish.Error, match="gave 3.0 at 0.0 s; wanted is a TaskTarget"):
+        press.loop().run(0.1)
+    press.spec.target = 3.0
+    with pytest.raises(burnish.Error, match=r"MpcSpec.target: got 3.0, wanted Callable"):
+        burnish.MpcController(press.spec)
+
+
+def test_specifications_that_do_not_fit_are_refused(press):
+    for changes, sentence in (
+        ({"target": None}, "no target"),
+        ({"update_period": 7.5e-4}, "multiple of the tick"),
+        ({"tool": "tol"}, "did you mean 'tool'"),
+        ({"schedule": []}, "phase"),
+        ({"solver_delay": 1.0}, "solver delay"),
+        ({"normal_world": [0, 0, 0]}, "normal"),
+    ):
+        with pytest.raises(burnish.Error, match=sentence):
+            burnish.MpcController(press.spec.replace(**changes))
+    with pytest.raises(burnish.Error, match="MpcSpec.tick_period: got 'fast', wanted a number"):
+        burnish.MpcController(press.spec.replace(tick_period="fast"))
+    with pytest.raises(burnish.Error, match="SafetyLimits.force: got None"):
+        burnish.MpcController(press.spec.replace(limits=burnish.SafetyLimits(force=None)))
+
+
+def test_a_plant_in_python_gives_the_same_bits(press):
+    class Wrapped(burnish.Plant):
+        def __init__(self, inner):
+            self.inner = inner
+            self.model, self.scene, self.dt = inner.model, inner.scene, inner.dt
+
+        def reset(self, q, v=None):
+            self.inner.reset(q, v)
+            self.take()
+
+        def step(self, tau, push_world=None):
+            self.inner.step(tau, push_world)
+            self.take()
+
+        def take(self):
+            for name in ("q", "v", "time", "contact_force_world", "in_contact", "friction_torque"):
+                setattr(self, name, getattr(self.inner, name))
+
+    ours, theirs = press.loop(plant=Wrapped(press.plant())), press.loop()
+    ours.run(0.3), theirs.run(0.3)
+    assert rows(ours) == rows(theirs) and ours.trace["in_contact"].any()
+
+
+def test_a_loop_keeps_what_it_drives_alive(press):
+    loop = press.loop()
+    loop.run(0.01)
+    expected = press.loop()
+    expected.run(0.02)
+    del press  # plant and controller have no other name anyway
+    loop.run(0.01)
+    assert rows(loop) == rows(expected)
+
+
+def test_ctrl_c_ends_a_run(press):
+    loop = press.loop()
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        loop.run(1e6)
+    timer.join()
+
+
+def test_a_schedule_waits_for_contact():
+    schedule = burnish.Schedule([
+        SchedulePhase(Phase.APPROACH, "a", 0.5, until_contact=True, hold=0.1),
+        SchedulePhase(Phase.TRACK, "b")])
+    assert schedule.start_of(1) == 0.5 and schedule.phase_at(0.6) == 1
+    for _ in range(60):
+        moved = schedule.advance(0.01, False)
+    assert moved and schedule.waits and math.isclose(schedule.time, 0.4)
+    assert schedule.advance(0.01, True) and schedule.phase == 1
+    assert math.isclose(schedule.time, 0.5)
+    schedule.jump_to(0)
+    assert schedule.time == 0.0
+    kept = copy.copy(schedule)
+    schedule.advance(0.1, False)
+    assert kept.time == 0.0
+    with pytest.raises(burnish.Error):
+        burnish.Schedule([])
+    for index in (-1, 2):
+        with pytest.raises(burnish.Error, match="no phase"):
+            schedule.start_of(index)
+
+
+def test_an_observer_finds_a_constant_torque(press):
+    """At rest, held by weight plus 2 Nm too much at a joint: those are the error."""
+    model, q = press.robot.model, press.q
+    observer = burnish.TorqueErrorObserver(
+        model, options=burnish.ModelErrorOptions(bandwidth=50.0))
+    dynamics = burnish.ContactDynamics(model, [])
+    zero = np.zeros(model.nv)
+    dynamics.forward(q, zero, zero)
+    tau = np.array(dynamics.bias)
+    tau[3] += 2.0
+    for i in range(2000):
+        observer.update(q, zero, tau, np.zeros(3), 1e-3)
+    wanted = zero.copy()
+    wanted[3] = -2.0
+    assert np.allclose(observer.torque_error, wanted, atol=1e-6)
+    with pytest.raises(burnish.EvaluationError, match="TorqueErrorObserver.update"):
+        observer.update(q, zero, tau[:2], np.zeros(3), 1e-3)
+    observer.reset()
+    assert not np.any(observer.torque_error)
+    with pytest.raises(burnish.Error, match="bandwidth"):
+        burnish.TorqueErrorObserver(model, options=burnish.ModelErrorOptions(bandwidth=-1.0))
+
+
+def test_a_plan_is_a_controller_between_two_solves(press):
+    problem = burnish.Problem(press.spec.problem)
+    solver = burnish.DdpSolver(problem, press.spec.solver.replace(max_iterations=50))
+    plan = burnish.FeedbackPlan(problem, 5, 0.01)
+    assert plan.empty and plan.knots == 5
+    with pytest.raises(burnish.Error, match="no plan"):
+        plan.at(0.0)
+    solver.solve()
+    plan.load(solver, 2.0)
+    assert plan.start == 2.0 and not plan.empty
+    feedback = plan.at(2.013)
+    assert np.array_equal(feedback.feedforward, solver.us[1])
+    assert np.array_equal(feedback.gain, solver.gain(1))
+    assert np.allclose(feedback.state, 0.7 * solver.xs[1] + 0.3 * solver.xs[2], atol=1e-12)
+    x = solver.xs[1] + 0.01
+    wanted = feedback.feedforward + feedback.gain @ (x - feedback.state)
+    assert np.allclose(plan.control(2.013, x), wanted)
+    with pytest.raises(burnish.Error, match="3 numbers; wanted 14"):
+        plan.control(2.0, [1.0, 2.0, 3.0])
+    small = burnish.Problem(press.spec.problem.replace(
+        horizon=[burnish.HorizonSegment("approach", 2)]))
+    with pytest.raises(burnish.Error, match="another problem"):
+        plan.load(burnish.DdpSolver(small), 0.0)
+    del problem
+    assert plan.at(2.0).gain.shape == (7, 14)
