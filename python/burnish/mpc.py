@@ -2,4 +2,299 @@
 
 from __future__ import annotations
 
-__all__: list[str] = []
+import abc
+import enum
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Callable, List, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._core import MpcController, Schedule, TorqueErrorObserver, Trace
+from ._spec import Spec, empty, items, vector, zeros
+from .base import Status
+from .ocp import ProblemSpec
+from .solver import DdpOptions, StepUpdate
+
+__all__ = [
+    "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "LinearFeedback",
+    "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController", "MpcSpec", "Phase",
+    "SafetyLimits", "Schedule", "SchedulePhase", "TaskTarget", "TorqueErrorObserver",
+]
+
+
+class Phase(enum.Enum):
+    """Where a polishing task stands."""
+
+    REACH = 0
+    APPROACH = 1
+    RAMP = 2
+    TRACK = 3
+    RETREAT = 4
+
+
+class FaultKind(enum.Enum):
+    """What can go wrong in a control loop."""
+
+    NONE = 0
+    STALE_MEASUREMENT = 1
+    """time does not go on"""
+    BAD_MEASUREMENT = 2
+    """NaN, infinite or of the wrong size, for too long"""
+    OUT_OF_RANGE = 3
+    """a joint is beyond its position limit"""
+    SOLVER_FAILED = 4
+    """no usable plan for too many updates in a row, or at the first"""
+    SOLVER_LATE = 5
+    """too many updates in a row took longer than their deadline"""
+    CONTACT_LOST = 6
+    """no force for too long while it is wanted"""
+    NO_CONTACT = 7
+    """the tool went on too far where the surface was expected"""
+    CONTACT_LATE = 8
+    """the tool took too long to get to the surface"""
+    UNEXPECTED_CONTACT = 9
+    """a force while the tool moves through free space"""
+    FORCE_LIMIT = 10
+    """the tool is pushed harder than allowed"""
+    SPEED_LIMIT = 11
+    """a joint or the tool is faster than allowed"""
+
+
+class ModelErrorKind(enum.Enum):
+    """What an MpcController estimates of what its model gets wrong. Both are relative to the torque
+    that was commanded, so that what actuators get wrong is part of them."""
+
+    NONE = 0
+    """nothing: the paper's controller"""
+    TORQUE = 1
+    """d in M a + b = tau + J^T f + d, a torque per joint"""
+    FORCE = 2
+    """what the measured normal force is above the one that the model predicts"""
+
+
+@dataclass(eq=False, repr=False)
+class Measurement(Spec):
+    """What the sensors say at a tick."""
+
+    time: float = 0.0
+    """s"""
+    q: ArrayLike = empty()
+    """nq"""
+    v: ArrayLike = empty()
+    """nv"""
+    tau: ArrayLike = empty()
+    """nv, of the torque sensors between motor and link, Nm or N"""
+    tool_force_world: ArrayLike = zeros(3)
+    """3, of the force sensor: the surface's force on the tool, N, world axes"""
+
+
+@dataclass(eq=False, repr=False)
+class Command(Spec):
+    """What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims
+    at and how it fares, for the record."""
+
+    tau: ArrayLike = empty()
+    """nv, Nm or N; zero for a floating base"""
+    phase: Phase = Phase.REACH
+    target_force: float = 0.0
+    """N, how hard the surface shall push back along its normal"""
+    p_target_world: ArrayLike = zeros(3)
+    """3, m, of the tip frame's origin"""
+    force_estimate_world: ArrayLike = zeros(3)
+    """3, what the controller believes the surface's force on the tool to be, N, world axes"""
+    status: Status = Status.OK
+    solve_time: float = 0.0
+    """s of wall clock, where an optimal control problem was solved"""
+    iterations: int = 0
+    """of its solver"""
+    missed_deadline: bool = False
+    """its solution came later than it was due"""
+
+
+@dataclass(eq=False, repr=False)
+class SchedulePhase(Spec):
+    phase: Phase = Phase.REACH
+    stage: str = ""
+    """of the optimal control problem"""
+    duration: float = math.inf
+    """s; infinite for the last one only"""
+    until_contact: bool = False
+    """ends when contact is made and not before. When it is made early, the clock jumps to the end;
+    when it is late, the clock stands still `hold` s before it, so that the horizon goes on
+    approaching and plans the contact soon. Of the last phase it means nothing."""
+    hold: float = 0.05
+    """s; longer than the phase: the clock stands still at its start"""
+
+
+@dataclass(eq=False, repr=False)
+class TaskTarget(Spec):
+    """What the task asks of the tool at a time of the schedule, for the record. What the controller
+    aims at is what the costs of the problem say."""
+
+    p_world: ArrayLike = zeros(3)
+    """3, m"""
+    force: float = 0.0
+    """N, along the normal; 0: no contact wanted"""
+
+
+@dataclass(eq=False, repr=False)
+class SafetyLimits(Spec):
+    """When a run is given up. Infinite: never."""
+
+    force: float = 100.0
+    """N, measured at the tool, of the mean over `force_window`: a rigid impact's force at a single
+    instant is its impulse over the sampling time and says little"""
+    force_window: float = 5e-3
+    """s, rounded to ticks, one at least"""
+    tool_speed: float = 1.0
+    """m/s"""
+    joint_speed_ratio: float = 1.2
+    """of the model's velocity limits"""
+    joint_margin: float = 0.05
+    """rad (m) that a joint may be beyond its limit"""
+    stale: float = 0.02
+    """s without a new measurement; longer than a tick"""
+    bad: float = 0.01
+    """s of bad measurements that the last good one bridges"""
+    contact_lost: float = 0.15
+    """s without force in RAMP and TRACK"""
+    contact_threshold: float = 2.0
+    """N of normal force that count as contact"""
+    late_contact_travel: float = 0.03
+    """m along the normal without contact, from when the schedule's clock began to wait for it in
+    APPROACH: how far the surface may lie behind where it is thought to be"""
+    late_contact_time: float = 3.0
+    """s, likewise"""
+    unexpected_force: float = 15.0
+    """N of normal force, mean over `force_window`: in REACH, and in RETREAT once the tool has come
+    off (its force fell below `contact_threshold`) or `release` s are over"""
+    release: float = 0.5
+    """s"""
+    failed_solves: int = 5
+    """in a row; the first solve may not fail"""
+    deadline: float = math.inf
+    """s of wall clock per update; the first one, made at rest, may take longer"""
+    late_solves: int = 5
+    """in a row"""
+
+
+@dataclass(eq=False, repr=False)
+class Fallback(Spec):
+    """How the robot is brought to rest after a fault, and held there:
+    tau = b(q, 0) - M (stiffness e + damping v) on the actuated joints, e = q (-) q_hold, within the
+    torque limits. q_hold is where the robot was at the fault, and slips where the spring would use
+    more than `give` of a joint's effort limit."""
+
+    stiffness: float = 900.0
+    """1/s^2; 0: no spring, and what the model gets wrong lets it sink"""
+    damping: float = 40.0
+    """1/s"""
+    give: float = 0.15
+    """of the effort limits, what the spring may use; within [0, 1]"""
+
+
+@dataclass(eq=False, repr=False)
+class ModelErrorOptions(Spec):
+    """The constant part of what the model gets wrong, estimated from measurements and given back to
+    the model (offset-free model predictive control)."""
+
+    kind: ModelErrorKind = ModelErrorKind.TORQUE
+    bandwidth: float = 30.0
+    """rad/s of the observer; positive. FORCE closes a loop through the controller and is not to be
+    faster than its delays bear."""
+    limit: float = 30.0
+    """Nm (N): estimates stay within +- this"""
+
+
+@dataclass(eq=False, repr=False)
+class FaultReport(Spec):
+    """The first fault of a run, and the ticks that led to it."""
+
+    kind: FaultKind = FaultKind.NONE
+    time: float = 0.0
+    """s, of the measurement, or when it was due if there was none"""
+    joint: int = -1
+    """entry of v that it is about, or -1"""
+    value: float = 0.0
+    """what was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s"""
+    limit: float = 0.0
+    """what was allowed, in the same unit"""
+    last_second: Trace = field(default_factory=Trace)
+    """oldest row first, the fault's tick last; empty while there is no fault"""
+
+    def text(self) -> str:
+        """One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;
+        allowed are 0.15 s"."""
+        return _core.fault_text(self)
+
+
+@dataclass(eq=False, repr=False)
+class LinearFeedback(Spec):
+    """u = feedforward + gain (x (-) state): the triple that linear feedback controllers take."""
+
+    feedforward: NDArray[np.float64] = empty()
+    """nu, Nm (N)"""
+    gain: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 0)))
+    """nu x ndx: by position, velocity and, with a torque model, torque"""
+    state: NDArray[np.float64] = empty()
+    """nx, (q, v) or (q, v, tau)"""
+
+
+@dataclass(eq=False, repr=False)
+class MpcSpec(Spec):
+    """Model predictive control of a contact task: a horizon that moves with time, solved again and
+    again from the measured state, and its policy in between."""
+
+    problem: ProblemSpec
+    """horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
+    segments matter for the number of knots alone; all stages have the same step."""
+    schedule: List[SchedulePhase] = items()
+    tool: str = "tool"
+    normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
+    """3, of the surface, towards the robot"""
+    target: Optional[Callable[[float], TaskTarget]] = None
+    """by time of the schedule, asked at each tick; must be given"""
+    tick_period: float = 5e-4
+    """s"""
+    update_period: float = 0.01
+    """s between solves, a multiple of the tick"""
+    solver_delay: float = 0.0
+    """s from a measurement to the use of the plan that starts from it, at most the update period. The
+    plan is made for the state that the policy in use leads to by then."""
+    solver: DdpOptions = field(default_factory=lambda: DdpOptions(
+        update=StepUpdate.MULTIPLE_SHOOTING, max_iterations=1))
+    first_iterations: int = 100
+    """of the first solve"""
+    jump_iterations: int = 3
+    """of one after the schedule's clock jumped or stood still"""
+    model_error: ModelErrorOptions = field(default_factory=ModelErrorOptions)
+    limits: SafetyLimits = field(default_factory=SafetyLimits)
+    fallback: Fallback = field(default_factory=Fallback)
+    feedback: bool = True
+    """the Riccati policy between solves; without, the planned torque is held"""
+
+
+class Controller(abc.ABC):
+    """What a controller is to the simulation: measurements in, a torque out, at a fixed period. The
+    library's controllers are of this class; so is one of your own, which has the attribute `nv` and
+    these two methods. What they raise ends the run and is raised by the loop's methods."""
+
+    if TYPE_CHECKING:
+
+        @property
+        def nv(self) -> int:
+            """Torques of a command."""
+
+    @abc.abstractmethod
+    def reset(self) -> None:
+        """Forgets all ticks before."""
+
+    @abc.abstractmethod
+    def tick(self, measurement: Measurement) -> Union[Command, NDArray[np.float64]]:
+        """The command that follows a measurement; the torque (nv,; Nm, N) alone will do."""
+
+
+Controller.register(_core.CompiledController)

@@ -1,5 +1,155 @@
-"""The measures of a run."""
+"""Metrics, plots."""
 
 from __future__ import annotations
 
-__all__: list[str] = []
+import math
+from dataclasses import dataclass
+from typing import List, Optional
+
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._core import measure, metrics_table, plot_palette, svg_plot, write_svg_plot
+from ._spec import Spec, empty, items, vector
+
+__all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec", "SolverFigures",
+           "measure", "metrics_table", "plot_palette", "svg_plot", "write_svg_plot"]
+
+
+@dataclass(eq=False, repr=False)
+class MetricsSpec(Spec):
+    """What of a trace is measured."""
+
+    start: float = 0.0
+    """s, of the window"""
+    end: float = math.inf
+    """s, of the window"""
+    normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
+    """3, of the surface as it is, towards the robot; any length but zero. The force is measured along
+    it, the position across it."""
+    average: float = 0.010
+    """s, of the moving average of the force, centred; 0: none"""
+
+
+@dataclass(eq=False, repr=False)
+class SolverFigures(Spec):
+    """Over the control ticks of the window that solved something."""
+
+    ticks: int = 0
+    median: float = 0.0
+    """s"""
+    p99: float = 0.0
+    """s"""
+    maximum: float = 0.0
+    """s"""
+    mean_iterations: float = 0.0
+    missed_deadlines: int = 0
+
+
+@dataclass(eq=False, repr=False)
+class Metrics(Spec):
+    """How well a run polished: all of the window unless it says otherwise, on true forces and
+    positions, SI units."""
+
+    start: float = 0.0
+    """s, of the rows found"""
+    end: float = 0.0
+    """s, of the rows found"""
+    rows: int = 0
+
+    force_mean: float = 0.0
+    """N, along the normal"""
+    force_mae: float = 0.0
+    """N, mean absolute error of the averaged force against the target"""
+    force_rmse: float = 0.0
+    """N, of the averaged force"""
+    force_peak: float = 0.0
+    """N, largest absolute error of the averaged force"""
+    force_rmse_raw: float = 0.0
+    """N, of the force in every row"""
+    force_peak_raw: float = 0.0
+    """N, of the force in every row"""
+    estimate_rmse: float = 0.0
+    """N, of what the controller believes, along the normal"""
+    without_contact: float = 0.0
+    """share of rows"""
+    impact_peak: Optional[float] = None
+    """N, in the 50 ms from the first contact of the run on"""
+    overshoot: Optional[float] = None
+    """N, averaged force above the target, from the end of the ramp to the window's start; at least
+    0"""
+
+    position_mean: float = 0.0
+    """m, distance to the target across the normal"""
+    position_rmse: float = 0.0
+    """m"""
+    position_p95: float = 0.0
+    """m"""
+    orientation_drift: float = 0.0
+    """rad, largest rotation since the window's start"""
+
+    joint_margin: float = 0.0
+    """rad (m), smallest distance to a position limit"""
+    tightest_joint: str = ""
+    """whose it is; empty without limits"""
+    torque_margin: float = 1.0
+    """part of a joint's effort limit that was never used, smallest"""
+    tightest_torque: str = ""
+    limited_torque: float = 0.0
+    """share of rows with a joint at its effort limit"""
+
+    solver: Optional[SolverFigures] = None
+    """where a controller reports solve times"""
+
+    def text(self) -> str:
+        """All figures, one per line: name, value, unit, what it means."""
+        return _core.metrics_text(self)
+
+
+@dataclass(eq=False, repr=False)
+class NamedMetrics(Spec):
+    name: str
+    metrics: Metrics
+
+
+@dataclass(eq=False, repr=False)
+class Curve(Spec):
+    """One line. Points that are not finite interrupt it."""
+
+    name: str = ""
+    """in the legend; empty: not listed"""
+    x: ArrayLike = empty()
+    y: ArrayLike = empty()
+    color: int = -1
+    """of the palette; -1: the next one"""
+    dashed: bool = False
+    """limits and targets"""
+
+
+@dataclass(eq=False, repr=False)
+class Panel(Spec):
+    """Axes with curves in them."""
+
+    title: str = ""
+    x_label: str = ""
+    """with its unit, such as "time [s]\""""
+    y_label: str = ""
+    curves: List[Curve] = items()
+    equal_aspect: bool = False
+    """a metre is as long upwards as to the right"""
+    log_y: bool = False
+    """values that are not positive are left out"""
+
+
+@dataclass(eq=False, repr=False)
+class PlotSpec(Spec):
+    """Line plots as an SVG file that any browser shows."""
+
+    title: str = ""
+    panels: List[Panel] = items()
+    columns: int = 1
+    """panels beside each other"""
+    panel_width: float = 640.0
+    """px, the legend included"""
+    panel_height: float = 240.0
+    """px"""

@@ -1,4 +1,7 @@
 // Errors, statuses, records of runs.
+#include <algorithm>
+#include <cstring>
+
 #include "bind.hpp"
 #include "burnish/base/trace.hpp"
 #include "machine.hpp"
@@ -19,6 +22,47 @@ py::array rows_of(const Trace& trace, py::handle owner) {
                   data != nullptr ? owner : py::handle());
   array.attr("flags").attr("writeable") = false;
   return array;
+}
+
+/// A trace of one's own: columns with their units, and their rows.
+Trace trace_of(const py::dict& units, const std::optional<Eigen::Ref<const RowMatrix>>& rows) {
+  std::vector<TraceColumn> columns;
+  for (const auto& [name, unit] : units)
+    columns.push_back({py::cast<std::string>(name), py::cast<std::string>(unit)});
+  if (!rows) return {std::move(columns), 0};
+  if (rows->cols() != static_cast<Eigen::Index>(columns.size()))
+    throw Error("Trace: the rows have " + std::to_string(rows->cols()) + " entries; wanted " +
+                std::to_string(columns.size()) + ", one per column");
+  Trace trace(std::move(columns), static_cast<int>(rows->rows()));
+  for (Eigen::Index row = 0; row < rows->rows(); ++row)
+    Eigen::Map<Eigen::RowVectorXd>(trace.add_row(), rows->cols()) = rows->row(row);
+  return trace;
+}
+
+py::dict units_of(const Trace& trace) {
+  py::dict units;
+  for (const TraceColumn& column : trace.columns()) units[py::str(column.name)] = column.unit;
+  return units;
+}
+
+/// Its units and rows. How many rows were dropped is not kept.
+py::tuple state_of(const Trace& trace) {
+  const auto columns = static_cast<Eigen::Index>(trace.columns().size());
+  RowMatrix rows(trace.rows(), columns);
+  for (int column = 0; column < columns; ++column) rows.col(column) = trace.column(column);
+  return py::make_tuple(units_of(trace), rows);
+}
+
+/// To the last bit.
+bool same(const Trace& a, const Trace& b) {
+  if (a.rows() != b.rows() || !units_of(a).equal(units_of(b))) return false;
+  for (int column = 0; column < static_cast<int>(a.columns().size()); ++column)
+    if (a.columns()[static_cast<std::size_t>(column)].name !=
+            b.columns()[static_cast<std::size_t>(column)].name ||
+        !std::equal(a.column(column).begin(), a.column(column).end(), b.column(column).begin(),
+                    [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }))
+      return false;
+  return true;
 }
 
 }  // namespace
@@ -48,15 +92,10 @@ void bind_base(py::module_& m) {
             return names;
           },
           "Names of the columns.")
-      .def_property_readonly(
-          "units",
-          [](const Trace& trace) {
-            py::dict units;
-            for (const TraceColumn& column : trace.columns())
-              units[py::str(column.name)] = column.unit;
-            return units;
-          },
-          "Unit of each column by its name; '-' for counts and flags.")
+      .def(py::init(&trace_of), py::arg("units") = py::dict(), py::arg("rows") = py::none(),
+           "A record of your own: `units` by column name, in their order, and rows (n, columns).")
+      .def_property_readonly("units", &units_of,
+                             "Unit of each column by its name; '-' for counts and flags.")
       .def_property_readonly("dropped", &Trace::dropped,
                              "Rows that came when the record was full, and are not in it.")
       .def("__len__", &Trace::rows)
@@ -86,6 +125,13 @@ void bind_base(py::module_& m) {
           [](const Trace& trace, const std::filesystem::path& file) { trace.write_csv(file); },
           py::arg("file"), py::call_guard<py::gil_scoped_release>(),
           "Writes `name [unit],...` and one line per row. Raises Error if that fails.")
+      .def("__copy__", [](const Trace& trace) { return trace; })
+      .def("__deepcopy__", [](const Trace& trace, const py::dict&) { return trace; })
+      .def(py::pickle(&state_of,
+                      [](const py::tuple& state) {
+                        return trace_of(state[0], py::cast<Eigen::Ref<const RowMatrix>>(state[1]));
+                      }))
+      .def("__eq__", &same, py::is_operator())
       .def("__repr__", [](const Trace& trace) {
         return "<Trace: " + std::to_string(trace.rows()) + " rows of " +
                std::to_string(trace.columns().size()) + " columns>";

@@ -1,9 +1,372 @@
 // The polishing task: what it is, its runs and experiments.
+#include <atomic>
+#include <chrono>
+#include <future>
+
 #include "bind.hpp"
+#include "polishing/run.hpp"
+#include "polishing/task_notes.hpp"
+#include "run_files.hpp"
 #include "specs_polishing.hpp"
 
 namespace burnish::python {
 
-void bind_polishing(py::module_& /*m*/) {}
+namespace {
+
+using namespace polishing;
+
+/// A run and what it was asked for.
+struct Run {
+  RunSpec spec;
+  RunResult result;
+};
+
+py::object polishing_class(const char* name) {
+  return py::module_::import("burnish.polishing").attr(name);
+}
+
+/// What a progress function answers: nothing means that it goes on. To be called with the GIL.
+bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
+
+/// The progress function of a spec (RunSpec or ExperimentSpec) as Python has it, or None.
+py::object progress_of(const py::object& spec, const char* what, const char* wanted) {
+  if (!py::isinstance(spec, polishing_class(wanted)))
+    throw py::type_error(std::string(what) + ": wanted is a " + wanted);
+  return spec.attr("progress");
+}
+
+Run run(const py::object& given) {
+  const py::object progress = progress_of(given, "run_task", "RunSpec");
+  Run run{py::cast<RunSpec>(given), {}};
+  run.spec.progress = [&progress](double time, double end) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return progress.is_none() || goes_on(progress(time, end));
+  };
+  {
+    const py::gil_scoped_release release;
+    run.result = run_task(run.spec);
+  }
+  run.spec.progress = nullptr;
+  return run;
+}
+
+/// Signals reach Python's main thread alone, so the work is done by another while the caller looks
+/// for them.
+ExperimentReport perform(const std::string& name, const py::object& given) {
+  const Experiment& experiment = experiment_named(name);
+  ExperimentSpec spec;
+  py::object progress = py::none();
+  if (!given.is_none()) {
+    progress = progress_of(given, "perform_experiment", "ExperimentSpec");
+    spec = py::cast<ExperimentSpec>(given);
+  }
+  std::atomic<bool> stop = false;
+  std::optional<py::error_already_set> raised;  // touched with the GIL alone
+  spec.stopped = [&stop] { return stop.load(); };
+  spec.progress = nullptr;
+  if (!progress.is_none())
+    spec.progress = [&](double share, const std::string& what) {
+      const py::gil_scoped_acquire acquire;
+      if (stop) return;
+      try {
+        stop = !goes_on(progress(share, what));
+      } catch (py::error_already_set& error) {
+        raised = error;
+        stop = true;
+      }
+    };
+  ExperimentReport report;
+  {
+    const py::gil_scoped_release release;
+    auto work = std::async(std::launch::async, [&] { return experiment.perform(spec); });
+    while (work.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+      const py::gil_scoped_acquire acquire;
+      if (!raised && PyErr_CheckSignals() != 0) {
+        raised.emplace();
+        stop = true;
+      }
+    }
+    report = work.get();
+  }
+  if (raised) throw py::error_already_set(*raised);
+  return report;
+}
+
+PlanArrays arrays_of(const PlanRecord& record) {
+  const auto plans = static_cast<Eigen::Index>(record.time.size());
+  PlanArrays arrays{.time = Eigen::Map<const Eigen::VectorXd>(record.time.data(), plans),
+                    .terms = record.terms,
+                    .costs = RowMatrix(static_cast<Eigen::Index>(record.terms.size()), plans),
+                    .step = record.step,
+                    .q = {py::array_t<float>({static_cast<py::ssize_t>(plans),
+                                              py::ssize_t{record.knots}, py::ssize_t{record.nq}},
+                                             record.q.data())}};
+  for (std::size_t term = 0; term < record.terms.size(); ++term)
+    arrays.costs.row(static_cast<Eigen::Index>(term)) =
+        Eigen::Map<const Eigen::RowVectorXd>(record.costs[term].data(), plans);
+  return arrays;
+}
+
+PlanRecord record_of(const PlanArrays& arrays) {
+  const py::array_t<float>& q = arrays.q.array;
+  PlanRecord record;
+  record.time = {arrays.time.begin(), arrays.time.end()};
+  record.terms = arrays.terms;
+  record.knots = static_cast<int>(q.shape(1));
+  record.nq = static_cast<int>(q.shape(2));
+  record.step = arrays.step;
+  record.q = {q.data(), q.data() + q.size()};
+  for (const auto& row : arrays.costs.rowwise()) record.costs.emplace_back(row.begin(), row.end());
+  return record;
+}
+
+std::string repr_of(const Run& run) {
+  std::string text = "<RunResult: " + name_of(run.spec.controller) + " on " +
+                     name_of(run.spec.plant) + "; " + run.result.outcome;
+  if (run.result.metrics) {
+    char figures[80];
+    std::snprintf(figures, sizeof figures, "; force error %.2f N, path error %.2f mm rms",
+                  run.result.metrics->force_rmse, 1e3 * run.result.metrics->position_rmse);
+    text += figures;
+  }
+  return text + ">";
+}
+
+py::tuple state_of(const Run& run) {
+  const RunResult& r = run.result;
+  return py::make_tuple(run.spec, r.setting, r.reach, r.trace, arrays_of(r.plans), r.plant_status,
+                        r.fault, r.interrupted, r.polished, r.metrics, r.ticks, r.first_tick,
+                        r.wall_time, r.outcome);
+}
+
+Run run_of(const py::tuple& state) {
+  std::size_t next = 0;
+  const auto take = [&](auto& entry) {
+    entry = py::cast<std::decay_t<decltype(entry)>>(state[next++]);
+  };
+  Run run;
+  RunResult& r = run.result;
+  take(run.spec);
+  take(r.setting);
+  take(r.reach);
+  take(r.trace);
+  PlanArrays plans;
+  take(plans);
+  r.plans = record_of(plans);
+  take(r.plant_status);
+  take(r.fault);
+  take(r.interrupted);
+  take(r.polished);
+  take(r.metrics);
+  take(r.ticks);
+  take(r.first_tick);
+  take(r.wall_time);
+  take(r.outcome);
+  return run;
+}
+
+void bind_run(py::module_& m) {
+  py::class_<Run> run_class(m, "RunResult",
+                            "What came out of a run. Its trace stays where it is: views of its "
+                            "columns keep the result alive.");
+  const auto add = [&](const char* name, auto RunResult::*member, const char* text) {
+    run_class.def_property_readonly(
+        name, [member](const Run& self) { return self.result.*member; }, text);
+  };
+  run_class
+      .def_property_readonly(
+          "task", [](const Run& self) { return self.spec.task; }, "The Task, a copy.")
+      .def_property_readonly(
+          "controller", [](const Run& self) { return self.spec.controller; }, "ControllerKind.")
+      .def_property_readonly(
+          "plant", [](const Run& self) { return self.spec.plant; }, "PlantKind.")
+      .def_property_readonly(
+          "reach",
+          [](const Run& self) {
+            return self.spec.check_reach ? std::optional(self.result.reach) : std::nullopt;
+          },
+          "ReachReport of the check before the run; None if there was none.")
+      .def_property_readonly(
+          "trace", [](const Run& self) -> const Trace& { return self.result.trace; },
+          py::return_value_policy::reference_internal,
+          "Trace of every plant step, every nth beyond 100 s; columns as of ClosedLoop.")
+      .def_property_readonly(
+          "plans", [](const Run& self) { return arrays_of(self.result.plans); },
+          "PlanRecord: plans of the MPC, now and then; a copy.")
+      .def(
+          "write",
+          [](const Run& self, const std::filesystem::path& folder, const std::string& name,
+             bool page, bool recording, int record_every) {
+            return write_run_folder(self.spec, self.result, folder,
+                                    {name, record_every, page, recording});
+          },
+          py::arg("folder"), py::kw_only(), py::arg("name") = "run", py::arg("page") = true,
+          py::arg("recording") = false, py::arg("record_every") = 10,
+          py::call_guard<py::gil_scoped_release>(),
+          "Writes into a folder, which is made, what `burnish polish` leaves of a run: run.html "
+          "and "
+          "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, plots "
+          "as SVG, run.mcap (recording), and after a fault its report. `name` stands on the page. "
+          "Returns the files' names. Raises Error if they cannot be written, or in a build without "
+          "the command line.")
+      .def("__repr__", &repr_of)
+      .def(py::pickle(&state_of, &run_of));
+  add("setting", &RunResult::setting, "Setting: the task with everything resolved; a copy.");
+  add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
+  add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
+  add("interrupted", &RunResult::interrupted, "Whether the progress function ended the run.");
+  add("polished", &RunResult::polished, "Whether the whole path was followed without fault.");
+  add("metrics", &RunResult::metrics,
+      "Metrics over the path after its start; None if it was never reached.");
+  add("ticks", &RunResult::ticks,
+      "TickTimes of the controller after its first tick, which solves to its end.");
+  add("first_tick", &RunResult::first_tick, "s of wall clock.");
+  add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
+  add("outcome", &RunResult::outcome, "One sentence: that it polished, or what came in between.");
+
+  m.def("run_task", &run, py::arg("spec"),
+        "Runs a task (RunSpec) to the end of its retreat in simulated time. What goes wrong on the "
+        "way is in the result, with all that was recorded until then; Ctrl-C ends the run as in "
+        "other Python code. Raises Error for a task that does not fit together, one that the arm "
+        "cannot reach, and a plant that is not there.");
+}
+
+void bind_task(py::module_& m) {
+  py::class_<Path>(m, "SurfacePath",
+                   "A PathSpec compiled. Raises Error for numbers that make no path.")
+      .def(py::init<const PathSpec&>(), py::arg("spec"))
+      .def("at", &Path::at, py::arg("t"), "PlanarPoint t s after its start; before, the start.")
+      .def(
+          "positions",
+          [](const Path& path, const Eigen::Ref<const Eigen::VectorXd>& times) {
+            RowMatrix points(times.size(), 2);
+            for (Eigen::Index i = 0; i < times.size(); ++i)
+              points.row(i) = path.at(times[i]).p.transpose();
+            return points;
+          },
+          py::arg("t"), "(u, w) in m at times in s: (n,) gives (n, 2).")
+      .def_property_readonly("duration", &Path::duration,
+                             "s until its last point is reached; infinite for paths that go on.");
+  m.def("named_surfaces", &named_surfaces,
+        "NamedSurface of each: table, board (in front of the robot), board_x (the same), board_y, "
+        "board_minus_y, tilt_45.");
+  m.def(
+      "put_on",
+      [](Task task, const std::string& surface) {
+        put_on(task, surface);
+        return task;
+      },
+      py::arg("task"), py::arg("surface"),
+      "A copy of the task with posture and normal of a named surface, which lies under the tool. "
+      "Raises Error with the nearest known name.");
+  m.def("disturbance_presets", &disturbance_presets, "none, sensors, mismatch, joint_friction.");
+  m.def("disturbance_preset", &disturbance_preset, py::arg("name"),
+        "Disturbances: none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, "
+        "0.3 N and 0.05 Nm of noise, 1 ms of delay); mismatch (the same, masses 5 % above the "
+        "controller's, surface friction 0.3); joint_friction (the same, 1 Nm of Coulomb and 1 "
+        "Nms/rad of viscous joint friction). Seed 0. Raises Error with the nearest known name.");
+  m.def(
+      "read_task", &read_task, py::arg("file"), py::arg("overrides") = std::vector<std::string>{},
+      "Reads a task file; keys that it does not state keep their defaults. Overrides are applied "
+      "after it, in order, each \"key.path=value\" with a value in YAML. Raises Error naming file "
+      "(or override), line, key and what was wanted.");
+  m.def(
+      "override_task",
+      [](Task task, const std::vector<std::string>& overrides) {
+        override_task(task, overrides);
+        return task;
+      },
+      py::arg("task"), py::arg("overrides"),
+      "A copy of the task with overrides applied. Raises Error as read_task() does.");
+  m.def("check_task", &check_task, py::arg("task"),
+        "Raises Error with a sentence for numbers that are possible each but not together.");
+  m.def("task_text", &task_text, py::arg("task"),
+        "The task as a task file, every key with its unit and meaning; reads back as it was.");
+  m.def("write_task", &write_task, py::arg("task"), py::arg("file"),
+        "Writes task_text(). Raises Error if the file cannot be written.");
+  m.def("task_notes", &task_notes, py::arg("task"), py::arg("plant"),
+        "Sentences on what is possible but probably not meant, before a run on this plant.");
+}
+
+void bind_setting(py::module_& m) {
+  m.def(
+      "make_setting",
+      [](const Task& task, const std::optional<Robot>& robot,
+         const std::optional<Eigen::VectorXd>& q_start) {
+        if (robot.has_value() != q_start.has_value())
+          throw Error("make_setting: robot and q_start come together; one of them is None");
+        return robot ? make_setting(task, *robot, *q_start) : make_setting(task);
+      },
+      py::arg("task"), py::arg("robot") = py::none(), py::arg("q_start") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "Setting of a task; or for a robot at hand and a starting posture (nq,), whatever the task "
+      "says of both. Raises Error for a task that does not fit together, and for a posture that is "
+      "to be searched (find_posture()) where there is none.");
+  m.def("task_point", &task_point, py::arg("task"), py::arg("setting"), py::arg("path"),
+        py::arg("time"),
+        "TaskPoint: where the tool shall be and how hard it shall press, at a time (s) of the "
+        "schedule.");
+  m.def("make_mpc", &make_mpc, py::arg("task"), py::arg("setting"),
+        "MpcSpec: the task as an optimal control problem over time.");
+  m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),
+        "ImpedanceSpec: the baseline on the same task.");
+  m.def(
+      "check_reach",
+      [](const Task& task, const std::optional<Setting>& setting,
+         const std::optional<ReachOptions>& options) {
+        return check_reach(task, setting ? *setting : make_setting(task),
+                           options.value_or(ReachOptions{}));
+      },
+      py::arg("task"), py::arg("setting") = py::none(), py::arg("options") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "ReachReport: walks from the start to the surface and along the whole path, and looks at "
+      "position, joint limits, torques that hold the robot still, and the arm as a skeleton beside "
+      "the surface. It knows no motion, no shapes of links, and no other collisions. setting: of "
+      "the task if None. Raises Error for a path that is none.");
+  m.def("pressing_axis", &pressing_axis, py::arg("tool_placement"),
+        "(3,), the direction that a tool at a placement (4, 4) presses in: the frame's -z.");
+  m.def(
+      "find_posture",
+      [](const Task& task, const std::optional<Robot>& robot,
+         const std::optional<PostureOptions>& options) {
+        return find_posture(task, robot ? *robot : load_robot(task.robot),
+                            options.value_or(PostureOptions{}));
+      },
+      py::arg("task"), py::arg("robot") = py::none(), py::arg("options") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "FoundPosture: a posture from which the task can be done, the same one for the same input: "
+      "tool against the normal, joints away from their limits, the whole path within reach. robot: "
+      "the task's if None. Raises Error with one sentence if there is none.");
+}
+
+void bind_experiments(py::module_& m) {
+  m.def(
+      "experiments",
+      [] {
+        std::vector<NamedExperiment> all;
+        for (const Experiment& experiment : experiments())
+          all.push_back({experiment.name, experiment.summary});
+        return all;
+      },
+      "Experiment of each: paper, orientation, frames, seeds, tick.");
+  m.def(
+      "perform_experiment", &perform, py::arg("name"), py::arg("spec") = py::none(),
+      "ExperimentReport of an experiment by its name, performed as an ExperimentSpec says. A "
+      "progress function that returns False ends it with what there is until then; Ctrl-C ends it "
+      "as in other Python code. Raises Error with the nearest known name, and for overrides and "
+      "surfaces that there are not, before anything is run.");
+  m.def("table_markdown", &markdown, py::arg("table"));
+  m.def("table_csv", &csv, py::arg("table"));
+}
+
+}  // namespace
+
+void bind_polishing(py::module_& m) {
+  bind_task(m);
+  bind_setting(m);
+  bind_run(m);
+  bind_experiments(m);
+}
 
 }  // namespace burnish::python

@@ -1,3 +1,144 @@
 #include "specs_mpc.hpp"
 
-namespace burnish::python {}  // namespace burnish::python
+namespace burnish::python {
+
+template <>
+const EnumTable& AsEnum<Phase>::table() {
+  static const EnumTable words("burnish.mpc", "Phase",
+                               {"reach", "approach", "ramp", "track", "retreat"});
+  return words;
+}
+template <>
+const EnumTable& AsEnum<FaultKind>::table() {
+  static const EnumTable words(
+      "burnish.mpc", "FaultKind",
+      {"none", "stale_measurement", "bad_measurement", "out_of_range", "solver_failed",
+       "solver_late", "contact_lost", "no_contact", "contact_late", "unexpected_contact",
+       "force_limit", "speed_limit"});
+  return words;
+}
+template <>
+const EnumTable& AsEnum<ModelErrorKind>::table() {
+  static const EnumTable words("burnish.mpc", "ModelErrorKind", {"none", "torque", "force"});
+  return words;
+}
+template <>
+const SpecTable& AsDataclass<Measurement>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "Measurement")
+                                      .field("time", &Measurement::time)
+                                      .field("q", &Measurement::q)
+                                      .field("v", &Measurement::v)
+                                      .field("tau", &Measurement::tau)
+                                      .field("tool_force_world", &Measurement::tool_force_world);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<Command>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "Command")
+                                      .field("tau", &Command::tau)
+                                      .field("phase", &Command::phase)
+                                      .field("target_force", &Command::target_force)
+                                      .field("p_target_world", &Command::p_target_world)
+                                      .field("force_estimate_world", &Command::force_estimate_world)
+                                      .field("status", &Command::status)
+                                      .field("solve_time", &Command::solve_time)
+                                      .field("iterations", &Command::iterations)
+                                      .field("missed_deadline", &Command::missed_deadline);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<SchedulePhase>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "SchedulePhase")
+                                      .field("phase", &SchedulePhase::phase)
+                                      .field("stage", &SchedulePhase::stage)
+                                      .field("duration", &SchedulePhase::duration)
+                                      .field("until_contact", &SchedulePhase::until_contact)
+                                      .field("hold", &SchedulePhase::hold);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<TaskTarget>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "TaskTarget")
+                                      .field("p_world", &TaskTarget::p_world)
+                                      .field("force", &TaskTarget::force);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<SafetyLimits>::table() {
+  static const SpecTable fields =
+      SpecTable("burnish.mpc", "SafetyLimits")
+          .field("force", &SafetyLimits::force)
+          .field("force_window", &SafetyLimits::force_window)
+          .field("tool_speed", &SafetyLimits::tool_speed)
+          .field("joint_speed_ratio", &SafetyLimits::joint_speed_ratio)
+          .field("joint_margin", &SafetyLimits::joint_margin)
+          .field("stale", &SafetyLimits::stale)
+          .field("bad", &SafetyLimits::bad)
+          .field("contact_lost", &SafetyLimits::contact_lost)
+          .field("contact_threshold", &SafetyLimits::contact_threshold)
+          .field("late_contact_travel", &SafetyLimits::late_contact_travel)
+          .field("late_contact_time", &SafetyLimits::late_contact_time)
+          .field("unexpected_force", &SafetyLimits::unexpected_force)
+          .field("release", &SafetyLimits::release)
+          .field("failed_solves", &SafetyLimits::failed_solves)
+          .field("deadline", &SafetyLimits::deadline)
+          .field("late_solves", &SafetyLimits::late_solves);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<Fallback>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "Fallback")
+                                      .field("stiffness", &Fallback::stiffness)
+                                      .field("damping", &Fallback::damping)
+                                      .field("give", &Fallback::give);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ModelErrorOptions>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "ModelErrorOptions")
+                                      .field("kind", &ModelErrorOptions::kind)
+                                      .field("bandwidth", &ModelErrorOptions::bandwidth)
+                                      .field("limit", &ModelErrorOptions::limit);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<FaultReport>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "FaultReport")
+                                      .field("kind", &FaultReport::kind)
+                                      .field("time", &FaultReport::time)
+                                      .field("joint", &FaultReport::joint)
+                                      .field("value", &FaultReport::value)
+                                      .field("limit", &FaultReport::limit)
+                                      .field("last_second", &FaultReport::last_second);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<LinearFeedback>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "LinearFeedback")
+                                      .field("feedforward", &LinearFeedback::feedforward)
+                                      .field("gain", &LinearFeedback::gain)
+                                      .field("state", &LinearFeedback::state);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<MpcSpec>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "MpcSpec")
+                                      .field("problem", &MpcSpec::problem)
+                                      .field("schedule", &MpcSpec::schedule)
+                                      .field("tool", &MpcSpec::tool)
+                                      .field("normal_world", &MpcSpec::normal_world)
+                                      .field("target", &MpcSpec::target)
+                                      .field("tick_period", &MpcSpec::tick_period)
+                                      .field("update_period", &MpcSpec::update_period)
+                                      .field("solver_delay", &MpcSpec::solver_delay)
+                                      .field("solver", &MpcSpec::solver)
+                                      .field("first_iterations", &MpcSpec::first_iterations)
+                                      .field("jump_iterations", &MpcSpec::jump_iterations)
+                                      .field("model_error", &MpcSpec::model_error)
+                                      .field("limits", &MpcSpec::limits)
+                                      .field("fallback", &MpcSpec::fallback)
+                                      .field("feedback", &MpcSpec::feedback);
+  return fields;
+}
+
+}  // namespace burnish::python

@@ -1,6 +1,7 @@
 #include "burnish/mpc/mpc.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mpc/mpc_impl.hpp"
 
@@ -15,6 +16,9 @@ const Command& MpcController::tick(const Measurement& measurement) noexcept {
   return impl_->tick(measurement);
 }
 const FaultReport& MpcController::fault() const { return impl_->fault; }
+std::exception_ptr MpcController::take_exception() noexcept {
+  return std::exchange(impl_->thrown, nullptr);
+}
 const LinearFeedback& MpcController::feedback() const { return impl_->policy; }
 const Eigen::VectorXd& MpcController::torque_error() const {
   return impl_->observer.torque_error();

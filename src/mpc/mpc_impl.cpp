@@ -216,6 +216,7 @@ void MpcController::Impl::reset() noexcept {
   force_error = good_time_ = last_time_ = 0.0;
   lost_for_ = waits_for_ = due_height_ = retreats_for_ = blind_for_ = 0.0;
   released_ = holding_ = started_ = fresh_ = due_ = solved_ = warm_ = jumped_ = next_ready_ = false;
+  thrown = nullptr;
   tick_ = history_rows_ = forces_count_ = 0;
   failed_ = late_ = 0;
   command_ = Command{std::move(command_.tau)};
@@ -266,8 +267,14 @@ void MpcController::Impl::aim() noexcept {
     command_.target_force = target.force;
     command_.p_target_world = target.p_world;
   } catch (...) {
+    keep_exception();
     command_.status = worst(command_.status, Status::NotEvaluated);
   }
+}
+
+/// Within a handler.
+void MpcController::Impl::keep_exception() noexcept {
+  if (!thrown) thrown = std::current_exception();
 }
 
 void MpcController::Impl::limit_torque() noexcept {

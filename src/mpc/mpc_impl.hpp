@@ -1,6 +1,7 @@
 // The parts of an MpcController and what a tick does with them.
 #pragma once
 
+#include <exception>
 #include <vector>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -48,6 +49,7 @@ struct MpcController::Impl {
   void apply_policy(double now) noexcept;
   void fall_back() noexcept;
   bool hold() noexcept;
+  void keep_exception() noexcept;
   void raise(FaultKind kind, double value, double limit, int joint = -1) noexcept;
   void aim() noexcept;
   void record(double now) noexcept;
@@ -64,7 +66,8 @@ struct MpcController::Impl {
   TorqueErrorObserver observer;
   LinearFeedback policy;
   FaultReport fault;
-  double force_error = 0.0;  ///< N
+  double force_error = 0.0;   ///< N
+  std::exception_ptr thrown;  ///< by a function of the specification, first of all
 
  private:
   double step_;  ///< s, of the knots

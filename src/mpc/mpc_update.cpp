@@ -134,6 +134,7 @@ void MpcController::Impl::update(double now) noexcept {
     usable = replan(now);
   } catch (...) {
     // Of a function that the specification holds: all that is known is that there is no plan.
+    keep_exception();
     warm_ = false;
   }
   due_ = false;

@@ -45,6 +45,7 @@ void Sensing::reset() noexcept {
   position_random_ = RandomStream(seed, streams::position);
   velocity_random_ = RandomStream(seed, streams::velocity);
   force_random_ = RandomStream(seed, streams::force);
+  measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
   started_ = false;
 }
 

@@ -164,6 +164,14 @@ TEST(Fault, solver_failed_when_a_function_throws) {
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_report(run.mpc().fault(), FaultKind::SolverFailed, 0.76, 0.011);
   expect_fallback(run);
+  const std::exception_ptr thrown = run.mpc().take_exception();
+  ASSERT_TRUE(thrown);
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "no such point");  // the first one
+  }
+  EXPECT_FALSE(run.mpc().take_exception());
 }
 
 /// A residual of a user's that throws after a while.
@@ -189,10 +197,14 @@ TEST(Fault, solver_failed_when_a_residual_throws_in_a_thread_of_the_solver) {
     MpcRun run(wanted);
     ASSERT_EQ(run.run(0.69), Status::Ok);
     EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+    EXPECT_FALSE(run.mpc().take_exception());
     ASSERT_EQ(run.polish(), Status::Ok);
     expect_report(run.mpc().fault(), FaultKind::SolverFailed, 0.76, 0.011);
     expect_fallback(run);
     expect_rest(run);
+    EXPECT_THROW(std::rethrow_exception(run.mpc().take_exception()), std::out_of_range);
+    run.mpc().reset();
+    EXPECT_FALSE(run.mpc().take_exception());
   }
 }
 

@@ -254,6 +254,26 @@ TEST_F(SensingTest, each_disturbance_changes_what_it_should_and_nothing_else) {
   }
 }
 
+TEST_F(SensingTest, a_reset_gives_the_same_bits_again) {
+  Disturbances d;
+  d.position_noise = d.velocity_noise = d.torque_sensor_noise = d.force_noise = 0.1;
+  const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(plant->reset(q, rest), Status::Ok);
+  Sensing sensing(model, d);
+  std::vector<Measurement> seen;
+  for (int time = 0; time < 2; ++time) {
+    for (int i = 0; i < 20; ++i) seen.push_back(sensing.measure(*plant, rest));
+    sensing.reset();
+  }
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(seen[i].q, seen[20 + i].q);
+    EXPECT_EQ(seen[i].v, seen[20 + i].v);
+    EXPECT_EQ(seen[i].tau, seen[20 + i].tau);
+    EXPECT_EQ(seen[i].tool_force_world, seen[20 + i].tool_force_world);
+  }
+}
+
 TEST_F(SensingTest, encoders_show_multiples_of_their_step) {
   Disturbances d;
   d.encoder_bits = 12;

@@ -2,6 +2,7 @@
 // again from the measured state, and its policy in between.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -117,8 +118,9 @@ struct MpcSpec {
 ///
 /// Ticks allocate nothing and throw nothing, as long as the functions that the specification holds
 /// (targets, residuals, the solver's callback) allocate nothing. What targets and residuals throw,
-/// in whatever thread of the solver, is caught: the update then counts as failed. With a torque
-/// model in the problem the command is its filter's input, and the actuators must have that lag.
+/// in whatever thread of the solver, is caught: the update then counts as failed, and
+/// take_exception() has it. With a torque model in the problem the command is its filter's input,
+/// and the actuators must have that lag.
 class MpcController final : public Controller {
  public:
   /// Throws Error with one sentence for a specification that does not fit together.
@@ -131,6 +133,9 @@ class MpcController final : public Controller {
 
   /// Its kind is None until there is one. reset() clears it.
   const FaultReport& fault() const;
+  /// The first exception that a function of the specification threw since reset() or since this was
+  /// asked last; null if there was none.
+  std::exception_ptr take_exception() noexcept;
   /// The policy of the last tick: feedforward torque, gains, linearisation state.
   const LinearFeedback& feedback() const;
   const Eigen::VectorXd& torque_error() const;  ///< nv, estimated, Nm (N)

@@ -1,0 +1,103 @@
+// Fixed pieces of work, each between two marks that valgrind's callgrind understands: what
+// scripts/instructions counts and compares with instruction_budgets.txt. Alone it does nothing but
+// work; nothing is timed.
+#include <valgrind/callgrind.h>
+
+#include <cstdio>
+#include <functional>
+
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/model/robot.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "cases.hpp"
+#include "support/polishing_problem.hpp"
+#include "support/standing_problem.hpp"
+
+namespace burnish::bench {
+namespace {
+
+constexpr int knots = 100;
+
+/// Counts what `work` does the second time, when nothing is new to it any more.
+void count(const std::string& name, const std::function<void()>& work) {
+  work();
+  CALLGRIND_ZERO_STATS;
+  CALLGRIND_TOGGLE_COLLECT;
+  work();
+  CALLGRIND_TOGGLE_COLLECT;
+  CALLGRIND_DUMP_STATS_AT(name.c_str());
+  std::printf("%s\n", name.c_str());
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw Error(what + ": the work that is counted was not done");
+}
+
+/// 64 states in packs, and one state alone.
+void count_kernels(const Case& what) {
+  const std::string name = what.label + "/" + what.contact;
+  const Model& model = model_of(what.robot);
+  const States states = states_near_reference(what.robot, 64);
+  ContactDynamicsBatch batch(model, what.specs("centered"), 64);
+  count("derivatives of 64 states/" + name, [&] {
+    require(batch.forward_with_derivatives(states.q, states.v, states.tau) == Status::Ok, name);
+  });
+  ContactDynamics single(model, what.specs("centered"));
+  count("derivatives of one state/" + name, [&] {
+    require(single.forward(states.q.col(0), states.v.col(0), states.tau.col(0)) == Status::Ok &&
+                single.forward_derivatives() == Status::Ok,
+            name);
+  });
+}
+
+/// One iteration, as a controller makes one at each of its steps, from the same guess each time.
+void count_iteration(const std::string& name, const ProblemSpec& spec, StepUpdate update) {
+  Problem problem(spec);
+  DdpSolver solver(problem, {.update = update, .max_iterations = 1});
+  const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
+  const RowMatrix xs = x0.transpose().replicate(knots + 1, 1);
+  const RowMatrix us = problem.quasi_static(0, x0).control.transpose().replicate(knots, 1);
+  count(name, [&] {
+    solver.set_guess({xs.data(), us.data()});
+    require(solver.solve().iterations == 1, name);
+  });
+}
+
+ProblemSpec polishing(bool filter) {
+  const Robot robot = load_robot("talos:right_arm");
+  ProblemSpec spec = test::polishing_problem(robot.model, "tool", robot.posture("table"), knots);
+  if (!filter) return spec;
+  spec.torque_model = TorqueModel{.cutoff = 100.0};
+  const Eigen::Index nx = spec.initial_state.size();
+  spec.initial_state.conservativeResize(nx + robot.model.nv);
+  spec.initial_state.tail(robot.model.nv).setZero();
+  return spec;
+}
+
+void count_all() {
+  for (const Case& what : cases()) {
+    const bool arm = what.label == "talos_right_arm" && what.contact == "1D";
+    if (arm || (what.label == "arm7" && what.contact == "6D") || what.label == "talos")
+      count_kernels(what);
+  }
+  count_iteration("iteration/polishing/shooting", polishing(false), StepUpdate::MultipleShooting);
+  count_iteration("iteration/polishing/rollout", polishing(false), StepUpdate::Rollout);
+  count_iteration("iteration/torque filter/shooting", polishing(true),
+                  StepUpdate::MultipleShooting);
+  const Robot talos = load_robot("talos");
+  const ProblemSpec standing = test::standing_problem(
+      talos.model, {"left_sole_link", "right_sole_link"}, talos.posture("half_sitting"), knots);
+  count_iteration("iteration/whole body/rollout", standing, StepUpdate::Rollout);
+}
+
+}  // namespace
+}  // namespace burnish::bench
+
+int main() {
+  try {
+    burnish::bench::count_all();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "instructions: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,279 @@
+#include "loop_parts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "burnish/sim/scene.hpp"
+
+namespace burnish::python {
+
+namespace {
+
+/// For a status that comes with an exception.
+constexpr Status failed = Status::NotEvaluated;
+
+std::string type_of(const py::object& object) {
+  return py::cast<std::string>(py::type::of(object).attr("__name__"));
+}
+
+/// An attribute that the object has to have.
+py::object attribute(const py::object& object, const char* kind, const char* name) {
+  try {
+    return object.attr(name);
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_AttributeError)) throw;
+    throw Error(std::string(kind) + ": " + type_of(object) + " has no '" + name +
+                "'; wanted is a burnish." + kind + " or an object with its attributes");
+  }
+}
+
+template <class Value>
+Value read(const py::object& object, const char* kind, const char* name) {
+  const py::object value = attribute(object, kind, name);
+  py::detail::make_caster<Value> caster;
+  if (!caster.load(value, true))
+    throw Error(std::string(kind) + "." + name + ": got " + py::cast<std::string>(py::repr(value)) +
+                ", wanted " + wanted<Value>());
+  return py::detail::cast_op<Value&>(caster);
+}
+
+Eigen::VectorXd read_vector(const py::object& object, const char* kind, const char* name,
+                            Eigen::Index size) {
+  Eigen::VectorXd values = read<Eigen::VectorXd>(object, kind, name);
+  if (values.size() != size)
+    throw Error(std::string(kind) + "." + name + ": got " + std::to_string(values.size()) +
+                " numbers, wanted " + std::to_string(size));
+  return values;
+}
+
+py::array_t<double> array_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+ImpedanceSpec guarded(ImpedanceSpec spec, const std::shared_ptr<KeptException>& kept) {
+  if (!spec.task) return spec;
+  spec.task = [task = std::move(spec.task), kept, last = TaskPoint{}](double t) mutable {
+    try {
+      last = task(t);
+    } catch (...) {
+      kept->keep();
+    }
+    return last;
+  };
+  return spec;
+}
+
+}  // namespace
+
+void Interrupt::check() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(50)) return;
+  last_ = now;
+  const py::gil_scoped_acquire lock;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+BoundMpc::BoundMpc(const MpcSpec& spec)
+    : BoundController(std::make_unique<MpcController>(spec)),
+      spec_(spec),
+      mpc_(static_cast<MpcController*>(controller.get())) {}
+
+BoundImpedance::BoundImpedance(const Model& model, const ImpedanceSpec& spec)
+    : BoundImpedance(model, spec, std::make_shared<KeptException>()) {}
+BoundImpedance::BoundImpedance(const Model& model, ImpedanceSpec spec,
+                               std::shared_ptr<KeptException> kept)
+    : BoundController(make_impedance_controller(model, guarded(std::move(spec), kept))),
+      kept_(std::move(kept)) {}
+
+/// Calls the object and copies what it then says; without exceptions.
+class PlantPart::Adaptor final : public Plant {
+ public:
+  explicit Adaptor(const py::object& plant)
+      : object_(plant),
+        model_(read<Model>(plant, "Plant", "model")),
+        dt_(read<double>(plant, "Plant", "dt")),
+        q_(model_.q_neutral),
+        v_(Eigen::VectorXd::Zero(model_.nv)),
+        friction_(v_) {
+    for (const char* name : {"reset", "step", "q", "v"}) (void)attribute(plant, "Plant", name);
+    const bool has_scene = py::hasattr(plant, "scene");
+    scene_ =
+        checked_scene(model_, has_scene ? read<SceneSpec>(plant, "Plant", "scene") : SceneSpec{});
+    if (!(dt_ > 0.0))
+      throw Error("Plant.dt: got " + std::to_string(dt_) + ", wanted a positive time in s");
+  }
+
+  const Model& model() const override { return model_; }
+  const SceneSpec& scene() const override { return scene_; }
+  double dt() const override { return dt_; }
+  double time() const override { return time_; }
+  const Eigen::VectorXd& q() const override { return q_; }
+  const Eigen::VectorXd& v() const override { return v_; }
+  const Eigen::Vector3d& contact_force_world() const override { return force_; }
+  bool in_contact() const override { return in_contact_; }
+  const Eigen::VectorXd& friction_torque() const override { return friction_; }
+
+  Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override {
+    const py::gil_scoped_acquire lock;
+    return guarded([&] {
+      const py::object answer = object_.attr("reset")(array_of(q), array_of(v));
+      has_time_ = py::hasattr(object_, "time");
+      has_force_ = py::hasattr(object_, "contact_force_world");
+      has_contact_ = py::hasattr(object_, "in_contact");
+      has_friction_ = py::hasattr(object_, "friction_torque");
+      return take(answer, 0.0);
+    });
+  }
+
+  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override {
+    const py::gil_scoped_acquire lock;
+    return guarded([&] {
+      return take(object_.attr("step")(array_of(tau), array_of(push_world)), time_ + dt_);
+    });
+  }
+
+  void save(PlantSnapshot& /*snapshot*/) const override {
+    throw Error("Plant.save: a plant that is written in Python is saved by its own method");
+  }
+  Status restore(const PlantSnapshot& /*snapshot*/) noexcept override { return Status::WrongSize; }
+
+  KeptException kept;
+
+ private:
+  template <class Call>
+  Status guarded(Call&& call) noexcept {
+    try {
+      return call();
+    } catch (...) {
+      kept.keep();
+      return failed;
+    }
+  }
+
+  /// The answer of a call, and where the plant is after it.
+  Status take(const py::object& answer, double time) {
+    const auto status = answer.is_none() ? Status::Ok : py::cast<Status>(answer);
+    if (status > Status::NotConverged) return status;
+    const Eigen::VectorXd q = read_vector(object_, "Plant", "q", model_.nq);
+    const Eigen::VectorXd v = read_vector(object_, "Plant", "v", model_.nv);
+    if (!q.allFinite() || !v.allFinite()) return Status::NotFinite;
+    if (has_force_) force_ = read_vector(object_, "Plant", "contact_force_world", 3);
+    if (has_friction_) friction_ = read_vector(object_, "Plant", "friction_torque", model_.nv);
+    in_contact_ = has_contact_ ? read<bool>(object_, "Plant", "in_contact") : !force_.isZero(0.0);
+    time_ = has_time_ ? read<double>(object_, "Plant", "time") : time;
+    q_ = q;
+    v_ = v;
+    return status;
+  }
+
+  py::object object_;
+  Model model_;
+  SceneSpec scene_;
+  double dt_, time_ = 0.0;
+  Eigen::VectorXd q_, v_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::VectorXd friction_;
+  bool in_contact_ = false;
+  bool has_time_ = false, has_force_ = false, has_contact_ = false, has_friction_ = false;
+};
+
+PlantPart::PlantPart(py::object plant) : object_(std::move(plant)) {
+  if (py::isinstance<BoundPlant>(object_)) {
+    bound_ = &py::cast<BoundPlant&>(object_);
+    plant_ = bound_->plant.get();
+  } else {
+    adaptor_ = std::make_unique<Adaptor>(object_);
+    plant_ = adaptor_.get();
+  }
+}
+PlantPart::~PlantPart() = default;
+
+std::exception_ptr PlantPart::take_exception() noexcept {
+  return adaptor_ ? adaptor_->kept.take() : nullptr;
+}
+
+std::optional<Busy::Lock> PlantPart::lock(const char* what) const {
+  if (bound_ == nullptr) return std::nullopt;
+  return std::optional<Busy::Lock>(std::in_place, bound_->busy, what);
+}
+
+class ControllerPart::Adaptor final : public Controller {
+ public:
+  explicit Adaptor(const py::object& controller)
+      : object_(controller), nv_(read<int>(controller, "Controller", "nv")) {
+    for (const char* name : {"reset", "tick"}) (void)attribute(controller, "Controller", name);
+    if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + ", wanted a size");
+    command_.tau = Eigen::VectorXd::Zero(nv_);
+  }
+
+  int nv() const override { return nv_; }
+
+  void reset() noexcept override {
+    const py::gil_scoped_acquire lock;
+    command_ = Command{Eigen::VectorXd::Zero(nv_)};
+    try {
+      object_.attr("reset")();
+    } catch (...) {
+      kept.keep();
+    }
+  }
+
+  const Command& tick(const Measurement& measurement) noexcept override {
+    const py::gil_scoped_acquire lock;
+    try {
+      take(object_.attr("tick")(measurement));
+    } catch (...) {
+      kept.keep();
+      command_.status = failed;
+    }
+    return command_;
+  }
+
+  KeptException kept;
+
+ private:
+  /// A Command, or its torque alone.
+  void take(const py::object& answer) {
+    Command command;
+    py::detail::make_caster<Command> whole;
+    py::detail::make_caster<Eigen::VectorXd> torque;
+    if (whole.load(answer, true)) {
+      command = py::detail::cast_op<Command&>(whole);
+    } else if (!answer.is_none() && torque.load(answer, true)) {
+      command.tau = py::detail::cast_op<Eigen::VectorXd&>(torque);
+    } else {
+      throw Error("Controller.tick: got " + py::cast<std::string>(py::repr(answer)) +
+                  ", wanted a Command, or its torques alone");
+    }
+    if (command.tau.size() != nv_)
+      throw Error("Controller.tick: got a torque of " + std::to_string(command.tau.size()) +
+                  " numbers, wanted " + std::to_string(nv_));
+    command_ = command;
+  }
+
+  py::object object_;
+  int nv_;
+  Command command_;
+};
+
+ControllerPart::ControllerPart(py::object controller) : object_(std::move(controller)) {
+  if (py::isinstance<BoundController>(object_)) {
+    bound_ = &py::cast<BoundController&>(object_);
+    controller_ = bound_->controller.get();
+  } else {
+    adaptor_ = std::make_unique<Adaptor>(object_);
+    controller_ = adaptor_.get();
+  }
+}
+ControllerPart::~ControllerPart() = default;
+
+std::exception_ptr ControllerPart::take_exception() noexcept {
+  return adaptor_ ? adaptor_->kept.take() : bound_->take_exception();
+}
+
+std::optional<Busy::Lock> ControllerPart::lock(const char* what) const {
+  if (bound_ == nullptr) return std::nullopt;
+  return std::optional<Busy::Lock>(std::in_place, bound_->busy, what);
+}
+
+}  // namespace burnish::python

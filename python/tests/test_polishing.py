@@ -1,0 +1,442 @@
+"""The polishing task from Python: tasks and their files, reach and postures, runs, experiments."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import os
+import pickle
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import polishing
+
+SHORT = dict(polish_duration=0.6, overrides=["path.start_up=0.3", "path.radius=0.02"],
+             update_rate=200.0, plant="ideal")
+
+
+def short_run(where="table", **changes):
+    return polishing.run(where, **{**SHORT, **changes})
+
+
+@pytest.fixture(scope="module")
+def result():
+    return short_run(seed=3)
+
+
+@pytest.fixture(scope="module")
+def baseline():
+    return short_run(controller="baseline", seed=3)
+
+
+class TestTasks:
+    def test_a_file_reads_back_as_the_task_was(self, tmp_path):
+        task = polishing.make_task(
+            "tilt_45", seed=41, force=12.5, point_world=[0.3, -0.43, 1.0 / 3.0],
+            path=polishing.PathSpec(kind="points", points=[[0.01, -0.02], [1e-5, 0.3]]),
+            axes="local", solver="rollout", feedback=False,
+            weights=polishing.Weights(terminal=1e-7))
+        task.disturbances.pushes.append(burnish.Push(1.0, 0.2, [0.0, 0.0, -20.0]))
+        file = tmp_path / "task.yaml"
+        polishing.write_task(task, file)
+        back = polishing.read_task(str(file))
+        assert polishing.task_text(back) == polishing.task_text(task) == file.read_text()
+        assert back.axes is polishing.ForceAxes.LOCAL
+        assert back.solver is burnish.StepUpdate.ROLLOUT
+        np.testing.assert_array_equal(back.path.points, task.path.points)
+        assert back.disturbances == task.disturbances
+        assert polishing.make_task(file) == back
+
+    def test_a_file_that_says_nothing_is_the_defaults(self, tmp_path):
+        (tmp_path / "empty.yaml").write_text("force: 30\n")
+        assert polishing.read_task(tmp_path / "empty.yaml") == polishing.Task()
+
+    def test_the_shipped_table_is_what_the_name_makes(self):
+        robots = Path(os.environ.get("BURNISH_ROBOTS", burnish.robot_search_path()[0]))
+        file = robots.parent / "tasks" / "polishing" / "table.yaml"
+        if not file.exists():
+            pytest.skip("task files are not beside the robots")
+        assert polishing.read_task(file) == polishing.make_task("table")
+
+    def test_changes_leave_the_task_as_it_was(self):
+        task = polishing.Task()
+        changed = polishing.override_task(task, ["force=20", "weights.rotation=3"])
+        board = polishing.put_on(task, "board")
+        made = polishing.make_task(task, seed=5, force=10.0)
+        assert task == polishing.Task()
+        assert (changed.force, changed.weights.rotation) == (20.0, 3.0)
+        np.testing.assert_array_equal(board.normal_world, [-1.0, 0.0, 0.0])
+        assert (made.disturbances.seed, made.force) == (5, 10.0)
+        made.disturbances.seed = 6
+        assert task.disturbances.seed == 0
+
+    def test_disturbances_given_are_the_caller_s_own(self):
+        mine = burnish.Disturbances(mass_scale=1.02)
+        task = polishing.make_task("table", disturbances=mine, seed=7)
+        assert mine.seed == 0 and task.disturbances.seed == 7
+        assert task.disturbances.mass_scale == 1.02
+
+    def test_is_pickled_and_copied(self):
+        task = polishing.make_task("board", seed=2)
+        for other in (pickle.loads(pickle.dumps(task)), copy.deepcopy(task)):
+            assert other == task
+            other.path.radius = 0.01
+            assert task.path.radius == 0.07
+
+    @pytest.mark.parametrize("call, words", [
+        (lambda t: polishing.override_task(t, ["froce=3"]), "did you mean 'force'"),
+        (lambda t: polishing.override_task(t, ["force=-3"]), "force"),
+        (lambda t: polishing.put_on(t, "tabel"), "did you mean 'table'"),
+        (lambda t: polishing.disturbance_preset("mismach"), "did you mean 'mismatch'"),
+        (lambda t: polishing.make_task("table", controller_kind=1), "no entry 'controller_kind'"),
+        (lambda t: polishing.check_task(t.replace(force=300.0)), "limits.force"),
+        (lambda t: polishing.check_task(t.replace(force="much")), "Task.force: got 'much'"),
+        (lambda t: polishing.check_task(t.replace(axes="toll")), "ForceAxes: there is no 'toll'"),
+        (lambda t: polishing.read_task("nowhere.yaml"), "nowhere.yaml"),
+        (lambda t: polishing.run("table", controller="mcp"), "did you mean 'mpc'"),
+        (lambda t: polishing.perform_experiment("papr"), "did you mean 'paper'"),
+    ])
+    def test_what_cannot_be_is_refused_with_a_sentence(self, call, words):
+        with pytest.raises((burnish.Error, AttributeError)) as refused:
+            call(polishing.Task())
+        assert words in str(refused.value)
+
+    def test_names_are_listed(self):
+        assert [s.name for s in polishing.named_surfaces()] == [
+            "table", "board", "board_x", "board_y", "board_minus_y", "tilt_45"]
+        assert polishing.disturbance_presets() == ["none", "sensors", "mismatch", "joint_friction"]
+        assert polishing.disturbance_preset("none") == burnish.Disturbances()
+
+    def test_what_is_odd_is_noted(self):
+        fast = polishing.make_task("table", overrides=["path.rate=6"], disturbances="mismatch")
+        assert any("damping" in note for note in polishing.task_notes(fast, "mujoco"))
+        assert polishing.task_notes(polishing.make_task("table"), polishing.PlantKind.IDEAL) == []
+
+
+class TestPaths:
+    def test_are_smooth(self):
+        path = polishing.SurfacePath(polishing.PathSpec(kind="spiral"))
+        t, h = 2.7, 1e-6
+        before, now, after = path.at(t - h), path.at(t), path.at(t + h)
+        np.testing.assert_allclose((after.p - before.p) / (2 * h), now.v, atol=1e-7)
+        np.testing.assert_allclose((after.v - before.v) / (2 * h), now.a, atol=1e-7)
+
+    def test_come_as_rows(self):
+        path = polishing.SurfacePath(polishing.PathSpec())
+        times = np.linspace(-1.0, 9.0, 7)
+        rows = path.positions(times)
+        assert rows.shape == (7, 2)
+        np.testing.assert_array_equal(rows, [path.at(t).p for t in times])
+        assert np.isinf(path.duration)
+
+    def test_of_points_end(self):
+        corners = np.array([[0.05, 0.0], [0.05, 0.05]])
+        path = polishing.SurfacePath(polishing.PathSpec(kind="points", points=corners))
+        assert 1.0 < path.duration < 10.0
+        np.testing.assert_allclose(path.at(path.duration).p, corners[-1], atol=1e-12)
+
+    def test_that_are_none_are_refused(self):
+        with pytest.raises(burnish.Error, match="radius"):
+            polishing.SurfacePath(polishing.PathSpec(radius=-1.0))
+
+
+class TestReach:
+    def test_is_reported(self):
+        report = polishing.check_reach(polishing.make_task("table"))
+        assert report.ok and report.problem is polishing.ReachProblem.NONE
+        assert report.points > 50 and 0.4 < report.path_length < 0.7
+        assert report.tightest_joint and 0.0 < report.torque_share < 0.8
+
+    def test_says_what_is_in_the_way(self):
+        task = polishing.make_task("table", force=500.0, overrides=["limits.force=2000"])
+        report = polishing.check_reach(task)
+        assert not report.ok and report.problem is polishing.ReachProblem.TORQUE
+        assert "pressing with 500 N" in report.text and report.value > report.limit > 0.0
+        with pytest.raises(burnish.Error, match="out of reach"):
+            short_run(task)
+        coarse = polishing.ReachOptions(torque_share=100.0)
+        assert polishing.check_reach(task, options=coarse).problem is not polishing.ReachProblem.TORQUE
+
+    def test_a_posture_is_found_and_used(self):
+        task = polishing.make_task("table", normal_world=[-1.0, 0.5, 1.5], posture="search")
+        found = polishing.find_posture(task)
+        assert found.reach.ok and found.candidates > 0 and found.tilt < 1.0
+        np.testing.assert_array_equal(found.q, polishing.find_posture(task).q)
+        setting = polishing.make_setting(task)
+        np.testing.assert_array_equal(setting.q_start, found.q)
+        tool = burnish.frame_placement(setting.robot.model, found.q, task.tool)
+        normal = setting.surface_axes[:, 2]
+        assert np.arccos(-polishing.pressing_axis(tool) @ normal) == pytest.approx(found.tilt, abs=1e-6)
+
+    def test_a_posture_that_there_is_not_is_refused(self):
+        task = polishing.make_task("table", posture="search", overrides=["path.radius=2"])
+        with pytest.raises(burnish.Error, match="no posture was found"):
+            polishing.find_posture(task)
+
+
+class TestSetting:
+    def test_puts_path_and_phases_together(self):
+        task = polishing.make_task("board")
+        setting = polishing.make_setting(task)
+        normal = setting.surface_axes[:, 2]
+        np.testing.assert_allclose(normal, [-1.0, 0.0, 0.0], atol=1e-12)
+        path = polishing.SurfacePath(task.path)
+        point = polishing.task_point(task, setting, path, setting.ramp_end + 3.0)
+        wanted = setting.p_center + setting.surface_axes[:, :2] @ path.at(3.0).p
+        np.testing.assert_allclose(point.p_world, wanted, atol=1e-12)
+        assert point.force == task.force
+        assert 0.0 < setting.reach_end < setting.touch < setting.ramp_end < setting.track_end
+
+    def test_takes_a_robot_and_a_posture_together(self):
+        task = polishing.make_task("board")
+        setting = polishing.make_setting(task)
+        again = polishing.make_setting(task, setting.robot, setting.q_start)
+        np.testing.assert_array_equal(again.p_center, setting.p_center)
+        with pytest.raises(burnish.Error, match="come together"):
+            polishing.make_setting(task, robot=setting.robot)
+
+    def test_becomes_specifications_of_both_controllers(self):
+        task = polishing.make_task("table", force=22.0)
+        setting = polishing.make_setting(task)
+        mpc = polishing.make_mpc(task, setting)
+        assert [p.phase for p in mpc.schedule] == list(burnish.Phase)
+        assert mpc.target(setting.ramp_end + 1.0).force == 22.0
+        baseline = polishing.make_baseline(task, setting)
+        assert baseline.task(1.0).force == 22.0
+        np.testing.assert_array_equal(baseline.posture, setting.q_start)
+
+    def test_a_controller_made_from_it_polishes_in_a_loop_of_one_s_own(self):
+        task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
+        setting = polishing.make_setting(task)
+        controller = burnish.MpcController(polishing.make_mpc(task, setting))
+        model = setting.robot.model
+        plant = burnish.make_ideal_plant(burnish.plant_model(model, task.disturbances),
+                                         burnish.plant_scene(setting.scene, task.disturbances))
+        loop = burnish.ClosedLoop(plant, controller, task.disturbances,
+                                  burnish.ClosedLoopOptions(control_period=1.0 / task.tick_rate))
+        loop.reset(setting.q_start, np.zeros(model.nv))
+        loop.run(setting.ramp_end + 0.3)
+        whole = short_run("table")
+        rows = len(loop.trace)
+        for column in ("tool_force_z_world", "q_torso_1_joint", "tau_applied_arm_right_2_joint"):
+            np.testing.assert_array_equal(loop.trace[column][:rows], whole.trace[column][:rows])
+
+
+class TestRuns:
+    def test_polish(self, result, baseline):
+        for run in (result, baseline):
+            assert run.polished and run.outcome.startswith("polished")
+            assert run.plant_status is burnish.Status.OK
+            assert run.fault.kind is burnish.FaultKind.NONE and not run.interrupted
+            assert run.metrics.force_mean == pytest.approx(30.0, abs=2.0)
+            assert run.metrics.without_contact == 0.0
+            assert run.reach.ok and run.reach.points > 10
+            assert run.ticks.ticks > 500 and run.ticks.median <= run.ticks.p99 <= run.ticks.maximum
+        assert result.controller is polishing.ControllerKind.MPC
+        assert result.plant is polishing.PlantKind.IDEAL
+        assert result.metrics.solver is not None and baseline.metrics.solver is None
+        assert repr(result).startswith("<RunResult: mpc on ideal; polished: ")
+
+    def test_metrics_are_those_of_the_trace(self, result):
+        rows, metrics = result.trace.array(), result.metrics
+        inside = (rows["time"] >= metrics.start) & (rows["time"] <= metrics.end)
+        assert inside.sum() == metrics.rows
+        axes, row = result.setting.surface_axes, rows[inside]
+        force = sum(row[f"tool_force_{a}_world"] * axes[i, 2] for i, a in enumerate("xyz"))
+        error = force - row["target_force"]
+        assert metrics.force_rmse_raw == pytest.approx(np.sqrt(np.mean(error**2)), rel=1e-9)
+        assert metrics.force_mean == pytest.approx(np.mean(force), rel=1e-9)
+        assert metrics.force_peak_raw == pytest.approx(np.max(np.abs(error)), rel=1e-9)
+        off = np.stack([row[f"tool_{a}_world"] - row[f"target_{a}_world"] for a in "xyz"])
+        distance = np.linalg.norm(axes[:, :2].T @ off, axis=0)
+        assert metrics.position_rmse == pytest.approx(np.sqrt(np.mean(distance**2)), rel=1e-9)
+        again = burnish.measure(
+            result.trace, result.setting.robot.model,
+            burnish.MetricsSpec(start=metrics.start, end=metrics.end, normal_world=axes[:, 2]))
+        assert again.force_rmse == metrics.force_rmse
+
+    def test_the_same_seed_gives_the_same_bits(self, result):
+        again, other = short_run(seed=3), short_run(seed=4)
+        wall_clock = ["solve_time"]
+        columns = [c for c in result.trace.columns if c not in wall_clock]
+        np.testing.assert_array_equal(again.trace.array()[columns], result.trace.array()[columns])
+        assert again.metrics.force_rmse == result.metrics.force_rmse != other.metrics.force_rmse
+        np.testing.assert_array_equal(again.plans.q, result.plans.q)
+
+    def test_plans_start_at_the_state_and_follow_the_path(self, result):
+        plans = result.plans
+        count = len(plans.time)
+        assert plans.costs.shape == (len(plans.terms), count) and "force" in plans.terms
+        assert plans.q.shape == (count, plans.q.shape[1], 6) and plans.q.dtype == np.float32
+        assert (plans.q.shape[1] - 1) * plans.step == pytest.approx(result.task.horizon, abs=plans.step)
+        names = result.setting.robot.model.q_names
+        i = count // 2
+        row = np.argmin(np.abs(result.trace["time"] - plans.time[i]))
+        q = [result.trace[f"q_{name}"][row] for name in names]
+        np.testing.assert_allclose(plans.q[i, 0], q, atol=2e-3)
+
+    def test_the_trace_outlives_the_result(self):
+        run = short_run(controller="baseline")
+        time, rows, force = run.trace["time"], run.trace.array(), run.trace["tool_force_z_world"]
+        last, total = time[-1], force.sum()
+        del run
+        gc.collect()
+        blocks = [np.ones(100_000) for _ in range(50)]
+        assert time[-1] == last == rows["time"][-1] and force.sum() == total and blocks
+        with pytest.raises(ValueError):
+            time[0] = 1.0
+
+    def test_is_pickled(self, result):
+        back = pickle.loads(pickle.dumps(result))
+        np.testing.assert_array_equal(back.trace.array(), result.trace.array())
+        assert back.task == result.task and back.metrics == result.metrics
+        assert back.plans == result.plans and back.reach == result.reach
+        assert back.outcome == result.outcome and repr(back) == repr(result)
+        np.testing.assert_array_equal(back.setting.p_center, result.setting.p_center)
+
+    def test_without_plans_the_record_is_empty(self, baseline):
+        assert baseline.plans.time.shape == (0,) and baseline.plans.q.size == 0
+        task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
+        run = polishing.run_task(polishing.RunSpec(task, plant="ideal", plan_rate=0.0,
+                                                   check_reach=False))
+        assert run.plans.terms == [] and run.reach is None and run.polished
+
+    def test_a_fault_ends_it_with_its_report(self):
+        task = polishing.make_task("table", polish_duration=0.6)
+        task.disturbances.pushes = [burnish.Push(0.2, 1.0, [0.0, 0.0, 1000.0])]
+        run = polishing.run(task, plant="ideal")
+        assert not run.polished and run.metrics is None
+        assert run.fault.kind is not burnish.FaultKind.NONE
+        assert run.outcome == run.fault.text() and len(run.fault.last_second) > 100
+
+    def test_on_a_plant_that_is_not_there_is_refused(self):
+        if polishing.has_mujoco():
+            assert polishing.RunSpec().plant is polishing.PlantKind.MUJOCO
+            assert short_run(plant="mujoco").polished
+        else:
+            with pytest.raises(burnish.Error, match="no MuJoCo"):
+                short_run(plant="mujoco")
+
+
+class TestProgress:
+    def test_returning_false_stops(self):
+        seen = []
+
+        def until(time, end):
+            seen.append((time, end))
+            return time < 0.3
+
+        run = short_run(progress=until)
+        assert run.interrupted and not run.polished and run.metrics is None
+        assert 0.3 <= seen[-1][0] < 0.4 and seen[-1][1] > 1.5
+        assert len(run.trace) == round(seen[-1][0] / 5e-4)
+
+    def test_returning_nothing_goes_on(self):
+        seen = []
+        assert short_run(controller="baseline", progress=lambda t, end: seen.append(t)).polished
+        assert len(seen) > 10 and seen == sorted(seen)
+
+    def test_what_it_raises_comes_out(self):
+        def fail(time, end):
+            raise KeyError("mine")
+
+        with pytest.raises(KeyError, match="mine"):
+            short_run(progress=fail)
+
+    def test_ctrl_c_ends_a_run(self):
+        timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            polishing.run("table", plant="ideal", polish_duration=600.0)
+        timer.join()
+
+    def test_other_threads_go_on_meanwhile(self):
+        counts, over = [0], threading.Event()
+
+        def count():
+            while not over.is_set():
+                counts[0] += 1
+                time.sleep(1e-3)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = counts[0]
+        run = short_run("table")
+        during = counts[0] - before
+        over.set()
+        thread.join()
+        assert during > 20 * run.wall_time
+
+    def test_a_spec_of_another_kind_is_refused(self):
+        with pytest.raises(TypeError, match="wanted is a RunSpec"):
+            polishing.run_task(polishing.Task())
+
+
+class TestFiles:
+    def test_a_run_leaves_what_the_command_line_leaves(self, result, tmp_path):
+        try:
+            names = result.write(tmp_path / "run", name="mine", page=True, recording=True)
+        except burnish.Error as refused:
+            if "no command line" in str(refused):
+                pytest.skip(str(refused))
+            raise
+        assert {"trace.csv", "metrics.json", "task.yaml", "run.json", "run.mcap"} <= set(names)
+        assert all((tmp_path / "run" / name).stat().st_size > 0 for name in names)
+        assert polishing.read_task(tmp_path / "run" / "task.yaml") == result.task
+        rows = (tmp_path / "run" / "trace.csv").read_text().count("\n") - 1
+        assert rows == pytest.approx(len(result.trace) / 10, abs=2)
+        with pytest.raises(burnish.Error, match="record_every"):
+            result.write(tmp_path, record_every=0)
+
+
+class TestExperiments:
+    def test_are_listed(self):
+        assert [e.name for e in polishing.experiments()] == [
+            "paper", "orientation", "frames", "seeds", "tick"]
+
+    def test_give_tables_and_figures(self):
+        told = []
+        spec = polishing.ExperimentSpec(
+            quick=True, seeds=2, first_seed=5, threads=2, plant="ideal",
+            progress=lambda share, what: told.append(share))
+        report = next(e for e in polishing.experiments() if e.name == "seeds").perform(spec)
+        assert not report.interrupted and report.failures == [] and report.findings
+        table = report.tables[0]
+        assert table is report.table(table.name) and len(table.rows) == 2
+        assert table.column("seed") == [5.0, 6.0] and all(len(r) == len(table.names) for r in table.rows)
+        assert table.markdown().count("\n") == 4 and table.csv().startswith("seed,")
+        assert report.figures and report.figures[0].plot.panels[0].curves
+        assert report.tasks[0].task.disturbances.seed in (5, 6)
+        assert told and told[-1] == pytest.approx(1.0) and min(told) >= 0.0
+        with pytest.raises(burnish.Error, match="no column 'sed'"):
+            table.column("sed")
+
+    def test_returning_false_stops_with_what_there_is(self):
+        spec = polishing.ExperimentSpec(quick=True, seeds=4, threads=1, plant="ideal",
+                                        progress=lambda share, what: share < 0.3)
+        report = polishing.perform_experiment("seeds", spec)
+        assert report.interrupted and "were stopped" in report.failures[-1]
+
+    def test_what_progress_raises_and_ctrl_c_come_out(self):
+        def fail(share, what):
+            raise KeyError("mine")
+
+        spec = polishing.ExperimentSpec(quick=True, seeds=2, threads=2, plant="ideal", progress=fail)
+        with pytest.raises(KeyError, match="mine"):
+            polishing.perform_experiment("seeds", spec)
+        timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            polishing.perform_experiment(
+                "seeds", polishing.ExperimentSpec(seeds=1000, threads=1, plant="ideal"))
+        timer.join()
+
+    def test_bad_overrides_are_refused_before_anything_is_run(self):
+        with pytest.raises(burnish.Error, match="did you mean 'force'"):
+            polishing.perform_experiment("paper", polishing.ExperimentSpec(overrides=["froce=3"]))

@@ -1,0 +1,131 @@
+"""Measures of runs and plots."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+import burnish
+
+
+@pytest.fixture(scope="module")
+def robot():
+    return burnish.load_robot("arm7")
+
+
+@pytest.fixture(scope="module")
+def run(robot):
+    """A run of the baseline along a circle, with friction and noise: its loop and the normal."""
+    q = robot.posture("ready")
+    nominal = burnish.scene_under_tip(robot.model, q, [0.1, -0.2, 1.0], clearance=0.004)
+    disturbances = burnish.Disturbances(seed=3, force_noise=0.2, surface_friction=0.2,
+                                        mass_scale=1.05)
+    n = nominal.surface.normal
+    path = burnish.CirclePath(nominal.surface.point + nominal.tip.radius * n, n, radius=0.02,
+                              rate=4.0, start_up=0.5, force=15.0)
+    controller = burnish.make_impedance_controller(
+        robot.model, burnish.ImpedanceSpec(normal_world=n, task=path.at, posture=q))
+    plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, disturbances),
+                                     burnish.plant_scene(nominal, disturbances))
+    loop = burnish.ClosedLoop(plant, controller, disturbances)
+    loop.reset(q)
+    loop.run(2.5)
+    return loop, n
+
+
+def of_axes(rows, name):
+    return np.stack([rows[f"{name}_{axis}_world"] for axis in "xyz"], axis=1)
+
+
+def test_metrics_are_those_of_the_rows(robot, run):
+    loop, n = run
+    spec = burnish.MetricsSpec(start=1.2, end=2.2, normal_world=3.0 * n, average=0.0)
+    metrics = burnish.measure(loop.trace, robot.model, spec)
+    rows = loop.trace.array()
+    rows = rows[(rows["time"] >= 1.2) & (rows["time"] <= 2.2)]
+    assert metrics.rows == len(rows) and metrics.start == rows["time"][0]
+    force = of_axes(rows, "tool_force") @ n
+    error = force - rows["target_force"]
+    assert math.isclose(metrics.force_mean, force.mean(), rel_tol=1e-12)
+    assert math.isclose(metrics.force_rmse, np.sqrt(np.mean(error**2)), rel_tol=1e-12)
+    assert math.isclose(metrics.force_mae, np.abs(error).mean(), rel_tol=1e-12)
+    assert math.isclose(metrics.force_peak, np.abs(error).max(), rel_tol=1e-12)
+    assert math.isclose(metrics.force_rmse_raw, metrics.force_rmse, rel_tol=1e-9)
+    across = of_axes(rows, "tool") - of_axes(rows, "target")
+    across -= np.outer(across @ n, n)
+    distance = np.linalg.norm(across, axis=1)
+    assert math.isclose(metrics.position_rmse, np.sqrt(np.mean(distance**2)), rel_tol=1e-9)
+    assert math.isclose(metrics.position_mean, distance.mean(), rel_tol=1e-9)
+    believed = (of_axes(rows, "estimated_force") - of_axes(rows, "tool_force")) @ n
+    assert math.isclose(metrics.estimate_rmse, np.sqrt(np.mean(believed**2)), rel_tol=1e-9)
+    assert 0.1 < metrics.estimate_rmse < 0.3, "the noise of the force sensor"
+    q = np.stack([rows["q_" + name] for name in robot.model.q_names], axis=1)
+    margin = np.minimum(q - robot.model.q_lower, robot.model.q_upper - q).min(axis=0)
+    assert math.isclose(metrics.joint_margin, margin.min(), rel_tol=1e-12)
+    assert metrics.tightest_joint == robot.model.v_names[int(margin.argmin())]
+    assert metrics.without_contact == 0.0 and metrics.impact_peak is not None
+    assert metrics.solver is None
+
+
+def test_metrics_say_what_cannot_be_measured(robot, run):
+    loop, n = run
+    with pytest.raises(burnish.Error):
+        burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(start=100.0))
+    with pytest.raises(burnish.Error, match="normal"):
+        burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(normal_world=[0, 0, 0]))
+    with pytest.raises(burnish.Error, match="no column"):
+        burnish.measure(burnish.Trace({"time": "s"}, [[0.0]]), robot.model)
+
+
+def test_metrics_are_values(robot, run):
+    loop, n = run
+    metrics = burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(1.0, normal_world=n))
+    assert pickle.loads(pickle.dumps(metrics)) == metrics
+    assert metrics.replace(force_rmse=1.0) != metrics
+    assert "force_rmse" in repr(metrics) and "force_rmse" in metrics.text()
+    table = burnish.metrics_table([burnish.NamedMetrics("baseline", metrics),
+                                   burnish.NamedMetrics("again", metrics)])
+    lines = table.splitlines()
+    assert len(lines) >= 4 and lines[-2].startswith("baseline") and lines[-1].startswith("again")
+
+
+def test_a_trace_of_ones_own_is_measured_alike(robot, run):
+    loop, n = run
+    rows = loop.trace.array()
+    copied = burnish.Trace(loop.trace.units, np.array(rows.tolist()))
+    assert copied == loop.trace
+    spec = burnish.MetricsSpec(1.0, normal_world=n)
+    assert burnish.measure(copied, robot.model, spec) == burnish.measure(loop.trace, robot.model, spec)
+    assert pickle.loads(pickle.dumps(copied)) == copied
+    with pytest.raises(burnish.Error, match="rows have 3 entries; wanted 2"):
+        burnish.Trace({"a": "m", "b": "s"}, np.zeros((4, 3)))
+    with pytest.raises(burnish.Error):
+        burnish.Trace({"a,b": "m"})
+    assert len(burnish.Trace()) == 0 and burnish.Trace({"a": "m"}).columns == ["a"]
+
+
+def test_a_trace_is_written_as_a_table(tmp_path, run):
+    loop, _ = run
+    loop.trace.write_csv(tmp_path / "trace.csv")
+    head = (tmp_path / "trace.csv").read_text().splitlines()[0]
+    assert head.startswith("time [s],phase [-],")
+    read = np.genfromtxt(tmp_path / "trace.csv", delimiter=",", skip_header=1)
+    assert np.array_equal(read, np.array(loop.trace.array().tolist()))
+
+
+def test_plots_are_written(tmp_path, run):
+    loop, n = run
+    spec = burnish.PlotSpec("force", [burnish.Panel(
+        "along the normal", "time [s]", "force [N]",
+        [burnish.Curve("measured", loop.trace["time"], loop.trace["measured_force_z_world"]),
+         burnish.Curve("wanted", [0.0, 2.5], [15.0, 15.0], dashed=True)])])
+    text = burnish.svg_plot(spec)
+    assert text.startswith("<svg") and "time [s]" in text and "wanted" in text
+    burnish.write_svg_plot(spec, tmp_path / "plot.svg")
+    assert (tmp_path / "plot.svg").read_text() == text
+    assert all(color.startswith("#") for color in burnish.plot_palette())
+    with pytest.raises(burnish.Error, match="nowhere"):
+        burnish.write_svg_plot(spec, tmp_path / "nowhere" / "plot.svg")

@@ -1,0 +1,560 @@
+"""Plants, disturbances and closed loops, the library's and those written in Python."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import os
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import Status
+
+
+@pytest.fixture(scope="module")
+def robot() -> burnish.Robot:
+    return burnish.load_robot("arm7")
+
+
+@pytest.fixture(scope="module")
+def q(robot):
+    return robot.posture("ready")
+
+
+@pytest.fixture(scope="module")
+def scene(robot, q):
+    return burnish.scene_under_tip(robot.model, q, [0.1, 0.0, 1.0], clearance=0.005)
+
+
+class Posture(burnish.Controller):
+    """Holds a posture by springs and dampers."""
+
+    def __init__(self, model, q, kp=200.0, kd=20.0):
+        self.nv = model.nv
+        self.q, self.kp, self.kd = np.array(q), kp, kd
+        self.resets, self.ticks = 0, 0
+
+    def reset(self):
+        self.resets += 1
+
+    def tick(self, measurement):
+        self.ticks += 1
+        return burnish.Command(
+            tau=self.kp * (self.q - measurement.q) - self.kd * measurement.v,
+            phase="track",
+            target_force=1.5,
+            p_target_world=[1.0, 2.0, 3.0],
+        )
+
+
+class Wrapped(burnish.Plant):
+    """A plant of the library in Python's clothes."""
+
+    def __init__(self, inner):
+        self.inner = inner
+        self.model, self.scene, self.dt = inner.model, inner.scene, inner.dt
+
+    def reset(self, q, v=None):
+        self.inner.reset(q, v)
+
+    def step(self, tau, push_world=None):
+        self.inner.step(tau, push_world)
+
+    q = property(lambda self: self.inner.q)
+    v = property(lambda self: self.inner.v)
+    time = property(lambda self: self.inner.time)
+    contact_force_world = property(lambda self: self.inner.contact_force_world)
+    in_contact = property(lambda self: self.inner.in_contact)
+    friction_torque = property(lambda self: self.inner.friction_torque)
+
+
+def slider():
+    """A mass of 2 kg on a rail along z, without gravity."""
+    tree = burnish.TreeSpec(
+        name="slider",
+        links=[
+            burnish.LinkSpec("rail"),
+            burnish.LinkSpec("tool", burnish.InertiaSpec(2.0, inertia_at_com=np.eye(3))),
+        ],
+        joints=[burnish.JointSpec("z", "prismatic", "rail", "tool", axis=[0.0, 0.0, 1.0])],
+    )
+    return burnish.build_model(tree, burnish.ModelOptions(gravity=[0.0, 0.0, 0.0]))
+
+
+class PointMass:
+    """The slider by hand; of no class of burnish."""
+
+    dt = 1e-3
+
+    def __init__(self, model):
+        self.model = model
+        self.q, self.v = np.zeros(1), np.zeros(1)
+
+    def reset(self, q, v):
+        self.q, self.v = q, v
+
+    def step(self, tau, push_world):
+        a = (tau + push_world[2]) / 2.0
+        self.q = self.q + self.dt * self.v + 0.5 * self.dt**2 * a
+        self.v = self.v + self.dt * a
+
+
+ALL = burnish.Disturbances(
+    seed=7,
+    command_delay=2e-3,
+    torque_cutoff=300.0,
+    torque_scale_range=0.05,
+    torque_bias_range=0.2,
+    torque_noise=0.01,
+    encoder_bits=18,
+    position_noise=1e-5,
+    velocity_noise=1e-3,
+    force_noise=0.1,
+    joint_viscous=0.1,
+    joint_coulomb=0.05,
+    mass_scale=1.02,
+    pushes=[burnish.Push(0.1, 0.05, [5.0, 0.0, 0.0])],
+)
+
+
+def make_loop(robot, scene, q, wrap=False, disturbances=ALL, **options):
+    plant = burnish.make_ideal_plant(
+        burnish.plant_model(robot.model, disturbances), burnish.plant_scene(scene, disturbances))
+    controller = Posture(robot.model, q)
+    loop = burnish.ClosedLoop(Wrapped(plant) if wrap else plant, controller, disturbances,
+                              burnish.ClosedLoopOptions(**options))
+    loop.reset(q)
+    return loop
+
+
+def rows(loop):
+    return loop.trace.array().tobytes()
+
+
+def test_scene_lies_under_the_tip(robot, q, scene):
+    assert np.isclose(np.linalg.norm(scene.surface.normal), 1.0)
+    tip = scene.surface.point + (scene.tip.radius + 0.005) * scene.surface.normal
+    assert np.isclose(burnish.gap(scene, tip), 0.005)
+    with pytest.raises(burnish.Error, match="did you mean 'tool'"):
+        burnish.checked_scene(robot.model, burnish.SceneSpec(tip=burnish.ToolTipSpec("tol")))
+
+
+def test_disturbances_change_model_and_scene(robot, scene):
+    d = burnish.Disturbances(mass_scale=1.1, joint_viscous=0.3, surface_height=0.01,
+                             surface_friction=0.4, surface_tilt_deg=[0.0, 5.0])
+    model, real = burnish.plant_model(robot.model, d), burnish.plant_scene(scene, d)
+    assert np.isclose(model.total_mass, 1.1 * robot.model.total_mass)
+    assert np.all(model.damping == 0.3) and np.all(model.friction == 0.0)
+    assert real.surface.friction == 0.4
+    assert np.isclose(real.surface.normal @ scene.surface.normal, np.cos(np.radians(5.0)))
+    assert np.allclose(real.surface.point - scene.surface.point, 0.01 * scene.surface.normal)
+    with pytest.raises(burnish.Error, match="torque_scale"):
+        burnish.check_disturbances(robot.model, burnish.Disturbances(torque_scale=[1.0]))
+    pushes = [burnish.Push(1.0, 0.5, [1.0, 2.0, 3.0])]
+    assert burnish.push_at(pushes, 1.2).tolist() == [1.0, 2.0, 3.0]
+    assert burnish.push_at(pushes, 1.6).tolist() == [0.0, 0.0, 0.0]
+
+
+def test_a_value_that_does_not_fit_is_named(robot, scene):
+    with pytest.raises(burnish.Error, match="Disturbances.seed: got 'x', wanted a whole number"):
+        burnish.check_disturbances(robot.model, burnish.Disturbances(seed="x"))
+    with pytest.raises(AttributeError, match="did you mean 'torque_bias'"):
+        burnish.Disturbances().torque_bais = 1.0
+
+
+def test_circle_path_starts_at_rest_and_becomes_a_circle():
+    path = burnish.CirclePath(center_world=[1.0, 0.0, 0.0], radius=0.1, rate=2.0, force=20.0)
+    start = path.at(-1.0)
+    assert np.allclose(start.p_world, [1, 0, 0]) and np.allclose(start.v_world, 0)
+    later = path.at(5.0)
+    assert np.isclose(np.linalg.norm(later.p_world - [1, 0, 0]), 0.1)
+    assert np.isclose(np.linalg.norm(later.v_world), 0.2) and later.force == 20.0
+
+
+def test_ideal_plant_falls_and_is_restored(robot, q, scene):
+    plant = burnish.make_ideal_plant(robot.model, scene, burnish.IdealPlantOptions(dt=1e-3))
+    assert isinstance(plant, burnish.Plant) and plant.dt == 1e-3
+    plant.reset(q)
+    assert plant.time == 0.0 and np.array_equal(plant.q, q) and not np.any(plant.v)
+    zero = np.zeros(robot.model.nv)
+    for _ in range(20):
+        assert plant.step(zero) == Status.OK
+    assert np.isclose(plant.time, 0.02) and np.any(plant.v != 0.0)
+    snapshot = pickle.loads(pickle.dumps(plant.save()))
+    def on():
+        states = []
+        for i in range(200):
+            plant.step(zero, [0.0, 1.0, 0.0])
+            states.append((plant.q, plant.v, plant.contact_force_world, plant.in_contact))
+        return states
+    first = on()
+    assert any(state[3] for state in first), "it was to meet the surface"
+    plant.restore(snapshot)
+    assert np.isclose(plant.time, 0.02)
+    for a, b in zip(first, on()):
+        assert all(np.array_equal(x, y) for x, y in zip(a, b))
+    with pytest.raises(burnish.EvaluationError, match="Plant.restore"):
+        plant.restore(burnish.PlantSnapshot([1.0, 2.0]))
+
+
+def test_plants_refuse_what_is_no_state_or_torque(robot, q, scene):
+    plant = burnish.make_ideal_plant(robot.model, scene)
+    with pytest.raises(burnish.EvaluationError, match="Plant.reset"):
+        plant.reset(q[:3])
+    plant.reset(q)
+    before = plant.q
+    with pytest.raises(burnish.EvaluationError, match="Plant.step"):
+        plant.step(np.full(robot.model.nv, np.nan))
+    assert np.array_equal(plant.q, before) and plant.time == 0.0
+    with pytest.raises(burnish.Error, match="dt"):
+        burnish.make_ideal_plant(robot.model, scene, burnish.IdealPlantOptions(dt=0.0))
+
+
+def test_readings_are_copies_and_the_model_outlives_its_plant(robot, q, scene):
+    plant = burnish.make_ideal_plant(robot.model, scene)
+    plant.reset(q)
+    reading, model = plant.q, plant.model
+    reading[:] = 0.0
+    assert np.array_equal(plant.q, q)
+    name = model.name
+    del plant
+    gc.collect()
+    assert model.name == name and model.nv == robot.model.nv
+
+
+@pytest.mark.skipif(not burnish.has_mujoco(), reason="this build has no MuJoCo")
+def test_mujoco_and_the_ideal_plant_fall_alike(robot, q, scene):
+    ideal = burnish.make_ideal_plant(robot.model, scene)
+    mujoco = burnish.make_mujoco_plant(robot.model, scene)
+    for plant in (ideal, mujoco):
+        plant.reset(q)
+        for _ in range(40):
+            plant.step(np.zeros(robot.model.nv))
+    assert np.allclose(ideal.q, mujoco.q, atol=1e-4) and np.any(np.abs(ideal.q - q) > 1e-4)
+
+
+@pytest.mark.skipif(burnish.has_mujoco(), reason="this build has MuJoCo")
+def test_a_build_without_mujoco_says_so(robot, scene):
+    with pytest.raises(burnish.Error, match="no MuJoCo"):
+        burnish.make_mujoco_plant(robot.model, scene)
+
+
+def test_the_same_run_gives_the_same_bits(robot, q, scene):
+    first, second = make_loop(robot, scene, q), make_loop(robot, scene, q)
+    assert first.run(0.3) == Status.OK
+    for _ in range(600):
+        second.step()
+    assert rows(first) == rows(second) and len(first.trace) == 600
+    first.reset(q)
+    assert len(first.trace) == 0
+    first.run(0.3)
+    assert rows(first) == rows(second)
+    other = make_loop(robot, scene, q, disturbances=ALL.replace(seed=8))
+    other.run(0.3)
+    assert rows(other) != rows(first)
+
+
+def test_a_plant_in_python_gives_the_same_bits(robot, q, scene):
+    ours, theirs = make_loop(robot, scene, q, wrap=True), make_loop(robot, scene, q)
+    assert isinstance(ours.plant, Wrapped)
+    assert ours.run(0.25) == theirs.run(0.25) == Status.OK
+    assert rows(ours) == rows(theirs)
+    assert ours.trace["tool_force_x_world"].any(), "it was to meet the surface"
+    assert ours.trace["push_x_world"].max() == 5.0
+
+
+def test_any_object_with_the_attributes_is_a_plant():
+    model = slider()
+    scene = burnish.SceneSpec(burnish.SurfaceSpec(point=[0, 0, -9.0]))
+    ideal = burnish.make_ideal_plant(model, scene, burnish.IdealPlantOptions(dt=1e-3))
+    traces = []
+    for plant in (PointMass(model), ideal):
+        loop = burnish.ClosedLoop(plant, Posture(model, [0.1], kp=8.0, kd=3.0),
+                                  burnish.Disturbances(pushes=[burnish.Push(1.0, 0.2, [0, 0, 4.0])]))
+        loop.reset([0.0], [0.5])
+        loop.run(3.0)
+        traces.append(loop.trace)
+    for column in ("time", "q_z", "v_z", "tau_applied_z", "tool_z_world"):
+        assert np.allclose(traces[0][column], traces[1][column], atol=1e-12), column
+    assert np.ptp(traces[0]["q_z"]) > 0.1
+
+
+def test_a_controller_in_python_holds_a_posture(robot, q, scene):
+    loop = make_loop(robot, scene, q, disturbances=burnish.Disturbances())
+    controller = loop.controller
+    assert controller.resets == 1
+    loop.run(0.5)
+    assert controller.ticks == 500
+    assert np.abs(loop.plant.q - q).max() < 0.6
+    assert np.abs(loop.plant.v).max() < 0.05
+    assert loop.command.target_force == 1.5 and loop.command.phase == burnish.Phase.TRACK
+    assert np.all(loop.trace["target_y_world"] == 2.0)
+    assert np.isclose(loop.measurement.time, 0.499)
+
+
+def test_a_controller_may_give_its_torque_alone():
+    model = slider()
+
+    class Push:
+        nv = 1
+
+        def reset(self):
+            pass
+
+        def tick(self, measurement):
+            return [1.0]
+
+    loop = burnish.ClosedLoop(PointMass(model), Push())
+    loop.reset([0.0])
+    loop.run(1.0)
+    assert np.isclose(loop.plant.v[0], 0.5)
+
+
+class Broken(Exception):
+    pass
+
+
+@pytest.mark.parametrize("part", ["plant", "controller", "attribute"])
+def test_what_python_raises_comes_out_of_run(robot, q, scene, part):
+    class Plant(Wrapped):
+        def step(self, tau, push_world=None):
+            if part == "plant" and self.inner.time > 0.0495:
+                raise Broken("at 0.05")
+            super().step(tau, push_world)
+
+        @property
+        def v(self):
+            if part == "attribute" and self.inner.time > 0.0505:
+                raise Broken("at 0.05")
+            return self.inner.v
+
+    class Controller(Posture):
+        def tick(self, measurement):
+            if part == "controller" and measurement.time > 0.0495:
+                raise Broken("at 0.05")
+            return super().tick(measurement)
+
+    loop = burnish.ClosedLoop(Plant(burnish.make_ideal_plant(robot.model, scene)),
+                              Controller(robot.model, q))
+    loop.reset(q)
+    with pytest.raises(Broken, match="at 0.05"):
+        loop.run(1.0)
+    assert 100 <= len(loop.trace) <= 102
+    if part != "attribute":  # it is raised again, as the cause lasts
+        with pytest.raises(Broken):
+            loop.run(0.01) if part == "plant" else loop.run(1.0)
+    loop.reset(q)
+    assert loop.run(0.04) == Status.OK
+
+
+def test_what_python_raises_comes_out_of_reset_and_step(robot, q, scene):
+    class Plant(Wrapped):
+        def reset(self, q, v=None):
+            raise Broken("reset")
+
+    class Controller(Posture):
+        def reset(self):
+            raise Broken("reset")
+
+        def tick(self, measurement):
+            raise Broken("tick")
+
+    plant = burnish.make_ideal_plant(robot.model, scene)
+    with pytest.raises(Broken, match="reset"):
+        burnish.ClosedLoop(Plant(plant), Posture(robot.model, q)).reset(q)
+    loop = burnish.ClosedLoop(plant, Controller(robot.model, q))
+    with pytest.raises(Broken, match="reset"):
+        loop.reset(q)
+    with pytest.raises(Broken, match="tick"):
+        loop.step()
+
+
+def test_what_python_gives_that_does_not_fit_is_named(robot, q, scene):
+    model = slider()
+
+    def run(plant, controller):
+        loop = burnish.ClosedLoop(plant, controller)
+        loop.reset([0.0])
+        loop.run(0.01)
+
+    class Wide(PointMass):
+        def step(self, tau, push_world):
+            self.q = np.zeros(3)
+
+    class Text(Posture):
+        def tick(self, measurement):
+            return "full speed"
+
+    class Long(Posture):
+        def tick(self, measurement):
+            return np.zeros(4)
+
+    with pytest.raises(burnish.Error, match="Plant.q: got 3 numbers, wanted 1"):
+        run(Wide(model), Posture(model, [0.0]))
+    with pytest.raises(burnish.Error, match="Controller.tick: got 'full speed', wanted a Command"):
+        run(PointMass(model), Text(model, [0.0]))
+    with pytest.raises(burnish.Error, match="torque of 4 numbers, wanted 1"):
+        run(PointMass(model), Long(model, [0.0]))
+    with pytest.raises(burnish.Error, match="Plant: object has no 'model'"):
+        run(object(), Posture(model, [0.0]))
+    with pytest.raises(burnish.Error, match="Controller: PointMass has no 'nv'"):
+        run(PointMass(model), PointMass(model))
+    with pytest.raises(burnish.Error, match="7 torques; wanted the plant's 1"):
+        run(PointMass(model), Posture(robot.model, q))
+    with pytest.raises(TypeError, match="abstract"):
+        burnish.Plant()  # type: ignore[abstract]
+
+
+def test_a_status_of_a_plant_in_python_ends_the_run():
+    class Stuck(PointMass):
+        steps = 0
+
+        def step(self, tau, push_world):
+            self.steps += 1
+            return Status.OK if self.steps < 5 else Status.NOT_FINITE
+
+    model = slider()
+    loop = burnish.ClosedLoop(Stuck(model), Posture(model, [0.0]))
+    loop.reset([0.0])
+    with pytest.raises(burnish.EvaluationError, match="ClosedLoop.run"):
+        loop.run(1.0)
+    assert loop.trace["plant_status"].tolist() == [0, 0, 0, 0, Status.NOT_FINITE.value]
+
+
+def test_the_baseline_presses_and_what_its_task_raises_comes_out(robot, q, scene):
+    n = scene.surface.normal
+    path = burnish.CirclePath(center_world=scene.surface.point + scene.tip.radius * n,
+                              normal_world=n, radius=0.0, force=12.0)
+    spec = burnish.ImpedanceSpec(normal_world=n, task=path.at, posture=q)
+    controller = burnish.make_impedance_controller(robot.model, spec)
+    assert isinstance(controller, burnish.Controller) and controller.nv == robot.model.nv
+    plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, burnish.Disturbances()), scene)
+    loop = burnish.ClosedLoop(plant, controller)
+    loop.reset(q)
+    loop.run(2.0)
+    assert abs(plant.contact_force_world @ n - 12.0) < 0.1
+
+    def task(t):
+        if t > 0.3005:
+            raise Broken(f"{t:.3f}")
+        return path.at(t)
+
+    spec.task = task
+    loop = burnish.ClosedLoop(plant, burnish.make_impedance_controller(robot.model, spec))
+    loop.reset(q)
+    with pytest.raises(Broken, match="0.301"):
+        loop.run(5.0)
+    assert loop.trace["phase"][-1] == burnish.Phase.TRACK.value
+    spec.task = None
+    with pytest.raises(burnish.Error, match="task"):
+        burnish.make_impedance_controller(robot.model, spec)
+
+
+def test_disturbances_draw_the_same_numbers(robot, q, scene):
+    one = burnish.Actuation(robot.model, ALL, 5e-4)
+    two = burnish.Actuation(robot.model, ALL.replace(force_noise=0.0), 5e-4)
+    assert np.array_equal(one.scale, two.scale) and np.array_equal(one.bias, two.bias)
+    assert np.ptp(one.scale) > 0.0 and np.abs(one.scale - 1.0).max() <= 0.05
+    assert one.delay_steps == 4
+    tau = np.arange(7.0)
+    given = [one.apply(tau) for _ in range(10)]
+    one.reset()
+    assert all(np.array_equal(one.apply(tau), before) for before in given)
+    step = one.last_step
+    assert np.array_equal(step.command, tau) and np.array_equal(step.applied, given[-1])
+    with pytest.raises(burnish.Error, match="wanted 7"):
+        one.apply([1.0])
+    loop = make_loop(robot, scene, q)
+    assert np.array_equal(loop.actuation.scale, one.scale)
+
+    sensing = burnish.Sensing(robot.model, ALL)
+    plant = burnish.make_ideal_plant(robot.model, scene)
+    plant.reset(q)
+    seen = sensing.measure(plant, np.zeros(7))
+    assert np.any(seen.q != q) and np.abs(seen.q - q).max() < 1e-3
+    sensing.reset()
+    assert sensing.measure(plant, np.zeros(7)) == seen
+
+
+def test_views_of_a_trace_keep_their_loop_alive(robot, q, scene):
+    loop = make_loop(robot, scene, q)
+    loop.run(0.05)
+    times, everything = loop.trace["time"], loop.trace.array()
+    kept, row = copy.copy(loop.trace), everything["time"].copy()
+    del loop
+    gc.collect()
+    junk = [np.full(100_000, 3.0) for _ in range(20)]
+    assert np.array_equal(times, row) and np.array_equal(everything["time"], row)
+    assert np.array_equal(kept["time"], row) and len(junk) == 20
+    assert not times.flags.writeable and not everything.flags.writeable
+    assert np.allclose(np.diff(times), 5e-4)
+
+
+def test_a_full_trace_counts_what_it_drops(robot, q, scene):
+    loop = make_loop(robot, scene, q, max_duration=0.01, record_every=2)
+    loop.run(0.1)
+    assert len(loop.trace) == 12 and loop.trace.dropped == 88
+
+
+def test_periods_that_do_not_fit_are_refused(robot, q, scene):
+    with pytest.raises(burnish.Error, match="control period"):
+        make_loop(robot, scene, q, control_period=7e-4)
+    loop = make_loop(robot, scene, q)
+    for duration in (-1.0, np.nan):
+        with pytest.raises(burnish.Error, match="ClosedLoop.run"):
+            loop.run(duration)
+
+
+def baseline_loop(robot, q, scene):
+    """C++ throughout: the task is asked for at every tick, and is one of the library's functions."""
+    n = scene.surface.normal
+    point = burnish.TaskPoint(p_world=scene.surface.point + scene.tip.radius * n, force=10.0)
+    controller = burnish.make_impedance_controller(
+        robot.model, burnish.ImpedanceSpec(normal_world=n, task=lambda t: point, posture=q))
+    loop = burnish.ClosedLoop(burnish.make_ideal_plant(robot.model, scene), controller)
+    loop.reset(q)
+    return loop
+
+
+def test_other_threads_run_meanwhile_and_stay_out(robot, q, scene):
+    loop = baseline_loop(robot, q, scene)
+    refused = []
+
+    def knock():
+        time.sleep(0.05)
+        for call in (loop.step, lambda: loop.plant.step(np.zeros(7)), loop.controller.reset):
+            try:
+                call()
+            except burnish.Error as error:
+                refused.append(str(error))
+
+    thread = threading.Thread(target=knock)
+    thread.start()
+    loop.run(8.0)
+    thread.join()
+    assert len(refused) == 3 and all("in use by another thread" in text for text in refused)
+
+
+def test_ctrl_c_ends_a_long_run(robot, q, scene):
+    loop = baseline_loop(robot, q, scene)
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        loop.run(1e6)
+    timer.join()
+    assert len(loop.trace) > 10
+
+
+def test_a_trace_is_a_table(robot, q, scene):
+    pandas = pytest.importorskip("pandas")
+    loop = make_loop(robot, scene, q)
+    loop.run(0.05)
+    table = pandas.DataFrame(loop.trace.array())
+    assert list(table.columns) == loop.trace.columns and len(table) == 100
+    assert np.array_equal(table["time"], loop.trace["time"])
