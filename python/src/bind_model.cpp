@@ -48,6 +48,12 @@ Model model_of(const py::dict& state) {
   return model;
 }
 
+bool same(const Model& a, const Model& b) {
+  if (&a == &b) return true;
+  const py::object compare = py::module_::import("burnish._spec").attr("_same");
+  return py::cast<bool>(compare(state_of(a), state_of(b)));
+}
+
 /// f(row of a, row of b) for one state or for rows of states; `size` entries each.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
@@ -102,6 +108,13 @@ void bind_robot(py::module_& m) {
              return "<Robot '" + robot.model.name + "': " + std::to_string(robot.postures.size()) +
                     " postures>";
            })
+      .def(
+          "__eq__",
+          [](const Robot& a, const Robot& b) {
+            return same(a.model, b.model) && a.postures == b.postures &&
+                   a.default_posture == b.default_posture;
+          },
+          py::is_operator())
       .def("__copy__", [](const Robot& robot) { return robot; })
       .def("__deepcopy__", [](const Robot& robot, const py::dict&) { return robot; })
       .def(py::pickle(
@@ -247,6 +260,7 @@ void bind_model(py::module_& m) {
                     " joints, nq = " + std::to_string(self.nq) +
                     ", nv = " + std::to_string(self.nv) + ">";
            })
+      .def("__eq__", &same, py::is_operator())
       .def("__copy__", [](const Model& self) { return self; })
       .def("__deepcopy__", [](const Model& self, const py::dict&) { return self; })
       .def(py::pickle(&state_of, &model_of));

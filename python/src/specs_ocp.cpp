@@ -74,9 +74,7 @@ struct PythonJacobian : PythonResidual {
   }
 };
 
-py::object class_of(const char* module, const char* name) {
-  return py::module_::import(module).attr(name);
-}
+const PythonClass over_time_class("burnish._signal", "OverTime");
 
 Signal signal_over_time(int size, const py::object& function) {
   return Signal::over_time(size, PythonSignal{Kept(function)});
@@ -121,7 +119,7 @@ bool load_signal(py::handle from, Signal& signal) {
     signal = {};
     return true;
   }
-  if (py::isinstance(from, class_of("burnish._signal", "OverTime"))) {
+  if (py::isinstance(from, over_time_class.get())) {
     const py::object function = from.attr("function");
     signal = py::isinstance<SignalFunction>(function)
                  ? py::cast<const SignalFunction&>(function).signal
@@ -157,7 +155,7 @@ py::object make_signal(const Signal& signal) {
   const auto* ours = signal.function().target<PythonSignal>();
   const py::object function =
       ours != nullptr ? ours->function.get() : py::cast(SignalFunction{signal});
-  return class_of("burnish._signal", "OverTime")(signal.size(), function);
+  return py::reinterpret_borrow<py::object>(over_time_class.get())(signal.size(), function);
 }
 
 template <>

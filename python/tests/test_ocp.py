@@ -389,9 +389,12 @@ def test_specs_are_copied_and_pickled(robot):
     xs, us = random_trajectory(problem)
     expected = problem.evaluate(xs, us)
     for other in (pickle.loads(pickle.dumps(spec)), copy.deepcopy(spec), problem.spec):
+        assert other.model == spec.model and other.horizon == spec.horizon
         again = bn.Problem(other).evaluate(xs, us)
         np.testing.assert_array_equal(again.costs, expected.costs)
         np.testing.assert_array_equal(again.next_states, expected.next_states)
+    plain = spec_of(robot, base_costs())
+    assert pickle.loads(pickle.dumps(plain)) == plain == bn.Problem(plain).spec
     other = copy.deepcopy(spec)
     other.stages[0].costs[0].weight = 77.0
     assert spec.stages[0].costs[0].weight == 0.1 and other.stages[0] != spec.stages[0]

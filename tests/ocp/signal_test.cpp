@@ -41,9 +41,10 @@ TEST(Signal, tells_the_function_that_it_was_given) {
 }
 
 TEST(Signal, refuses_functions_of_no_entries_and_no_functions) {
-  EXPECT_EQ(refusal([] { Signal::over_time(0, Ramp{1.0}); }),
+  EXPECT_EQ(testing::refusal([] { Signal::over_time(0, Ramp{1.0}); }),
             "a signal over time has 0 entries; wanted at least 1");
-  EXPECT_EQ(refusal([] { Signal::over_time(1, nullptr); }), "a signal over time has no function");
+  EXPECT_EQ(testing::refusal([] { Signal::over_time(1, nullptr); }),
+            "a signal over time has no function");
 }
 
 }  // namespace
