@@ -237,3 +237,13 @@ class TestFrames:
         with pytest.raises(burnish.Error):
             burnish.frame_placements(ARM.model, q[:3])
         assert ARM.model.has_frame("tool") and not ARM.model.has_frame("tol")
+
+
+def test_robots_are_equal_if_everything_of_them_is() -> None:
+    again = burnish.load_robot("talos:right_arm")
+    assert again == ARM and again.model == ARM.model == copy.deepcopy(ARM.model)
+    assert ARM.model != TALOS.model and ARM != TALOS and ARM.model != "right_arm"
+    light = two_links(joint(JointType.REVOLUTE))
+    heavy = copy.deepcopy(light)
+    heavy.links[1].inertia.mass = 3.0
+    assert burnish.build_model(light) == burnish.build_model(light) != burnish.build_model(heavy)
