@@ -7,7 +7,7 @@
 
 #include "burnish/model/robot.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "support/polishing_problem.hpp"
+#include "ocp/polishing_problem.hpp"
 #include "support/standing_problem.hpp"
 
 namespace burnish::bench {
@@ -42,7 +42,7 @@ ProblemSpec make(const std::string& name) {
   }
   const Robot robot = load_robot("talos:right_arm");
   const Eigen::VectorXd q0 = robot.posture("table");
-  ProblemSpec spec = test::polishing_problem(robot.model, "tool", q0, knots);
+  ProblemSpec spec = ocp::polishing_problem(robot.model, "tool", q0, knots);
   if (name == "talos_right_arm_filter") {
     spec.torque_model = TorqueModel{.cutoff = 100.0};
     const Eigen::Index nx = spec.initial_state.size();

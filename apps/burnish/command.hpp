@@ -18,5 +18,6 @@ void add_solve(CLI::App& app, int& exit_code);
 void add_polish(CLI::App& app, int& exit_code);
 void add_experiment(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
 
 }  // namespace burnish::app

@@ -23,6 +23,7 @@ constexpr const char* footer =
     "  burnish solve examples/problems/reaching.yaml\n"
     "  burnish polish --surface table --controller mpc\n"
     "  burnish experiment paper\n"
+    "  burnish bench my_arm.urdf --tool flange\n"
     "\n"
     "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
     "crane, pendulum, quadruped, talos), with ':variant' behind it if wanted.\n"
@@ -100,6 +101,7 @@ int run(int count, char** words) {
   add_polish(app, exit_code);
   add_experiment(app, exit_code);
   add_report(app, exit_code);
+  add_bench(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;

@@ -7,11 +7,9 @@ from typing import Callable, Union
 
 from numpy.typing import ArrayLike
 
-from ._spec import Spec
 
-
-@dataclass(eq=False, repr=False)
-class OverTime(Spec):
+@dataclass(frozen=True)
+class OverTime:
     """A function of time (s) that gives `size` numbers."""
 
     size: int

@@ -23,7 +23,7 @@ struct Dynamics {
   Status run(unsigned what, const char* name, const auto& evaluate) {
     const Busy::Lock lock(busy, name);
     if ((what & derivatives) == 0) evaluated = 0;
-    Status status;
+    Status status = Status::Ok;
     {
       const py::gil_scoped_release unlocked;
       status = evaluate(machine);
@@ -74,7 +74,7 @@ void result(Class& of, const char* name, View (ContactDynamics::*view)() const, 
       text);
 }
 
-void bind_evaluations(Class& of) {
+void bind_forward(Class& of) {
   of.def(
         "forward",
         [](Dynamics& self, const Vector& q, const Vector& v, const Vector& tau) {
@@ -94,21 +94,23 @@ void bind_evaluations(Class& of) {
                             [](auto& machine) { return machine.forward_derivatives(); });
           },
           "Fills the six derivative blocks of a and lambda_ at the last forward(). Returns what "
-          "that returned; raises EvaluationError if another evaluation came between.")
-      .def(
-          "inverse",
-          [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a,
-             const Vector& lambda) {
-            constexpr const char* name = "ContactDynamics.inverse";
-            self.require_state_sizes(name, q, v);
-            require_size(name, "a", a.size(), self.machine.nv());
-            require_size(name, "lambda_", lambda.size(), self.machine.rows());
-            self.run(inverse, name,
-                     [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
-          },
-          py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
-          "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
-          "Nm. Raises as forward().")
+          "that returned; raises EvaluationError if another evaluation came between.");
+}
+
+void bind_inverse(Class& of) {
+  of.def(
+        "inverse",
+        [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a,
+           const Vector& lambda) {
+          constexpr const char* name = "ContactDynamics.inverse";
+          self.require_state_sizes(name, q, v);
+          require_size(name, "a", a.size(), self.machine.nv());
+          require_size(name, "lambda_", lambda.size(), self.machine.rows());
+          self.run(inverse, name, [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
+        },
+        py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
+        "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
+        "Nm. Raises as forward().")
       .def(
           "inverse_derivatives",
           [](Dynamics& self) {
@@ -279,7 +281,8 @@ void bind_contact_dynamics(py::module_& m) {
         for (const std::string& row : self.machine.row_names()) text += " " + row;
         return text + (self.machine.rows() == 0 ? " none>" : ">");
       });
-  bind_evaluations(of);
+  bind_forward(of);
+  bind_inverse(of);
   bind_results(of);
   bind_forces(of);
 }

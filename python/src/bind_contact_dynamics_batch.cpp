@@ -23,8 +23,8 @@ struct Batch {
     for (const CompiledContact& contact : set.contacts()) names.push_back(contact.spec.name);
   }
 
-  void require_shape(const char* name, const char* argument, const Rows& given, Eigen::Index rows,
-                     int columns) const {
+  static void require_shape(const char* name, const char* argument, const Rows& given,
+                            Eigen::Index rows, int columns) {
     if (given.rows() == rows && given.cols() == columns) return;
     throw Error(std::string(name) + ": " + argument + " is " + std::to_string(given.rows()) +
                 " x " + std::to_string(given.cols()) + "; wanted " + std::to_string(rows) + " x " +

@@ -48,6 +48,24 @@ Model model_of(const py::dict& state) {
   return model;
 }
 
+/// Everything is equal, entry by entry.
+bool same(const py::object& a, const py::object& b) {
+  return py::module_::import("burnish._spec").attr("_same")(a, b).cast<bool>();
+}
+bool equal(const Model& a, const Model& b) {
+  return &a == &b || (a.name == b.name && a.nq == b.nq && same(state_of(a), state_of(b)));
+}
+bool equal(const Robot& a, const Robot& b) {
+  return equal(a.model, b.model) && a.postures == b.postures &&
+         a.default_posture == b.default_posture;
+}
+/// Against another of the class; Python decides about the rest.
+template <class Machine>
+py::object equals(const Machine& self, const py::object& other) {
+  if (!py::isinstance<Machine>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+  return py::bool_(equal(self, py::cast<const Machine&>(other)));
+}
+
 /// f(row of a, row of b) for one state or for rows of states; `size` entries each.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
@@ -102,6 +120,7 @@ void bind_robot(py::module_& m) {
              return "<Robot '" + robot.model.name + "': " + std::to_string(robot.postures.size()) +
                     " postures>";
            })
+      .def("__eq__", &equals<Robot>)
       .def("__copy__", [](const Robot& robot) { return robot; })
       .def("__deepcopy__", [](const Robot& robot, const py::dict&) { return robot; })
       .def(py::pickle(
@@ -174,6 +193,56 @@ void bind_configurations(py::module_& m) {
       "Raises Error with a sentence if v has not nv finite entries.");
 }
 
+void bind_descriptions(py::module_& m) {
+  m.def(
+      "build_model",
+      [](const TreeSpec& tree, const std::optional<ModelOptions>& options) {
+        return build_model(tree, options.value_or(ModelOptions{}));
+      },
+      py::arg("tree"), py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
+      "Compiles a tree. Raises Error with one sentence naming the source, the element and the "
+      "reason.");
+  m.def("read_urdf", &read_urdf, py::arg("file"), "Reads a URDF file into a TreeSpec.");
+  m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>",
+        "Reads URDF from a text; `source` stands for the file's name in error sentences.");
+}
+
+void bind_vectors(py::class_<Model>& model) {
+  const auto vector = [&](const char* name, Eigen::VectorXd Model::*member, const char* text) {
+    model.def_property_readonly(
+        name, [member](const Model& self) { return self.*member; }, text);
+  };
+  vector("q_neutral", &Model::q_neutral,
+         "(nq,): zero angles, unit quaternions, base at its placement.");
+  vector("q_lower", &Model::q_lower, "(nq,): position limits, infinite where there are none.");
+  vector("q_upper", &Model::q_upper, "(nq,): position limits, infinite where there are none.");
+  vector("velocity_limit", &Model::velocity_limit,
+         "(nv,): rad/s or m/s, infinite where there is none.");
+  vector("effort_limit", &Model::effort_limit, "(nv,): Nm or N, infinite where there is none.");
+  vector("damping", &Model::damping, "(nv,): viscous, Nms/rad or Ns/m.");
+  vector("friction", &Model::friction, "(nv,): Coulomb, Nm or N.");
+  vector("armature", &Model::armature, "(nv,): kg m^2 or kg.");
+}
+
+void bind_look_up(py::class_<Model>& model) {
+  model
+      .def(
+          "support",
+          [](const Model& self, int body) {
+            if (body < -1 || body >= static_cast<int>(self.joints.size()))
+              throw Error("support: there is no body " + std::to_string(body));
+            const auto entries = self.support(body);
+            return std::vector<int>(entries.begin(), entries.end());
+          },
+          py::arg("body"), "Entries of v that move a body, ascending; none for the world (-1).")
+      .def("frame_index", &Model::frame_index, py::arg("name"),
+           "Index by name. Raises Error with the nearest known name.")
+      .def("joint_index", &Model::joint_index, py::arg("name"),
+           "Index by name. Raises Error with the nearest known name.")
+      .def("has_frame", &Model::has_frame, py::arg("name"),
+           "Whether there is a frame of that name.");
+}
+
 }  // namespace
 
 void bind_model(py::module_& m) {
@@ -181,10 +250,6 @@ void bind_model(py::module_& m) {
       m, "Model",
       "A compiled robot: joints in depth-first order, bodies, frames, limits. It cannot be "
       "changed; it can be shared between threads, copied and pickled.");
-  const auto vector = [&](const char* name, Eigen::VectorXd Model::*member, const char* text) {
-    model.def_property_readonly(
-        name, [member](const Model& self) { return self.*member; }, text);
-  };
   model.def_readonly("name", &Model::name, "Of the robot.")
       .def_readonly("nq", &Model::nq, "Entries of a configuration.")
       .def_readonly("nv", &Model::nv, "Entries of a velocity.")
@@ -214,32 +279,9 @@ void bind_model(py::module_& m) {
             return names;
           },
           "Names of the entries of q.")
-      .def_property_readonly("total_mass", &Model::total_mass, "Of all moving bodies, kg.")
-      .def(
-          "support",
-          [](const Model& self, int body) {
-            if (body < -1 || body >= static_cast<int>(self.joints.size()))
-              throw Error("support: there is no body " + std::to_string(body));
-            const auto entries = self.support(body);
-            return std::vector<int>(entries.begin(), entries.end());
-          },
-          py::arg("body"), "Entries of v that move a body, ascending; none for the world (-1).")
-      .def("frame_index", &Model::frame_index, py::arg("name"),
-           "Index by name. Raises Error with the nearest known name.")
-      .def("joint_index", &Model::joint_index, py::arg("name"),
-           "Index by name. Raises Error with the nearest known name.")
-      .def("has_frame", &Model::has_frame, py::arg("name"),
-           "Whether there is a frame of that name.");
-  vector("q_neutral", &Model::q_neutral,
-         "(nq,): zero angles, unit quaternions, base at its placement.");
-  vector("q_lower", &Model::q_lower, "(nq,): position limits, infinite where there are none.");
-  vector("q_upper", &Model::q_upper, "(nq,): position limits, infinite where there are none.");
-  vector("velocity_limit", &Model::velocity_limit,
-         "(nv,): rad/s or m/s, infinite where there is none.");
-  vector("effort_limit", &Model::effort_limit, "(nv,): Nm or N, infinite where there is none.");
-  vector("damping", &Model::damping, "(nv,): viscous, Nms/rad or Ns/m.");
-  vector("friction", &Model::friction, "(nv,): Coulomb, Nm or N.");
-  vector("armature", &Model::armature, "(nv,): kg m^2 or kg.");
+      .def_property_readonly("total_mass", &Model::total_mass, "Of all moving bodies, kg.");
+  bind_look_up(model);
+  bind_vectors(model);
   model
       .def("__repr__",
            [](const Model& self) {
@@ -247,21 +289,12 @@ void bind_model(py::module_& m) {
                     " joints, nq = " + std::to_string(self.nq) +
                     ", nv = " + std::to_string(self.nv) + ">";
            })
+      .def("__eq__", &equals<Model>)
       .def("__copy__", [](const Model& self) { return self; })
       .def("__deepcopy__", [](const Model& self, const py::dict&) { return self; })
       .def(py::pickle(&state_of, &model_of));
 
-  m.def(
-      "build_model",
-      [](const TreeSpec& tree, const std::optional<ModelOptions>& options) {
-        return build_model(tree, options.value_or(ModelOptions{}));
-      },
-      py::arg("tree"), py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Compiles a tree. Raises Error with one sentence naming the source, the element and the "
-      "reason.");
-  m.def("read_urdf", &read_urdf, py::arg("file"), "Reads a URDF file into a TreeSpec.");
-  m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>",
-        "Reads URDF from a text; `source` stands for the file's name in error sentences.");
+  bind_descriptions(m);
   bind_configurations(m);
   bind_robot(m);
 }

@@ -166,7 +166,7 @@ Run run_of(const py::tuple& state) {
   return run;
 }
 
-void bind_run(py::module_& m) {
+void bind_result(py::module_& m) {
   py::class_<Run> run_class(m, "RunResult",
                             "What came out of a run. Its trace stays where it is: views of its "
                             "columns keep the result alive.");
@@ -224,12 +224,6 @@ void bind_run(py::module_& m) {
   add("first_tick", &RunResult::first_tick, "s of wall clock.");
   add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
   add("outcome", &RunResult::outcome, "One sentence: that it polished, or what came in between.");
-
-  m.def("run_task", &run, py::arg("spec"),
-        "Runs a task (RunSpec) to the end of its retreat in simulated time. What goes wrong on the "
-        "way is in the result, with all that was recorded until then; Ctrl-C ends the run as in "
-        "other Python code. Raises Error for a task that does not fit together, one that the arm "
-        "cannot reach, and a plant that is not there.");
 }
 
 void bind_task(py::module_& m) {
@@ -340,7 +334,12 @@ void bind_setting(py::module_& m) {
       "the task's if None. Raises Error with one sentence if there is none.");
 }
 
-void bind_experiments(py::module_& m) {
+void bind_runs_and_experiments(py::module_& m) {
+  m.def("run_task", &run, py::arg("spec"),
+        "Runs a task (RunSpec) to the end of its retreat in simulated time. What goes wrong on the "
+        "way is in the result, with all that was recorded until then; Ctrl-C ends the run as in "
+        "other Python code. Raises Error for a task that does not fit together, one that the arm "
+        "cannot reach, and a plant that is not there.");
   m.def(
       "experiments",
       [] {
@@ -365,8 +364,8 @@ void bind_experiments(py::module_& m) {
 void bind_polishing(py::module_& m) {
   bind_task(m);
   bind_setting(m);
-  bind_run(m);
-  bind_experiments(m);
+  bind_result(m);
+  bind_runs_and_experiments(m);
 }
 
 }  // namespace burnish::python

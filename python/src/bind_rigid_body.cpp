@@ -29,7 +29,7 @@ struct Body {
     require_size(name, "v", v.size(), machine.nv());
     if (a) require_size(name, "a", a->size(), machine.nv());
     const Busy::Lock lock(busy, name);
-    Status status;
+    Status status = Status::Ok;
     {
       const py::gil_scoped_release unlocked;
       status = a ? machine.update(q, v, *a) : machine.update(q, v);

@@ -35,8 +35,9 @@ void for_each_range(ProblemMachine& machine, const char* name, int threads, Call
   });
 }
 
-TrajectoryValues values_of(const std::vector<KnotValue>& values, const RowMatrix& next) {
-  TrajectoryValues answer;
+/// What values and expansions have in common.
+template <class Answer>
+void take_values(const std::vector<KnotValue>& values, const RowMatrix& next, Answer& answer) {
   answer.next_states = next.topRows(next.rows() - 1);
   answer.costs.resize(static_cast<Eigen::Index>(values.size()));
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -44,7 +45,6 @@ TrajectoryValues values_of(const std::vector<KnotValue>& values, const RowMatrix
     answer.statuses.push_back(values[k].status);
     answer.terms.push_back(values[k].term);
   }
-  return answer;
 }
 
 TrajectoryValues evaluate(ProblemMachine& machine, const Numbers& xs, const Numbers& us,
@@ -59,7 +59,9 @@ TrajectoryValues evaluate(ProblemMachine& machine, const Numbers& xs, const Numb
   for_each_range(machine, call, threads, [&](int worker, KnotRange range) {
     problem.evaluate(worker, range, at, next.data(), values.data());
   });
-  return values_of(values, next);
+  TrajectoryValues answer;
+  take_values(values, next, answer);
+  return answer;
 }
 
 /// Memory for the expansions of a horizon.
@@ -124,54 +126,47 @@ void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int
 }
 
 /// Gradient and Hessian of a knot; columns of missing controls are zero.
-void write_costs(const KnotExpansion& e, int n, Eigen::Ref<Eigen::VectorXd> gradient,
+void write_costs(const KnotExpansion& e, int n, Eigen::Ref<Eigen::RowVectorXd> gradient,
                  Eigen::Ref<RowMatrix> hessian) {
   const Eigen::Index skip = gradient.size() - n;
   gradient.setZero();
   hessian.setZero();
-  gradient.tail(n) = Eigen::Map<const Eigen::VectorXd>(e.gradient, n);
+  gradient.tail(n) = Eigen::Map<const Eigen::RowVectorXd>(e.gradient, n);
   for (int r = 0; r < n; ++r)
     for (int c = 0; c <= r; ++c)
       hessian(skip + r, skip + c) = hessian(skip + c, skip + r) = e.hessian[r * e.stride + c];
 }
 
-py::object expand(ProblemMachine& machine, const Numbers& xs, const Numbers& us, int threads) {
+TrajectoryExpansion expand(ProblemMachine& machine, const Numbers& xs, const Numbers& us,
+                           int threads) {
   constexpr const char* call = "Problem.expand";
   const Busy::Lock lock(machine.busy, call);
   Problem& problem = machine.problem;
   const TrajectoryView at = trajectory(call, problem, xs, us);
   const int N = problem.knots(), ndx = problem.layout().ndx(), nz = problem.layout().nz();
-  py::array_t<double> gradients(std::vector<py::ssize_t>{N + 1, nz});
-  py::array_t<double> hessians(std::vector<py::ssize_t>{N + 1, nz, nz});
-  py::array_t<double> dynamics(std::vector<py::ssize_t>{N, ndx, nz});
-  double *gradient = gradients.mutable_data(), *hessian = hessians.mutable_data(),
-         *F = dynamics.mutable_data();
+  TrajectoryExpansion answer;
+  answer.gradients.resize(N + 1, nz);
+  answer.hessians = py::array_t<double>(std::vector<py::ssize_t>{N + 1, nz, nz});
+  answer.dynamics = py::array_t<double>(std::vector<py::ssize_t>{N, ndx, nz});
+  double *hessian = answer.hessians.mutable_data(), *F = answer.dynamics.mutable_data();
 
+  const py::gil_scoped_release release;
   std::vector<KnotValue> values(static_cast<std::size_t>(N) + 1);
   RowMatrix next = RowMatrix::Zero(N + 1, problem.layout().nx());
-  {
-    const py::gil_scoped_release release;
-    ExpansionRoom room(problem);
-    for_each_range(machine, call, threads, [&](int worker, KnotRange range) {
-      problem.expand(worker, range, at, next.data(), values.data(), room.out.data());
-    });
-    for (int k = 0; k <= N; ++k, gradient += nz, hessian += nz * nz, F += ndx * nz) {
-      const KnotExpansion& e = room.out[static_cast<std::size_t>(k)];
-      const int nu = problem.controls(k);
-      write_costs(e, nu + ndx, Eigen::Map<Eigen::VectorXd>(gradient, nz),
-                  Eigen::Map<RowMatrix>(hessian, nz, nz));
-      if (k < N)
-        write_dynamics(problem.state(), e, nu, problem.max_controls(),
-                       Eigen::Map<RowMatrix>(F, ndx, nz));
-    }
+  ExpansionRoom room(problem);
+  for_each_range(machine, call, threads, [&](int worker, KnotRange range) {
+    problem.expand(worker, range, at, next.data(), values.data(), room.out.data());
+  });
+  for (int k = 0; k <= N; ++k, hessian += nz * nz, F += ndx * nz) {
+    const KnotExpansion& e = room.out[static_cast<std::size_t>(k)];
+    const int nu = problem.controls(k);
+    write_costs(e, nu + ndx, answer.gradients.row(k), Eigen::Map<RowMatrix>(hessian, nz, nz));
+    if (k < N)
+      write_dynamics(problem.state(), e, nu, problem.max_controls(),
+                     Eigen::Map<RowMatrix>(F, ndx, nz));
   }
-  static const PythonClass answer("burnish.ocp", "TrajectoryExpansion");
-  const TrajectoryValues common = values_of(values, next);
-  return py::reinterpret_borrow<py::object>(answer.get())(
-      py::arg("costs") = common.costs, py::arg("next_states") = common.next_states,
-      py::arg("statuses") = common.statuses, py::arg("terms") = common.terms,
-      py::arg("gradients") = gradients, py::arg("hessians") = hessians,
-      py::arg("dynamics") = dynamics);
+  take_values(values, next, answer);
+  return answer;
 }
 
 }  // namespace

@@ -31,23 +31,25 @@ class NodeHandle {
 
   using Place = std::variant<int, std::string>;
   /// Frames and contacts by their place in the residual's lists, or by name. Throw Error.
-  int frame(const Place& at) const { return place(at, "frame", view(), names_->frames); }
-  int contact(const Place& at) const { return place(at, "contact", view(), names_->contacts); }
+  int frame(const Place& at) const { return place(at, "frame", &residual::Custom::frames); }
+  int contact(const Place& at) const { return place(at, "contact", &residual::Custom::contacts); }
 
  private:
-  int place(const Place& at, const char* what, const NodeView& /*alive*/,
-            const std::vector<std::string>& known) const {
-    const std::string residual = "residual '" + names_->name + "': ";
+  int place(const Place& at, const char* what,
+            std::vector<std::string> residual::Custom::*list) const {
+    view();  // or else the names may be gone too
+    const std::vector<std::string>& known = names_->*list;
+    const std::string who = "residual '" + names_->name + "': ";
     if (const int* index = std::get_if<int>(&at)) {
       if (*index < 0 || *index >= static_cast<int>(known.size()))
-        throw Error(residual + "there is no " + what + " " + std::to_string(*index) +
-                    "; it declares " + std::to_string(known.size()));
+        throw Error(who + "there is no " + what + " " + std::to_string(*index) + "; it declares " +
+                    std::to_string(known.size()));
       return *index;
     }
     const auto& name = std::get<std::string>(at);
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end())
-      throw Error(residual + "it does not declare the " + what + " '" + name + "'" +
+      throw Error(who + "it does not declare the " + what + " '" + name + "'" +
                   did_you_mean(name, known));
     return static_cast<int>(found - known.begin());
   }

@@ -121,9 +121,12 @@ class SpecTable {
   template <class Spec, class Value>
   SpecTable& field(const char* name, Value Spec::*member) {
     fields_.push_back({name, wanted<Value>,
-                       [member](const void* spec) {
-                         return py::cast(static_cast<const Spec*>(spec)->*member,
-                                         py::return_value_policy::copy);
+                       [member](const void* spec) -> py::object {
+                         const Value& value = static_cast<const Spec*>(spec)->*member;
+                         if constexpr (py::detail::is_pyobject<Value>::value)
+                           return value;
+                         else
+                           return py::cast(value, py::return_value_policy::copy);
                        },
                        [member](void* spec, py::handle value) {
                          py::detail::make_caster<Value> caster;
@@ -133,6 +136,18 @@ class SpecTable {
                          static_cast<Spec*>(spec)->*member = loaded;
                          return true;
                        }});
+    return *this;
+  }
+
+  /// An entry that C++ has in another form: how to read and write it. Those before it have been
+  /// written.
+  template <class Spec>
+  SpecTable& field(const char* name, std::string (*what_is_wanted)(),
+                   py::object (*get)(const Spec& spec), bool (*set)(Spec& spec, py::handle value)) {
+    fields_.push_back(
+        {name, what_is_wanted,
+         [get](const void* spec) { return get(*static_cast<const Spec*>(spec)); },
+         [set](void* spec, py::handle value) { return set(*static_cast<Spec*>(spec), value); }});
     return *this;
   }
 

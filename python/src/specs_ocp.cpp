@@ -33,12 +33,13 @@ struct PythonSignal {
   }
 };
 
-/// A residual that Python gave.
+/// A function of a residual that Python gave.
 struct PythonResidual {
-  Kept value, jacobian;  ///< jacobian: None if there is none
-  std::shared_ptr<const residual::Custom> names;
+  Kept function;
+  std::shared_ptr<const residual::Custom> names;  ///< its name, frames and contacts
 
-  Numbers call(const Kept& function, const NodeView& at, bool with_derivatives) const {
+  /// Under the interpreter's lock.
+  Numbers call(const NodeView& at, bool with_derivatives) const {
     const NodeLease lease(at, *names, with_derivatives);
     return numbers_of(function.get()(lease.object()));
   }
@@ -49,49 +50,66 @@ struct PythonResidual {
   }
 };
 
-struct PythonValue {
-  PythonResidual residual;
-
+struct PythonValue : PythonResidual {
   void operator()(const NodeView& at, Eigen::Ref<Eigen::VectorXd> out) const {
     const py::gil_scoped_acquire lock;
-    const Numbers numbers = residual.call(residual.value, at, false);
+    const Numbers numbers = call(at, false);
     const bool fits = numbers && numbers.size() == out.size() && numbers.ndim() <= 1;
-    if (!fits) residual.refuse("value", numbers, "(" + std::to_string(out.size()) + ",)");
+    if (!fits) refuse("value", numbers, "(" + std::to_string(out.size()) + ",)");
     out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
   }
 };
 
-struct PythonJacobian {
-  PythonResidual residual;
-
+struct PythonJacobian : PythonResidual {
   void operator()(const NodeView& at, Eigen::Ref<RowMatrix> out) const {
     const py::gil_scoped_acquire lock;
-    const Numbers numbers = residual.call(residual.jacobian, at, true);
+    const Numbers numbers = call(at, true);
     const bool row = numbers && numbers.ndim() == 1 && out.rows() == 1;
     const bool fits = numbers && numbers.size() == out.size() &&
                       (row || (numbers.ndim() == 2 && numbers.shape(0) == out.rows()));
     if (!fits)
-      residual.refuse("jacobian", numbers,
-                      "(" + std::to_string(out.rows()) + ", " + std::to_string(out.cols()) + ")");
+      refuse("jacobian", numbers,
+             "(" + std::to_string(out.rows()) + ", " + std::to_string(out.cols()) + ")");
     out = Eigen::Map<const RowMatrix>(numbers.data(), out.rows(), out.cols());
   }
 };
 
-py::object class_of(const char* module, const char* name) {
-  return py::module_::import(module).attr(name);
-}
+const PythonClass over_time_class("burnish._signal", "OverTime");
 
 Signal signal_over_time(int size, const py::object& function) {
   return Signal::over_time(size, PythonSignal{Kept(function)});
 }
 
-/// An entry of a Custom; throws Error naming it.
-template <class Value>
-void read_entry(py::handle from, const char* name, Value& value) {
-  py::detail::make_caster<Value> caster;
-  if (!caster.load(from.attr(name), true))
-    throw Error(std::string("Custom.") + name + ": wanted " + wanted<Value>());
-  value = py::detail::cast_op<Value&>(caster);
+std::string wanted_function() { return "a function of a NodeView, or None"; }
+
+/// A residual's function: the one that Python gave, or one of Python's around C++'s. `empty` makes
+/// what C++'s writes to.
+template <class Given, class Function, class Empty>
+py::object function_for_python(const Function& function, Empty empty) {
+  if (!function) return py::none();
+  if (const auto* ours = function.template target<Given>()) return ours->function.get();
+  return py::cpp_function([function, empty](const NodeHandle& at) {
+    auto out = empty(at);
+    function(at.view(), out);
+    return out;
+  });
+}
+
+/// Into `function` a Given of what came from Python, or nothing for None.
+template <class Given, class Function>
+bool function_from_python(const residual::Custom& custom, py::handle value, Function& function) {
+  if (value.is_none()) {
+    function = nullptr;
+  } else if (PyCallable_Check(value.ptr()) != 0) {
+    auto names = std::make_shared<residual::Custom>();
+    names->name = custom.name;
+    names->frames = custom.frames;
+    names->contacts = custom.contacts;
+    function = Given{Kept(py::reinterpret_borrow<py::object>(value)), names};
+  } else {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -101,7 +119,7 @@ bool load_signal(py::handle from, Signal& signal) {
     signal = {};
     return true;
   }
-  if (py::isinstance(from, class_of("burnish._signal", "OverTime"))) {
+  if (py::isinstance(from, over_time_class.get())) {
     const py::object function = from.attr("function");
     signal = py::isinstance<SignalFunction>(function)
                  ? py::cast<const SignalFunction&>(function).signal
@@ -137,48 +155,42 @@ py::object make_signal(const Signal& signal) {
   const auto* ours = signal.function().target<PythonSignal>();
   const py::object function =
       ours != nullptr ? ours->function.get() : py::cast(SignalFunction{signal});
-  return class_of("burnish._signal", "OverTime")(signal.size(), function);
+  return py::reinterpret_borrow<py::object>(over_time_class.get())(signal.size(), function);
 }
 
-bool load_custom(py::handle from, residual::Custom& custom) {
-  if (!py::isinstance(from, class_of("burnish.residual", "Custom"))) return false;
-  custom = {};
-  read_entry(from, "name", custom.name);
-  read_entry(from, "rows", custom.rows);
-  read_entry(from, "frames", custom.frames);
-  read_entry(from, "contacts", custom.contacts);
-  const py::object value = from.attr("value"), jacobian = from.attr("jacobian");
-  const PythonResidual residual{Kept(value), Kept(jacobian),
-                                std::make_shared<const residual::Custom>(custom)};
-  if (!value.is_none()) custom.value = PythonValue{residual};
-  if (!jacobian.is_none()) custom.jacobian = PythonJacobian{residual};
-  return true;
+template <>
+const SpecTable& AsDataclass<residual::Custom>::table() {
+  using residual::Custom;
+  static const SpecTable fields =
+      SpecTable("burnish.residual", "Custom")
+          .field("name", &Custom::name)
+          .field("rows", &Custom::rows)
+          .field("frames", &Custom::frames)
+          .field("contacts", &Custom::contacts)
+          .field<Custom>(
+              "value", wanted_function,
+              [](const Custom& custom) {
+                return function_for_python<PythonValue>(
+                    custom.value, [rows = custom.rows](const NodeHandle& /*at*/) {
+                      return Eigen::VectorXd(Eigen::VectorXd::Zero(rows));
+                    });
+              },
+              [](Custom& custom, py::handle value) {
+                return function_from_python<PythonValue>(custom, value, custom.value);
+              })
+          .field<Custom>(
+              "jacobian", wanted_function,
+              [](const Custom& custom) {
+                return function_for_python<PythonJacobian>(
+                    custom.jacobian, [rows = custom.rows](const NodeHandle& at) {
+                      return RowMatrix(RowMatrix::Zero(rows, at.view().layout().nz()));
+                    });
+              },
+              [](Custom& custom, py::handle value) {
+                return function_from_python<PythonJacobian>(custom, value, custom.jacobian);
+              });
+  return fields;
 }
-
-py::object make_custom(const residual::Custom& custom) {
-  py::object value = py::none(), jacobian = py::none();
-  if (const auto* ours = custom.value.target<PythonValue>()) {
-    value = ours->residual.value.get();
-  } else if (custom.value) {
-    value = py::cpp_function([custom](const NodeHandle& at) {
-      Eigen::VectorXd r(custom.rows);
-      custom.value(at.view(), r);
-      return r;
-    });
-  }
-  if (const auto* ours = custom.jacobian.target<PythonJacobian>()) {
-    jacobian = ours->residual.jacobian.get();
-  } else if (custom.jacobian) {
-    jacobian = py::cpp_function([custom](const NodeHandle& at) {
-      RowMatrix J = RowMatrix::Zero(custom.rows, at.view().layout().nz());
-      custom.jacobian(at.view(), J);
-      return J;
-    });
-  }
-  return class_of("burnish.residual", "Custom")(custom.name, custom.rows, custom.frames,
-                                                custom.contacts, value, jacobian);
-}
-
 template <>
 const EnumTable& AsEnum<Penalty::Kind>::table() {
   static const EnumTable words("burnish.ocp", "PenaltyKind",
@@ -425,6 +437,19 @@ const SpecTable& AsDataclass<TrajectoryValues>::table() {
                                       .field("next_states", &TrajectoryValues::next_states)
                                       .field("statuses", &TrajectoryValues::statuses)
                                       .field("terms", &TrajectoryValues::terms);
+  return fields;
+}
+
+template <>
+const SpecTable& AsDataclass<TrajectoryExpansion>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "TrajectoryExpansion")
+                                      .field("costs", &TrajectoryExpansion::costs)
+                                      .field("next_states", &TrajectoryExpansion::next_states)
+                                      .field("statuses", &TrajectoryExpansion::statuses)
+                                      .field("terms", &TrajectoryExpansion::terms)
+                                      .field("gradients", &TrajectoryExpansion::gradients)
+                                      .field("hessians", &TrajectoryExpansion::hessians)
+                                      .field("dynamics", &TrajectoryExpansion::dynamics);
   return fields;
 }
 

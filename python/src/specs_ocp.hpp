@@ -24,10 +24,17 @@ struct SignalFunction {
   Signal signal;
 };
 
+/// First and second order of a horizon, as Problem.expand answers.
+struct TrajectoryExpansion {
+  Eigen::VectorXd costs;
+  RowMatrix next_states, gradients;
+  std::vector<Status> statuses;
+  std::vector<int> terms;
+  py::array_t<double> hessians, dynamics;
+};
+
 bool load_signal(py::handle from, Signal& signal);
 py::object make_signal(const Signal& signal);
-bool load_custom(py::handle from, residual::Custom& custom);
-py::object make_custom(const residual::Custom& custom);
 
 template <>
 inline std::string wanted<Signal>() {
@@ -94,6 +101,10 @@ template <>
 struct SpecOf<ProblemReport> : AsDataclass<ProblemReport> {};
 template <>
 struct SpecOf<TrajectoryValues> : AsDataclass<TrajectoryValues> {};
+template <>
+struct SpecOf<TrajectoryExpansion> : AsDataclass<TrajectoryExpansion> {};
+template <>
+struct SpecOf<residual::Custom> : AsDataclass<residual::Custom> {};
 
 }  // namespace burnish::python
 
@@ -105,15 +116,6 @@ struct type_caster<burnish::Signal> {
   bool load(handle from, bool) { return burnish::python::load_signal(from, value); }
   static handle cast(const burnish::Signal& from, return_value_policy, handle) {
     return burnish::python::make_signal(from).release();
-  }
-};
-
-template <>
-struct type_caster<burnish::residual::Custom> {
-  PYBIND11_TYPE_CASTER(burnish::residual::Custom, const_name("Custom"));
-  bool load(handle from, bool) { return burnish::python::load_custom(from, value); }
-  static handle cast(const burnish::residual::Custom& from, return_value_policy, handle) {
-    return burnish::python::make_custom(from).release();
   }
 };
 

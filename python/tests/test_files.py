@@ -88,11 +88,3 @@ def test_guesses_hold_or_stand_still():
     )
     with pytest.raises(bn.Error, match="nowhere.csv"):
         bn.make_guess(problem, bn.WarmStart(bn.WarmStartKind.FILE, "nowhere.csv"))
-
-
-def test_defaults_are_those_of_the_library():
-    from burnish import _core
-
-    assert bn.WarmStart() == _core.spec_default("burnish.files.WarmStart")
-    guess = bn.TrajectoryGuess(np.zeros((2, 3)), np.ones((1, 2)))
-    assert _core.spec_round_trip(guess) == guess

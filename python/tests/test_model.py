@@ -72,7 +72,7 @@ class TestCopies:
                                       lambda robot: pickle.loads(pickle.dumps(robot))])
     def test_of_robots_are_equal_in_everything(self, make: object) -> None:
         again = make(TALOS)  # type: ignore[operator]
-        assert again is not TALOS
+        assert again is not TALOS and again == TALOS and again.model == TALOS.model
         assert again.postures == TALOS.postures and again.default_posture == TALOS.default_posture
         assert again.model.joints == TALOS.model.joints
         assert again.model.frames == TALOS.model.frames
@@ -91,6 +91,14 @@ class TestCopies:
             dynamics.forward(q, np.ones(of.nv), np.ones(of.nv))
             results.append(dynamics.a)
         np.testing.assert_array_equal(*results)
+
+    def test_models_that_differ_anywhere_are_not_equal(self) -> None:
+        tree = two_links(joint(JointType.REVOLUTE))
+        model = burnish.build_model(tree)
+        assert model == burnish.build_model(tree)
+        tree.joints[0].damping = 0.5
+        assert model != burnish.build_model(tree)
+        assert model != "two" and ARM != TALOS
 
     def test_a_model_outlives_its_robot(self) -> None:
         model = burnish.load_robot("arm7").model
@@ -229,3 +237,13 @@ class TestFrames:
         with pytest.raises(burnish.Error):
             burnish.frame_placements(ARM.model, q[:3])
         assert ARM.model.has_frame("tool") and not ARM.model.has_frame("tol")
+
+
+def test_robots_are_equal_if_everything_of_them_is() -> None:
+    again = burnish.load_robot("talos:right_arm")
+    assert again == ARM and again.model == ARM.model == copy.deepcopy(ARM.model)
+    assert ARM.model != TALOS.model and ARM != TALOS and ARM.model != "right_arm"
+    light = two_links(joint(JointType.REVOLUTE))
+    heavy = copy.deepcopy(light)
+    heavy.links[1].inertia.mass = 3.0
+    assert burnish.build_model(light) == burnish.build_model(light) != burnish.build_model(heavy)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import burnish as bn
-from burnish import _core, residual
+from burnish import residual
 
 
 @pytest.fixture(scope="module")
@@ -296,9 +296,11 @@ def test_what_own_residuals_do_wrong_is_said(robot):
         ask(one_term(robot, of(lambda at: at.placement("tol")[:2, 3])))
     with pytest.raises(bn.Error, match="there is no frame 1; it declares 1"):
         ask(one_term(robot, of(lambda at: at.placement(1)[:2, 3])))
-    with pytest.raises(bn.Error, match="no value|value"):
+    with pytest.raises(bn.Error, match="value"):
         one_term(robot, residual.Custom("mine", 2))
-    with pytest.raises(bn.Error, match="Custom.rows: wanted a whole number"):
+    with pytest.raises(bn.Error, match="Custom.jacobian: got 3, wanted a function of a NodeView, or None"):
+        one_term(robot, of(lambda at: 0.0, 3))
+    with pytest.raises(bn.Error, match="Custom.rows: got 'two', wanted a whole number"):
         one_term(robot, of(lambda at: 0.0, rows="two"))
 
 
@@ -387,9 +389,12 @@ def test_specs_are_copied_and_pickled(robot):
     xs, us = random_trajectory(problem)
     expected = problem.evaluate(xs, us)
     for other in (pickle.loads(pickle.dumps(spec)), copy.deepcopy(spec), problem.spec):
+        assert other.model == spec.model and other.horizon == spec.horizon
         again = bn.Problem(other).evaluate(xs, us)
         np.testing.assert_array_equal(again.costs, expected.costs)
         np.testing.assert_array_equal(again.next_states, expected.next_states)
+    plain = spec_of(robot, base_costs())
+    assert pickle.loads(pickle.dumps(plain)) == plain == bn.Problem(plain).spec
     other = copy.deepcopy(spec)
     other.stages[0].costs[0].weight = 77.0
     assert spec.stages[0].costs[0].weight == 0.1 and other.stages[0] != spec.stages[0]
@@ -598,19 +603,3 @@ def test_one_problem_is_used_by_one_thread(robot):
         go_on.set()
         thread.join()
     problem.evaluate(xs, us)
-
-
-def test_dataclasses_have_the_defaults_of_the_library():
-    special = {"CostTerm", "ProblemSpec"}  # have entries without a default
-    for name in _core.spec_names():
-        module, _, short = name.rpartition(".")
-        if module not in ("burnish.ocp", "burnish.residual") or short in special:
-            continue
-        ours = getattr(residual if module == "burnish.residual" else bn, short)
-        default = _core.spec_default(name)
-        assert _core.spec_round_trip(default) == default, name
-        try:
-            mine = ours()
-        except TypeError:
-            continue  # a result: every entry has to be given
-        assert mine == default, name

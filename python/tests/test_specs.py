@@ -39,6 +39,12 @@ def in_package(base: type) -> Dict[str, type]:
 
 
 SPECS = in_package(Spec)
+ONLY_IN_PYTHON = {
+    "burnish._signal.OverTime",  # a signal, which is no struct
+    "burnish.ocp.TrajectoryExpansion",  # shows what an evaluator holds
+    "burnish.residual.Custom",  # functions
+}
+IN_CPP = [name for name in SPECS if name not in ONLY_IN_PYTHON]
 ENUMS = in_package(enum.Enum)
 
 
@@ -125,7 +131,8 @@ def test_the_package_has_dataclasses_and_enumerations() -> None:
 
 
 def test_every_dataclass_has_a_struct_in_cpp_and_the_other_way_round() -> None:
-    assert sorted(SPECS) == sorted(_core.spec_names())
+    assert sorted(IN_CPP) == sorted(_core.spec_names())
+    assert ONLY_IN_PYTHON <= set(SPECS)
 
 
 def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
@@ -136,8 +143,8 @@ def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
         assert [m.value for m in members] == list(range(len(members))), name
 
 
-@pytest.mark.parametrize("name", SPECS)
-class TestEveryDataclass:
+@pytest.mark.parametrize("name", IN_CPP)
+class TestEveryStruct:
     def test_is_made_with_the_defaults_of_cpp(self, name: str) -> None:
         from_cpp = _core.spec_default(name)
         assert type(from_cpp) is SPECS[name]
@@ -167,6 +174,9 @@ class TestEveryDataclass:
             assert _same(got, sent), field.name
             assert changed != value, field.name
 
+
+@pytest.mark.parametrize("name", sorted({*IN_CPP, *DEFAULTED}))
+class TestEveryDataclass:
     def test_is_equal_to_its_copies_which_are_its_own(self, name: str) -> None:
         value = a_value(SPECS[name])
         for copied in (copy.deepcopy(value), pickle.loads(pickle.dumps(value)), value.replace()):
@@ -177,8 +187,7 @@ class TestEveryDataclass:
                     assert not np.shares_memory(ours, theirs) or ours.size == 0
                 elif isinstance(ours, (list, dict, Spec)):
                     assert ours is not theirs
-            if name in DEFAULTED:
-                assert copied == value
+            assert copied == value
 
     def test_says_what_differs_from_the_defaults(self, name: str) -> None:
         value = a_value(SPECS[name])

@@ -8,7 +8,6 @@
 #include "model/sentence.hpp"
 
 namespace burnish {
-namespace {
 
 std::string default_tool(const Model& model) {
   if (model.has_frame("tool") && model.frames[model.frame_index("tool")].body >= 0) return "tool";
@@ -18,9 +17,11 @@ std::string default_tool(const Model& model) {
   std::string last;
   for (const Frame& frame : model.frames)
     if (frame.body >= 0 && !has_child[frame.body]) last = frame.name;
-  if (last.empty()) throw Error("check: no frame of the robot moves, so there is no tool to check");
+  if (last.empty()) throw Error("no frame of the robot moves, so that it has no tool");
   return last;
 }
+
+namespace {
 
 /// One entry per row of the report.
 std::vector<std::vector<ContactSpec>> sweep(const Model& model, const CheckOptions& options) {

@@ -161,7 +161,7 @@ TEST(FeedbackPlan, allocates_nothing_once_it_is_made) {
   FeedbackPlan plan(solved.problem, 4, step), other(plan);
   LinearFeedback policy = plan.make_feedback();
   Eigen::VectorXd u(policy.feedforward.size());
-  const test::AllocationGuard guard;
+  const AllocationGuard guard;
   plan.load(solved.solver, 0.0);
   std::swap(plan, other);
   other.at(0.03, policy);

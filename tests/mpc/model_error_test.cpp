@@ -178,7 +178,7 @@ TEST(TorqueErrorObserver, allocates_nothing) {
   const Model model = talos_arm().model;
   TorqueErrorObserver observer(model, "tool", {});
   const Eigen::VectorXd q = talos_arm().posture("table"), v = Eigen::VectorXd::Zero(6);
-  const test::AllocationGuard guard;
+  const AllocationGuard guard;
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(observer.update(q, v, v, Eigen::Vector3d(0, 0, 30), 1e-3), Status::Ok);
   observer.reset();

@@ -17,8 +17,8 @@ namespace {
 class Contract : public ::testing::TestWithParam<StepUpdate> {};
 
 TEST_P(Contract, allocates_nothing_in_a_solve) {
-  if (test::AllocationGuard::unavailable() != nullptr)
-    GTEST_SKIP() << test::AllocationGuard::unavailable();
+  if (AllocationGuard::unavailable() != nullptr)
+    GTEST_SKIP() << AllocationGuard::unavailable();
   for (const int threads : {1, 2}) {
     TestProblem p = pendulum_swing_up();
     set_bounds(p, -4.0, 4.0);
@@ -26,7 +26,7 @@ TEST_P(Contract, allocates_nothing_in_a_solve) {
         p, {.update = GetParam(), .threads = threads, .callback = [](const DdpProgress& progress) {
               return progress.cost > 0.0;
             }});
-    const test::AllocationGuard guard;
+    const AllocationGuard guard;
     EXPECT_GT(solver.solve().log.size(), 3U);
     solver.set_time_budget(1.0);
     solver.set_guess(TrajectoryView{solver.xs().data(), solver.us().data()});

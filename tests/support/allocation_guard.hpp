@@ -1,28 +1,9 @@
-// Counts what a scope allocates. allocation_guard.cpp defines malloc and its relatives in the test
-// program, where they stand before those of the C library: every allocation of the process goes
-// through them, operator new and Eigen's included.
+// Counting what a scope allocates, in tests.
 #pragma once
 
-namespace burnish::test {
-
-/// Counts the allocations of this thread from its construction on. Guards may nest.
-class AllocationGuard {
- public:
-  AllocationGuard();
-  /// malloc, calloc, realloc, memalign and their relatives called since; free is not counted.
-  long count() const;
-
-  /// Why nothing can be counted in this build, or nullptr: sanitizers put their own malloc in
-  /// place, and other C libraries than glibc offer no way to reach the original.
-  static const char* unavailable();
-
- private:
-  long before_;
-};
-
-}  // namespace burnish::test
+#include "base/allocation_guard.hpp"
 
 /// Skips the test, with the reason, where allocations cannot be counted.
-#define BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD()        \
-  if (::burnish::test::AllocationGuard::unavailable()) \
-  GTEST_SKIP() << ::burnish::test::AllocationGuard::unavailable()
+#define BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD()  \
+  if (::burnish::AllocationGuard::unavailable()) \
+  GTEST_SKIP() << ::burnish::AllocationGuard::unavailable()

@@ -19,6 +19,10 @@ struct CheckGains {
   PoseError error = PoseError::Split;
 };
 
+/// The frame named "tool" if it moves, or else the last frame of the model that is fixed to a body
+/// without children. Throws Error if no frame moves.
+std::string default_tool(const Model& model);
+
 /// What the sweep tries unless told otherwise.
 std::vector<Reference> default_check_references();   ///< all four, the surface tilted
 std::vector<Directions> default_check_directions();  ///< x; y; z; x,y; linear; pad_z; five; all
@@ -27,8 +31,7 @@ std::vector<CheckGains> default_check_gains();       ///< none; Split; Log6, une
 /// What to check: one tool in every combination of references, directions, accelerations and gains,
 /// or the contacts given.
 struct CheckOptions {
-  /// Frame C2. Empty: the frame named "tool" if it moves, or else the last frame of the model that
-  /// is fixed to a body without children.
+  /// Frame C2. Empty: default_tool().
   std::string tool;
   /// Frame C1. On a moving body, every row is a contact between two bodies.
   std::string base = "world";

@@ -73,7 +73,8 @@ struct DdpOptions {
   double gap_tolerance = 1e-9;
   LineSearch line_search = {};
   Regularization regularization = {};
-  /// Called after each iteration; must not throw. Stops the solve by returning false.
+  /// Called after each iteration. Stops the solve by returning false; what it throws reaches the
+  /// caller of solve().
   std::function<bool(const DdpProgress&)> callback = nullptr;
 
   /// Throws Error with a sentence naming the option that is out of range.

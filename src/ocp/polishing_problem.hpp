@@ -6,7 +6,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/problem.hpp"
 
-namespace burnish::test {
+namespace burnish::ocp {
 
 /// A 1D contact along world z at the height of `frame` at q0, gains (0, 50), `Classical`; N knots
 /// of 10 ms; weights of the reference problem. Starts at (q0, 0).
@@ -68,4 +68,4 @@ inline Eigen::VectorXd static_control(const Problem& problem) {
       .control;
 }
 
-}  // namespace burnish::test
+}  // namespace burnish::ocp

@@ -1,4 +1,4 @@
-#include "support/allocation_guard.hpp"
+#include "base/allocation_guard.hpp"
 
 #include <cerrno>
 #include <cstddef>
@@ -16,7 +16,7 @@
 #define BURNISH_COUNTS_ALLOCATIONS 1
 #endif
 
-namespace burnish::test {
+namespace burnish {
 namespace {
 thread_local long allocations = 0;
 }  // namespace
@@ -34,7 +34,7 @@ const char* AllocationGuard::unavailable() {
 #endif
 }
 
-}  // namespace burnish::test
+}  // namespace burnish
 
 #if defined(BURNISH_COUNTS_ALLOCATIONS)
 // The C library's own functions, under the names that glibc keeps for such wrappers.
@@ -45,19 +45,19 @@ void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) noexcept {
-  ++burnish::test::allocations;
+  ++burnish::allocations;
   return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  ++burnish::test::allocations;
+  ++burnish::allocations;
   return __libc_calloc(count, size);
 }
 void* realloc(void* memory, std::size_t size) noexcept {
-  ++burnish::test::allocations;
+  ++burnish::allocations;
   return __libc_realloc(memory, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  ++burnish::test::allocations;
+  ++burnish::allocations;
   return __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {

@@ -1,0 +1,215 @@
+#include "bench_measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "base/allocation_guard.hpp"
+#include "burnish/derivatives/check.hpp"
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/derivatives/peak.hpp"
+#include "burnish/model/state.hpp"
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "derivatives/count_operations.hpp"
+#include "ocp/polishing_problem.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int ring = 64;              ///< states that are evaluated one after the other
+constexpr double press_force = 30.0;  ///< N, of the reference problem
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void require(Status status, const char* what) {
+  if (status > Status::NotConverged)
+    throw Error("bench: " + std::string(what) +
+                " cannot be evaluated: " + std::string(describe(status)));
+}
+
+/// Repeats `work` for about `seconds`, at least 20 times; its times are divided by `pieces`.
+BenchLine repeat(std::string group, std::string name, double seconds, int pieces,
+                 const std::function<void()>& work,
+                 const std::function<void(std::size_t)>& after = {}) {
+  constexpr std::size_t least = 20, most = 200000;
+  work();
+  work();
+  std::vector<double> times;
+  times.reserve(most);
+  long allocations = 0;
+  const auto start = Clock::now();
+  while (times.size() < least || (since(start) < seconds && times.size() < most)) {
+    const AllocationGuard guard;
+    const auto before = Clock::now();
+    work();
+    times.push_back(since(before) / pieces);
+    allocations += guard.count();
+    if (after) after(times.size() - 1);
+  }
+  BenchLine line{.group = std::move(group), .work = std::move(name)};
+  line.allocations = AllocationGuard::unavailable() != nullptr
+                         ? -1.0
+                         : static_cast<double>(allocations) / static_cast<double>(times.size());
+  std::sort(times.begin(), times.end());
+  line.best = times.front();
+  line.median = times[times.size() / 2];
+  line.p99 = times[std::min(times.size() - 1, times.size() * 99 / 100)];
+  return line;
+}
+
+/// Contact dynamics: one state alone, and many in packs.
+class States {
+ public:
+  States(const BenchSpec& spec, const Eigen::VectorXd& q0)
+      : spec_(spec), model_(spec.robot.model), q_(model_.nq, ring), v_(model_.nv, ring) {
+    std::mt19937_64 generator(1);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto draw = [&](double size) {
+      return Eigen::VectorXd(
+          Eigen::VectorXd::NullaryExpr(model_.nv, [&] { return size * uniform(generator); }));
+    };
+    for (int i = 0; i < ring; ++i) {
+      q_.col(i) = integrate(model_, q0, draw(0.3));
+      v_.col(i) = draw(1.0);
+    }
+    tau_ = Eigen::MatrixXd::Zero(model_.nv, ring);
+    ContactSpec contact{.name = "surface", .tool = spec.tool, .directions = Directions::z()};
+    contacts_ = {contact.with_gains(0.0, 50.0)};
+  }
+
+  void measure(BenchReport& report) {
+    const OperationCounts counts =
+        count_operations(model_, contacts_, q_.col(0), v_.col(0), tau_.col(0));
+    ContactDynamics single(model_, contacts_);
+    const auto forward = [&](int i) {
+      require(single.forward(q_.col(i), v_.col(i), tau_.col(i)), "the robot in contact");
+    };
+    BenchLine line = repeat("state", "dynamics, one at a time", spec_.seconds, ring, [&] {
+      for (int i = 0; i < ring; ++i) forward(i);
+    });
+    add(report, line, counts.dynamics);
+    line = repeat("state", "and derivatives, one at a time", spec_.seconds, ring, [&] {
+      for (int i = 0; i < ring; ++i) {
+        forward(i);
+        require(single.forward_derivatives(), "the robot in contact");
+      }
+    });
+    add(report, line, counts.derivatives);
+    measure_batch(report, 1, counts);
+    if (spec_.threads > 1) measure_batch(report, spec_.threads, counts);
+  }
+
+ private:
+  void measure_batch(BenchReport& report, int threads, const OperationCounts& counts) {
+    const int states = ring * threads;
+    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads);
+    const Eigen::MatrixXd q = q_.replicate(1, threads), v = v_.replicate(1, threads),
+                          tau = tau_.replicate(1, threads);
+    const std::string name =
+        "and derivatives, in packs" +
+        (threads > 1 ? ", " + std::to_string(threads) + " threads" : std::string());
+    add(report,
+        repeat("state", name, spec_.seconds, states,
+               [&] { require(batch.forward_with_derivatives(q, v, tau), "the robot in contact"); }),
+        counts.derivatives);
+    report.lines.back().peak_share /= threads;
+  }
+
+  static void add(BenchReport& report, BenchLine line, const Operations& work) {
+    line.peak_share =
+        static_cast<double>(std::max(work.multiply, work.add)) / line.median / report.peak;
+    report.lines.push_back(std::move(line));
+  }
+
+  const BenchSpec& spec_;
+  const Model& model_;
+  Eigen::MatrixXd q_, v_, tau_;
+  std::vector<ContactSpec> contacts_;
+};
+
+/// One iteration from the same guess: what a controller does at each of its steps.
+void measure_iteration(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem_spec,
+                       StepUpdate update, const std::string& name) {
+  Problem problem(problem_spec);
+  DdpSolver solver(problem, {.update = update, .max_iterations = 1, .threads = spec.threads});
+  const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
+  const RowMatrix xs = x0.transpose().replicate(spec.knots + 1, 1);
+  const RowMatrix us = ocp::static_control(problem).transpose().replicate(spec.knots, 1);
+  report.nx = problem.state().nx;
+  report.nu = problem.max_controls();
+  std::vector<PhaseTimes> phases;
+  phases.reserve(200001);
+  BenchLine line = repeat(
+      "iteration", name, spec.seconds, 1,
+      [&] {
+        solver.set_guess({xs.data(), us.data()});
+        solver.solve();
+      },
+      [&](std::size_t) { phases.push_back(solver.summary().seconds); });
+  if (solver.summary().reason == StopReason::NotEvaluated)
+    throw Error("bench: the horizon cannot be evaluated: " + solver.text());
+  std::sort(phases.begin(), phases.end(),
+            [](const PhaseTimes& a, const PhaseTimes& b) { return a.total < b.total; });
+  const PhaseTimes& middle = phases[phases.size() / 2];
+  line.expand = middle.expand;
+  line.backward = middle.backward;
+  line.trial = middle.trial;
+  report.lines.push_back(std::move(line));
+}
+
+/// A controller that makes a new plan at every tick, fed with a robot that stands still.
+void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
+  MpcSpec mpc{.problem = problem};
+  mpc.tool = spec.tool;
+  mpc.schedule = {{.phase = Phase::Track, .stage = "press"}};
+  mpc.target = [](double) { return TaskTarget{.force = press_force}; };
+  mpc.tick_period = mpc.update_period = 1e-3;
+  mpc.solver.threads = spec.threads;
+  mpc.model_error.kind = ModelErrorKind::None;
+  MpcController controller(std::move(mpc));
+  const Model& model = spec.robot.model;
+  Measurement measured;
+  measured.q = problem.initial_state.head(model.nq);
+  measured.v = Eigen::VectorXd::Zero(model.nv);
+  measured.tau = Eigen::VectorXd::Zero(model.nv);
+  measured.tool_force_world.z() = press_force;
+  BenchLine line = repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] {
+    controller.tick(measured);
+    measured.time += 1e-3;
+  });
+  if (controller.fault().kind != FaultKind::None)
+    throw Error("bench: the controller gave up: " + controller.fault().text());
+  report.lines.push_back(std::move(line));
+}
+
+}  // namespace
+
+BenchReport measure_speed(const BenchSpec& given) {
+  BenchSpec spec = given;
+  const Model& model = spec.robot.model;
+  if (spec.tool.empty()) spec.tool = default_tool(model);
+  const Eigen::VectorXd q0 = spec.posture.empty() ? spec.robot.reference_configuration()
+                                                  : spec.robot.posture(spec.posture);
+  BenchReport report{.robot = model.name,
+                     .tool = spec.tool,
+                     .posture = spec.posture.empty() ? spec.robot.default_posture : spec.posture,
+                     .nq = model.nq,
+                     .nv = model.nv,
+                     .knots = spec.knots,
+                     .threads = spec.threads,
+                     .pack_width = pack_width()};
+  report.peak = multiply_add_peak();
+  States(spec, q0).measure(report);
+  const ProblemSpec problem = ocp::polishing_problem(model, spec.tool, q0, spec.knots);
+  measure_iteration(report, spec, problem, StepUpdate::MultipleShooting, "multiple shooting");
+  measure_iteration(report, spec, problem, StepUpdate::Rollout, "rollout");
+  measure_ticks(report, spec, problem);
+  return report;
+}
+
+}  // namespace burnish::app

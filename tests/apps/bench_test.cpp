@@ -1,0 +1,67 @@
+// burnish bench from outside: what it measures and counts, bad input. No time is asserted.
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string quick = " --seconds 0.01 --knots 20";
+
+TEST(Bench, MeasuresEveryPartAndAllocatesNothing) {
+  const Outcome outcome = run("bench arm7 --threads 2 --json" + quick);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["robot"], "arm7");
+  EXPECT_EQ(json["tool"], "tool");
+  EXPECT_EQ(json["nx"], 14);
+  EXPECT_EQ(json["nu"], 7);
+  EXPECT_EQ(json["knots"], 20);
+  EXPECT_GT(json["peak_multiply_adds_per_s"].get<double>(), 1e8);
+  std::map<std::string, int> lines;
+  for (const Json& line : json["lines"]) {
+    ++lines[line["group"]];
+    EXPECT_GT(line["best_s"].get<double>(), 0.0) << line;
+    EXPECT_LE(line["best_s"], line["median_s"]) << line;
+    EXPECT_LE(line["median_s"], line["p99_s"]) << line;
+    if (!line["allocations"].is_null()) {
+      EXPECT_EQ(line["allocations"], 0.0) << line;
+    }
+    if (line["group"] == "state") {
+      // More than the peak would be an error of counting.
+      EXPECT_GT(line["peak_share"].get<double>(), 0.0) << line;
+      EXPECT_LT(line["peak_share"].get<double>(), 1.0) << line;
+    }
+    if (line["group"] == "iteration") {
+      for (const char* phase : {"expand_s", "backward_s", "trial_s"})
+        EXPECT_GT(line[phase].get<double>(), 0.0) << line;
+    }
+  }
+  // One thread and two in packs.
+  EXPECT_EQ(lines, (std::map<std::string, int>{{"iteration", 2}, {"state", 4}, {"tick", 1}}));
+}
+
+TEST(Bench, PrintsATableToPaste) {
+  const Outcome outcome = run("bench arm7 --posture ready" + quick);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* words :
+       {"arm7: nq = 7, nv = 7", "| per ", "backward pass", "| tick ", "packs of"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+}
+
+TEST(Bench, BadInputIsOneSentence) {
+  EXPECT_EQ(run("bench arm8").exit_code, 2);
+  const Outcome frame = run("bench arm7 --tool tol" + quick);
+  EXPECT_EQ(frame.exit_code, 2);
+  EXPECT_NE(frame.err.find("did you mean 'tool'?"), std::string::npos) << frame.err;
+  const Outcome posture = run("bench arm7 --posture redy" + quick);
+  EXPECT_EQ(posture.exit_code, 2);
+  EXPECT_NE(posture.err.find("did you mean 'ready'?"), std::string::npos) << posture.err;
+  EXPECT_EQ(run("bench arm7 --knots 0").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace burnish::testing
