@@ -21,7 +21,8 @@ namespace {
 void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vector<NativePack>& to) {
   const int last = static_cast<int>(from.cols()) - 1;
   for (int l = 0; l < native_lanes; ++l) {
-    const double* column = from.data() + std::min(first + l, last) * from.outerStride();
+    const double* column =
+        from.data() + static_cast<std::ptrdiff_t>(std::min(first + l, last)) * from.outerStride();
     for (Eigen::Index i = 0; i < from.rows(); ++i) to[i].v[l] = column[i];
   }
 }
@@ -106,24 +107,26 @@ struct ContactDynamicsBatch::Impl {
     for (int l = 0; l < lanes; ++l) status[first + l] = with.dynamics.status(l);
   }
 
-  void store(const Worker& from, int first, int lanes, bool with_derivatives) {
+  void store(const Worker& from, std::ptrdiff_t first, int lanes, bool with_derivatives) {
     const int m = rows();
     scatter(from.dynamics.a.data(), nv, a.data() + first * nv, nv, lanes);
     scatter(from.dynamics.lambda.data(), m, lambda.data() + first * set.rows(), set.rows(), lanes);
     if (!with_derivatives) return;
-    const int stride = (nv + set.rows()) * nv;
+    const int stride = static_cast<int>(block(1));
     const int count = (nv + m) * nv;
-    scatter(from.derivatives.d_dq.data(), count, d_dq.data() + first * stride, stride, lanes);
-    scatter(from.derivatives.d_dv.data(), count, d_dv.data() + first * stride, stride, lanes);
-    scatter(from.derivatives.d_dtau.data(), count, d_dtau.data() + first * stride, stride, lanes);
+    scatter(from.derivatives.d_dq.data(), count, d_dq.data() + block(first), stride, lanes);
+    scatter(from.derivatives.d_dv.data(), count, d_dv.data() + block(first), stride, lanes);
+    scatter(from.derivatives.d_dtau.data(), count, d_dtau.data() + block(first), stride, lanes);
   }
 
   int rows() const { return workers.front().dynamics.rows(); }
+  /// Where the derivatives of a state begin; wide, since those of many states are far apart.
+  std::ptrdiff_t block(std::ptrdiff_t state) const { return state * (nv + set.rows()) * nv; }
   MatrixView rows_of_a(const std::vector<double>& stacked, int state) const {
-    return {stacked.data() + state * (nv + set.rows()) * nv, nv, nv};
+    return {stacked.data() + block(state), nv, nv};
   }
   MatrixView rows_of_lambda(const std::vector<double>& stacked, int state) const {
-    return {stacked.data() + state * (nv + set.rows()) * nv + nv * nv, rows(), nv};
+    return {stacked.data() + block(state) + nv * nv, rows(), nv};
   }
 
   ContactSet set;
@@ -165,10 +168,10 @@ Status ContactDynamicsBatch::forward_with_derivatives(const ConstMatrixRef& q,
 
 Status ContactDynamicsBatch::status(int state) const { return impl_->status.at(state); }
 VectorView ContactDynamicsBatch::a(int state) const {
-  return {impl_->a.data() + state * impl_->nv, impl_->nv};
+  return {impl_->a.data() + static_cast<std::ptrdiff_t>(state) * impl_->nv, impl_->nv};
 }
 VectorView ContactDynamicsBatch::lambda(int state) const {
-  return {impl_->lambda.data() + state * impl_->set.rows(), rows()};
+  return {impl_->lambda.data() + static_cast<std::ptrdiff_t>(state) * impl_->set.rows(), rows()};
 }
 MatrixView ContactDynamicsBatch::da_dq(int state) const {
   return impl_->rows_of_a(impl_->d_dq, state);
