@@ -4,10 +4,10 @@
 #include <chrono>
 #include <vector>
 
+#include "burnish/base/thread_pool.hpp"
 #include "burnish/solver/buffer.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "burnish/solver/riccati.hpp"
-#include "burnish/base/thread_pool.hpp"
 
 namespace burnish {
 

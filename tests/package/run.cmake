@@ -53,7 +53,7 @@ file(GLOB python_package ${prefix}/lib/python3*/site-packages)
 if(python_package)
   run("the installed Python package" ${CMAKE_COMMAND} -E env --unset=BURNISH_ROBOTS
     PYTHONPATH=${python_package} ${PYTHON} -c
-    "import burnish; print(burnish.__file__, burnish.load_robot('only_here'))")
+    "import burnish\nprint(burnish.__file__, burnish.load_robot('only_here'))")
   if(NOT output MATCHES "^${python_package}")
     message(FATAL_ERROR "the installed Python package is not what was imported: ${output}")
   endif()

@@ -17,8 +17,7 @@ namespace {
 class Contract : public ::testing::TestWithParam<StepUpdate> {};
 
 TEST_P(Contract, allocates_nothing_in_a_solve) {
-  if (AllocationGuard::unavailable() != nullptr)
-    GTEST_SKIP() << AllocationGuard::unavailable();
+  if (AllocationGuard::unavailable() != nullptr) GTEST_SKIP() << AllocationGuard::unavailable();
   for (const int threads : {1, 2}) {
     TestProblem p = pendulum_swing_up();
     set_bounds(p, -4.0, 4.0);
