@@ -1,6 +1,7 @@
 // Errors, statuses, records of runs.
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 #include "bind.hpp"
 #include "burnish/base/trace.hpp"
@@ -60,14 +61,14 @@ bool same(const Trace& a, const Trace& b) {
     if (a.columns()[static_cast<std::size_t>(column)].name !=
             b.columns()[static_cast<std::size_t>(column)].name ||
         !std::equal(a.column(column).begin(), a.column(column).end(), b.column(column).begin(),
-                    [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }))
+                    [](double x, double y) {
+                      return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+                    }))
       return false;
   return true;
 }
 
-}  // namespace
-
-void bind_base(py::module_& m) {
+void bind_errors(py::module_& m) {
   const py::object error = py::register_exception<Error>(m, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "A specification, a file or an argument that cannot be used: one sentence that names what, "
@@ -80,46 +81,23 @@ void bind_base(py::module_& m) {
   m.def(
       "describe", [](Status status) { return std::string(describe(status)); }, py::arg("status"),
       "One sentence that says what the status means and what to do about it.");
+}
 
-  py::class_<Trace>(m, "Trace",
-                    "A record of a run: named columns with units, one row per sample.\n\n"
-                    "len(trace) is the number of rows, trace['time'] a column; array() has all.")
-      .def_property_readonly(
-          "columns",
-          [](const Trace& trace) {
-            std::vector<std::string> names;
-            for (const TraceColumn& column : trace.columns()) names.push_back(column.name);
-            return names;
-          },
-          "Names of the columns.")
+void bind_trace(py::class_<Trace>& of) {
+  of.def_property_readonly(
+        "columns",
+        [](const Trace& trace) {
+          std::vector<std::string> names;
+          for (const TraceColumn& column : trace.columns()) names.push_back(column.name);
+          return names;
+        },
+        "Names of the columns.")
       .def(py::init(&trace_of), py::arg("units") = py::dict(), py::arg("rows") = py::none(),
            "A record of your own: `units` by column name, in their order, and rows (n, columns).")
       .def_property_readonly("units", &units_of,
                              "Unit of each column by its name; '-' for counts and flags.")
       .def_property_readonly("dropped", &Trace::dropped,
                              "Rows that came when the record was full, and are not in it.")
-      .def("__len__", &Trace::rows)
-      .def("__contains__",
-           [](const Trace& trace, const std::string& name) { return trace.has(name); })
-      .def(
-          "__getitem__",
-          [](const py::object& self, const std::string& name) {
-            const auto& trace = py::cast<const Trace&>(self);
-            const Trace::Column column = trace.column(name);
-            const auto stride =
-                static_cast<py::ssize_t>(column.innerStride() * py::ssize_t{sizeof(double)});
-            return view_of(column.data(), {trace.rows()}, {stride}, self);
-          },
-          py::arg("column"),
-          "One column, (rows,), a read-only view of the record. Raises Error with the nearest "
-          "known "
-          "name.")
-      .def(
-          "array",
-          [](const py::object& self) { return rows_of(py::cast<const Trace&>(self), self); },
-          "All rows as a structured array with a field per column, (rows,): a read-only view of "
-          "the "
-          "record, ready for pandas.DataFrame(trace.array()).")
       .def(
           "write_csv",
           [](const Trace& trace, const std::filesystem::path& file) { trace.write_csv(file); },
@@ -136,6 +114,42 @@ void bind_base(py::module_& m) {
         return "<Trace: " + std::to_string(trace.rows()) + " rows of " +
                std::to_string(trace.columns().size()) + " columns>";
       });
+}
+
+/// What is in it, as a dictionary of arrays would have it.
+void bind_columns(py::class_<Trace>& of) {
+  of.def("__len__", &Trace::rows)
+      .def("__contains__",
+           [](const Trace& trace, const std::string& name) { return trace.has(name); })
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            const auto& trace = py::cast<const Trace&>(self);
+            const Trace::Column column = trace.column(name);
+            const auto stride =
+                static_cast<py::ssize_t>(column.innerStride() * py::ssize_t{sizeof(double)});
+            return view_of(column.data(), {trace.rows()}, {stride}, self);
+          },
+          py::arg("column"),
+          "One column, (rows,), a read-only view of the record. Raises Error with the nearest "
+          "known name.")
+      .def(
+          "array",
+          [](const py::object& self) { return rows_of(py::cast<const Trace&>(self), self); },
+          "All rows as a structured array with a field per column, (rows,): a read-only view of "
+          "the record, ready for pandas.DataFrame(trace.array()).");
+}
+
+}  // namespace
+
+void bind_base(py::module_& m) {
+  bind_errors(m);
+  py::class_<Trace> trace(
+      m, "Trace",
+      "A record of a run: named columns with units, one row per sample.\n\n"
+      "len(trace) is the number of rows, trace['time'] a column; array() has all.");
+  bind_trace(trace);
+  bind_columns(trace);
 }
 
 }  // namespace burnish::python

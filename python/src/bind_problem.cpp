@@ -277,7 +277,7 @@ void at_term(ProblemClass& c, const char* name, Get get, const char* text) {
       py::arg("knot"), py::arg("term"), py::arg("x"), py::arg("u") = py::none(), text);
 }
 
-void bind_evaluations(ProblemClass& c) {
+void bind_terms(ProblemClass& c) {
   at_term(
       c, "residual",
       [](Problem& p, int knot, int term, const Vector& x, const Eigen::VectorXd& u) {
@@ -290,14 +290,16 @@ void bind_evaluations(ProblemClass& c) {
         return p.residual_derivative(knot, term, x, u);
       },
       "dr/dz (rows, nz) of one term of a knot, z = (u, dq, dv, dtau).");
+}
+
+void bind_knots(ProblemClass& c) {
   at_knot(
       c, "forces",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
         return p.forces(knot, x, u);
       },
       "Contact forces of a knot: rows of its stage's contacts, N and Nm; empty where nothing "
-      "solves "
-      "for them.");
+      "solves for them.");
   at_knot(
       c, "acceleration",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
@@ -320,6 +322,9 @@ void bind_evaluations(ProblemClass& c) {
       },
       "The next state (nx,), None at the end, and the cost of a knot. Raises EvaluationError where "
       "it cannot be evaluated.");
+}
+
+void bind_statics(ProblemClass& c) {
   c.def(
        "quasi_static",
        [](ProblemMachine& self, const Name& stage, const Vector& x,
@@ -341,8 +346,7 @@ void bind_evaluations(ProblemClass& c) {
             self.problem.prepare(workers);
           },
           py::arg("workers"),
-          "Makes room for this many threads, before the first call that has "
-          "them.");
+          "Makes room for this many threads, before the first call that has them.");
 }
 
 void bind_arithmetic(ProblemClass& c) {
@@ -378,7 +382,9 @@ void bind_problem(py::module_& m) {
   bind_what_it_is(problem);
   bind_knots(problem);
   bind_setters(problem);
-  bind_evaluations(problem);
+  bind_terms(problem);
+  bind_knots(problem);
+  bind_statics(problem);
   bind_arithmetic(problem);
   bind_trajectory(problem);
 }
