@@ -292,7 +292,7 @@ void bind_terms(ProblemClass& c) {
       "dr/dz (rows, nz) of one term of a knot, z = (u, dq, dv, dtau).");
 }
 
-void bind_knots(ProblemClass& c) {
+void bind_values_at_knots(ProblemClass& c) {
   at_knot(
       c, "forces",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
@@ -383,7 +383,7 @@ void bind_problem(py::module_& m) {
   bind_knots(problem);
   bind_setters(problem);
   bind_terms(problem);
-  bind_knots(problem);
+  bind_values_at_knots(problem);
   bind_statics(problem);
   bind_arithmetic(problem);
   bind_trajectory(problem);
