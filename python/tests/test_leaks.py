@@ -10,6 +10,7 @@ from typing import Callable, List, Tuple
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import burnish
 
@@ -78,6 +79,59 @@ def rigid_body() -> object:
     return made.placement(0), made.frame_derivatives(0, "local")
 
 
+class Height:
+    """A cost in Python."""
+
+    name, rows, frames = "height", 1, [MODEL.frames[-1].name]
+
+    def value(self, at: burnish.NodeView) -> float:
+        return float(at.placement(0)[2, 3])
+
+
+PROBLEM = burnish.ProblemSpec(
+    MODEL,
+    initial_state=np.concatenate([Q, ZERO]),
+    stages=[burnish.Stage("swing", costs=[
+        burnish.CostTerm(burnish.residual.State()),
+        burnish.CostTerm(burnish.residual.Control(target=lambda t: np.full(MODEL.nv, t))),
+        burnish.CostTerm(burnish.residual.custom(Height())),
+    ])],
+    horizon=[burnish.HorizonSegment("swing", 2)],
+)
+
+
+def solve() -> object:
+    problem = burnish.Problem(PROBLEM)
+    solver = burnish.DdpSolver(problem, burnish.DdpOptions(max_iterations=1))
+    return solver.solve(), solver.xs, solver.gain(0)
+
+
+class Still(burnish.Controller):
+    """A controller in Python."""
+
+    @property
+    def nv(self) -> int:
+        return int(ARM.model.nv)
+
+    def reset(self) -> None:
+        pass
+
+    def tick(self, measurement: burnish.Measurement) -> NDArray[np.float64]:
+        return np.zeros(self.nv)
+
+
+SCENE = burnish.scene_under_tip(ARM.model, ROWS[0], [-1.0, 0.0, 1.0], clearance=0.1)
+SHORT = burnish.ClosedLoopOptions(max_duration=0.002)
+
+
+def loop() -> object:
+    plant = burnish.make_ideal_plant(ARM.model, SCENE)
+    made = burnish.ClosedLoop(plant, Still(), options=SHORT)
+    made.reset(ROWS[0])
+    made.run(0.001)
+    return made.trace.array()
+
+
 def failure() -> None:
     made = burnish.ContactDynamics(MODEL)
     for call in (lambda: made.forward(Q, ZERO, [np.nan]), lambda: made.forward(Q, Q, "x"),
@@ -89,7 +143,7 @@ def failure() -> None:
         raise AssertionError("nothing was refused")
 
 
-@pytest.mark.parametrize("cycle", [model, dynamics, batch, rigid_body, failure])
+@pytest.mark.parametrize("cycle", [model, dynamics, batch, rigid_body, solve, loop, failure])
 def test_memory_does_not_grow(cycle: Callable[[], object]) -> None:
     resident, objects = growth(cycle)
     assert resident < BYTES and objects < OBJECTS
