@@ -78,16 +78,26 @@ def get_requires_for_build_wheel(config_settings=None):
     return []
 
 
+def _write_info(folder):
+    folder.mkdir()
+    (folder / "METADATA").write_text(_metadata())
+    (folder / "WHEEL").write_text(
+        f"Wheel-Version: 1.0\nGenerator: burnish\nRoot-Is-Purelib: false\nTag: {_tag()}\n")
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    name = f"burnish-{_version()}.dist-info"
+    _write_info(Path(metadata_directory) / name)
+    return name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name = f"burnish-{_version()}-{_tag()}.whl"
     info = f"burnish-{_version()}.dist-info"
     with tempfile.TemporaryDirectory() as folder:
         stage = Path(folder)
         _build(stage, config_settings)
-        (stage / info).mkdir()
-        (stage / info / "METADATA").write_text(_metadata())
-        (stage / info / "WHEEL").write_text(
-            f"Wheel-Version: 1.0\nGenerator: burnish\nRoot-Is-Purelib: false\nTag: {_tag()}\n")
+        _write_info(stage / info)
         (stage / info / "LICENSE").write_text((SOURCE / "LICENSE").read_text())
         files = sorted(p for p in stage.rglob("*") if p.is_file())
         lines = []
