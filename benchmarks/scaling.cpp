@@ -1,6 +1,6 @@
 // Cost against size: an iteration of the solver for horizons of 10 to 1000 knots, and dynamics with
 // all derivatives for chains of 6 to 100 joints. Prints tables and fitted exponents; given a
-// folder, draws horizon.svg and chain.svg there.
+// folder, draws scaling_horizon.svg and scaling_chain.svg there.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -151,10 +151,10 @@ void measure(const char* folder) {
   print("A state of a chain whose tip is held, in packs, by joints", "us", 1e6, by_joints);
   if (folder == nullptr) return;
   const std::filesystem::path to(folder);
-  draw(to / "horizon.svg", "one iteration, Talos' right arm", "knots of the horizon", "time [ms]",
-       1e3, by_knots);
-  draw(to / "chain.svg", "one state of a chain, tip held, in packs", "joints", "time [us]", 1e6,
-       by_joints);
+  draw(to / "scaling_horizon.svg", "one iteration, Talos' right arm", "knots of the horizon",
+       "time [ms]", 1e3, by_knots);
+  draw(to / "scaling_chain.svg", "one state of a chain, tip held, in packs", "joints", "time [us]",
+       1e6, by_joints);
 }
 
 }  // namespace
