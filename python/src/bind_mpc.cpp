@@ -86,25 +86,40 @@ void bind_schedule(py::module_& m) {
       });
 }
 
+struct ObserverMachine {
+  explicit ObserverMachine(TorqueErrorObserver made) : observer(std::move(made)) {}
+  TorqueErrorObserver observer;
+  Busy busy;
+};
+
 void bind_observer(py::module_& m) {
-  py::class_<TorqueErrorObserver>(
+  py::class_<ObserverMachine>(
       m, "TorqueErrorObserver",
       "An observer of the joint velocity with the torque error d of M a + b = tau + J^T f + d as "
       "its disturbance state, critically damped at the bandwidth: after 4.8 / bandwidth s a "
       "constant error is known to 5 %.")
       .def(py::init([](const Model& model, const std::string& tool,
                        const std::optional<ModelErrorOptions>& options) {
-             return TorqueErrorObserver(model, tool, options.value_or(ModelErrorOptions{}));
+             return std::make_unique<ObserverMachine>(
+                 TorqueErrorObserver(model, tool, options.value_or(ModelErrorOptions{})));
            }),
            py::arg("model"), py::arg("tool") = "tool", py::arg("options") = py::none(),
            "tool: frame that the force acts at. Raises Error for an unknown frame and options out "
            "of range.")
-      .def("reset", &TorqueErrorObserver::reset, "Forgets all measurements.")
+      .def(
+          "reset",
+          [](ObserverMachine& self) {
+            const Busy::Lock lock(self.busy, "TorqueErrorObserver.reset");
+            self.observer.reset();
+          },
+          "Forgets all measurements.")
       .def(
           "update",
-          [](TorqueErrorObserver& self, const Vector& q, const Vector& v, const Vector& tau,
+          [](ObserverMachine& self, const Vector& q, const Vector& v, const Vector& tau,
              const Eigen::Vector3d& force_world, double dt) {
-            const Status status = self.update(q, v, tau, force_world, dt);
+            const Busy::Lock lock(self.busy, "TorqueErrorObserver.update");
+            const py::gil_scoped_release release;
+            const Status status = self.observer.update(q, v, tau, force_world, dt);
             require(status, "TorqueErrorObserver.update");
             return status;
           },
@@ -114,10 +129,14 @@ void bind_observer(py::module_& m) {
           "after reset() only sets the velocity. Raises EvaluationError for a measurement that "
           "cannot be evaluated; it then changes nothing.")
       .def_property_readonly(
-          "torque_error", [](const TorqueErrorObserver& self) { return self.torque_error(); },
+          "torque_error",
+          [](ObserverMachine& self) {
+            const Busy::Lock lock(self.busy, "TorqueErrorObserver.torque_error");
+            return self.observer.torque_error();
+          },
           "d (nv,), Nm or N.")
-      .def("__repr__", [](const TorqueErrorObserver& self) {
-        return "<TorqueErrorObserver of " + std::to_string(self.torque_error().size()) +
+      .def("__repr__", [](const ObserverMachine& self) {
+        return "<TorqueErrorObserver of " + std::to_string(self.observer.torque_error().size()) +
                " torques>";
       });
 }
@@ -191,48 +210,22 @@ void bind_feedback_plan(py::module_& m) {
   });
 }
 
-void bind_mpc_controller(py::module_& m) {
-  py::class_<BoundMpc, BoundController>(
-      m, "MpcController",
-      "Model predictive control of a contact task. A new controller is ready; reset() makes it so "
-      "again, and the same measurements then give the same torques to the last bit. tick() is to "
-      "be called once per tick_period; the first call solves the problem to its end. An update "
-      "that fails is bridged by the plan before it; the first fault latches the fallback until "
-      "reset(). What targets and residuals raise fails the update, and is raised by tick(), or by "
-      "the run of a ClosedLoop.")
-      .def(py::init([](const MpcSpec& spec) {
-             const py::gil_scoped_release release;
-             return std::make_unique<BoundMpc>(spec);
-           }),
-           py::arg("spec"),
-           "Raises Error with one sentence for a specification that does not fit together.")
-      .def_property_readonly(
-          "spec", [](const BoundMpc& self) { return self.spec(); }, "As given: a copy.")
-      .def_property_readonly(
-          "problem",
-          [](const BoundMpc& self) {
-            return std::make_unique<ProblemMachine>(self.spec().problem);
-          },
-          "A Problem of the specification; the controller's own moves with its schedule.")
-      .def(
-          "fault", [](const BoundMpc& self) { return self.mpc().fault(); },
-          "A FaultReport; its kind is NONE until there is a fault.")
-      .def(
-          "feedback", [](const BoundMpc& self) { return self.mpc().feedback(); },
-          "The policy of the last tick, a LinearFeedback.")
-      .def_property_readonly(
-          "torque_error", [](const BoundMpc& self) { return self.mpc().torque_error(); },
-          "(nv,), estimated, Nm or N.")
-      .def_property_readonly(
-          "force_error", [](const BoundMpc& self) { return self.mpc().force_error(); },
-          "N, estimated (ModelErrorKind.FORCE).")
-      .def_property_readonly(
-          "schedule", [](const BoundMpc& self) { return self.mpc().schedule(); },
-          "A copy of the schedule with its clock as it is now.")
-      .def(
-          "plan", [](const BoundMpc& self) { return copied(self.mpc().plan()); },
-          "States of the plan as solved last (N + 1, nx), a copy; with a solver delay not in use "
-          "yet.")
+/// Reads what a controller holds, which no other thread may be changing.
+template <class Get>
+auto reading(const char* what, Get get) {
+  return [what, get](BoundMpc& self) {
+    const Busy::Lock lock(self.busy, what);
+    return get(self.mpc());
+  };
+}
+
+using MpcClass = py::class_<BoundMpc, BoundController>;
+
+void bind_mpc_plan(MpcClass& c) {
+  c.def("plan",
+        reading("MpcController.plan", [](const MpcController& mpc) { return copied(mpc.plan()); }),
+        "States of the plan as solved last (N + 1, nx), a copy; with a solver delay not in use "
+        "yet.")
       .def(
           "plan_costs",
           [](BoundMpc& self, int knot) {
@@ -249,6 +242,51 @@ void bind_mpc_controller(py::module_& m) {
           },
           py::arg("knot"),
           "Cost of each term by its name at a knot of that plan; the knots' steps are in it.");
+}
+
+void bind_mpc_controller(py::module_& m) {
+  MpcClass c(
+      m, "MpcController",
+      "Model predictive control of a contact task. A new controller is ready; reset() makes it so "
+      "again, and the same measurements then give the same torques to the last bit. tick() is to "
+      "be called once per tick_period; the first call solves the problem to its end. An update "
+      "that fails is bridged by the plan before it; the first fault latches the fallback until "
+      "reset(). What targets and residuals raise fails the update, and is raised by tick(), or by "
+      "the run of a ClosedLoop.");
+  c.def(py::init([](const MpcSpec& spec) {
+          const py::gil_scoped_release release;
+          return std::make_unique<BoundMpc>(spec);
+        }),
+        py::arg("spec"),
+        "Raises Error with one sentence for a specification that does not fit together.")
+      .def_property_readonly(
+          "spec", [](const BoundMpc& self) { return self.spec(); }, "As given: a copy.")
+      .def_property_readonly(
+          "problem",
+          [](const BoundMpc& self) {
+            return std::make_unique<ProblemMachine>(self.spec().problem);
+          },
+          "A Problem of the specification; the controller's own moves with its schedule.")
+      .def("fault",
+           reading("MpcController.fault", [](const MpcController& mpc) { return mpc.fault(); }),
+           "A FaultReport; its kind is NONE until there is a fault.")
+      .def("feedback",
+           reading("MpcController.feedback",
+                   [](const MpcController& mpc) { return mpc.feedback(); }),
+           "The policy of the last tick, a LinearFeedback.")
+      .def_property_readonly("torque_error",
+                             reading("MpcController.torque_error",
+                                     [](const MpcController& mpc) { return mpc.torque_error(); }),
+                             "(nv,), estimated, Nm or N.")
+      .def_property_readonly("force_error",
+                             reading("MpcController.force_error",
+                                     [](const MpcController& mpc) { return mpc.force_error(); }),
+                             "N, estimated (ModelErrorKind.FORCE).")
+      .def_property_readonly("schedule",
+                             reading("MpcController.schedule",
+                                     [](const MpcController& mpc) { return mpc.schedule(); }),
+                             "A copy of the schedule with its clock as it is now.");
+  bind_mpc_plan(c);
 }
 
 }  // namespace
