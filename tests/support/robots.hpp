@@ -56,7 +56,7 @@ struct TestRobot {
     options.base = base;
     return build_model(tree, options);
   }
-  /// A trunk of 14 joints, from which a branch of 6 goes on and one of 4 leaves: entries have more
+  /// A trunk of 12 joints, from which a branch of 6 goes on and one of 3 leaves: entries have more
   /// relatives than are worth a sparse factor (Tree::deep). Small links, so that the tips are not
   /// metres away.
   Model deep_tree() const {
@@ -82,9 +82,9 @@ struct TestRobot {
         parent = link;
       }
     };
-    grow("trunk", 14, "root");
-    grow("left", 6, "trunk_13");
-    grow("right", 4, "trunk_13");
+    grow("trunk", 12, "root");
+    grow("left", 6, "trunk_11");
+    grow("right", 3, "trunk_11");
     ModelOptions options;
     options.base = base;
     return build_model(tree, options);
