@@ -10,6 +10,7 @@
 #include "burnish/model/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "cases.hpp"
+#include "chain.hpp"
 #include "ocp/polishing_problem.hpp"
 #include "support/standing_problem.hpp"
 
@@ -50,6 +51,16 @@ void count_kernels(const Case& what) {
   });
 }
 
+/// 64 states of a chain deep enough for articulated bodies.
+void count_chain(int joints) {
+  const std::string name = "derivatives of 64 states/chain of " + std::to_string(joints);
+  const Model model = chain(joints);
+  const Eigen::MatrixXd q = chain_configurations(model, 64);
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(model.nv, 64);
+  ContactDynamicsBatch batch(model, {chain_tip(joints)}, 64);
+  count(name, [&] { require(batch.forward_with_derivatives(q, zero, zero) == Status::Ok, name); });
+}
+
 /// One iteration, as a controller makes one at each of its steps, from the same guess each time.
 void count_iteration(const std::string& name, const ProblemSpec& spec, StepUpdate update) {
   Problem problem(spec);
@@ -80,6 +91,7 @@ void count_all() {
     if (arm || (what.label == "arm7" && what.contact == "6D") || what.label == "talos")
       count_kernels(what);
   }
+  count_chain(50);
   count_iteration("iteration/polishing/shooting", polishing(false), StepUpdate::MultipleShooting);
   count_iteration("iteration/polishing/rollout", polishing(false), StepUpdate::Rollout);
   count_iteration("iteration/torque filter/shooting", polishing(true),

@@ -9,9 +9,9 @@
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/model/robot.hpp"
-#include "burnish/model/state.hpp"
 #include "burnish/report/svg_plot.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "chain.hpp"
 #include "ocp/polishing_problem.hpp"
 
 namespace burnish::bench {
@@ -100,39 +100,14 @@ std::vector<Growth> horizons() {
   return lines;
 }
 
-/// Links of 10 cm and 0.5 kg, their axes turned by a right angle from each to the next.
-Model chain(int joints) {
-  TreeSpec tree{.name = "chain", .source = {}, .links = {}, .joints = {}};
-  for (int k = 0; k <= joints; ++k) {
-    LinkSpec link{.name = "link_" + std::to_string(k), .inertia = {}, .visuals = {}};
-    link.inertia = {.mass = 0.5,
-                    .com = Eigen::Vector3d(0.05, 0.0, 0.0),
-                    .inertia_at_com = 1e-3 * Eigen::Matrix3d::Identity()};
-    tree.links.push_back(link);
-    if (k == 0) continue;
-    JointSpec joint;
-    joint.name = "joint_" + std::to_string(k);
-    joint.type = JointType::Revolute;
-    joint.parent_link = "link_" + std::to_string(k - 1);
-    joint.child_link = link.name;
-    joint.placement.translation() = Eigen::Vector3d(0.1, 0.0, 0.0);
-    joint.axis = k % 2 == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-    tree.joints.push_back(joint);
-  }
-  return build_model(tree);
-}
-
 std::vector<Growth> chains() {
   constexpr int states = 64;
   std::vector<Growth> lines{{"dynamics", {}, {}}, {"and all derivatives", {}, {}}};
   for (const int joints : {6, 9, 12, 18, 25, 35, 50, 70, 100}) {
     const Model model = chain(joints);
-    std::mt19937_64 generator(1);
-    Eigen::MatrixXd q(model.nq, states), zero = Eigen::MatrixXd::Zero(model.nv, states);
-    for (int i = 0; i < states; ++i) q.col(i) = 0.1 * random_configuration(model, generator);
-    const ContactSpec tip{.tool = "link_" + std::to_string(joints),
-                          .directions = Directions::linear()};
-    ContactDynamicsBatch batch(model, {tip}, states);
+    const Eigen::MatrixXd q = chain_configurations(model, states);
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(model.nv, states);
+    ContactDynamicsBatch batch(model, {chain_tip(joints)}, states);
     const auto require = [&](Status status) {
       if (status != Status::Ok)
         throw Error("chain of " + std::to_string(joints) + ": " + std::string(describe(status)));

@@ -190,7 +190,7 @@ void ConstrainedDynamics<S>::solve_lambda() {
 template <class S>
 void ConstrainedDynamics<S>::factorize_once() {
   if (factorized_) return;
-  mark(factorize(tree_, mass_), Status::SingularMass, state_status_);
+  mark(factorize(tree_, kinematics_, mass_), Status::SingularMass, state_status_);
   mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
        Status::SingularContacts, state_status_);
   factorized_ = true;

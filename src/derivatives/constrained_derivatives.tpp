@@ -8,28 +8,10 @@
 #include "contact/constrained_dynamics.tpp"
 #include "derivatives/contact_acceleration.tpp"
 #include "derivatives/inverse_dynamics.tpp"
+#include "dynamics/articulated.tpp"
 
 namespace burnish {
 namespace derivatives_detail {
-
-/// Maximal chains first..end in which every entry but the first hangs on the one before it, and
-/// every entry but the last carries that one alone.
-inline std::vector<std::pair<int, int>> chains(const Tree& tree) {
-  std::vector<int> children(static_cast<std::size_t>(tree.nv), 0);
-  for (int k = 0; k < tree.nv; ++k)
-    if (tree.parent_of_v[k] >= 0) ++children[tree.parent_of_v[k]];
-  std::vector<std::pair<int, int>> result;
-  for (int k = 0; k < tree.nv; ++k) {
-    const bool goes_on =
-        k > 0 && tree.parent_of_v[k] == k - 1 && children[k - 1] == 1 && !result.empty();
-    if (goes_on) {
-      result.back().second = k + 1;
-    } else {
-      result.emplace_back(k, k + 1);
-    }
-  }
-  return result;
-}
 
 inline std::vector<int> ancestors(const Tree& tree, int last) {
   std::vector<int> result;
@@ -68,7 +50,8 @@ template <class S>
 ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics)
     : n_(dynamics.nv()),
       contacts_without_gains_(dynamics.set().contacts()),
-      coriolis_(dynamics.tree().joints.size()) {
+      coriolis_(dynamics.tree().joints.size()),
+      articulated_(dynamics.tree()) {
   using namespace derivatives_detail;
   const Tree& tree = dynamics.tree();
   const ContactSet& set = dynamics.set();
@@ -77,12 +60,12 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
   const int all_rows = n_ + set.rows();
   const auto entries = static_cast<std::size_t>(all_rows * n_);
   for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
-  factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
+  if (!tree.deep) factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
   const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
   for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_})
     matrix->assign(contact_entries, S(0.0));
   for (int k = 0; k < n_; ++k) all_columns_.push_back(k);
-  for (const auto& [first, end] : chains(tree)) {
+  for (const auto& [first, end] : tree.chains()) {
     const std::vector<int> above = ancestors(tree, end - 1);
     segments_.push_back({first, end, related_rows(tree, set, above, first), above});
   }
@@ -201,7 +184,6 @@ template <class S>
 void ConstrainedDerivatives<S>::impact(ConstrainedDynamics<S>& dynamics) {
   adapt_to_active(dynamics);
   fill_impact_rows(dynamics);
-  invert_factor(dynamics);
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
@@ -248,6 +230,11 @@ template <class S>
 void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics) {
   // [da; dlambda]/dtau = K^-1 [1; 0]: with Z = J M^-1, dlambda/dtau = -G^-1 Z and
   // da/dtau = M^-1 + Z^T dlambda/dtau.
+  if (dynamics.tree().deep) {
+    by_torque_deep(dynamics);
+    return;
+  }
+  invert_factor(dynamics);
   const int m = dynamics.rows();
   const Delassus<S>& d = dynamics.delassus();
   const Strided<const S> W{factor_inverse_.data(), n_};
@@ -256,8 +243,7 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
   for (const Segment& s : segments_)
     gram<Gram::Set>(Strided<const S>{d.T.data(), d.stride}, W, std::span<const int>(s.ancestors), 0,
                     m, s.first, s.end, Strided<S>{Z_.data(), n_});
-  for (int i = 0; i < m * n_; ++i) lambda_rows[i] = -Z_[i];
-  solve_contacts(dynamics, all_columns_, lambda_rows);
+  lambda_by_torque(dynamics);
   const std::span<const int> contact_rows(contact_rows_);
   for (std::size_t a = 0; a < segments_.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b) {
@@ -271,8 +257,30 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
       for (int i = x.first; i < x.end; ++i)
         for (int j = y.first; j < y.end; ++j) d_dtau[j * n_ + i] = d_dtau[i * n_ + j];
     }
+}
+
+/// dlambda/dtau from Z, and its transpose.
+template <class S>
+void ConstrainedDerivatives<S>::lambda_by_torque(const ConstrainedDynamics<S>& dynamics) {
+  const int m = dynamics.rows();
+  S* const lambda_rows = d_dtau.data() + n_ * n_;
+  for (int i = 0; i < m * n_; ++i) lambda_rows[i] = -Z_[i];
+  solve_contacts(dynamics, all_columns_, lambda_rows);
   for (int r = 0; r < m; ++r)
     for (int k = 0; k < n_; ++k) lambda_by_tau_[k * m + r] = lambda_rows[r * n_ + k];
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::by_torque_deep(const ConstrainedDynamics<S>& dynamics) {
+  const int m = dynamics.rows();
+  const Delassus<S>& d = dynamics.delassus();
+  articulated_.invert(dynamics.kinematics(), dynamics.mass(), d_dtau.data());
+  gram<Gram::Set>(Strided<const S>{d.jacobian_by_v.data(), d.stride},
+                  Strided<const S>{d_dtau.data(), n_}, std::span<const int>(supported_columns_), 0,
+                  m, 0, n_, Strided<S>{Z_.data(), n_});
+  lambda_by_torque(dynamics);
+  gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{d_dtau.data() + n_ * n_, n_},
+                  std::span<const int>(contact_rows_), 0, n_, 0, n_, Strided<S>{d_dtau.data(), n_});
 }
 
 template <class S>
@@ -281,22 +289,31 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
   // da/dz = -da/dtau dtau/dz - (dlambda/dtau)^T (minus dalpha/dz),
   // dlambda/dz = -dlambda/dtau dtau/dz + G^-1 (minus dalpha/dz).
   const int m = dynamics.rows();
+  const bool deep = dynamics.tree().deep;
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     const Segment& segment = segments_[s];
     const Strided<const S> right{rhs.data(), n_};
-    gram<Gram::SetNegative>(Strided<const S>{d_dtau.data(), n_}, right,
-                            std::span<const int>(segment_rows_[s]), 0, n_, segment.first,
-                            segment.end, Strided<S>{out.data(), n_});
+    if (!deep)
+      gram<Gram::SetNegative>(Strided<const S>{d_dtau.data(), n_}, right,
+                              std::span<const int>(segment_rows_[s]), 0, n_, segment.first,
+                              segment.end, Strided<S>{out.data(), n_});
     gram<Gram::SetNegative>(Strided<const S>{lambda_by_tau_.data(), m}, right,
                             std::span<const int>(segment.related), 0, m, segment.first, segment.end,
                             Strided<S>{out.data() + n_ * n_, n_});
   }
+  if (deep)
+    articulated_.solve_negative(dynamics.kinematics(), dynamics.mass(), rhs.data(), out.data(), n_,
+                                n_);
   if (m == 0) return;
   for (int r = 0; r < m; ++r)
     for (const int j : supported_columns_) solved_[r * n_ + j] = rhs[(n_ + r) * n_ + j];
   solve_contacts(dynamics, supported_columns_, solved_.data());
   for (int r = 0; r < m; ++r)
     for (const int j : supported_columns_) out[(n_ + r) * n_ + j] += solved_[r * n_ + j];
+  if (!deep) return;
+  // There da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
+  gram<Gram::Add>(Strided<const S>{Z_.data(), n_}, Strided<const S>{out.data() + n_ * n_, n_},
+                  std::span<const int>(contact_rows_), 0, n_, 0, n_, Strided<S>{out.data(), n_});
 }
 
 template <class S>
@@ -305,7 +322,6 @@ void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   dynamics.apply_forces();
   fill_contact_rows(dynamics, dynamics.set().contacts());
   fill_joint_rows(dynamics);
-  invert_factor(dynamics);
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/mass_matrix.hpp"
+#include "dynamics/articulated.tpp"
 
 namespace burnish {
 
@@ -12,7 +13,11 @@ MassMatrix<S>::MassMatrix(const Tree& tree)
       mass(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
       bias(static_cast<std::size_t>(tree.nv), S(0.0)),
       factor(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
-      inverse_diagonal(static_cast<std::size_t>(tree.nv), S(0.0)) {}
+      inverse_diagonal(static_cast<std::size_t>(tree.nv), S(0.0)) {
+  if (!tree.deep) return;
+  row_force.assign(static_cast<std::size_t>(tree.nv), Force<S>::zero());
+  articulated.resize(tree.joints.size());
+}
 
 template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m) {
@@ -38,7 +43,8 @@ void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, Mas
 }
 
 template <class S>
-auto factorize(const Tree& tree, MassMatrix<S>& m) {
+auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m) {
+  if (tree.deep) return factorize_articulated(tree, kinematics, m);
   const int n = tree.nv;
   const auto& parent = tree.parent_of_v;
   for (int i = 0; i < n; ++i)

@@ -42,6 +42,7 @@ std::vector<ImpactCase> impact_cases() {
        {"every_joint", Base::Fixed, ""},
        {{"tip", "world"}, {"b_side", "d_side", three}}},
       {"every_joint_afloat", {"every_joint", Base::FreeFlyer, ""}, {{"tip", "b_side"}}},
+      {"deep", {"deep", Base::FreeFlyer, ""}, {{"left_5", "world"}, {"right_2", "trunk_2", three}}},
   };
 }
 

@@ -77,7 +77,7 @@ TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
     const Eigen::MatrixXd M = mass_matrix(s.q);
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0], 0.0);
     Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
-    EXPECT_FALSE(factorize(tree, run.mass));
+    EXPECT_FALSE(factorize(tree, run.kinematics, run.mass));
     Eigen::MatrixXd L = Eigen::MatrixXd::Zero(model.nv, model.nv);
     for (int r = 0; r < model.nv; ++r) {
       L(r, r) = 1.0 / run.mass.inverse_diagonal[static_cast<std::size_t>(r)];
@@ -94,7 +94,7 @@ TEST_P(Dynamics, forward_undoes_inverse) {
   const KernelState s = random_state(model, generator);
   const auto tau = InverseDynamicsKernel{tree}.values(s.q.data(), s.v.data(), s.a.data());
   Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
-  ASSERT_FALSE(factorize(tree, run.mass));
+  ASSERT_FALSE(factorize(tree, run.kinematics, run.mass));
   Eigen::VectorXd x = as_vector(tau) - as_vector(run.mass.bias);
   solve_transposed(tree, run.mass, x.data());
   solve_factor(tree, run.mass, x.data());

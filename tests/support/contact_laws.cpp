@@ -21,6 +21,7 @@ const std::vector<LawRobot>& law_robots() {
       {"arm7", "tool", "link_1"},
       {"crane", "left_tip", "right_tip"},
       {"every_joint", "tip", "d_side"},
+      {"deep", "left_5", "right_2"},
   };
   return robots;
 }

@@ -12,8 +12,8 @@
 
 namespace burnish::test {
 
-/// A robot that comes with the repository, or "every_joint": joints of every kind, in branches;
-/// bolted down or floating. `tool` is a frame at its end.
+/// A robot that comes with the repository, or "every_joint": joints of every kind, in branches; or
+/// "deep": a long trunk with two branches. Bolted down or floating. `tool` is a frame at its end.
 struct TestRobot {
   std::string name;
   Base base;
@@ -21,6 +21,7 @@ struct TestRobot {
 
   Model model() const {
     if (name == "every_joint") return tree_of_every_joint();
+    if (name == "deep") return deep_tree();
     RobotOverrides overrides;
     overrides.base = base;
     return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name, overrides).model;
@@ -55,6 +56,39 @@ struct TestRobot {
     options.base = base;
     return build_model(tree, options);
   }
+  /// A trunk of 12 joints, from which a branch of 6 goes on and one of 3 leaves: entries have more
+  /// relatives than are worth a sparse factor (Tree::deep). Small links, so that the tips are not
+  /// metres away.
+  Model deep_tree() const {
+    using enum JointType;
+    std::mt19937_64 generator(8);
+    TreeSpec tree;
+    tree.name = name;
+    tree.links.push_back({"root", testing::random_inertia(generator), {}});
+    const auto grow = [&](const std::string& branch, int count, std::string parent) {
+      for (int i = 0; i < count; ++i) {
+        const std::string link = branch + "_" + std::to_string(i);
+        const JointType type = i % 7 == 3 ? Planar : i % 5 == 2 ? Prismatic : Revolute;
+        JointSpec joint = testing::joint("to_" + link, type, parent, link,
+                                         testing::random_vector(generator).normalized());
+        joint.placement = testing::random_placement(generator);
+        joint.placement.translation() *= 0.1;
+        joint.armature = testing::uniform(generator, 0.0, 0.05);
+        InertiaSpec inertia = testing::random_inertia(generator);
+        inertia.com *= 0.1;
+        inertia.inertia_at_com *= 0.01;
+        tree.joints.push_back(joint);
+        tree.links.push_back({link, inertia, {}});
+        parent = link;
+      }
+    };
+    grow("trunk", 12, "root");
+    grow("left", 6, "trunk_11");
+    grow("right", 3, "trunk_11");
+    ModelOptions options;
+    options.base = base;
+    return build_model(tree, options);
+  }
   /// A name that a test case may have.
   std::string label() const {
     std::string text = name + (base == Base::Fixed ? "_fixed" : "_floating");
@@ -72,7 +106,8 @@ inline std::vector<TestRobot> robots_on(Base base) {
           {"talos:right_arm", base, "tool"},
           {"arm7", base, "tool"},
           {"crane", base, "left_tip"},
-          {"every_joint", base, "tip"}};
+          {"every_joint", base, "tip"},
+          {"deep", base, "left_5"}};
 }
 inline std::vector<TestRobot> floating_robots() { return robots_on(Base::FreeFlyer); }
 /// Every robot on both bases.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "burnish/contact/constrained_dynamics.hpp"
+#include "burnish/dynamics/articulated.hpp"
 
 namespace burnish {
 
@@ -51,6 +52,8 @@ class ConstrainedDerivatives {
   void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
   void invert_factor(const ConstrainedDynamics<S>& dynamics);
   void by_torque(const ConstrainedDynamics<S>& dynamics);
+  void by_torque_deep(const ConstrainedDynamics<S>& dynamics);
+  void lambda_by_torque(const ConstrainedDynamics<S>& dynamics);
   void solve_contacts(const ConstrainedDynamics<S>& dynamics, const std::vector<int>& columns,
                       S* x);
   void by_state(const ConstrainedDynamics<S>& dynamics, const std::vector<S>& rhs,
@@ -65,6 +68,7 @@ class ConstrainedDerivatives {
   std::vector<int> all_columns_, contact_rows_, supported_columns_;
   std::vector<char> supported_;
   std::vector<Coriolis<S>> coriolis_;
+  ArticulatedSolver<S> articulated_;
   std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
   std::vector<S> Z_;               ///< J M^-1, rows x nv
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows

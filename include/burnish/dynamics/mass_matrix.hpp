@@ -20,16 +20,20 @@ struct MassMatrix {
   std::vector<S> bias;    ///< nv, b(q, v): Coriolis, centrifugal and gravity forces
   std::vector<S> factor;  ///< L, stored like mass
   std::vector<S> inverse_diagonal;  ///< nv, 1 / L_ii
+  // Of deep trees alone (articulated.hpp):
+  std::vector<Force<S>> row_force;                 ///< nv
+  std::vector<ArticulatedInertia<S>> articulated;  ///< per body
 };
 
 /// M(q) by composite inertias and b(q, v), from the kinematics. Armature is on M's diagonal.
 template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
-/// M = L^T L. Returns the lanes whose M is not positive definite (a pivot not above 1e-13 of its
-/// diagonal entry); there the factor is finite but meaningless.
+/// M = L^T L, after update_mass_and_bias with the same kinematics. Returns the lanes whose M is not
+/// positive definite (a pivot not above 1e-13 of its diagonal entry); there the factor is finite
+/// but meaningless.
 template <class S>
-auto factorize(const Tree& tree, MassMatrix<S>& m);
+auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
 /// x <- L^-T x, x: nv.
 template <class S>

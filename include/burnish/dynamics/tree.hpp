@@ -1,6 +1,7 @@
 // The model as the kernels read it: constants in plain structs, ancestor lists.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "burnish/math/spatial.hpp"
@@ -30,7 +31,14 @@ struct Tree {
   Vec3<double> gravity;          ///< m/s^2, world axes
   int nq = 0, nv = 0;
 
+  /// Whether entries of v have so many relatives on the ways to the root and to the tips that
+  /// articulated bodies are cheaper than sparse matrices (articulated.hpp).
+  bool deep = false;
+
   int bodies() const { return static_cast<int>(joints.size()); }
+  /// Maximal chains [first, end) of entries of v in which each but the first hangs on the one
+  /// before it and each but the last carries that one alone; ascending.
+  std::vector<std::pair<int, int>> chains() const;
 };
 
 }  // namespace burnish

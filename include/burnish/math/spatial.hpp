@@ -103,6 +103,41 @@ struct Inertia {
   }
 };
 
+/// Inertia of a body together with what hangs on it and moves freely (Featherstone, chapter 7),
+/// about the origin: all 21 entries of a symmetric matrix.
+template <class S>
+struct ArticulatedInertia {
+  Sym3<S> linear;    ///< kg
+  Mat3<S> coupling;  ///< force by angular acceleration, kg m
+  Sym3<S> angular;   ///< kg m^2
+
+  BURNISH_INLINE static ArticulatedInertia of(const Inertia<S>& inertia) {
+    const S zero(0.0);
+    const Vec3<S>& c = inertia.moment;
+    return {{inertia.mass, zero, zero, inertia.mass, zero, inertia.mass},
+            {{zero, -c.z, c.y}, {c.z, zero, -c.x}, {-c.y, c.x, zero}},
+            inertia.second};
+  }
+  BURNISH_INLINE Force<S> operator*(const Motion<S>& m) const {
+    return {linear * m.linear + coupling * m.angular,
+            transpose_times(coupling, m.linear) + angular * m.angular};
+  }
+  BURNISH_INLINE ArticulatedInertia& operator+=(const ArticulatedInertia& b) {
+    linear += b.linear;
+    coupling += b.coupling;
+    angular += b.angular;
+    return *this;
+  }
+  /// Subtracts f f^T: what is left when the axis S moves freely, f = I S / sqrt(S . I S).
+  BURNISH_INLINE void release(const Force<S>& f) {
+    linear.subtract_square(f.linear);
+    coupling.c0 -= f.linear * f.angular.x;
+    coupling.c1 -= f.linear * f.angular.y;
+    coupling.c2 -= f.linear * f.angular.z;
+    angular.subtract_square(f.angular);
+  }
+};
+
 /// The operator B(v) with which the derivatives of I a + v x* I v are written (Singh, Russell,
 /// Wensing, "Efficient Analytical Derivatives of Rigid-Body Dynamics using Spatial Vector Algebra",
 /// 2022): B = 1/2 [(v x*) I - I (v x) + (I v) xbar*]. About any one origin its left half

@@ -102,6 +102,15 @@ struct Sym3 {
     zz += b.zz;
     return *this;
   }
+  /// Subtracts v v^T.
+  BURNISH_INLINE void subtract_square(const Vec3<S>& v) {
+    xx -= v.x * v.x;
+    xy -= v.x * v.y;
+    xz -= v.x * v.z;
+    yy -= v.y * v.y;
+    yz -= v.y * v.z;
+    zz -= v.z * v.z;
+  }
 };
 
 /// Constants of the model as the kernel's scalar.

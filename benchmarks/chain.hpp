@@ -1,0 +1,48 @@
+// Chains of any length, to measure cost against size.
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "burnish/contact/contact.hpp"
+#include "burnish/model/model.hpp"
+#include "burnish/model/state.hpp"
+
+namespace burnish::bench {
+
+/// Links of 10 cm and 0.5 kg, their axes turned by a right angle from each to the next.
+inline Model chain(int joints) {
+  TreeSpec tree{.name = "chain", .source = {}, .links = {}, .joints = {}};
+  for (int k = 0; k <= joints; ++k) {
+    LinkSpec link{.name = "link_" + std::to_string(k), .inertia = {}, .visuals = {}};
+    link.inertia = {.mass = 0.5,
+                    .com = Eigen::Vector3d(0.05, 0.0, 0.0),
+                    .inertia_at_com = 1e-3 * Eigen::Matrix3d::Identity()};
+    tree.links.push_back(link);
+    if (k == 0) continue;
+    JointSpec joint;
+    joint.name = "joint_" + std::to_string(k);
+    joint.type = JointType::Revolute;
+    joint.parent_link = "link_" + std::to_string(k - 1);
+    joint.child_link = link.name;
+    joint.placement.translation() = Eigen::Vector3d(0.1, 0.0, 0.0);
+    joint.axis = k % 2 == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    tree.joints.push_back(joint);
+  }
+  return build_model(tree);
+}
+
+/// nq x states, near the stretched chain.
+inline Eigen::MatrixXd chain_configurations(const Model& model, int states) {
+  std::mt19937_64 generator(1);
+  Eigen::MatrixXd q(model.nq, states);
+  for (int i = 0; i < states; ++i) q.col(i) = 0.1 * random_configuration(model, generator);
+  return q;
+}
+
+/// The tip of chain(joints), held in three directions.
+inline ContactSpec chain_tip(int joints) {
+  return {.tool = "link_" + std::to_string(joints), .directions = Directions::linear()};
+}
+
+}  // namespace burnish::bench
