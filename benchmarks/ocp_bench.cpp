@@ -7,6 +7,7 @@
 
 #include "burnish/model/robot.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "mpc/pressing_controller.hpp"
 #include "ocp/polishing_problem.hpp"
 #include "support/standing_problem.hpp"
 
@@ -94,6 +95,15 @@ void iteration(benchmark::State& state, const std::string& name, StepUpdate upda
   state.counters["trial"] = each(trial);
 }
 
+/// A tick of a controller that makes a new plan at each.
+void tick(benchmark::State& state) {
+  const std::string name = "talos_right_arm";
+  mpc::PressingController controller(make(name), "tool", 1);
+  for (auto _ : state) controller.tick();
+  if (controller.fault().kind != FaultKind::None)
+    state.SkipWithError(controller.fault().text().c_str());
+}
+
 void add(const std::string& name) {
   const auto settings = [](benchmark::internal::Benchmark* b) {
     b->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -116,6 +126,8 @@ void add(const std::string& name) {
 int main(int argc, char** argv) {
   for (const char* name : {"talos_right_arm", "talos_right_arm_filter", "talos_two_feet"})
     burnish::bench::add(name);
+  benchmark::RegisterBenchmark("tick/talos_right_arm", burnish::bench::tick)
+      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

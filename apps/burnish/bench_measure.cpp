@@ -9,9 +9,9 @@
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/derivatives/peak.hpp"
 #include "burnish/model/state.hpp"
-#include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "derivatives/count_operations.hpp"
+#include "mpc/pressing_controller.hpp"
 #include "ocp/polishing_problem.hpp"
 
 namespace burnish::app {
@@ -19,8 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int ring = 64;              ///< states that are evaluated one after the other
-constexpr double press_force = 30.0;  ///< N, of the reference problem
+constexpr int ring = 64;  ///< states that are evaluated one after the other
 
 double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -164,24 +163,9 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
 
 /// A controller that makes a new plan at every tick, fed with a robot that stands still.
 void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
-  MpcSpec mpc{.problem = problem};
-  mpc.tool = spec.tool;
-  mpc.schedule = {{.phase = Phase::Track, .stage = "press"}};
-  mpc.target = [](double) { return TaskTarget{.force = press_force}; };
-  mpc.tick_period = mpc.update_period = 1e-3;
-  mpc.solver.threads = spec.threads;
-  mpc.model_error.kind = ModelErrorKind::None;
-  MpcController controller(std::move(mpc));
-  const Model& model = spec.robot.model;
-  Measurement measured;
-  measured.q = problem.initial_state.head(model.nq);
-  measured.v = Eigen::VectorXd::Zero(model.nv);
-  measured.tau = Eigen::VectorXd::Zero(model.nv);
-  measured.tool_force_world.z() = press_force;
-  BenchLine line = repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] {
-    controller.tick(measured);
-    measured.time += 1e-3;
-  });
+  mpc::PressingController controller(problem, spec.tool, spec.threads);
+  BenchLine line =
+      repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] { controller.tick(); });
   if (controller.fault().kind != FaultKind::None)
     throw Error("bench: the controller gave up: " + controller.fault().text());
   report.lines.push_back(std::move(line));
