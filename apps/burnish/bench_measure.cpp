@@ -107,7 +107,8 @@ class States {
  private:
   void measure_batch(BenchReport& report, int threads, const OperationCounts& counts) {
     const int states = ring * threads;
-    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads);
+    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads,
+                               spec_.pin_threads ? Pinning::Cores : Pinning::None);
     const Eigen::MatrixXd q = q_.replicate(1, threads), v = v_.replicate(1, threads),
                           tau = tau_.replicate(1, threads);
     const std::string name =
@@ -136,7 +137,10 @@ class States {
 void measure_iteration(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem_spec,
                        StepUpdate update, const std::string& name) {
   Problem problem(problem_spec);
-  DdpSolver solver(problem, {.update = update, .max_iterations = 1, .threads = spec.threads});
+  DdpSolver solver(problem, {.update = update,
+                             .max_iterations = 1,
+                             .threads = spec.threads,
+                             .pin_threads = spec.pin_threads});
   const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
   const RowMatrix xs = x0.transpose().replicate(spec.knots + 1, 1);
   const RowMatrix us = ocp::static_control(problem).transpose().replicate(spec.knots, 1);
@@ -170,6 +174,7 @@ void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec
   mpc.target = [](double) { return TaskTarget{.force = press_force}; };
   mpc.tick_period = mpc.update_period = 1e-3;
   mpc.solver.threads = spec.threads;
+  mpc.solver.pin_threads = spec.pin_threads;
   mpc.model_error.kind = ModelErrorKind::None;
   MpcController controller(std::move(mpc));
   const Model& model = spec.robot.model;

@@ -117,6 +117,9 @@ class DdpOptions(Spec):
     time_budget: float = math.inf
     """s, looked at between phases and between trials; the best iterate so far is kept"""
     threads: int = 1
+    pin_threads: bool = False
+    """thread i of the solver stays on the i-th core that the thread which makes it (or gives it
+    options) may run on; the thread that solves is left as it is. Linux alone"""
     stop_tolerance: float = 1e-9
     """converged if feasible and expected improvement < stop_tolerance (in units of cost)"""
     gap_tolerance: float = 1e-9

@@ -95,6 +95,7 @@ const SpecTable& AsDataclass<DdpOptions>::table() {
                                       .field("max_iterations", &DdpOptions::max_iterations)
                                       .field("time_budget", &DdpOptions::time_budget)
                                       .field("threads", &DdpOptions::threads)
+                                      .field("pin_threads", &DdpOptions::pin_threads)
                                       .field("stop_tolerance", &DdpOptions::stop_tolerance)
                                       .field("gap_tolerance", &DdpOptions::gap_tolerance)
                                       .field("line_search", &DdpOptions::line_search)

@@ -390,6 +390,8 @@ def test_options_out_of_range_are_sentences(robot):
         bn.DdpSolver(problem, bn.DdpOptions(callback=3))
     with pytest.raises(AttributeError, match="no entry 'max_iteration'; did you mean 'max_iterations'"):
         bn.DdpOptions().max_iteration = 3
+    with pytest.raises(bn.Error, match="thread pool: 1024 workers to pin|does not say which cores"):
+        bn.DdpSolver(problem, bn.DdpOptions(threads=1024, pin_threads=True))
     solver = bn.DdpSolver(problem, bn.DdpOptions(max_iterations=7))
     with pytest.raises(bn.Error):
         solver.set_options(bn.DdpOptions(threads=-1))

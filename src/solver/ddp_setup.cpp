@@ -61,9 +61,10 @@ DdpSolver::Impl::Impl(ShootingProblem& shooting_problem, DdpOptions wanted)
 
 void DdpSolver::Impl::apply_options(DdpOptions wanted) {
   wanted.check();
-  if (!pool || pool->workers() != wanted.threads) {
+  const Pinning pinning = wanted.pin_threads ? Pinning::Cores : Pinning::None;
+  if (!pool || pool->workers() != wanted.threads || pool->pinning() != pinning) {
     problem.prepare(wanted.threads);
-    pool = std::make_unique<ThreadPool>(wanted.threads);
+    pool = std::make_unique<ThreadPool>(wanted.threads, pinning);
   }
   options = std::move(wanted);
   summary.options = options;

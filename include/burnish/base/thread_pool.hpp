@@ -11,18 +11,36 @@
 
 namespace burnish {
 
+/// Whether the threads of a pool stay where they are put.
+enum class Pinning {
+  None,  ///< the system places them and moves them as it likes
+  /// Worker i, a thread of the pool, runs on the i-th of the cores that the calling thread was
+  /// allowed when the pool was made, and nowhere else. Worker 0, the calling thread, is left as it
+  /// is: the first of these cores is kept free for it, and it is the caller's to pin it there.
+  /// Linux alone.
+  Cores,
+};
+
+/// Cores that the calling thread may run on; 0 where the system does not say.
+int allowed_cores();
+
 /// A fixed number of workers; the thread that calls is worker 0. Which worker takes which piece is
 /// left to chance, so that results are the same for any number of workers if each piece writes only
 /// what is its own. Nothing is allocated after construction. One call at a time.
+///
+/// Between rounds of work a thread looks for the next one for some 100 us before it sleeps. With
+/// more workers than allowed cores it sleeps at once and leaves its core to a worker with work.
 class ThreadPool {
  public:
-  /// Starts workers - 1 threads. Throws Error for less than one worker.
-  explicit ThreadPool(int workers);
+  /// Starts workers - 1 threads. Throws Error for less than one worker, and for pinning to fewer
+  /// allowed cores than workers or on a system that cannot pin.
+  explicit ThreadPool(int workers, Pinning pinning = Pinning::None);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int workers() const { return static_cast<int>(threads_.size()) + 1; }
+  Pinning pinning() const { return pinning_; }
 
   /// Calls body(worker, piece) once for each piece from 0 to pieces - 1 and returns when all are
   /// done. What `body` throws does not keep other pieces from being done; then the exception of the
@@ -44,7 +62,11 @@ class ThreadPool {
   void take_pieces(int worker);
   void note_failure(int piece) noexcept;
   void serve(int worker);
+  void start(int workers);
+  void stop();
 
+  Pinning pinning_;
+  int looks_;  ///< at what is waited for, before going to sleep
   std::vector<std::thread> threads_;
   Call call_ = nullptr;
   void* context_ = nullptr;

@@ -67,6 +67,9 @@ struct DdpOptions {
   /// least the guess is evaluated.
   double time_budget = std::numeric_limits<double>::infinity();
   int threads = 1;
+  /// Thread i of the solver stays on the i-th core that the thread which makes it (or gives it
+  /// options) may run on; see Pinning. The thread that solves is left as it is. Linux alone.
+  bool pin_threads = false;
   /// Converged if feasible and expected improvement < stop_tolerance (in units of cost).
   double stop_tolerance = 1e-9;
   /// Feasible if every |entry of a gap| <= gap_tolerance.
