@@ -51,6 +51,10 @@ struct DdpSolver::Impl {
   bool take_values(Iterate& at);
   bool take_gaps(Iterate& at);
   bool backward();
+  bool shares_knots() const;
+  bool sweep(const Crew& crew);
+  void take_step(int knot, const RiccatiStep& step);
+  void add_first_gap();
   void linear_rollout();
   double penalty_for_direction();
   double largest_multiplier();

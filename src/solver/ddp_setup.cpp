@@ -63,8 +63,10 @@ void DdpSolver::Impl::apply_options(DdpOptions wanted) {
   wanted.check();
   const Pinning pinning = wanted.pin_threads ? Pinning::Cores : Pinning::None;
   if (!pool || pool->workers() != wanted.threads || pool->pinning() != pinning) {
+    auto crew = std::make_unique<ThreadPool>(wanted.threads, pinning);
     problem.prepare(wanted.threads);
-    pool = std::make_unique<ThreadPool>(wanted.threads, pinning);
+    recursion = RiccatiRecursion(state, nu_max, wanted.threads);
+    pool = std::move(crew);
   }
   options = std::move(wanted);
   summary.options = options;

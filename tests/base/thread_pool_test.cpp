@@ -75,6 +75,37 @@ TEST(ThreadPool, refuses_to_have_no_worker) {
   expect_words(refusal([] { ThreadPool pool(0); }), {"0 workers", "1 or more"});
 }
 
+TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
+  for (const int workers : {1, 2, 3, 5}) {
+    ThreadPool pool(workers);
+    const ThreadPool::Awake awake(pool);
+    std::vector<int> steps(static_cast<std::size_t>(workers), 0);
+    std::atomic<int> wrong = 0;
+    for (int round = 0; round < 20; ++round) {
+      std::fill(steps.begin(), steps.end(), 0);
+      pool.together([&](const Crew& crew) noexcept {
+        if (crew.workers != workers || crew.leads() != (crew.worker == workers - 1)) ++wrong;
+        for (int step = 1; step <= 50; ++step) {
+          steps[static_cast<std::size_t>(crew.worker)] = step;
+          crew.meet();
+          for (const int of_other : steps)
+            if (of_other != step) ++wrong;
+          crew.meet();
+        }
+      });
+      // Loops go on as before.
+      int sum = 0;
+      std::mutex mutex;
+      pool.for_each(3, [&](int, int piece) {
+        const std::lock_guard lock(mutex);
+        sum += piece;
+      });
+      EXPECT_EQ(sum, 3);
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
 TEST(ThreadPool, more_workers_than_cores_do_all_pieces_too) {
   const int workers = std::min(64, 2 * std::max(1, allowed_cores()) + 1);
   ThreadPool pool(workers);
