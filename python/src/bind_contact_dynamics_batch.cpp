@@ -124,6 +124,13 @@ void bind_results(Class& of) {
           "The most severe of them.");
 }
 
+std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactSpec>& contacts,
+                                  int capacity, const std::optional<ContactSolver>& solver,
+                                  int threads, bool pin_threads) {
+  return std::make_unique<Batch>(model, contacts, capacity, solver.value_or(ContactSolver{}),
+                                 threads, pin_threads ? Pinning::Cores : Pinning::None);
+}
+
 }  // namespace
 
 void bind_contact_dynamics_batch(py::module_& m) {
@@ -134,14 +141,8 @@ void bind_contact_dynamics_batch(py::module_& m) {
            "lane.\n\n"
            "Results are read-only views, a row per state, on memory of the batch, which they keep "
            "alive: the next call writes over them. Copy what has to last. One call at a time.");
-  of.def(py::init([](const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
-                     const std::optional<ContactSolver>& solver, int threads, bool pin_threads) {
-           return std::make_unique<Batch>(model, contacts, capacity,
-                                          solver.value_or(ContactSolver{}), threads,
-                                          pin_threads ? Pinning::Cores : Pinning::None);
-         }),
-         py::arg("model"), py::arg("contacts"), py::arg("capacity"), py::arg("solver") = py::none(),
-         py::arg("threads") = 1, py::arg("pin_threads") = false,
+  of.def(py::init(&make_batch), py::arg("model"), py::arg("contacts"), py::arg("capacity"),
+         py::arg("solver") = py::none(), py::arg("threads") = 1, py::arg("pin_threads") = false,
          "Room for `capacity` states, shared out among `threads`, the calling one included; with "
          "`pin_threads` the others stay on a core each (Linux alone). Raises Error with one "
          "sentence.")

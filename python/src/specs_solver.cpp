@@ -96,6 +96,8 @@ const SpecTable& AsDataclass<DdpOptions>::table() {
                                       .field("time_budget", &DdpOptions::time_budget)
                                       .field("threads", &DdpOptions::threads)
                                       .field("pin_threads", &DdpOptions::pin_threads)
+                                      .field("share_knots", &DdpOptions::share_knots)
+                                      .field("segments", &DdpOptions::segments)
                                       .field("stop_tolerance", &DdpOptions::stop_tolerance)
                                       .field("gap_tolerance", &DdpOptions::gap_tolerance)
                                       .field("line_search", &DdpOptions::line_search)

@@ -107,7 +107,7 @@ bool DdpSolver::Impl::expand(Iterate& at) {
 
 /// Whether the threads share each knot of the recursion; nothing but time depends on it.
 bool DdpSolver::Impl::shares_knots() const {
-  if (pool->workers() == 1) return false;
+  if (pool->workers() == 1 || !pool->has_a_core_each() || !options.share_knots) return false;
   double work = 0.0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k)
     work += recursion.multiplications(controls[k], expansions[k].form);
@@ -119,16 +119,23 @@ bool DdpSolver::Impl::backward() {
   const Clock::time_point from = Clock::now();
   direction = {};
   recursion.terminal(expansions[static_cast<std::size_t>(N)], value(N));
+  bool decided = false;
   bool good = false;
-  if (shares_knots())
-    pool->together([&](const Crew& crew) noexcept {
-      const bool mine = sweep(crew);
-      if (crew.leads()) good = mine;
-    });
-  else
-    good = sweep({});
+  if (can_be_cut()) good = sweep_segments(decided);
+  if (!decided) good = sweep_knots();
   if (good) add_first_gap();
   summary.seconds.backward += since(from);
+  return good;
+}
+
+/// Knot after knot, alone or together.
+bool DdpSolver::Impl::sweep_knots() {
+  if (!shares_knots()) return sweep({});
+  bool good = false;
+  pool->together([&](const Crew& crew) noexcept {
+    const bool mine = sweep(crew);
+    if (crew.leads()) good = mine;
+  });
   return good;
 }
 

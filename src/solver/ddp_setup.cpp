@@ -61,6 +61,7 @@ DdpSolver::Impl::Impl(ShootingProblem& shooting_problem, DdpOptions wanted)
 
 void DdpSolver::Impl::apply_options(DdpOptions wanted) {
   wanted.check();
+  check_segments(wanted.segments);
   const Pinning pinning = wanted.pin_threads ? Pinning::Cores : Pinning::None;
   if (!pool || pool->workers() != wanted.threads || pool->pinning() != pinning) {
     auto crew = std::make_unique<ThreadPool>(wanted.threads, pinning);
@@ -68,6 +69,7 @@ void DdpSolver::Impl::apply_options(DdpOptions wanted) {
     recursion = RiccatiRecursion(state, nu_max, wanted.threads);
     pool = std::move(crew);
   }
+  cut_horizon(wanted.segments);
   options = std::move(wanted);
   summary.options = options;
   summary.options.callback = nullptr;

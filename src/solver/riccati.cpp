@@ -413,10 +413,13 @@ void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   dense::mirror_lower({qxx_.data(), vs}, knot.rows, value.hessian, vs);
   const Range part = share(knot.crew, ndx, dense::lanes);
   const int width = part.end - part.begin;
-  std::copy_n(gradient_.data() + knot.nu + part.begin, width, value.gradient + part.begin);
-  for (int i = 0; i < knot.nu; ++i)
-    dense::add_scaled(-l.data[i * l.stride + ndx], l.data + i * l.stride + part.begin, width,
-                      value.gradient + part.begin);
+  const int nu = knot.nu;
+  double* gradient = value.gradient + part.begin;
+  std::copy_n(gradient_.data() + nu + part.begin, width, gradient);
+  for (int i = 0; i < nu; ++i) {
+    const double* row = l.data + i * l.stride;
+    dense::add_scaled(-row[ndx], row + part.begin, width, gradient);
+  }
 }
 
 /// The feedforward, and what it saves.
@@ -425,12 +428,17 @@ void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStor
   const bool alone = knot.crew.alone();
   const double* l = alone ? y_.data() + knot.nz : l_.data() + state_.ndx;
   const int stride = alone ? y_stride_ : layout_.gain_stride;
-  for (int i = 0; i < knot.nu; ++i) {
-    policy.feedforward[i] = policy.gain[i * layout_.gain_stride + state_.ndx];
-    if (bounded) continue;
-    result.slope -= l[i * stride] * l[i * stride];
-    result.curvature += l[i * stride] * l[i * stride];
+  const int gain_stride = layout_.gain_stride;
+  const double* gain = policy.gain + state_.ndx;
+  const int nu = knot.nu;
+  double saved = 0.0;
+  for (int i = 0; i < nu; ++i) {
+    policy.feedforward[i] = gain[i * gain_stride];
+    saved += l[i * stride] * l[i * stride];
   }
+  if (bounded) return;
+  result.slope = -saved;
+  result.curvature = saved;
 }
 
 [[gnu::flatten]] RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls,

@@ -18,6 +18,7 @@ TEST(ThreadPool, does_every_piece_once) {
   for (const int workers : {1, 2, 4}) {
     ThreadPool pool(workers);
     EXPECT_EQ(pool.workers(), workers);
+    EXPECT_EQ(pool.has_a_core_each(), allowed_cores() == 0 || workers <= allowed_cores());
     for (const int pieces : {0, 1, 2, 7, 100}) {
       std::vector<int> done(static_cast<std::size_t>(pieces), 0);
       std::atomic<bool> worker_in_range = true;

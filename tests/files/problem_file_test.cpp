@@ -134,7 +134,7 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "  - repeat: 2\n"
       "    of: [go: 3, go: 1]\n"
       "solver: {update: multiple_shooting, max_iterations: 7, threads: 2, pin_threads: true,\n"
-      "         stop_tolerance: 1e-5,\n"
+      "         share_knots: false, segments: 2, stop_tolerance: 1e-5,\n"
       "         line_search: {halvings: 4}, regularization: {initial: 0.1}}\n"
       "guess: still\n");
   const ProblemSpec& spec = file.spec;
@@ -168,6 +168,8 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
   EXPECT_EQ(file.solver.threads, 2);
   EXPECT_TRUE(file.solver.pin_threads);
+  EXPECT_FALSE(file.solver.share_knots);
+  EXPECT_EQ(file.solver.segments, 2);
   EXPECT_EQ(file.solver.line_search.halvings, 4);
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }

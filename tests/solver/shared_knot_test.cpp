@@ -199,15 +199,17 @@ TEST(SharedKnots, of_a_solver_change_no_bit_of_its_answer) {
     for (const StepUpdate update : {StepUpdate::Rollout, StepUpdate::MultipleShooting}) {
       std::vector<LqProblem> problems;
       std::vector<DdpSolver> solvers;
-      problems.reserve(3);
-      for (const int threads : {1, 2, 3}) {
+      problems.reserve(4);
+      for (const auto& [threads, share] : {std::pair(1, true), {2, true}, {2, false}, {3, true}}) {
         LqProblem& lq = problems.emplace_back(random_lq(humanoid()));
         if (bounded) {
           lq.problem.lower.assign(6, std::vector<double>(24, -0.3));
           lq.problem.upper.assign(6, std::vector<double>(24, 0.2));
         }
-        solvers.emplace_back(lq.problem,
-                             DdpOptions{.update = update, .max_iterations = 4, .threads = threads});
+        solvers.emplace_back(
+            lq.problem,
+            DdpOptions{
+                .update = update, .max_iterations = 4, .threads = threads, .share_knots = share});
         solvers.back().solve();
         const DdpSolver& one = solvers.front();
         const DdpSolver& it = solvers.back();

@@ -45,6 +45,8 @@ class ThreadPool {
 
   int workers() const { return static_cast<int>(threads_.size()) + 1; }
   Pinning pinning() const { return pinning_; }
+  /// Whether there were as many allowed cores as workers when the pool was made.
+  bool has_a_core_each() const { return looks_ > 0; }
 
   /// While it lives, threads that wait for work look for it longer: to wake one can take as long as
   /// the work that it would share.
