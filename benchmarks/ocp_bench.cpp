@@ -14,19 +14,20 @@
 namespace burnish::bench {
 namespace {
 
-constexpr int knots = 100;
+constexpr int usual_knots = 100;
 
 /// A problem, a guess a little off its solution, and the memory of its expansion.
 class Horizon {
  public:
   explicit Horizon(const ProblemSpec& spec) : problem(spec) {
+    const int knots = problem.knots();
     const int nx = problem.state().nx;
     const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), nx);
     const Eigen::VectorXd u0 = problem.quasi_static(0, x0).control;
     xs = x0.transpose().replicate(knots + 1, 1);
     us = u0.transpose().replicate(knots, 1);
     next = xs;
-    values.resize(knots + 1);
+    values.resize(static_cast<std::size_t>(knots) + 1);
   }
   TrajectoryView view() const { return {xs.data(), us.data()}; }
 
@@ -35,7 +36,7 @@ class Horizon {
   std::vector<KnotValue> values;
 };
 
-ProblemSpec make(const std::string& name) {
+ProblemSpec make(const std::string& name, int knots) {
   if (name == "talos_two_feet") {
     const Robot robot = load_robot("talos");
     return test::standing_problem(robot.model, {"left_sole_link", "right_sole_link"},
@@ -53,10 +54,10 @@ ProblemSpec make(const std::string& name) {
   return spec;
 }
 
-Horizon& horizon(const std::string& name) {
-  static std::map<std::string, std::unique_ptr<Horizon>> made;
-  auto& entry = made[name];
-  if (!entry) entry = std::make_unique<Horizon>(make(name));
+Horizon& horizon(const std::string& name, int knots = usual_knots) {
+  static std::map<std::pair<std::string, int>, std::unique_ptr<Horizon>> made;
+  auto& entry = made[{name, knots}];
+  if (!entry) entry = std::make_unique<Horizon>(make(name, knots));
   return *entry;
 }
 
@@ -71,14 +72,15 @@ void rollout(benchmark::State& state, const std::string& name) {
   Horizon& h = horizon(name);
   const int nx = h.problem.state().nx, nu = h.problem.max_controls();
   for (auto _ : state)
-    for (int k = 0; k < knots; ++k)
+    for (int k = 0; k < usual_knots; ++k)
       h.problem.roll(0, k, h.xs.data() + k * nx, h.us.data() + k * nu, h.next.data() + k * nx);
 }
 
 /// One iteration from the same guess, and what its phases took.
-void iteration(benchmark::State& state, const std::string& name, StepUpdate update, int threads) {
-  Horizon& h = horizon(name);
-  DdpSolver solver(h.problem, {.update = update, .max_iterations = 1, .threads = threads});
+void iteration(benchmark::State& state, const std::string& name, int knots, DdpOptions options) {
+  Horizon& h = horizon(name, knots);
+  options.max_iterations = 1;
+  DdpSolver solver(h.problem, options);
   double expand = 0.0, backward = 0.0, trial = 0.0;
   for (auto _ : state) {
     solver.set_guess(h.view());
@@ -98,7 +100,7 @@ void iteration(benchmark::State& state, const std::string& name, StepUpdate upda
 /// A tick of a controller that makes a new plan at each.
 void tick(benchmark::State& state) {
   const std::string name = "talos_right_arm";
-  mpc::PressingController controller(make(name), "tool", 1);
+  mpc::PressingController controller(make(name), "tool");
   for (auto _ : state) controller.tick();
   if (controller.fault().kind != FaultKind::None)
     state.SkipWithError(controller.fault().text().c_str());
@@ -117,7 +119,24 @@ void add(const std::string& name) {
            (update == StepUpdate::Rollout ? "/rollout/threads:" : "/shooting/threads:") +
            std::to_string(threads))
               .c_str(),
-          iteration, name, update, threads));
+          iteration, name, usual_knots, DdpOptions{.update = update, .threads = threads}));
+}
+
+/// Long horizons in segments.
+void add_segments(const std::string& name, int knots) {
+  for (const int segments : {1, 3, 5, 9, 17})
+    for (const int threads : {1, 2}) {
+      if (threads == 2 && segments > 5) continue;
+      const std::string title = "segments/" + name + "/knots:" + std::to_string(knots) +
+                                "/segments:" + std::to_string(segments) +
+                                "/threads:" + std::to_string(threads);
+      benchmark::RegisterBenchmark(
+          title.c_str(), iteration, name, knots,
+          DdpOptions{
+              .update = StepUpdate::MultipleShooting, .threads = threads, .segments = segments})
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+    }
 }
 
 }  // namespace
@@ -128,6 +147,11 @@ int main(int argc, char** argv) {
     burnish::bench::add(name);
   benchmark::RegisterBenchmark("tick/talos_right_arm", burnish::bench::tick)
       ->Unit(benchmark::kMillisecond);
+  burnish::bench::add_segments("talos_right_arm", 100);
+  burnish::bench::add_segments("talos_right_arm", 500);
+  burnish::bench::add_segments("talos_right_arm", 2000);
+  burnish::bench::add_segments("talos_right_arm_filter", 500);
+  burnish::bench::add_segments("talos_two_feet", 100);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

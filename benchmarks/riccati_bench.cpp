@@ -1,12 +1,14 @@
 // Time per stage of the Riccati recursion over a horizon of 100 knots, beside the same recursion
 // written with Eigen's dense products. `riccati/structured`: SecondOrder form; `riccati/dense`: the
-// same dynamics as one dense matrix; `riccati/eigen`: the yardstick. Arguments: nv, filtered, nu.
+// same dynamics as one dense matrix; `riccati/two_workers`: SecondOrder, knots shared;
+// `riccati/eigen`: the yardstick. Arguments: nv, filtered, nu.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Cholesky>
 #include <random>
 #include <vector>
 
+#include "burnish/base/thread_pool.hpp"
 #include "burnish/base/views.hpp"
 #include "burnish/solver/riccati.hpp"
 
@@ -58,10 +60,10 @@ struct Horizon {
 /// What the solver's memory looks like: one expansion, policy and value function per knot.
 class Recursion {
  public:
-  Recursion(const Horizon& horizon_data, DynamicsForm form)
+  Recursion(const Horizon& horizon_data, DynamicsForm form, int workers = 1)
       : h_(horizon_data),
         state_{h_.ndx_, h_.ndx_, h_.nv_, h_.filtered_, {}},
-        recursion_(state_, h_.nu_) {
+        recursion_(state_, h_.nu_, workers) {
     const RiccatiLayout& layout = recursion_.layout();
     for (int k = 0; k <= horizon; ++k) {
       const auto size = [](int rows, int stride) {
@@ -78,12 +80,16 @@ class Recursion {
     }
   }
 
-  double sweep() {
-    recursion_.terminal(expansion_[horizon], value(horizon));
+  double sweep(const Crew& crew = {}) {
+    if (crew.leads()) recursion_.terminal(expansion_[horizon], value(horizon));
+    crew.meet();
     for (int k = horizon - 1; k >= 0; --k)
       recursion_.step(expansion_[k], h_.nu_, gaps_[k].data() + recursion_.layout().value_stride,
-                      value(k + 1), 1e-9, {}, policy(k), value(k), gaps_[k].data());
+                      value(k + 1), 1e-9, {}, policy(k), value(k), gaps_[k].data(), crew);
     return value(0).hessian[0];
+  }
+  double multiplications() const {
+    return recursion_.multiplications(h_.nu_, expansion_.front().form);
   }
 
  private:
@@ -213,6 +219,19 @@ void structured(benchmark::State& state) {
   Recursion recursion(h, DynamicsForm::SecondOrder);
   run(state, recursion);
 }
+/// The same by two workers, and what decides whether a solver shares its knots.
+void shared(benchmark::State& state) {
+  const Horizon h = horizon_of(state);
+  Recursion recursion(h, DynamicsForm::SecondOrder, 2);
+  ThreadPool pool(2);
+  const ThreadPool::Awake awake(pool);
+  for (auto _ : state)
+    pool.together(
+        [&](const Crew& crew) noexcept { benchmark::DoNotOptimize(recursion.sweep(crew)); });
+  state.counters["time/stage"] = benchmark::Counter(
+      horizon, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["multiplications"] = recursion.multiplications();
+}
 void dense(benchmark::State& state) {
   const Horizon h = horizon_of(state);
   Recursion recursion(h, DynamicsForm::Dense);
@@ -228,7 +247,13 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->ArgNames({"nv", "filtered", "nu"});
   b->Args({6, 0, 6})->Args({6, 6, 6})->Args({38, 0, 32});
 }
+void sizes_to_share(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"nv", "filtered", "nu"})->UseRealTime();
+  for (const int nv : {12, 16, 20, 24, 30, 36}) b->Args({nv, 0, nv - 6});
+}
 BENCHMARK(structured)->Name("riccati/structured")->Apply(sizes);
+BENCHMARK(structured)->Name("riccati/structured")->Apply(sizes_to_share);
+BENCHMARK(shared)->Name("riccati/two_workers")->Apply(sizes_to_share);
 BENCHMARK(dense)->Name("riccati/dense")->Apply(sizes);
 BENCHMARK(eigen)->Name("riccati/eigen")->Apply(sizes);
 

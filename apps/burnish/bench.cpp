@@ -113,6 +113,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   command->add_option("--threads", spec.threads, "That share the work [1]")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
+  command->add_flag("--pin-threads", spec.pin_threads, "Keep each thread but the first on a core");
   command->add_option("--seconds", spec.seconds, "That each line is measured, about [0.3]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);

@@ -106,7 +106,8 @@ class States {
  private:
   void measure_batch(BenchReport& report, int threads, const OperationCounts& counts) {
     const int states = ring * threads;
-    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads);
+    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads,
+                               spec_.pin_threads ? Pinning::Cores : Pinning::None);
     const Eigen::MatrixXd q = q_.replicate(1, threads), v = v_.replicate(1, threads),
                           tau = tau_.replicate(1, threads);
     const std::string name =
@@ -135,7 +136,10 @@ class States {
 void measure_iteration(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem_spec,
                        StepUpdate update, const std::string& name) {
   Problem problem(problem_spec);
-  DdpSolver solver(problem, {.update = update, .max_iterations = 1, .threads = spec.threads});
+  DdpSolver solver(problem, {.update = update,
+                             .max_iterations = 1,
+                             .threads = spec.threads,
+                             .pin_threads = spec.pin_threads});
   const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
   const RowMatrix xs = x0.transpose().replicate(spec.knots + 1, 1);
   const RowMatrix us = ocp::static_control(problem).transpose().replicate(spec.knots, 1);
@@ -163,7 +167,8 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
 
 /// A controller that makes a new plan at every tick, fed with a robot that stands still.
 void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
-  mpc::PressingController controller(problem, spec.tool, spec.threads);
+  const DdpOptions options{.threads = spec.threads, .pin_threads = spec.pin_threads};
+  mpc::PressingController controller(problem, spec.tool, options);
   BenchLine line =
       repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] { controller.tick(); });
   if (controller.fault().kind != FaultKind::None)

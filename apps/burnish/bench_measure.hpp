@@ -15,6 +15,7 @@ struct BenchSpec {
   std::string posture = {};  ///< of the robot's settings; empty: its default
   int knots = 100;           ///< of the horizon, 10 ms each
   int threads = 1;
+  bool pin_threads = false;
   double seconds = 0.3;  ///< s, about, that each line is measured
 };
 

@@ -18,7 +18,7 @@ struct SolveArguments {
   std::string file, out;
   int iterations = -1, threads = -1;
   double tolerance = -1.0;
-  bool check = false, quiet = false, json = false;
+  bool check = false, pin = false, quiet = false, json = false;
 };
 
 volatile std::sig_atomic_t interrupt_wanted = 0;
@@ -33,6 +33,7 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
   DdpOptions options = problem.solver;
   if (arguments.iterations >= 0) options.max_iterations = arguments.iterations;
   if (arguments.threads >= 0) options.threads = arguments.threads;
+  if (arguments.pin) options.pin_threads = true;
   if (arguments.tolerance >= 0.0) options.stop_tolerance = arguments.tolerance;
   options.check();
   const bool talks = !arguments.quiet && !arguments.json;
@@ -128,6 +129,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   command->add_option("--threads", arguments->threads, "Threads [the file's, or 1]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
+  command->add_flag("--pin-threads", arguments->pin, "Keep each thread but the first on a core");
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "Converged when the expected improvement of the cost is below [1e-9]")

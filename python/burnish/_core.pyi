@@ -261,6 +261,7 @@ class ContactDynamicsBatch:
         capacity: int,
         solver: Optional[ContactSolver] = None,
         threads: int = 1,
+        pin_threads: bool = False,
     ) -> None: ...
     @property
     def nq(self) -> int: ...

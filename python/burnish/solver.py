@@ -117,6 +117,17 @@ class DdpOptions(Spec):
     time_budget: float = math.inf
     """s, looked at between phases and between trials; the best iterate so far is kept"""
     threads: int = 1
+    pin_threads: bool = False
+    """thread i of the solver stays on the i-th core that the thread which makes it (or gives it
+    options) may run on; the thread that solves is left as it is. Linux alone"""
+    share_knots: bool = True
+    """threads work together on each knot of the recursion where knots are large (a humanoid's), which
+    is faster on cores that share a cache and slower on others; results have the same bits"""
+    segments: int = 1
+    """parts of the horizon that the recursion works on at the same time, for long horizons and many
+    cores (see docs/performance.md, "Threads"); threads + 1 suit `threads` best, 1 and 2 mean one
+    sweep, as do bounds on controls; fewer than knots. Gains and values are those of the whole
+    horizon, but for rounding"""
     stop_tolerance: float = 1e-9
     """converged if feasible and expected improvement < stop_tolerance (in units of cost)"""
     gap_tolerance: float = 1e-9

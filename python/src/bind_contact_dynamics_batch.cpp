@@ -14,8 +14,8 @@ using Rows = Eigen::Ref<const RowMatrix>;
 
 struct Batch {
   Batch(const Model& model, const std::vector<ContactSpec>& specs, int capacity,
-        const ContactSolver& solver, int threads)
-      : machine(model, specs, capacity, solver, threads),
+        const ContactSolver& solver, int threads, Pinning pinning)
+      : machine(model, specs, capacity, solver, threads, pinning),
         robot(model.name),
         nq(model.nq),
         nv(model.nv) {
@@ -124,6 +124,13 @@ void bind_results(Class& of) {
           "The most severe of them.");
 }
 
+std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactSpec>& contacts,
+                                  int capacity, const std::optional<ContactSolver>& solver,
+                                  int threads, bool pin_threads) {
+  return std::make_unique<Batch>(model, contacts, capacity, solver.value_or(ContactSolver{}),
+                                 threads, pin_threads ? Pinning::Cores : Pinning::None);
+}
+
 }  // namespace
 
 void bind_contact_dynamics_batch(py::module_& m) {
@@ -134,14 +141,11 @@ void bind_contact_dynamics_batch(py::module_& m) {
            "lane.\n\n"
            "Results are read-only views, a row per state, on memory of the batch, which they keep "
            "alive: the next call writes over them. Copy what has to last. One call at a time.");
-  of.def(py::init([](const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
-                     const std::optional<ContactSolver>& solver, int threads) {
-           return std::make_unique<Batch>(model, contacts, capacity,
-                                          solver.value_or(ContactSolver{}), threads);
-         }),
-         py::arg("model"), py::arg("contacts"), py::arg("capacity"), py::arg("solver") = py::none(),
-         py::arg("threads") = 1,
-         "Room for `capacity` states, shared out among `threads`. Raises Error with one sentence.")
+  of.def(py::init(&make_batch), py::arg("model"), py::arg("contacts"), py::arg("capacity"),
+         py::arg("solver") = py::none(), py::arg("threads") = 1, py::arg("pin_threads") = false,
+         "Room for `capacity` states, shared out among `threads`, the calling one included; with "
+         "`pin_threads` the others stay on a core each (Linux alone). Raises Error with one "
+         "sentence.")
       .def_readonly("nq", &Batch::nq, "Columns of q.")
       .def_readonly("nv", &Batch::nv, "Columns of v and tau.")
       .def_property_readonly(

@@ -117,7 +117,8 @@ class TestBatches:
         ]:
             with pytest.raises(burnish.Error, match="^ContactDynamicsBatch.forward: " + sentence):
                 batch.forward(*given)
-        for bad in ({"capacity": 0}, {"capacity": 5, "threads": 0}):
+        for bad in ({"capacity": 0}, {"capacity": 5, "threads": 0},
+                    {"capacity": 5, "threads": 2000, "pin_threads": True}):
             with pytest.raises(burnish.Error):
                 ContactDynamicsBatch(MODEL, [TIP], **bad)
 

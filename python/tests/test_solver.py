@@ -378,6 +378,17 @@ def test_bounds_are_kept(robot):
     assert bounded.summary.cost > free.summary.cost
 
 
+def test_segments_of_the_horizon_give_the_gains_of_the_whole(robot):
+    whole = solved(reaching(robot), max_iterations=1)
+    cut = solved(reaching(robot), max_iterations=1, threads=2, segments=4, share_knots=False)
+    assert cut.options.segments == 4
+    scale = np.abs(whole.gain(0)).max()
+    np.testing.assert_allclose(cut.gain(0), whole.gain(0), atol=1e-8 * scale)
+    np.testing.assert_allclose(cut.us, whole.us, atol=1e-8 * np.abs(whole.us).max())
+    with pytest.raises(bn.Error, match="1000 segments of a horizon"):
+        solved(reaching(robot), segments=1000)
+
+
 def test_options_out_of_range_are_sentences(robot):
     problem = bn.Problem(reaching(robot))
     with pytest.raises(bn.Error, match="threads"):
@@ -390,6 +401,8 @@ def test_options_out_of_range_are_sentences(robot):
         bn.DdpSolver(problem, bn.DdpOptions(callback=3))
     with pytest.raises(AttributeError, match="no entry 'max_iteration'; did you mean 'max_iterations'"):
         bn.DdpOptions().max_iteration = 3
+    with pytest.raises(bn.Error, match="thread pool: 1024 workers to pin|does not say which cores"):
+        bn.DdpSolver(problem, bn.DdpOptions(threads=1024, pin_threads=True))
     solver = bn.DdpSolver(problem, bn.DdpOptions(max_iterations=7))
     with pytest.raises(bn.Error):
         solver.set_options(bn.DdpOptions(threads=-1))

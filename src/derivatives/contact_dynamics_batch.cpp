@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "burnish/base/thread_pool.hpp"
 #include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/math/pack.hpp"
 
@@ -60,8 +59,8 @@ struct ContactDynamicsBatch::Impl {
   };
 
   Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
-       const ContactSolver& solver, int threads)
-      : set(model, specs), nq(model.nq), nv(model.nv), capacity(room), pool(threads) {
+       const ContactSolver& solver, int threads, Pinning pinning)
+      : set(model, specs), nq(model.nq), nv(model.nv), capacity(room), pool(threads, pinning) {
     if (room < 1)
       throw Error("ContactDynamicsBatch: a capacity of " + std::to_string(room) +
                   " states; wanted at least 1");
@@ -140,8 +139,9 @@ struct ContactDynamicsBatch::Impl {
 
 ContactDynamicsBatch::ContactDynamicsBatch(const Model& model,
                                            const std::vector<ContactSpec>& contacts, int capacity,
-                                           const ContactSolver& solver, int threads)
-    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver, threads)) {}
+                                           const ContactSolver& solver, int threads,
+                                           Pinning pinning)
+    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver, threads, pinning)) {}
 ContactDynamicsBatch::~ContactDynamicsBatch() = default;
 ContactDynamicsBatch::ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept = default;
 ContactDynamicsBatch& ContactDynamicsBatch::operator=(ContactDynamicsBatch&&) noexcept = default;

@@ -13,14 +13,18 @@ void set(const YamlReader& reader, const char* key, double& value) {
 
 DdpOptions read_solver(const YamlReader& reader) {
   DdpOptions options;
-  reader.allow_only({"update", "max_iterations", "time_budget", "threads", "stop_tolerance",
-                     "gap_tolerance", "line_search", "regularization"});
+  reader.allow_only({"update", "max_iterations", "time_budget", "threads", "pin_threads",
+                     "share_knots", "segments", "stop_tolerance", "gap_tolerance", "line_search",
+                     "regularization"});
   if (const auto update = reader.find("update"))
     options.update = update->word({"rollout", "multiple_shooting"}) == "rollout"
                          ? StepUpdate::Rollout
                          : StepUpdate::MultipleShooting;
   if (const auto most = reader.find("max_iterations")) options.max_iterations = most->count(0);
   if (const auto threads = reader.find("threads")) options.threads = threads->count(1);
+  if (const auto pin = reader.find("pin_threads")) options.pin_threads = pin->yes_or_no();
+  if (const auto share = reader.find("share_knots")) options.share_knots = share->yes_or_no();
+  if (const auto segments = reader.find("segments")) options.segments = segments->count(1);
   set(reader, "time_budget", options.time_budget);
   set(reader, "stop_tolerance", options.stop_tolerance);
   set(reader, "gap_tolerance", options.gap_tolerance);

@@ -11,8 +11,10 @@ namespace burnish::mpc {
 
 class PressingController {
  public:
-  /// For ocp::polishing_problem with `tool`; plans at 1 kHz, 30 N wanted and measured.
-  PressingController(const ProblemSpec& problem, const std::string& tool, int threads)
+  /// For ocp::polishing_problem with `tool`; plans at 1 kHz, 30 N wanted and measured. Of the
+  /// options those of threads are taken.
+  PressingController(const ProblemSpec& problem, const std::string& tool,
+                     const DdpOptions& threads = {})
       : controller_(spec(problem, tool, threads)) {
     const Model& model = problem.model;
     measured_.q = problem.initial_state.head(model.nq);
@@ -31,13 +33,15 @@ class PressingController {
   static constexpr double force = 30.0;   ///< N, of the reference problem
   static constexpr double period = 1e-3;  ///< s
 
-  static MpcSpec spec(const ProblemSpec& problem, const std::string& tool, int threads) {
+  static MpcSpec spec(const ProblemSpec& problem, const std::string& tool,
+                      const DdpOptions& threads) {
     MpcSpec result{.problem = problem};
     result.tool = tool;
     result.schedule = {{.phase = Phase::Track, .stage = "press"}};
     result.target = [](double) { return TaskTarget{.force = force}; };
     result.tick_period = result.update_period = period;
-    result.solver.threads = threads;
+    result.solver.threads = threads.threads;
+    result.solver.pin_threads = threads.pin_threads;
     result.model_error.kind = ModelErrorKind::None;
     return result;
   }

@@ -54,6 +54,7 @@ void DdpSolver::set_guess(const TrajectoryView& guess) {
 
 const DdpSummary& DdpSolver::solve() {
   impl_->began = Impl::Clock::now();
+  const ThreadPool::Awake awake(*impl_->pool);
   impl_->start();
   impl_->iterate();
   impl_->finish();

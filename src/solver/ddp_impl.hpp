@@ -8,6 +8,7 @@
 #include "burnish/solver/buffer.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "burnish/solver/riccati.hpp"
+#include "solver/parametric_segment.hpp"
 
 namespace burnish {
 
@@ -51,6 +52,18 @@ struct DdpSolver::Impl {
   bool take_values(Iterate& at);
   bool take_gaps(Iterate& at);
   bool backward();
+  bool shares_knots() const;
+  bool sweep_knots();
+  bool sweep(const Crew& crew);
+  void take_step(int knot, const RiccatiStep& step);
+  void add_first_gap();
+  void check_segments(int segments) const;
+  void cut_horizon(int segments);
+  bool can_be_cut() const;
+  int sweep_segment(int segment, const ValueStorage& after, bool parametric);
+  bool sweep_segments(bool& usable);
+  bool join_segments();
+  bool note_failure(int knot);
   void linear_rollout();
   double penalty_for_direction();
   double largest_multiplier();
@@ -103,6 +116,12 @@ struct DdpSolver::Impl {
   std::vector<KnotExpansion> expansions;
   std::vector<Buffer> expansion_memory, value_memory, policy_memory;
   Buffer hessian_gaps, dxs, dus, z, scratch;
+
+  // Segments of the horizon; empty where there are not three.
+  std::vector<std::unique_ptr<ParametricSegment>> parts;
+  std::vector<int> borders;        ///< where each begins, and N
+  std::vector<int> failures;       ///< knot of each, or -1
+  std::vector<RiccatiStep> steps;  ///< of each knot
 
   // State of a solve.
   Clock::time_point began;

@@ -10,6 +10,11 @@ namespace burnish {
 
 namespace {
 
+/// Multiplications of a knot from which on threads share it: measured (burnish_riccati_bench), two
+/// workers lose below some 130,000, since each line of memory that one wrote and the other reads
+/// costs tens of nanoseconds.
+constexpr double worth_sharing = 2e5;
+
 bool usable(const KnotValue& value) {
   return value.status <= Status::NotConverged && std::isfinite(value.cost);
 }
@@ -100,40 +105,76 @@ bool DdpSolver::Impl::expand(Iterate& at) {
   return good;
 }
 
+/// Whether the threads share each knot of the recursion; nothing but time depends on it.
+bool DdpSolver::Impl::shares_knots() const {
+  if (pool->workers() == 1 || !pool->has_a_core_each() || !options.share_knots) return false;
+  double work = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k)
+    work += recursion.multiplications(controls[k], expansions[k].form);
+  return work >= worth_sharing * N;
+}
+
 /// The recursion over the horizon; false where Quu is not positive definite or not finite.
 bool DdpSolver::Impl::backward() {
   const Clock::time_point from = Clock::now();
   direction = {};
   recursion.terminal(expansions[static_cast<std::size_t>(N)], value(N));
-  int k = N - 1;
-  for (; k >= 0; --k) {
+  bool decided = false;
+  bool good = false;
+  if (can_be_cut()) good = sweep_segments(decided);
+  if (!decided) good = sweep_knots();
+  if (good) add_first_gap();
+  summary.seconds.backward += since(from);
+  return good;
+}
+
+/// Knot after knot, alone or together.
+bool DdpSolver::Impl::sweep_knots() {
+  if (!shares_knots()) return sweep({});
+  bool good = false;
+  pool->together([&](const Crew& crew) noexcept {
+    const bool mine = sweep(crew);
+    if (crew.leads()) good = mine;
+  });
+  return good;
+}
+
+/// Knot after knot; the leader of the crew takes note of what they say.
+bool DdpSolver::Impl::sweep(const Crew& crew) {
+  for (int k = N - 1; k >= 0; --k) {
     const auto i = static_cast<std::size_t>(k);
     const RiccatiStep step =
         recursion.step(expansions[i], controls[i], gap(current, k + 1), value(k + 1),
-                       regularization, box(k), policy(k), value(k), hessian_gap(k + 1));
-    if (step.failed_control >= 0) {
-      summary.knot = k;
-      summary.control = step.failed_control;
-      break;
-    }
-    direction.slope -= step.slope + step.gap_slope + step.gap_curvature;
-    direction.curvature += step.gap_curvature - step.curvature;
-    direction.model_change +=
-        step.slope + 0.5 * step.curvature + step.gap_slope + 0.5 * step.gap_curvature;
+                       regularization, box(k), policy(k), value(k), hessian_gap(k + 1), crew);
+    if (crew.leads()) take_step(k, step);
+    if (step.failed_control >= 0) return false;
   }
-  if (k < 0) {
-    const ValueStorage v = value(0);
-    const double* g = gap(current, 0);
-    for (int i = 0; i < ndx; ++i)
-      hessian_gap(0)[i] = dense::dot(v.hessian + i * value_stride, g, ndx);
-    const double slope = dense::dot(v.gradient, g, ndx);
-    const double curvature = dense::dot(hessian_gap(0), g, ndx);
-    direction.slope -= slope + curvature;
-    direction.curvature += curvature;
-    direction.model_change += slope + 0.5 * curvature;
+  return true;
+}
+
+void DdpSolver::Impl::take_step(int knot, const RiccatiStep& step) {
+  if (step.failed_control >= 0) {
+    summary.knot = knot;
+    summary.control = step.failed_control;
+    return;
   }
-  summary.seconds.backward += since(from);
-  return k < 0;
+  direction.slope -= step.slope + step.gap_slope + step.gap_curvature;
+  direction.curvature += step.gap_curvature - step.curvature;
+  direction.model_change +=
+      step.slope + 0.5 * step.curvature + step.gap_slope + 0.5 * step.gap_curvature;
+}
+
+/// What the first state's gap adds to the direction.
+void DdpSolver::Impl::add_first_gap() {
+  const ValueStorage v = value(0);
+  const double* g = gap(current, 0);
+  for (int i = 0; i < ndx; ++i)
+    hessian_gap(0)[i] = dense::dot(v.hessian + i * value_stride, g, ndx);
+  const double slope = dense::dot(v.gradient, g, ndx);
+  const double curvature = dense::dot(hessian_gap(0), g, ndx);
+  direction.slope -= slope + curvature;
+  direction.curvature += curvature;
+  direction.model_change += slope + 0.5 * curvature;
 }
 
 /// Whether an expansion holds a number that is not finite; then the summary says where.

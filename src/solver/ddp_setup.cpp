@@ -61,10 +61,15 @@ DdpSolver::Impl::Impl(ShootingProblem& shooting_problem, DdpOptions wanted)
 
 void DdpSolver::Impl::apply_options(DdpOptions wanted) {
   wanted.check();
-  if (!pool || pool->workers() != wanted.threads) {
+  check_segments(wanted.segments);
+  const Pinning pinning = wanted.pin_threads ? Pinning::Cores : Pinning::None;
+  if (!pool || pool->workers() != wanted.threads || pool->pinning() != pinning) {
+    auto crew = std::make_unique<ThreadPool>(wanted.threads, pinning);
     problem.prepare(wanted.threads);
-    pool = std::make_unique<ThreadPool>(wanted.threads);
+    recursion = RiccatiRecursion(state, nu_max, wanted.threads);
+    pool = std::move(crew);
   }
+  cut_horizon(wanted.segments);
   options = std::move(wanted);
   summary.options = options;
   summary.options.callback = nullptr;

@@ -24,8 +24,9 @@ void transpose_copy(Rows a, int m, int n, double* b, int stride) {
     }
 }
 
-void mirror_lower(Rows a, int n, double* b, int stride) {
-  for (int i = 0; i < n; i += lanes) {
+void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
+  const int n = rows_of_b.end;
+  for (int i = rows_of_b.begin; i < n; i += lanes) {
     const int high = std::min(lanes, n - i);
     for (int j = 0; j < i; j += lanes) {
       Lane rows[lanes];
@@ -52,10 +53,10 @@ void mirror_lower(Rows a, int n, double* b, int stride) {
 namespace {
 
 /// Factors R rows whose diagonal block starts at column `first` and applies R^-T to the columns
-/// from there on. The block goes through scalars first, so that the columns need not wait for its
-/// chain of square roots and stay in registers.
+/// `near` it, from there on, and to those `far` from it. The block goes through scalars first, so
+/// that the columns need not wait for its chain of square roots and stay in registers.
 template <int R>
-int factor_rows(double* y, int stride, int first, int columns, double* inverse) {
+int factor_rows(double* y, int stride, int first, Range near, Range far, double* inverse) {
   double t[R][R];
   for (int j = 0; j < R; ++j)
     for (int c = j; c < R; ++c) t[j][c] = y[j * stride + first + c];
@@ -71,17 +72,21 @@ int factor_rows(double* y, int stride, int first, int columns, double* inverse) 
 #pragma GCC unroll 8
       for (int c = i; c < R; ++c) t[i][c] -= t[j][i] * t[j][c];
   }
-  for (int c = round_down(first); c < columns; c += lanes) {
-    Lane row[R];
+  const auto apply = [&](int begin, int end) {
+    for (int c = begin; c < end; c += lanes) {
+      Lane row[R];
 #pragma GCC unroll 8
-    for (int i = 0; i < R; ++i) {
-      row[i] = load(y + i * stride + c);
+      for (int i = 0; i < R; ++i) {
+        row[i] = load(y + i * stride + c);
 #pragma GCC unroll 8
-      for (int k = 0; k < i; ++k) row[i] -= Lane(t[k][i]) * row[k];
-      row[i] *= Lane(inverse[i]);
-      store(y + i * stride + c, row[i]);
+        for (int k = 0; k < i; ++k) row[i] -= Lane(t[k][i]) * row[k];
+        row[i] *= Lane(inverse[i]);
+        store(y + i * stride + c, row[i]);
+      }
     }
-  }
+  };
+  apply(near.begin, near.end);
+  apply(far.begin, far.end);
   return -1;
 }
 
@@ -102,8 +107,25 @@ void back_substitute(const double* y, int stride, const double* inverse, double*
   }
 }
 
-using FactorRows = int (*)(double*, int, int, int, double*);
-using BackSubstitute = void (*)(const double*, int, const double*, double*, int, int);
+/// X <- R^-T X for the R rows of a diagonal block at y.
+template <int R>
+void forward_substitute(const double* y, int stride, const double* inverse, double* x, int x_stride,
+                        int n) {
+  for (int c = 0; c < n; c += lanes) {
+    Lane row[R];
+#pragma GCC unroll 8
+    for (int i = 0; i < R; ++i) {
+      row[i] = load(x + i * x_stride + c);
+#pragma GCC unroll 8
+      for (int k = 0; k < i; ++k) row[i] -= Lane(y[k * stride + i]) * row[k];
+      row[i] *= Lane(inverse[i]);
+      store(x + i * x_stride + c, row[i]);
+    }
+  }
+}
+
+using FactorRows = int (*)(double*, int, int, Range, Range, double*);
+using Substitute = void (*)(const double*, int, const double*, double*, int, int);
 
 template <int... index>
 constexpr auto factor_table(std::integer_sequence<int, index...>) {
@@ -111,38 +133,52 @@ constexpr auto factor_table(std::integer_sequence<int, index...>) {
 }
 template <int... index>
 constexpr auto back_table(std::integer_sequence<int, index...>) {
-  return std::array<BackSubstitute, sizeof...(index)>{&back_substitute<index + 1>...};
+  return std::array<Substitute, sizeof...(index)>{&back_substitute<index + 1>...};
+}
+template <int... index>
+constexpr auto forward_table(std::integer_sequence<int, index...>) {
+  return std::array<Substitute, sizeof...(index)>{&forward_substitute<index + 1>...};
 }
 constexpr auto row_counts = std::make_integer_sequence<int, detail::tile_rows>{};
 constexpr auto factor_by_rows = factor_table(row_counts);
 constexpr auto back_by_rows = back_table(row_counts);
+constexpr auto forward_by_rows = forward_table(row_counts);
 
 }  // namespace
 
-int partial_cholesky(double* y, int stride, int nu, int columns, double* inverse_diagonal) {
+int partial_cholesky(double* y, int stride, int nu, Range columns, double* inverse_diagonal) {
+  const int square = round_up(nu);
+  const int beside = round_down(columns.begin);
+  const bool apart = beside > square;
+  const Range far{beside, apart ? columns.end : beside};
   for (int i = 0; i < nu; ++i) inverse_diagonal[i] = y[i * stride + i];
   for (int first = 0; first < nu; first += detail::tile_rows) {
     const int rows = std::min(nu - first, detail::tile_rows);
     const int left = round_down(first);
+    const Range near{left, apart ? square : columns.end};
     double* block = y + first * stride;
-    if (first > 0)
-      product<Update::Subtract>({y + first, stride, 1}, {y + left, stride}, first, rows,
-                                columns - left, block + left, stride);
+    const auto subtract = [&](Range span) {
+      if (first > 0 && span.begin < span.end)
+        product<Update::Subtract>({y + first, stride, 1}, {y + span.begin, stride}, first, rows,
+                                  span.end - span.begin, block + span.begin, stride);
+    };
+    subtract(near);
+    subtract(far);
     const int failed =
-        factor_by_rows[rows - 1](block, stride, first, columns, inverse_diagonal + first);
+        factor_by_rows[rows - 1](block, stride, first, near, far, inverse_diagonal + first);
     if (failed >= 0) return first + failed;
   }
   return -1;
 }
 
-void solve_gains(const double* y, int stride, int nu, int n, const double* inverse_diagonal,
-                 double* x, int x_stride) {
+void solve_gains(const double* y, int stride, int nu, int first_of_z, int n,
+                 const double* inverse_diagonal, double* x, int x_stride) {
+  const double* z = y + first_of_z;
   for (int last = nu; last > 0;) {
     const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
     double* block = x + first * x_stride;
     for (int i = first; i < last; ++i)
-      for (int c = 0; c < n; c += lanes)
-        store(x + i * x_stride + c, -load(y + i * stride + nu + c));
+      for (int c = 0; c < n; c += lanes) store(x + i * x_stride + c, -load(z + i * stride + c));
     if (last < nu)
       product<Update::Subtract, false>({y + first * stride + last, 1, stride},
                                        {x + last * x_stride, x_stride}, nu - last, last - first, n,
@@ -150,6 +186,19 @@ void solve_gains(const double* y, int stride, int nu, int n, const double* inver
     back_by_rows[last - first - 1](y + first * stride + first, stride, inverse_diagonal + first,
                                    block, x_stride, n);
     last = first;
+  }
+}
+
+void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
+                      double* x, int x_stride, int n) {
+  for (int first = 0; first < nu; first += detail::tile_rows) {
+    const int rows = std::min(nu - first, detail::tile_rows);
+    double* block = x + first * x_stride;
+    if (first > 0)
+      product<Update::Subtract>({y + first, stride, 1}, {x, x_stride}, first, rows, n, block,
+                                x_stride);
+    forward_by_rows[rows - 1](y + first * stride + first, stride, inverse_diagonal + first, block,
+                              x_stride, n);
   }
 }
 

@@ -44,6 +44,11 @@ struct Rows {
   const double* data;
   int stride;
 };
+/// Rows or columns from begin to end - 1.
+struct Range {
+  int begin;
+  int end;
+};
 
 namespace detail {
 
@@ -119,15 +124,19 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
   }
 }
 
-/// The same for the entries of C on and below the diagonal; what stands above it is spoilt up to
-/// the next tile's border.
+/// Rows or columns that workers share come in groups of so many, which no tile or vector crosses.
+inline constexpr int group = std::max(lanes, detail::tile_rows);
+
+/// The same for the entries of C on and below the diagonal in some rows, of which the first is a
+/// multiple of `group`; what stands above the diagonal is spoilt up to the next tile's border.
 template <Update update>
-void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
+void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride) {
   using namespace detail;
-  const int vectors = round_up(n) / lanes;
+  const int vectors = round_up(rows.end) / lanes;
   for (int j = 0; j < vectors; j += tile_vectors) {
-    for (int i = j * lanes / tile_rows * tile_rows; i < n; i += tile_rows) {
-      const int high = std::min(tile_rows, n - i);
+    const int diagonal = j * lanes / tile_rows * tile_rows;
+    for (int i = std::max(rows.begin, diagonal); i < rows.end; i += tile_rows) {
+      const int high = std::min(tile_rows, rows.end - i);
       const int needed = (i + high - j * lanes + lanes - 1) / lanes;
       const int wide = std::min({tile_vectors, vectors - j, needed});
       tile_table<update, true>[(high - 1) * tile_vectors + wide - 1](
@@ -135,6 +144,12 @@ void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
           c + i * stride + j * lanes, stride);
     }
   }
+}
+
+/// All n rows of it.
+template <Update update>
+void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
+  lower_product<update>(a, b, count, Range{0, n}, c, stride);
 }
 
 /// y += factor * x over whole vectors that cover n entries.
@@ -177,17 +192,23 @@ BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) 
 /// B = A^T, A: m x n, B: n x m. Reads whole vectors of up to round_up(m) rows of A.
 void transpose_copy(Rows a, int m, int n, double* b, int stride);
 
-/// B = the symmetric matrix whose lower triangle is that of A. Reads up to round_up(n) rows of A;
-/// B may be A.
-void mirror_lower(Rows a, int n, double* b, int stride);
+/// Some rows of B = the symmetric matrix whose lower triangle is that of A, and the columns that
+/// mirror them; the first row is a multiple of `group`. Reads up to `lanes` rows of A at a time; B
+/// may be A if all rows are asked for.
+void mirror_lower(Rows a, Range rows, double* b, int stride);
 
 /// Factor of the leading block of a matrix Y of nu rows, [Q | Z]: Q = R^T R with R upper triangular
-/// in place, and Z becomes R^-T Z. `columns` counts those of both. Returns the first row whose
-/// pivot is not above 1e-14 of the diagonal entry it came from (or is not a number), -1 if none.
-int partial_cholesky(double* y, int stride, int nu, int columns, double* inverse_diagonal);
+/// in place, and Z becomes R^-T Z in the vectors that hold `columns` of Y, all of them or some.
+/// Returns the first row whose pivot is not above 1e-14 of the diagonal entry it came from (or is
+/// not a number), -1 if none.
+int partial_cholesky(double* y, int stride, int nu, Range columns, double* inverse_diagonal);
 
-/// X = -R^-1 Z after partial_cholesky, X: nu x n, Z at y + nu.
-void solve_gains(const double* y, int stride, int nu, int n, const double* inverse_diagonal,
-                 double* x, int x_stride);
+/// X = -R^-1 Z after partial_cholesky, X: nu x n, Z at column `first` of y.
+void solve_gains(const double* y, int stride, int nu, int first, int n,
+                 const double* inverse_diagonal, double* x, int x_stride);
+
+/// X <- R^-T X after partial_cholesky, X: nu x n.
+void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
+                      double* x, int x_stride, int n);
 
 }  // namespace burnish::dense

@@ -33,6 +33,7 @@ void DdpOptions::check() const {
   require(max_iterations >= 0, "max_iterations", max_iterations, "0 or more");
   require(time_budget >= 0.0, "time_budget", time_budget, "seconds >= 0");
   require(threads >= 1 && threads <= 1024, "threads", threads, "1 to 1024");
+  require(segments >= 1 && segments <= 1024, "segments", segments, "1 to 1024");
   require_nonnegative(stop_tolerance, "stop_tolerance");
   require_nonnegative(gap_tolerance, "gap_tolerance");
   require(line_search.halvings >= 0 && line_search.halvings <= 60, "line_search.halvings",

@@ -1,12 +1,14 @@
 #include "burnish/solver/riccati.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/dense.hpp"
 #include "solver/linear_dynamics.hpp"
 
 namespace burnish {
 
+using dense::Range;
 using dense::Rows;
 using dense::Update;
 
@@ -16,7 +18,59 @@ std::size_t block(int rows, int stride) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride) + dense::spare;
 }
 
+/// A worker's share of `count` rows or columns, in groups of `size`; the last
+/// group is the leader's, who has no more than others.
+Range share(const Crew& crew, int count, int size) {
+  if (crew.alone()) return {0, count};
+  const int groups = (count + size - 1) / size;
+  const auto border = [&](int worker) {
+    return std::min((groups * worker + crew.workers - 1) / crew.workers, groups - 1) * size;
+  };
+  return {border(crew.worker), crew.leads() ? count : border(crew.worker + 1)};
+}
+
+/// The same of the rows of a triangle, so that all have as many entries.
+Range share_of_triangle(const Crew& crew, int count, int size) {
+  if (crew.alone()) return {0, count};
+  const int groups = (count + size - 1) / size;
+  const auto border = [&](int worker) {
+    const double part = std::sqrt(static_cast<double>(worker) / crew.workers);
+    return std::min(count, static_cast<int>(std::lround(groups * part)) * size);
+  };
+  return {border(crew.worker), border(crew.worker + 1)};
+}
+
+Range common(const Range& a, const Range& b) {
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
+
 }  // namespace
+
+struct RiccatiRecursion::Knot {
+  Knot(const KnotExpansion& expansion, const ValueStorage& value, int controls, int ndx,
+       int filtered, const Crew& who, Own& workspace)
+      : e(expansion),
+        next(value),
+        crew(who),
+        own(workspace),
+        nu(controls),
+        nz(controls + ndx),
+        through(std::min(controls, filtered)),
+        columns(share(crew, nz, dense::group)),
+        rows(share_of_triangle(crew, ndx, dense::group)),
+        gains(share(crew, ndx + 1, dense::group)) {}
+
+  const KnotExpansion& e;
+  const ValueStorage& next;
+  const Crew& crew;
+  Own& own;
+  int nu, nz;
+  int through;    ///< controls that a filter holds back
+  Range columns;  ///< of Y and G
+  Range rows;     ///< of Qxx
+  Range gains;    ///< columns of [K | k]
+  int width() const { return columns.end - columns.begin; }
+};
 
 RiccatiLayout::RiccatiLayout(const StateShape& state, int max_controls)
     : expansion_stride(dense::round_up(state.ndx + max_controls)),
@@ -25,7 +79,7 @@ RiccatiLayout::RiccatiLayout(const StateShape& state, int max_controls)
       gain_stride(dense::round_up(state.ndx + 1)),
       spare(dense::spare) {}
 
-RiccatiRecursion::RiccatiRecursion(const StateShape& state, int max_controls)
+RiccatiRecursion::RiccatiRecursion(const StateShape& state, int max_controls, int workers)
     : state_(state),
       layout_(state, max_controls),
       y_stride_(dense::round_up(max_controls + state.ndx + 1)),
@@ -35,247 +89,388 @@ RiccatiRecursion::RiccatiRecursion(const StateShape& state, int max_controls)
   y_ = Buffer(block(rows, y_stride_));
   qxx_ = Buffer(block(layout_.value_stride, layout_.value_stride));
   gradient_ = Buffer(block(2, y_stride_));
-  u_ = Buffer(block(inner, layout_.value_stride));
-  w_ = Buffer(block(inner, dense::round_up(inner)));
-  m_ = Buffer(block(inner, y_stride_));
   g_ = Buffer(block(state.ndx, y_stride_));
-  passed_ = Buffer(block(state.nv + state.filtered, layout_.value_stride));
   w_next_ = Buffer(block(2, layout_.value_stride));
-  inverse_diagonal_ = Buffer(block(1, rows));
-  solution_ = Buffer(block(1, rows));
   box_lower_ = Buffer(block(1, rows));
   box_upper_ = Buffer(block(1, rows));
+  if (workers > 1) l_ = Buffer(block(rows, layout_.gain_stride));
+  for (int w = 0; w < workers; ++w)
+    own_.push_back({Buffer(block(inner, layout_.value_stride)),
+                    Buffer(block(inner, dense::round_up(inner))), Buffer(block(inner, y_stride_)),
+                    Buffer(block(state.nv + state.filtered, layout_.value_stride)),
+                    Buffer(block(1, rows)),
+                    workers > 1 ? Buffer(block(rows, y_stride_)) : Buffer()});
+}
+
+double RiccatiRecursion::multiplications(int controls, DynamicsForm form) const {
+  const double nu = controls;
+  const double ndx = state_.ndx;
+  const double nv = state_.nv;
+  const double nz = nu + ndx;
+  const double factor = nu * nu * (ndx + 0.5 * nu) + 0.5 * nu * ndx * ndx;
+  if (form == DynamicsForm::Dense) return ndx * (ndx * nz + nu * nz + 0.5 * ndx * ndx) + factor;
+  const double passing = nv * (0.5 * nv * nv + state_.filtered * (ndx + nz));
+  return nv * (nv * nz + nu * nz + 0.5 * ndx * ndx) + passing + factor;
 }
 
 void RiccatiRecursion::terminal(const KnotExpansion& e, ValueStorage value) const {
   std::copy_n(e.gradient, state_.ndx, value.gradient);
-  dense::mirror_lower({e.hessian, e.stride}, state_.ndx, value.hessian, layout_.value_stride);
+  dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx}, value.hessian, layout_.value_stride);
 }
 
-/// Y <- [Huu | Hux], Qxx <- Hxx, q <- h.
-void RiccatiRecursion::load_cost(const KnotExpansion& e) {
-  dense::transpose_copy({e.hessian, e.stride}, nz_, nu_, y_.data(), y_stride_);
-  for (int i = 0; i < state_.ndx; ++i)
-    dense::copy(e.hessian + (nu_ + i) * e.stride + nu_, i + 1,
+/// Y <- [Huu | Hux], Qxx <- Hxx.
+void RiccatiRecursion::load_cost(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
+  const int first = knot.columns.begin;
+  dense::transpose_copy({e.hessian + first * e.stride, e.stride}, knot.width(), knot.nu,
+                        y_.data() + first, y_stride_);
+  for (int i = knot.rows.begin; i < knot.rows.end; ++i)
+    dense::copy(e.hessian + (knot.nu + i) * e.stride + knot.nu, i + 1,
                 qxx_.data() + i * layout_.value_stride);
-  std::copy_n(e.gradient, nz_, gradient_.data());
 }
 
-void RiccatiRecursion::add_dense(const KnotExpansion& e, const ValueStorage& next) {
-  const int ndx = state_.ndx;
-  const Rows f{e.dynamics, e.stride};
-  const Rows g{g_.data(), y_stride_};
-  dense::product<Update::Set>({next.hessian, layout_.value_stride, 1}, f, ndx, ndx, nz_, g_.data(),
-                              y_stride_);
-  dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, ndx, nu_, nz_, y_.data(), y_stride_);
-  dense::lower_product<Update::Add>({e.dynamics + nu_, e.stride, 1}, {g_.data() + nu_, y_stride_},
-                                    ndx, ndx, qxx_.data(), layout_.value_stride);
-}
-
-/// U^T = step B^T Vq + Vv, W = U^T T, M = U^T E.
-void RiccatiRecursion::project_value(const KnotExpansion& e, const ValueStorage& next) {
+/// U^T = step B^T Vq + Vv, and what follows from it.
+void RiccatiRecursion::project_value(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
   const int ndx = state_.ndx;
   const int vs = layout_.value_stride;
-  const int ws = dense::round_up(nv);
+  const double* v = knot.next.hessian;
+  double* u = knot.own.u.data();
   for (int i = 0; i < nv; ++i)
-    dense::sum_scaled(next.hessian + (nv + i) * vs, e.step, next.hessian + i * vs, ndx,
-                      u_.data() + i * vs);
+    dense::sum_scaled(v + (nv + i) * vs, e.step, v + i * vs, ndx, u + i * vs);
   const double* lead = e.lead;
   for (const LeadBlock& b : state_.blocks) {
     const double* factor = lead + b.size * b.size;
     for (int i = 0; i < b.size; ++i) {
-      double* row = u_.data() + (b.first + i) * vs;
-      dense::copy(next.hessian + (nv + b.first + i) * vs, ndx, row);
+      double* row = u + (b.first + i) * vs;
+      dense::copy(v + (nv + b.first + i) * vs, ndx, row);
       for (int k = 0; k < b.size; ++k)
-        dense::add_scaled(e.step * factor[k * b.size + i], next.hessian + (b.first + k) * vs, ndx,
-                          row);
+        dense::add_scaled(e.step * factor[k * b.size + i], v + (b.first + k) * vs, ndx, row);
     }
     lead += 2 * b.size * b.size;
   }
+  project_steps(knot);
+}
+
+/// W = U^T T, M = U^T E.
+void RiccatiRecursion::project_steps(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
+  const int nv = state_.nv;
+  const int nu = knot.nu;
+  Own& mine = knot.own;
   for (int i = 0; i < nv; ++i) {
-    const double* u = u_.data() + i * vs;
-    double* w = w_.data() + i * ws;
-    double* m = m_.data() + i * y_stride_;
-    std::fill_n(m, nz_, 0.0);
-    for (int c = 0; c < filtered_controls_; ++c) m[c] = u[2 * nv + c] * (1.0 - e.decay[c]);
-    std::copy_n(u, nv, m + nu_);
-    for (int c = 0; c < state_.filtered; ++c) m[nu_ + 2 * nv + c] = u[2 * nv + c] * e.decay[c];
+    const double* u = mine.u.data() + i * layout_.value_stride;
+    double* w = mine.w.data() + i * dense::round_up(nv);
+    double* m = mine.m.data() + i * y_stride_;
+    std::fill_n(m, knot.nz, 0.0);
+    for (int c = 0; c < knot.through; ++c) m[c] = u[2 * nv + c] * (1.0 - e.decay[c]);
+    std::copy_n(u, nv, m + nu);
+    for (int c = 0; c < state_.filtered; ++c) m[nu + 2 * nv + c] = u[2 * nv + c] * e.decay[c];
     if (state_.blocks.empty()) {
       dense::sum_scaled(u + nv, e.step, u, nv, w);
       continue;
     }
-    double* moved = passed_.data();
+    double* moved = mine.passed.data();
     std::copy_n(u, nv, moved);
     transform_lead(state_, e.lead, true, moved);
     dense::sum_scaled(u + nv, e.step, moved, nv, w);
-    transform_lead(state_, e.lead, false, m + nu_);
+    transform_lead(state_, e.lead, false, m + nu);
   }
 }
 
-/// Y and Qxx += P^T (W P + M) + M^T P.
-void RiccatiRecursion::add_products(const KnotExpansion& e) {
+/// G, and the products that enter Y.
+void RiccatiRecursion::add_to_controls(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
-  const int qs = layout_.value_stride;
-  const Rows p{e.dynamics, e.stride};
+  const int first = knot.columns.begin;
+  const int width = knot.width();
+  const double* m = knot.own.m.data();
+  const Rows f{e.dynamics + first, e.stride};
+  const Rows g{g_.data() + first, y_stride_};
+  double* y = y_.data() + first;
+  if (e.form == DynamicsForm::Dense) {
+    const int ndx = state_.ndx;
+    dense::product<Update::Set>({knot.next.hessian, layout_.value_stride, 1}, f, ndx, ndx, width,
+                                g_.data() + first, y_stride_);
+    dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, ndx, knot.nu, width, y, y_stride_);
+    return;
+  }
   for (int i = 0; i < nv; ++i)
-    dense::copy(m_.data() + i * y_stride_, nz_, g_.data() + i * y_stride_);
-  dense::product<Update::Add>({w_.data(), dense::round_up(nv), 1}, p, nv, nv, nz_, g_.data(),
-                              y_stride_);
-  dense::product<Update::Add>({e.dynamics, e.stride, 1}, {g_.data(), y_stride_}, nv, nu_, nz_,
-                              y_.data(), y_stride_);
-  dense::lower_product<Update::Add>({e.dynamics + nu_, e.stride, 1}, {g_.data() + nu_, y_stride_},
-                                    nv, state_.ndx, qxx_.data(), qs);
-  // M^T P has the rows of what passes through: filtered controls, dq, dtau.
-  const Rows px{e.dynamics + nu_, e.stride};
-  if (filtered_controls_ > 0)
-    dense::product<Update::Add>({m_.data(), y_stride_, 1}, p, nv, filtered_controls_, nz_,
-                                y_.data(), y_stride_);
-  dense::lower_product<Update::Add>({m_.data() + nu_, y_stride_, 1}, px, nv, nv, qxx_.data(), qs);
-  if (state_.filtered > 0)
-    dense::product<Update::Add>({m_.data() + nu_ + 2 * nv, y_stride_, 1}, px, nv, state_.filtered,
-                                state_.ndx, qxx_.data() + 2 * nv * qs, qs);
+    dense::copy(m + i * y_stride_ + first, width, g_.data() + i * y_stride_ + first);
+  dense::product<Update::Add>({knot.own.w.data(), dense::round_up(nv), 1}, f, nv, nv, width,
+                              g_.data() + first, y_stride_);
+  dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, nv, knot.nu, width, y, y_stride_);
+  if (knot.through == 0) return;
+  dense::product<Update::Add>({m, y_stride_, 1}, f, nv, knot.through, width, y, y_stride_);
+  add_passed_to_controls(knot);
 }
 
-/// Y and Qxx += E^T V E.
-void RiccatiRecursion::add_passed(const KnotExpansion& e, const ValueStorage& next) {
+/// Y += E^T V E: the filter's part. Leaves the rows of V E behind.
+void RiccatiRecursion::add_passed_to_controls(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
   const int nv = state_.nv;
-  const int nf = state_.filtered;
-  const int qs = layout_.value_stride;
-  if (state_.blocks.empty()) {
-    for (int i = 0; i < nv; ++i)
-      dense::add_scaled(1.0, next.hessian + i * qs, i + 1, qxx_.data() + i * qs);
-  } else {
-    for (int i = 0; i < nv; ++i) {
-      std::copy_n(next.hessian + i * qs, nv, passed_.data() + i * qs);
-      transform_lead(state_, e.lead, false, passed_.data() + i * qs);
-    }
-    const double* lead = e.lead;
-    int done = 0;
-    const auto add_rows = [&](int end) {
-      for (; done < end; ++done)
-        dense::add_scaled(1.0, passed_.data() + done * qs, done + 1, qxx_.data() + done * qs);
-    };
-    for (const LeadBlock& b : state_.blocks) {
-      add_rows(b.first);
-      for (int i = 0; i < b.size; ++i)
-        for (int k = 0; k < b.size; ++k)
-          dense::add_scaled(lead[k * b.size + i], passed_.data() + (b.first + k) * qs,
-                            b.first + i + 1, qxx_.data() + (b.first + i) * qs);
-      done = b.first + b.size;
-      lead += 2 * b.size * b.size;
-    }
-    add_rows(nv);
-  }
-  for (int c = 0; c < nf; ++c) {
-    double* row = passed_.data();
-    std::copy_n(next.hessian + (2 * nv + c) * qs, state_.ndx, row);
-    if (c < filtered_controls_) {
-      double* y = y_.data() + c * y_stride_;
-      const double through = 1.0 - e.decay[c];
-      for (int j = 0; j < filtered_controls_; ++j)
-        y[j] += through * row[2 * nv + j] * (1.0 - e.decay[j]);
-    }
-    transform_lead(state_, e.lead, false, row);
-    std::fill_n(row + nv, nv, 0.0);
-    for (int j = 0; j < nf; ++j) row[2 * nv + j] *= e.decay[j];
-    if (c < filtered_controls_) {
-      double* y = y_.data() + c * y_stride_ + nu_;
-      for (int j = 0; j < state_.ndx; ++j) y[j] += (1.0 - e.decay[c]) * row[j];
-    }
-    dense::add_scaled(e.decay[c], row, state_.ndx, qxx_.data() + (2 * nv + c) * qs);
+  const int vs = layout_.value_stride;
+  const Range controls = common(knot.columns, {0, knot.through});
+  const Range states = common(knot.columns, {knot.nu, knot.nz});
+  for (int c = 0; c < knot.through; ++c) {
+    const double* v = knot.next.hessian + (2 * nv + c) * vs;
+    double* y = y_.data() + c * y_stride_;
+    const double through = 1.0 - e.decay[c];
+    for (int j = controls.begin; j < controls.end; ++j)
+      y[j] += through * v[2 * nv + j] * (1.0 - e.decay[j]);
+    const double* row = pass_filtered(knot, c);
+    for (int j = states.begin; j < states.end; ++j) y[j] += through * row[j - knot.nu];
   }
 }
 
-void RiccatiRecursion::add_second_order(const KnotExpansion& e, const ValueStorage& next) {
-  filtered_controls_ = std::min(nu_, state_.filtered);
-  project_value(e, next);
-  add_products(e);
-  add_passed(e, next);
+/// Row c of V E, dtau.
+const double* RiccatiRecursion::pass_filtered(const Knot& knot, int c) {
+  const int nv = state_.nv;
+  const int vs = layout_.value_stride;
+  double* row = knot.own.passed.data() + (nv + c) * vs;
+  std::copy_n(knot.next.hessian + (2 * nv + c) * vs, state_.ndx, row);
+  transform_lead(state_, knot.e.lead, false, row);
+  std::fill_n(row + nv, nv, 0.0);
+  for (int j = 0; j < state_.filtered; ++j) row[2 * nv + j] *= knot.e.decay[j];
+  return row;
 }
 
-/// Solves the knot's box problem and leaves in Y a system whose solution is its own: clamped
-/// controls have a unit row, no gain, and their step k_i as right-hand side.
-void RiccatiRecursion::clamp(const ControlBox& box, double* k, RiccatiStep& result) {
+/// w = vx' + Vxx' gap.
+void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* hessian_gap,
+                                 RiccatiStep& result) {
+  const int ndx = state_.ndx;
+  const int vs = layout_.value_stride;
+  std::fill_n(hessian_gap, vs, 0.0);
+  dense::add_transposed_times({knot.next.hessian, vs}, gap, ndx, ndx, hessian_gap);
+  result.gap_slope = dense::dot(knot.next.gradient, gap, ndx);
+  result.gap_curvature = dense::dot(hessian_gap, gap, ndx);
+  dense::sum_scaled(knot.next.gradient, 1.0, hessian_gap, ndx, w_next_.data());
+}
+
+/// q = h + F^T w, and qu in Y.
+void RiccatiRecursion::add_gradient(const Knot& knot) {
+  double* q = gradient_.data();
+  std::copy_n(knot.e.gradient, knot.nz, q);
+  add_transposed(state_, knot.e, knot.nu, w_next_.data(), knot.own.passed.data(), q);
   double* y = y_.data();
-  double* qu = y + nz_;
-  for (int i = 0; i < nu_; ++i) {
+  for (int i = 0; i < knot.nu; ++i) y[i * y_stride_ + knot.nz] = q[i];
+}
+
+/// Qxx += P^T G + M^T P, where M^T P has the rows of what passes through: dq
+/// and dtau.
+void RiccatiRecursion::add_to_states(const Knot& knot) {
+  const KnotExpansion& e = knot.e;
+  const int nv = state_.nv;
+  const int nu = knot.nu;
+  const int ndx = state_.ndx;
+  const int qs = layout_.value_stride;
+  const double* m = knot.own.m.data() + nu;
+  double* qxx = qxx_.data();
+  const bool is_dense = e.form == DynamicsForm::Dense;
+  const Rows px{e.dynamics + nu, e.stride};
+  dense::lower_product<Update::Add>({px.data, px.stride, 1}, {g_.data() + nu, y_stride_},
+                                    is_dense ? ndx : nv, knot.rows, qxx, qs);
+  if (is_dense) return;
+  dense::lower_product<Update::Add>({m, y_stride_, 1}, px, nv, common(knot.rows, {0, nv}), qxx, qs);
+  const Range filter = common(knot.rows, {2 * nv, ndx});
+  if (filter.begin < filter.end)
+    dense::product<Update::Add>({m + filter.begin, y_stride_, 1}, px, nv, filter.end - filter.begin,
+                                ndx, qxx + filter.begin * qs, qs);
+  add_passed_to_states(knot);
+  add_passed_controls_to_states(knot);
+}
+
+/// Qxx += E^T V E, rows of dq.
+void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
+  const int qs = layout_.value_stride;
+  const double* v = knot.next.hessian;
+  const Range rows = common(knot.rows, {0, state_.nv});
+  if (state_.blocks.empty()) {
+    for (int i = rows.begin; i < rows.end; ++i)
+      dense::add_scaled(1.0, v + i * qs, i + 1, qxx_.data() + i * qs);
+    return;
+  }
+  double* passed = knot.own.passed.data();
+  const auto pass = [&](int i) {
+    std::copy_n(v + i * qs, state_.nv, passed + i * qs);
+    transform_lead(state_, knot.e.lead, false, passed + i * qs);
+  };
+  int done = rows.begin;
+  const auto add_rows = [&](int end) {
+    for (; done < end; ++done) {
+      pass(done);
+      dense::add_scaled(1.0, passed + done * qs, done + 1, qxx_.data() + done * qs);
+    }
+  };
+  const double* lead = knot.e.lead;
+  for (const LeadBlock& b : state_.blocks) {
+    add_rows(std::min(b.first, rows.end));
+    const Range part = common(rows, {b.first, b.first + b.size});
+    if (part.begin < part.end)
+      for (int k = 0; k < b.size; ++k) pass(b.first + k);
+    for (int i = part.begin; i < part.end; ++i)
+      for (int k = 0; k < b.size; ++k)
+        dense::add_scaled(lead[k * b.size + i - b.first], passed + (b.first + k) * qs, i + 1,
+                          qxx_.data() + i * qs);
+    done = std::max(done, std::min(b.first + b.size, rows.end));
+    lead += 2 * b.size * b.size;
+  }
+  add_rows(rows.end);
+}
+
+/// The same, rows of filtered controls.
+void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
+  const int nv = state_.nv;
+  const int qs = layout_.value_stride;
+  const Range rows = common(knot.rows, {2 * nv, state_.ndx});
+  for (int i = rows.begin; i < rows.end; ++i) {
+    const int c = i - 2 * nv;
+    const double* row =
+        c < knot.through ? knot.own.passed.data() + (nv + c) * qs : pass_filtered(knot, c);
+    dense::add_scaled(knot.e.decay[c], row, state_.ndx, qxx_.data() + i * qs);
+  }
+}
+
+/// Solves the knot's box problem and leaves in Y a system whose solution is its
+/// own: clamped controls have a unit row, no gain, and their step k_i as
+/// right-hand side.
+void RiccatiRecursion::clamp(const Knot& knot, const ControlBox& box, double* k,
+                             RiccatiStep& result) {
+  const int nu = knot.nu;
+  const int nz = knot.nz;
+  double* y = y_.data();
+  double* qu = y + nz;
+  for (int i = 0; i < nu; ++i) {
     box_lower_.data()[i] = box.lower[i] - box.u[i];
     box_upper_.data()[i] = box.upper[i] - box.u[i];
   }
   const BoxQpResult solved =
-      box_qp_.solve({nu_, y, y_stride_, qu, y_stride_, box_lower_.data(), box_upper_.data()}, k);
+      box_qp_.solve({nu, y, y_stride_, qu, y_stride_, box_lower_.data(), box_upper_.data()}, k);
   if (!solved.positive_definite) return;
   const auto quu = [&](int i, int j) {
     return i < j ? y[i * y_stride_ + j] : y[j * y_stride_ + i];
   };
-  for (int i = 0; i < nu_; ++i) {
+  for (int i = 0; i < nu; ++i) {
     result.slope += qu[i * y_stride_] * k[i];
-    for (int j = 0; j < nu_; ++j) result.curvature += k[i] * quu(i, j) * k[j];
+    for (int j = 0; j < nu; ++j) result.curvature += k[i] * quu(i, j) * k[j];
   }
-  for (int c = 0; c < nu_; ++c) {
+  for (int c = 0; c < nu; ++c) {
     if (!box_qp_.clamped(c)) continue;
-    for (int i = 0; i < nu_; ++i)
+    for (int i = 0; i < nu; ++i)
       if (!box_qp_.clamped(i)) qu[i * y_stride_] += quu(i, c) * k[c];
-    dense::add_scaled(k[c], y + c * y_stride_ + nu_, state_.ndx, gradient_.data() + nu_);
+    dense::add_scaled(k[c], y + c * y_stride_ + nu, state_.ndx, gradient_.data() + nu);
   }
-  for (int c = 0; c < nu_; ++c) {
+  for (int c = 0; c < nu; ++c) {
     if (!box_qp_.clamped(c)) continue;
     for (int i = 0; i < c; ++i) y[i * y_stride_ + c] = 0.0;
-    std::fill_n(y + c * y_stride_ + c, nz_ - c, 0.0);
+    std::fill_n(y + c * y_stride_ + c, nz - c, 0.0);
     y[c * y_stride_ + c] = 1.0;
     qu[c * y_stride_] = -k[c];
   }
 }
 
-RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const double* gap,
-                                   ValueStorage next, double regularization, const ControlBox& box,
-                                   PolicyStorage policy, ValueStorage value, double* hessian_gap) {
-  RiccatiStep result;
-  nu_ = controls;
-  nz_ = controls + state_.ndx;
-  const int vs = layout_.value_stride;
-  const int ndx = state_.ndx;
-  std::fill_n(hessian_gap, vs, 0.0);
-  dense::add_transposed_times({next.hessian, vs}, gap, ndx, ndx, hessian_gap);
-  result.gap_slope = dense::dot(next.gradient, gap, ndx);
-  result.gap_curvature = dense::dot(hessian_gap, gap, ndx);
-  dense::sum_scaled(next.gradient, 1.0, hessian_gap, ndx, w_next_.data());
-
-  load_cost(e);
-  if (e.form == DynamicsForm::Dense)
-    add_dense(e, next);
-  else
-    add_second_order(e, next);
-  add_transposed(state_, e, nu_, w_next_.data(), passed_.data(), gradient_.data());
-
+/// R, and a worker's columns of [L | l] and of [K | k]. The first control that
+/// fails, or -1.
+int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
+  const int nu = knot.nu;
+  double* inverse = knot.own.inverse_diagonal.data();
+  const int first = nu + knot.gains.begin;
+  const int width = knot.gains.end - knot.gains.begin;
   double* y = y_.data();
-  double* q = gradient_.data();
-  for (int i = 0; i < nu_; ++i) {
-    y[i * y_stride_ + i] += regularization;
-    y[i * y_stride_ + nz_] = q[i];
-  }
-  const bool bounded = box.lower != nullptr && box.upper != nullptr && nu_ > 0;
-  if (bounded) clamp(box, policy.feedforward, result);
-  result.failed_control =
-      dense::partial_cholesky(y, y_stride_, nu_, nz_ + 1, inverse_diagonal_.data());
-  if (result.failed_control >= 0) return result;
-
-  dense::solve_gains(y, y_stride_, nu_, ndx + 1, inverse_diagonal_.data(), policy.gain,
-                     layout_.gain_stride);
-  dense::lower_product<Update::Subtract>({y + nu_, y_stride_, 1}, {y + nu_, y_stride_}, nu_, ndx,
-                                         qxx_.data(), vs);
-  dense::mirror_lower({qxx_.data(), vs}, ndx, value.hessian, vs);
-  std::copy_n(q + nu_, ndx, value.gradient);
-  for (int i = 0; i < nu_; ++i) {
-    const double l = y[i * y_stride_ + nz_];
-    dense::add_scaled(-l, y + i * y_stride_ + nu_, ndx, value.gradient);
-    policy.feedforward[i] = policy.gain[i * layout_.gain_stride + ndx];
-    if (!bounded) {
-      result.slope -= l * l;
-      result.curvature += l * l;
+  Range columns{0, knot.nz + 1};
+  if (!knot.crew.alone()) {
+    y = knot.own.factor.data();
+    columns = {first, nu + knot.gains.end};
+    const int left = dense::round_down(first);
+    for (int i = 0; i < nu; ++i) {
+      const double* from = y_.data() + i * y_stride_;
+      double* to = y + i * y_stride_;
+      dense::copy(from, nu, to);
+      if (width > 0) dense::copy(from + left, columns.end - left, to + left);
     }
   }
+  const int failed = dense::partial_cholesky(y, y_stride_, nu, columns, inverse);
+  if (failed >= 0 || width == 0) return failed;
+  dense::solve_gains(y, y_stride_, nu, first, width, inverse, policy.gain + knot.gains.begin,
+                     layout_.gain_stride);
+  if (!knot.crew.alone())
+    for (int i = 0; i < nu; ++i)
+      dense::copy(y + i * y_stride_ + first, width,
+                  l_.data() + i * layout_.gain_stride + knot.gains.begin);
+  return -1;
+}
+
+/// Vxx = Qxx - L^T L, vx = qx - L^T l.
+void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
+  const int vs = layout_.value_stride;
+  const int ndx = state_.ndx;
+  const bool alone = knot.crew.alone();
+  const Rows l =
+      alone ? Rows{y_.data() + knot.nu, y_stride_} : Rows{l_.data(), layout_.gain_stride};
+  dense::lower_product<Update::Subtract>({l.data, l.stride, 1}, l, knot.nu, knot.rows, qxx_.data(),
+                                         vs);
+  dense::mirror_lower({qxx_.data(), vs}, knot.rows, value.hessian, vs);
+  const Range part = share(knot.crew, ndx, dense::lanes);
+  const int width = part.end - part.begin;
+  const int nu = knot.nu;
+  double* gradient = value.gradient + part.begin;
+  std::copy_n(gradient_.data() + nu + part.begin, width, gradient);
+  for (int i = 0; i < nu; ++i) {
+    const double* row = l.data + i * l.stride;
+    dense::add_scaled(-row[ndx], row + part.begin, width, gradient);
+  }
+}
+
+/// The feedforward, and what it saves.
+void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStorage& policy,
+                                RiccatiStep& result) {
+  const bool alone = knot.crew.alone();
+  const double* l = alone ? y_.data() + knot.nz : l_.data() + state_.ndx;
+  const int stride = alone ? y_stride_ : layout_.gain_stride;
+  const int gain_stride = layout_.gain_stride;
+  const double* gain = policy.gain + state_.ndx;
+  const int nu = knot.nu;
+  double saved = 0.0;
+  for (int i = 0; i < nu; ++i) {
+    policy.feedforward[i] = gain[i * gain_stride];
+    saved += l[i * stride] * l[i * stride];
+  }
+  if (bounded) return;
+  result.slope = -saved;
+  result.curvature = saved;
+}
+
+[[gnu::flatten]] RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls,
+                                                    const double* gap, ValueStorage next,
+                                                    double regularization, const ControlBox& box,
+                                                    PolicyStorage policy, ValueStorage value,
+                                                    double* hessian_gap, const Crew& crew) {
+  RiccatiStep result;
+  const int ndx = state_.ndx;
+  const Knot knot(e, next, controls, ndx, state_.filtered, crew,
+                  own_[static_cast<std::size_t>(crew.worker)]);
+  const bool bounded = box.lower != nullptr && box.upper != nullptr && controls > 0;
+
+  if (crew.leads()) cross_gap(knot, gap, hessian_gap, result);
+  load_cost(knot);
+  if (e.form == DynamicsForm::SecondOrder) project_value(knot);
+  add_to_controls(knot);
+  for (int i = knot.columns.begin; i < std::min(controls, knot.columns.end); ++i)
+    y_.data()[i * y_stride_ + i] += regularization;
+  if (crew.leads()) add_gradient(knot);
+  crew.meet();
+  if (bounded) {
+    if (crew.leads()) clamp(knot, box, policy.feedforward, result);
+    crew.meet();
+  }
+  result.failed_control = factorize(knot, policy);
+  if (result.failed_control >= 0) return result;
+  add_to_states(knot);
+  crew.meet();
+  reduce(knot, value);
+  if (crew.leads()) conclude(knot, bounded, policy, result);
+  crew.meet();
   return result;
 }
 

@@ -1,6 +1,9 @@
 #include "burnish/base/thread_pool.hpp"
 
 #include <gtest/gtest.h>
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +18,7 @@ TEST(ThreadPool, does_every_piece_once) {
   for (const int workers : {1, 2, 4}) {
     ThreadPool pool(workers);
     EXPECT_EQ(pool.workers(), workers);
+    EXPECT_EQ(pool.has_a_core_each(), allowed_cores() == 0 || workers <= allowed_cores());
     for (const int pieces : {0, 1, 2, 7, 100}) {
       std::vector<int> done(static_cast<std::size_t>(pieces), 0);
       std::atomic<bool> worker_in_range = true;
@@ -71,6 +75,117 @@ TEST(ThreadPool, passes_on_what_the_lowest_piece_throws_when_all_are_done) {
 TEST(ThreadPool, refuses_to_have_no_worker) {
   expect_words(refusal([] { ThreadPool pool(0); }), {"0 workers", "1 or more"});
 }
+
+TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
+  for (const int workers : {1, 2, 3, 5}) {
+    ThreadPool pool(workers);
+    const ThreadPool::Awake awake(pool);
+    std::vector<int> steps(static_cast<std::size_t>(workers), 0);
+    std::atomic<int> wrong = 0;
+    for (int round = 0; round < 20; ++round) {
+      std::fill(steps.begin(), steps.end(), 0);
+      pool.together([&](const Crew& crew) noexcept {
+        if (crew.workers != workers || crew.leads() != (crew.worker == workers - 1)) ++wrong;
+        for (int step = 1; step <= 50; ++step) {
+          steps[static_cast<std::size_t>(crew.worker)] = step;
+          crew.meet();
+          for (const int of_other : steps)
+            if (of_other != step) ++wrong;
+          crew.meet();
+        }
+      });
+      // Loops go on as before.
+      int sum = 0;
+      std::mutex mutex;
+      pool.for_each(3, [&](int, int piece) {
+        const std::lock_guard lock(mutex);
+        sum += piece;
+      });
+      EXPECT_EQ(sum, 3);
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
+TEST(ThreadPool, more_workers_than_cores_do_all_pieces_too) {
+  const int workers = std::min(64, 2 * std::max(1, allowed_cores()) + 1);
+  ThreadPool pool(workers);
+  std::vector<long> sums(100, 0);
+  for (int round = 0; round < 300; ++round)
+    pool.for_each(100, [&](int, int piece) { sums[static_cast<std::size_t>(piece)] += piece; });
+  for (int piece = 0; piece < 100; ++piece)
+    EXPECT_EQ(sums[static_cast<std::size_t>(piece)], 300L * piece);
+}
+
+#ifdef __linux__
+
+cpu_set_t cores_of_this_thread() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  EXPECT_EQ(sched_getaffinity(0, sizeof set, &set), 0);
+  return set;
+}
+
+/// Core sets as they were, whatever a test does.
+class PinnedThreads : public ::testing::Test {
+ protected:
+  void TearDown() override { sched_setaffinity(0, sizeof before_, &before_); }
+  std::vector<int> allowed() const {
+    std::vector<int> cores;
+    for (int core = 0; core < CPU_SETSIZE; ++core)
+      if (CPU_ISSET(core, &before_)) cores.push_back(core);
+    return cores;
+  }
+  const cpu_set_t before_ = cores_of_this_thread();
+};
+
+TEST_F(PinnedThreads, each_have_the_core_of_their_number_and_the_caller_stays_free) {
+  const std::vector<int> cores = allowed();
+  EXPECT_EQ(allowed_cores(), static_cast<int>(cores.size()));
+  const int workers = std::min<int>(4, static_cast<int>(cores.size()));
+  ThreadPool pool(workers, Pinning::Cores);
+  EXPECT_EQ(pool.pinning(), Pinning::Cores);
+  std::vector<cpu_set_t> seen(static_cast<std::size_t>(workers), before_);
+  std::atomic<int> arrived = 0;
+  pool.for_each(workers, [&](int worker, int) {
+    seen[static_cast<std::size_t>(worker)] = cores_of_this_thread();
+    // No worker takes a second piece before all have one.
+    ++arrived;
+    while (arrived < workers) std::this_thread::yield();
+  });
+  for (int w = 1; w < workers; ++w) {
+    const cpu_set_t& set = seen[static_cast<std::size_t>(w)];
+    EXPECT_EQ(CPU_COUNT(&set), 1) << w;
+    EXPECT_TRUE(CPU_ISSET(cores[static_cast<std::size_t>(w)], &set)) << w;
+  }
+  const cpu_set_t caller = cores_of_this_thread();
+  EXPECT_TRUE(CPU_EQUAL(&caller, &before_));
+}
+
+TEST_F(PinnedThreads, are_refused_where_there_are_fewer_cores) {
+  const int cores = allowed_cores();
+  expect_words(refusal([&] { ThreadPool pool(cores + 1, Pinning::Cores); }),
+               {std::to_string(cores + 1) + " workers", std::to_string(cores) + " core"});
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(allowed().back(), &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(allowed_cores(), 1);
+  expect_words(refusal([] { ThreadPool pool(2, Pinning::Cores); }), {"2 workers", "1 core "});
+  ThreadPool alone(1, Pinning::Cores);
+  EXPECT_EQ(alone.workers(), 1);
+  // Without pinning two threads share the core.
+  ThreadPool pool(2);
+  int sum = 0;
+  std::mutex mutex;
+  pool.for_each(10, [&](int, int piece) {
+    const std::lock_guard lock(mutex);
+    sum += piece;
+  });
+  EXPECT_EQ(sum, 45);
+}
+
+#endif
 
 }  // namespace
 }  // namespace burnish::testing

@@ -17,6 +17,12 @@ constexpr double instrumented = 10.0;
 constexpr double instrumented = 1.0;
 #endif
 
+#ifdef __linux__
+constexpr bool can_pin = true;
+#else
+constexpr bool can_pin = false;
+#endif
+
 struct Touch {
   std::string robot, tool, base;
   double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
@@ -115,7 +121,9 @@ TEST_P(BatchOf, threads_change_no_bit) {
   ContactDynamicsBatch alone(model_, contacts(Reference::centered()), count);
   ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
   for (const int threads : {2, 3}) {
-    ContactDynamicsBatch shared(model_, contacts(Reference::centered()), count, {}, threads);
+    const Pinning pinning = can_pin && threads <= allowed_cores() ? Pinning::Cores : Pinning::None;
+    ContactDynamicsBatch shared(model_, contacts(Reference::centered()), count, {}, threads,
+                                pinning);
     EXPECT_EQ(shared.threads(), threads);
     ASSERT_EQ(shared.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
     for (int i = 0; i < count; ++i) {

@@ -133,7 +133,8 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "horizon:\n"
       "  - repeat: 2\n"
       "    of: [go: 3, go: 1]\n"
-      "solver: {update: multiple_shooting, max_iterations: 7, threads: 2, stop_tolerance: 1e-5,\n"
+      "solver: {update: multiple_shooting, max_iterations: 7, threads: 2, pin_threads: true,\n"
+      "         share_knots: false, segments: 2, stop_tolerance: 1e-5,\n"
       "         line_search: {halvings: 4}, regularization: {initial: 0.1}}\n"
       "guess: still\n");
   const ProblemSpec& spec = file.spec;
@@ -165,6 +166,10 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
+  EXPECT_EQ(file.solver.threads, 2);
+  EXPECT_TRUE(file.solver.pin_threads);
+  EXPECT_FALSE(file.solver.share_knots);
+  EXPECT_EQ(file.solver.segments, 2);
   EXPECT_EQ(file.solver.line_search.halvings, 4);
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <thread>
 
+#include "burnish/base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/nonlinear_problems.hpp"
 #include "support/allocation_guard.hpp"
@@ -244,6 +245,24 @@ TEST(Solver, adds_up_the_time_of_its_phases) {
   EXPECT_GT(t.trial, 0.0);
   EXPECT_LE(t.expand + t.backward + t.trial, t.total);
 }
+
+#ifdef __linux__
+TEST(Solver, pins_threads_when_told_and_refuses_more_of_them_than_cores) {
+  TestProblem p = unicycle();
+  const int cores = allowed_cores();
+  DdpSolver solver(p, {.threads = std::min(cores, 3), .pin_threads = true});
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged);
+  const auto ask = [&](DdpOptions options) {
+    return refusal([&] { solver.set_options(std::move(options)); });
+  };
+  expect_words(ask({.threads = cores + 1, .pin_threads = true}),
+               {std::to_string(cores + 1) + " workers", std::to_string(cores) + " core"});
+  EXPECT_EQ(solver.options().threads, std::min(cores, 3));
+  EXPECT_EQ(ask({.threads = cores + 1}), "");
+  solver.set_guess(RowMatrix::Zero(41, 3), RowMatrix::Zero(40, 2));
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged);
+}
+#endif
 
 TEST(Solver, refuses_options_and_guesses_in_a_sentence) {
   TestProblem p = unicycle();

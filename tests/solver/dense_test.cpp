@@ -75,10 +75,10 @@ TEST(Dense, mirror_and_transpose_move_every_entry) {
   for (int n = 1; n <= 30; ++n) {
     Padded a(n, n);
     Padded b(n, n, false);
-    mirror_lower({a.data(), a.stride}, n, b.data(), b.stride);
+    mirror_lower({a.data(), a.stride}, {0, n}, b.data(), b.stride);
     const Eigen::MatrixXd wanted = a.matrix(n, n).selfadjointView<Eigen::Lower>();
     EXPECT_EQ(error(b.matrix(n, n), wanted), 0.0) << n;
-    mirror_lower({a.data(), a.stride}, n, a.data(), a.stride);
+    mirror_lower({a.data(), a.stride}, {0, n}, a.data(), a.stride);
     EXPECT_EQ(error(a.matrix(n, n), wanted), 0.0) << n;
     const int m = 1 + (3 * n) % 11;
     Padded c(m, n);
@@ -98,10 +98,10 @@ TEST(Dense, partial_cholesky_and_gains_equal_eigen) {
     const Eigen::MatrixXd Z = y.matrix(nu, nu + n).rightCols(n);
     const Eigen::LLT<Eigen::MatrixXd> factor(Q);
     std::vector<double> inverse(static_cast<std::size_t>(nu));
-    EXPECT_EQ(partial_cholesky(y.data(), y.stride, nu, nu + n, inverse.data()), -1);
+    EXPECT_EQ(partial_cholesky(y.data(), y.stride, nu, {0, nu + n}, inverse.data()), -1);
     EXPECT_LT(error(y.matrix(nu, nu + n).rightCols(n), factor.matrixL().solve(Z)), 1e-10);
     Padded x(nu, n, false);
-    solve_gains(y.data(), y.stride, nu, n, inverse.data(), x.data(), x.stride);
+    solve_gains(y.data(), y.stride, nu, nu, n, inverse.data(), x.data(), x.stride);
     const double scale = factor.solve(Z).cwiseAbs().maxCoeff();
     EXPECT_LT(error(x.matrix(nu, n), -factor.solve(Z)), 1e-10 * scale) << nu;
   }
@@ -113,7 +113,7 @@ TEST(Dense, partial_cholesky_names_the_pivot_that_is_not_positive) {
     y.matrix(12, 15).leftCols(12).setIdentity();
     y.matrix(12, 15)(bad, bad) = bad == 3 ? std::nan("") : -1.0;
     double inverse[12];
-    EXPECT_EQ(partial_cholesky(y.data(), y.stride, 12, 15, inverse), bad);
+    EXPECT_EQ(partial_cholesky(y.data(), y.stride, 12, {0, 15}, inverse), bad);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "burnish/base/thread_pool.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 
 namespace burnish {
@@ -18,9 +19,10 @@ int pack_width();
 class ContactDynamicsBatch {
  public:
   /// Room for `capacity` states, shared out among `threads`, the calling one included. Throws Error
-  /// as ContactDynamics does, and for no room and no threads.
+  /// as ContactDynamics does, for no room and no threads, and where ThreadPool refuses to pin them.
   ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
-                       const ContactSolver& solver = {}, int threads = 1);
+                       const ContactSolver& solver = {}, int threads = 1,
+                       Pinning pinning = Pinning::None);
   ~ContactDynamicsBatch();
   ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept;
   ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;

@@ -67,6 +67,19 @@ struct DdpOptions {
   /// least the guess is evaluated.
   double time_budget = std::numeric_limits<double>::infinity();
   int threads = 1;
+  /// Thread i of the solver stays on the i-th core that the thread which makes it (or gives it
+  /// options) may run on; see Pinning. The thread that solves is left as it is. Linux alone.
+  bool pin_threads = false;
+  /// Threads work together on each knot of the recursion where knots are large (a humanoid's),
+  /// which is faster on cores that share a cache and slower on others. Results have the same bits.
+  bool share_knots = true;
+  /// The recursion works on so many parts of the horizon at the same time, for long horizons and
+  /// several cores: docs/performance.md, "Threads", says when that is faster. It makes up to three
+  /// times the operations, and threads + 1 segments suit `threads` best; 1 and 2 mean one sweep
+  /// from the end to the begin, as do bounds on controls. Fewer than the problem has knots. Gains
+  /// and values are those of the whole horizon, but for rounding; their bits depend on this number
+  /// and not on that of threads.
+  int segments = 1;
   /// Converged if feasible and expected improvement < stop_tolerance (in units of cost).
   double stop_tolerance = 1e-9;
   /// Feasible if every |entry of a gap| <= gap_tolerance.

@@ -9,8 +9,16 @@
 // SecondOrder dynamics are F = T P + E, T: dv' -> dx' = (step B; 1; 0), E the parts of z that pass
 // through. With U = Vxx' T, W = T^T U and M = U^T E, only P, which has nv rows, meets a dense
 // product: F^T V F = P^T (W P + M) + M^T P + E^T V E.
+//
+// A crew shares one knot: each worker has columns of Y and G, rows of Qxx and columns of the gains.
+// What is small, U, W and M and the factor of Quu, each makes for itself: to hand it from core to
+// core would take longer. They meet three times a knot (four with bounds). Every entry is the same
+// sum whoever makes it.
 #pragma once
 
+#include <vector>
+
+#include "burnish/base/crew.hpp"
 #include "burnish/ocp/shooting_problem.hpp"
 #include "burnish/solver/box_qp.hpp"
 #include "burnish/solver/buffer.hpp"
@@ -57,12 +65,24 @@ struct RiccatiStep {
   double gap_curvature = 0.0;  ///< gap^T Vxx' gap
 };
 
+/// R of Quu = R^T R, upper triangle, and the inverses of its diagonal.
+struct RiccatiFactor {
+  const double* r;
+  int stride;
+  const double* inverse_diagonal;
+};
+
 /// One recursion's workspace. Nothing is allocated after construction.
 class RiccatiRecursion {
  public:
-  RiccatiRecursion(const StateShape& state, int max_controls);
+  /// For crews of up to so many workers.
+  RiccatiRecursion(const StateShape& state, int max_controls, int workers = 1);
 
   const RiccatiLayout& layout() const { return layout_; }
+
+  /// Multiplications of a knot with so many controls, without those that grow with less than the
+  /// third power of the sizes.
+  double multiplications(int controls, DynamicsForm form) const;
 
   /// The value function of the end: the terminal cost's expansion.
   void terminal(const KnotExpansion& expansion, ValueStorage value) const;
@@ -70,29 +90,51 @@ class RiccatiRecursion {
   /// One knot backwards. `regularization` is added to the diagonal of Quu. `hessian_gap` receives
   /// Vxx' gap (value_stride entries). Where a box is given, policy.feedforward is read first: the
   /// guess from which its quadratic program starts; gains of clamped controls are zero.
+  ///
+  /// Every worker of a crew calls it with the same arguments but its own crew, and next may call it
+  /// for the knot before. All learn of a failed control; the rest of the answer is the leader's.
   RiccatiStep step(const KnotExpansion& expansion, int controls, const double* gap,
                    ValueStorage next, double regularization, const ControlBox& box,
-                   PolicyStorage policy, ValueStorage value, double* hessian_gap);
+                   PolicyStorage policy, ValueStorage value, double* hessian_gap,
+                   const Crew& crew = {});
+
+  /// Of the last step that a worker alone made, without bounds.
+  RiccatiFactor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
 
  private:
-  void load_cost(const KnotExpansion& expansion);
-  void add_dense(const KnotExpansion& expansion, const ValueStorage& next);
-  void add_second_order(const KnotExpansion& expansion, const ValueStorage& next);
-  void project_value(const KnotExpansion& expansion, const ValueStorage& next);
-  void add_products(const KnotExpansion& expansion);
-  void add_passed(const KnotExpansion& expansion, const ValueStorage& next);
-  void clamp(const ControlBox& box, double* k, RiccatiStep& result);
+  struct Knot;  ///< what a step is given, and a worker's shares of it
+  /// What each worker has for itself: U^T: nv x ndx; W: nv x nv; M: nv x nz; rows that pass
+  /// through; R and its part of L.
+  struct Own {
+    Buffer u, w, m, passed, inverse_diagonal, factor;
+  };
+
+  void load_cost(const Knot& knot);
+  void project_value(const Knot& knot);
+  void project_steps(const Knot& knot);
+  void add_to_controls(const Knot& knot);
+  void add_passed_to_controls(const Knot& knot);
+  const double* pass_filtered(const Knot& knot, int c);
+  void cross_gap(const Knot& knot, const double* gap, double* hessian_gap, RiccatiStep& result);
+  void add_gradient(const Knot& knot);
+  void add_to_states(const Knot& knot);
+  void add_passed_to_states(const Knot& knot);
+  void add_passed_controls_to_states(const Knot& knot);
+  void clamp(const Knot& knot, const ControlBox& box, double* k, RiccatiStep& result);
+  int factorize(const Knot& knot, const PolicyStorage& policy);
+  void reduce(const Knot& knot, const ValueStorage& value);
+  void conclude(const Knot& knot, bool bounded, const PolicyStorage& policy, RiccatiStep& result);
 
   StateShape state_;
   RiccatiLayout layout_;
-  int nu_ = 0, nz_ = 0, filtered_controls_ = 0;
   // Y = [Quu | Qux | qu], upper triangle of Quu; Qxx, lower; the gradient q.
   Buffer y_, qxx_, gradient_;
   int y_stride_;
-  // U^T: nv x ndx; W: nv x nv; M and G = W P + M: nv x nz. Dense: G = Vxx' F, ndx x nz.
-  Buffer u_, w_, m_, g_, passed_;
+  Buffer g_;       ///< G = W P + M: nv x nz. Dense: G = Vxx' F, ndx x nz
   Buffer w_next_;  ///< w = vx' + Vxx' gap
-  Buffer inverse_diagonal_, solution_, box_lower_, box_upper_;
+  Buffer l_;       ///< [L | l] of a crew; a worker alone has it in Y
+  Buffer box_lower_, box_upper_;
+  std::vector<Own> own_;
   BoxQp box_qp_;
 };
 

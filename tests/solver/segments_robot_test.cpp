@@ -1,0 +1,71 @@
+// The recursion by segments on robots: values, gains and directions of one sweep, to rounding.
+#include <gtest/gtest.h>
+
+#include "burnish/model/robot.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "ocp/polishing_problem.hpp"
+#include "support/standing_problem.hpp"
+
+namespace burnish::test {
+namespace {
+
+template <class A, class B>
+double difference(const A& a, const B& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+/// One iteration of both from the same guess, a little off the solution.
+void expect_same_iteration(const ProblemSpec& spec, int knots, int segments, double rounding) {
+  Problem problem(spec);
+  const int nx = problem.state().nx;
+  const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), nx);
+  const RowMatrix xs = x0.transpose().replicate(knots + 1, 1);
+  const RowMatrix us = 0.9 * problem.quasi_static(0, x0).control.transpose().replicate(knots, 1);
+  const auto iterate = [&](int count) {
+    DdpSolver solver(
+        problem, {.update = StepUpdate::MultipleShooting, .max_iterations = 1, .segments = count});
+    solver.set_guess(xs, us);
+    solver.solve();
+    return solver;
+  };
+  const DdpSolver whole = iterate(1);
+  const DdpSolver cut = iterate(segments);
+  EXPECT_EQ(whole.summary().regularization, 0.0);
+  EXPECT_LT(difference(cut.xs(), whole.xs()), rounding);
+  EXPECT_LT(difference(cut.us(), whole.us()), rounding);
+  EXPECT_NE(RowMatrix(cut.us()), RowMatrix(whole.us())) << "nothing was cut";
+  for (int k = 0; k < knots; ++k) {
+    EXPECT_LT(difference(cut.gain(k), whole.gain(k)), rounding) << k;
+    EXPECT_LT(difference(cut.value_hessian(k), whole.value_hessian(k)), rounding) << k;
+    EXPECT_LT(difference(cut.value_gradient(k), whole.value_gradient(k)), rounding) << k;
+  }
+}
+
+TEST(SegmentsOfRobots, equal_one_sweep_on_an_arm_that_presses) {
+  const Robot robot = load_robot("talos:right_arm");
+  const Eigen::VectorXd q0 = robot.posture("table");
+  for (const int knots : {100, 500})
+    for (const int segments : {3, 9})
+      expect_same_iteration(ocp::polishing_problem(robot.model, "tool", q0, knots), knots, segments,
+                            1e-8);
+}
+
+TEST(SegmentsOfRobots, equal_one_sweep_with_filtered_torques) {
+  const Robot robot = load_robot("talos:right_arm");
+  ProblemSpec spec = ocp::polishing_problem(robot.model, "tool", robot.posture("table"), 100);
+  spec.torque_model = TorqueModel{.cutoff = 100.0};
+  const Eigen::Index nx = spec.initial_state.size();
+  spec.initial_state.conservativeResize(nx + robot.model.nv);
+  spec.initial_state.tail(robot.model.nv).setZero();
+  expect_same_iteration(spec, 100, 5, 1e-8);
+}
+
+TEST(SegmentsOfRobots, equal_one_sweep_on_a_humanoid_on_two_feet) {
+  const Robot robot = load_robot("talos");
+  const ProblemSpec spec = standing_problem(robot.model, {"left_sole_link", "right_sole_link"},
+                                            robot.posture("half_sitting"), 60);
+  expect_same_iteration(spec, 60, 4, 1e-7);
+}
+
+}  // namespace
+}  // namespace burnish::test
