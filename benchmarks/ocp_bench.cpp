@@ -100,7 +100,7 @@ void iteration(benchmark::State& state, const std::string& name, int knots, DdpO
 /// A tick of a controller that makes a new plan at each.
 void tick(benchmark::State& state) {
   const std::string name = "talos_right_arm";
-  mpc::PressingController controller(make(name), "tool");
+  mpc::PressingController controller(make(name, usual_knots), "tool");
   for (auto _ : state) controller.tick();
   if (controller.fault().kind != FaultKind::None)
     state.SkipWithError(controller.fault().text().c_str());
