@@ -3,8 +3,8 @@
 namespace burnish {
 namespace {
 
-// Relatives (ancestors, descendants, itself) of an entry on average. Measured on chains, where it is
-// their length, with packs of 8 states.
+// Relatives (ancestors, descendants, itself) of an entry on average. Measured on chains, where it
+// is their length, with packs of 8 states.
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {
