@@ -185,13 +185,17 @@ void ThreadPool::wait_for_round(std::uint32_t seen) const {
 }
 
 void ThreadPool::serve(int worker) {
-  std::uint32_t seen = 0;
+  std::uint32_t seen = 0, done = 0;
   for (;;) {
     wait_for_round(seen);
     seen = round_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
     if (!enter()) continue;
-    take_pieces(worker);
+    // One that woke late for a round may have entered the next, and come by here again in that.
+    if (inner_round_ != done) {
+      done = inner_round_;
+      take_pieces(worker);
+    }
     leave();
   }
 }
@@ -203,6 +207,7 @@ void ThreadPool::run(int pieces, Call call, void* context) {
   next_.store(0, std::memory_order_relaxed);
   const bool shared = !threads_.empty() && pieces > 1;
   if (shared) {
+    ++inner_round_;
     inside_.store(open, std::memory_order_release);
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();

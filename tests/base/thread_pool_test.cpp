@@ -107,6 +107,21 @@ TEST(ThreadPool, a_crew_meets_as_often_as_it_likes) {
   }
 }
 
+TEST(ThreadPool, a_thread_that_wakes_late_comes_to_a_crew_once) {
+  ThreadPool pool(2);
+  std::atomic<int> came{0};
+  constexpr int rounds = 15000;
+  for (int round = 0; round < rounds; ++round) {
+    // Over before the other worker has seen it, and then meets in the crew's round.
+    pool.for_each(2, [](int, int) {});
+    pool.together([&](const Crew& crew) noexcept {
+      ++came;
+      crew.meet();
+    });
+  }
+  EXPECT_EQ(came, 2 * rounds);
+}
+
 TEST(ThreadPool, more_workers_than_cores_do_all_pieces_too) {
   const int workers = std::min(64, 2 * std::max(1, allowed_cores()) + 1);
   ThreadPool pool(workers);

@@ -115,6 +115,7 @@ class ThreadPool {
   std::atomic<int> next_{0};
   std::atomic<int> inside_{0};           ///< threads at work, and a bit while more may come
   std::atomic<std::uint32_t> round_{0};  ///< of work; threads wait for the next
+  std::uint32_t inner_round_ = 0;        ///< the one that a thread inside is in
   std::atomic<bool> stop_{false};
   std::atomic<bool> awake_{false};
   std::mutex failure_mutex_;
