@@ -22,6 +22,25 @@ void transform_lead(const StateShape& state, const double* lead, bool of_velocit
   }
 }
 
+void project_rows(const StateShape& state, const KnotExpansion& e, const double* x, int stride,
+                  double* out) {
+  const int nv = state.nv;
+  const int ndx = state.ndx;
+  for (int i = 0; i < nv; ++i)
+    dense::sum_scaled(x + (nv + i) * stride, e.step, x + i * stride, ndx, out + i * stride);
+  const double* lead = e.lead;
+  for (const LeadBlock& b : state.blocks) {
+    const double* factor = lead + b.size * b.size;
+    for (int i = 0; i < b.size; ++i) {
+      double* row = out + (b.first + i) * stride;
+      dense::copy(x + (nv + b.first + i) * stride, ndx, row);
+      for (int k = 0; k < b.size; ++k)
+        dense::add_scaled(e.step * factor[k * b.size + i], x + (b.first + k) * stride, ndx, row);
+    }
+    lead += 2 * b.size * b.size;
+  }
+}
+
 void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
               double* scratch, double* next) {
   const int nz = controls + state.ndx;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/dense.hpp"
+#include "solver/linear_dynamics.hpp"
 
 namespace burnish {
 
@@ -100,19 +101,7 @@ void ParametricSegment::multiply_transposed(const KnotExpansion& e, int controls
   }
   const int nv = state_.nv;
   double* t = projected_.data();
-  for (int i = 0; i < nv; ++i)
-    dense::sum_scaled(x + (nv + i) * vs, e.step, x + i * vs, ndx, t + i * vs);
-  const double* lead = e.lead;
-  for (const LeadBlock& b : state_.blocks) {
-    const double* factor = lead + b.size * b.size;
-    for (int i = 0; i < b.size; ++i) {
-      double* row = t + (b.first + i) * vs;
-      dense::copy(x + (nv + b.first + i) * vs, ndx, row);
-      for (int k = 0; k < b.size; ++k)
-        dense::add_scaled(e.step * factor[k * b.size + i], x + (b.first + k) * vs, ndx, row);
-    }
-    lead += 2 * b.size * b.size;
-  }
+  project_rows(state_, e, x, vs, t);
   dense::product<Update::Set>(f, {t, vs}, nv, controls + ndx, ndx, out, vs);
   add_passed(e, controls, x, out);
 }

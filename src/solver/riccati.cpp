@@ -131,25 +131,7 @@ void RiccatiRecursion::load_cost(const Knot& knot) {
 
 /// U^T = step B^T Vq + Vv, and what follows from it.
 void RiccatiRecursion::project_value(const Knot& knot) {
-  const KnotExpansion& e = knot.e;
-  const int nv = state_.nv;
-  const int ndx = state_.ndx;
-  const int vs = layout_.value_stride;
-  const double* v = knot.next.hessian;
-  double* u = knot.own.u.data();
-  for (int i = 0; i < nv; ++i)
-    dense::sum_scaled(v + (nv + i) * vs, e.step, v + i * vs, ndx, u + i * vs);
-  const double* lead = e.lead;
-  for (const LeadBlock& b : state_.blocks) {
-    const double* factor = lead + b.size * b.size;
-    for (int i = 0; i < b.size; ++i) {
-      double* row = u + (b.first + i) * vs;
-      dense::copy(v + (nv + b.first + i) * vs, ndx, row);
-      for (int k = 0; k < b.size; ++k)
-        dense::add_scaled(e.step * factor[k * b.size + i], v + (b.first + k) * vs, ndx, row);
-    }
-    lead += 2 * b.size * b.size;
-  }
+  project_rows(state_, knot.e, knot.next.hessian, layout_.value_stride, knot.own.u.data());
   project_steps(knot);
 }
 
