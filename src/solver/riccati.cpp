@@ -423,11 +423,10 @@ void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStor
   result.curvature = saved;
 }
 
-[[gnu::flatten]] RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls,
-                                                    const double* gap, ValueStorage next,
-                                                    double regularization, const ControlBox& box,
-                                                    PolicyStorage policy, ValueStorage value,
-                                                    double* hessian_gap, const Crew& crew) {
+RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const double* gap,
+                                   ValueStorage next, double regularization, const ControlBox& box,
+                                   PolicyStorage policy, ValueStorage value, double* hessian_gap,
+                                   const Crew& crew) {
   RiccatiStep result;
   const int ndx = state_.ndx;
   const Knot knot(e, next, controls, ndx, state_.filtered, crew,
@@ -446,9 +445,9 @@ void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStor
     if (crew.leads()) clamp(knot, box, policy.feedforward, result);
     crew.meet();
   }
+  add_to_states(knot);
   result.failed_control = factorize(knot, policy);
   if (result.failed_control >= 0) return result;
-  add_to_states(knot);
   crew.meet();
   reduce(knot, value);
   if (crew.leads()) conclude(knot, bounded, policy, result);
