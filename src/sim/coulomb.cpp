@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/small_product.hpp"
+
 namespace burnish {
 namespace {
 
@@ -37,14 +39,17 @@ void CoulombStep::reset() noexcept {
 void CoulombStep::solve(const Eigen::VectorXd& v_free, const MatrixView& A, double h) noexcept {
   const bool slides = tip_viscous > 0.0 || tip_coulomb > 0.0;
   if (!slides) sliding_force_.setZero();
-  tip_response_ = A.lazyProduct(tangents.transpose());
-  u_ = v_free + h * (A.lazyProduct(joint_torque_) + tip_response_.lazyProduct(sliding_force_));
+  multiply(A, tangents.transpose(), tip_response_);
+  u_ = v_free;
+  add_product(h, A, joint_torque_, u_);
+  add_product(h, tip_response_, sliding_force_, u_);
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     double change = solve_joints(A, h);
     if (slides) change = std::max(change, solve_tip(h));
     if (change < tolerance) break;
   }
-  torque_ = joint_torque_ + tangents.transpose().lazyProduct(sliding_force_);
+  torque_ = joint_torque_;
+  add_product(1.0, tangents.transpose(), sliding_force_, torque_);
 }
 
 double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
@@ -65,16 +70,18 @@ double CoulombStep::solve_joints(const MatrixView& A, double h) noexcept {
 
 /// Both tangents at once, with the larger of their responses: the friction is along the sliding.
 double CoulombStep::solve_tip(double h) noexcept {
-  const Eigen::Matrix2d W = h * tangents.lazyProduct(tip_response_);
+  Eigen::Matrix2d W = Eigen::Matrix2d::Zero();
+  add_product(h, tangents, tip_response_, W);
   const double w = 0.5 * (W.trace() + std::hypot(W(0, 0) - W(1, 1), 2.0 * W(0, 1)));
   if (w < 1e-12) return 0.0;
-  const Eigen::Vector2d without = tangents.lazyProduct(u_) - w * sliding_force_;
+  Eigen::Vector2d without = -w * sliding_force_;
+  add_product(1.0, tangents, u_, without);
   const double speed = without.norm();
   Eigen::Vector2d next = Eigen::Vector2d::Zero();
   if (speed > 0.0) next = without / speed * friction_against(speed, w, tip_viscous, tip_coulomb);
   const Eigen::Vector2d change = next - sliding_force_;
   sliding_force_ = next;
-  u_ += h * tip_response_.lazyProduct(change);
+  add_product(h, tip_response_, change, u_);
   return change.norm();
 }
 

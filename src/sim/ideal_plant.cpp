@@ -11,6 +11,7 @@
 #include "model/sentence.hpp"
 #include "sim/coulomb.hpp"
 #include "sim/manifold_step.hpp"
+#include "sim/small_product.hpp"
 #include "sim/state_check.hpp"
 
 namespace burnish {
@@ -222,8 +223,8 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
   Status status = body_.update(q_, v_);
   if (status > Status::NotConverged) return status;
   body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
-  work_.tau =
-      tau + tip_motion_.jacobian.topRows(3).transpose().lazyProduct(push_world) + coulomb_.torque();
+  work_.tau = tau + coulomb_.torque();
+  add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
   status = dynamics_.forward(q_, v_, work_.tau);
   if (status > Status::NotConverged) return status;
   if (touching_ && dynamics_.lambda()[0] < 0.0) {
@@ -244,8 +245,9 @@ Status IdealPlant::find_friction() {
   const Eigen::Vector3d arm = -scene_.tip.radius * axes_.col(2);
   for (int t = 0; t < 2; ++t) {
     const Eigen::Vector3d tangent = axes_.col(t), moment = arm.cross(tangent);
-    coulomb_.tangents.row(t) = tangent.transpose().lazyProduct(tip_motion_.jacobian.topRows(3)) +
-                               moment.transpose().lazyProduct(tip_motion_.jacobian.bottomRows(3));
+    auto row = coulomb_.tangents.row(t);
+    multiply(tangent.transpose(), tip_motion_.jacobian.topRows(3), row);
+    add_product(1.0, moment.transpose(), tip_motion_.jacobian.bottomRows(3), row);
   }
   coulomb_.tip_coulomb = touching_ ? scene_.surface.friction * dynamics_.lambda()[0] : 0.0;
   coulomb_.tip_viscous = touching_ ? options_.tip_viscous : 0.0;
@@ -254,7 +256,7 @@ Status IdealPlant::find_friction() {
   const MatrixView A = dynamics_.da_dtau();
   const double h = options_.dt;
   work_.v_free = v_ + h * dynamics_.a();
-  work_.v_free -= h * A.lazyProduct(coulomb_.torque());
+  add_product(-h, A, coulomb_.torque(), work_.v_free);
   work_.tau -= coulomb_.torque();
   coulomb_.solve(work_.v_free, A, h);
   work_.tau += coulomb_.torque();

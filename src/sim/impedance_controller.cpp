@@ -9,6 +9,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/integration.hpp"
 #include "model/sentence.hpp"
+#include "sim/small_product.hpp"
 
 namespace burnish {
 namespace {
@@ -117,7 +118,8 @@ const Command& ImpedanceController::tick(const Measurement& measurement) noexcep
   if (command_.status > Status::NotConverged) return command_;
   const TaskPoint target = update_phase(measurement);
   const Eigen::Vector3d force = tool_force(target);
-  tau_ = dynamics_.bias() + J_.transpose().lazyProduct(force);
+  tau_ = dynamics_.bias();
+  add_product(1.0, J_.transpose(), force, tau_);
   add_posture(measurement);
   if (tau_.allFinite())
     command_.tau = tau_;
@@ -138,7 +140,8 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
   inverse_M_Jt_ = J_.transpose();
   factor_.compute(M_);
   factor_.solveInPlace(inverse_M_Jt_);
-  const Eigen::Matrix3d inverse_inertia = J_.lazyProduct(inverse_M_Jt_);
+  Eigen::Matrix3d inverse_inertia;
+  multiply(J_, inverse_M_Jt_, inverse_inertia);
   inertia_.compute(inverse_inertia);
   return inertia_.info() == Eigen::Success ? status : Status::SingularContacts;
 }
@@ -197,11 +200,15 @@ Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
 
 void ImpedanceController::add_posture(const Measurement& measurement) {
   difference_configuration(tree_, measurement.q.data(), spec_.posture.data(), error_.data());
-  response_ = spec_.posture_kp * error_ - spec_.posture_kd * measurement.v;
+  for (int i = 0; i < tree_.nv; ++i)
+    response_[i] = spec_.posture_kp * error_[i] - spec_.posture_kd * measurement.v[i];
   // M response in the null space: M response - J^T L J response.
-  posture_torque_ = M_.lazyProduct(response_);
-  const Eigen::Vector3d felt = inertia_.solve(Eigen::Vector3d(J_.lazyProduct(response_)));
-  tau_ += posture_torque_ - J_.transpose().lazyProduct(felt);
+  multiply(M_, response_, posture_torque_);
+  Eigen::Vector3d felt;
+  multiply(J_, response_, felt);
+  inertia_.solveInPlace(felt);
+  tau_ += posture_torque_;
+  add_product(-1.0, J_.transpose(), felt, tau_);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/base/error.hpp"
+#include "sim/small_product.hpp"
 
 namespace burnish::mujoco {
 namespace {
@@ -119,11 +120,13 @@ void Coordinates::load(const mjData& data, Eigen::VectorXd& q, Eigen::VectorXd& 
 }
 
 void Coordinates::torque_to(const ConstVectorRef& tau, mjtNum* theirs) const {
-  Eigen::Map<Eigen::VectorXd>(theirs, T_.rows()) = T_.transpose().lazyProduct(tau);
+  Eigen::Map<Eigen::VectorXd> mapped(theirs, T_.rows());
+  multiply(T_.transpose(), tau, mapped);
 }
 
 void Coordinates::torque_from(const mjtNum* theirs, Eigen::VectorXd& tau) const {
-  tau = T_.lazyProduct(Eigen::Map<const Eigen::VectorXd>(theirs, T_.rows()));
+  tau.resize(T_.rows());
+  multiply(T_, Eigen::Map<const Eigen::VectorXd>(theirs, T_.rows()), tau);
 }
 
 Eigen::MatrixXd mass_matrix(const mjModel& model, const mjData& data, const Coordinates& at) {
