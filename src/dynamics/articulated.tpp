@@ -1,6 +1,8 @@
 // Definitions of articulated.hpp, for any scalar.
 #pragma once
 
+#include <algorithm>
+
 #include "burnish/dynamics/articulated.hpp"
 
 namespace burnish {

@@ -8,7 +8,7 @@ namespace {
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {
-  double pairs = 0.0;
+  double pairs = 0.0;  // of an entry and an ancestor, counted from both sides
   for (int k : parent_of_v)
     for (; k >= 0; k = parent_of_v[static_cast<std::size_t>(k)]) pairs += 2.0;
   return 1.0 + pairs / static_cast<double>(parent_of_v.size());

@@ -106,6 +106,21 @@ TEST_P(Articulated, a_body_without_mass_is_found_as_by_the_sparse_factor) {
 
 INSTANTIATE_TEST_SUITE_P(robots, Articulated, ::testing::ValuesIn(test_robots()), robot_label);
 
+TEST(DeepTrees, are_chains_of_22_joints_and_no_shorter_ones) {
+  for (const int joints : {1, 21, 22, 40}) {
+    TreeSpec tree;
+    tree.name = "chain";
+    tree.links.push_back(testing::link("link_0"));
+    for (int k = 1; k <= joints; ++k) {
+      const std::string name = "link_" + std::to_string(k);
+      tree.links.push_back(testing::link(name));
+      tree.joints.push_back(
+          testing::joint("to_" + name, JointType::Revolute, "link_" + std::to_string(k - 1), name));
+    }
+    EXPECT_EQ(Tree(build_model(tree)).deep, joints >= 22) << joints;
+  }
+}
+
 TEST(DeepTrees, are_told_by_the_relatives_of_their_joints) {
   for (const TestRobot& robot : test_robots())
     EXPECT_EQ(Tree(robot.model()).deep, robot.name == "deep") << robot.label();

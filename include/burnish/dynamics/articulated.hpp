@@ -13,11 +13,13 @@
 
 namespace burnish {
 
-/// Fills row_force, the factor and its diagonal as factorize() does, from axes and inertias.
+/// What factorize() does for deep trees: fills row_force, the factor and its diagonal, and returns
+/// the weak lanes.
 template <class S>
 auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
-/// Solves with a mass matrix that factorize_articulated() prepared. Allocates when made alone.
+/// Solves with a mass matrix that factorize_articulated() prepared, from the same kinematics. Where
+/// that found a lane weak, its results are finite but meaningless. Allocates only when it is made.
 template <class S>
 class ArticulatedSolver {
  public:

@@ -20,8 +20,8 @@ struct MassMatrix {
   std::vector<S> bias;    ///< nv, b(q, v): Coriolis, centrifugal and gravity forces
   std::vector<S> factor;  ///< L, stored like mass
   std::vector<S> inverse_diagonal;  ///< nv, 1 / L_ii
-  // Of deep trees alone (articulated.hpp):
-  std::vector<Force<S>> row_force;                 ///< nv
+  // Of deep trees alone (articulated.hpp), world axes, about the world's origin:
+  std::vector<Force<S>> row_force;                 ///< nv: row k of L is S_j . row_force[k]
   std::vector<ArticulatedInertia<S>> articulated;  ///< per body
 };
 
