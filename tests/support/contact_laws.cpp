@@ -45,8 +45,8 @@ const std::vector<Directions>& law_directions() {
 
 int law_states() {
   const char* text = std::getenv("BURNISH_TEST_STATES");
-  const int states = text == nullptr ? 100 : std::atoi(text);
-  return states > 0 ? states : 100;
+  const int states = text == nullptr ? BURNISH_TEST_STATES : std::atoi(text);
+  return states > 0 ? states : BURNISH_TEST_STATES;
 }
 
 namespace {

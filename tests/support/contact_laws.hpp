@@ -43,7 +43,7 @@ struct LawRow {
 /// One row per direction set and number of bodies.
 std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, int states);
 
-/// Number of random states per case: $BURNISH_TEST_STATES, or 100.
+/// Number of random states per case: $BURNISH_TEST_STATES, or what CMake was told under that name.
 int law_states();
 
 }  // namespace burnish::test

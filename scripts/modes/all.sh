@@ -1,0 +1,26 @@
+# --all         all of these but --coverage, and last the tests of (nothing); all are run even
+#               where one fails
+
+run_all() {
+  local stage began lines=() failed=0
+  local options=(${cmake_arguments[@]+"${cmake_arguments[@]}"})
+  [[ $setup == yes ]] || options+=(--no-setup)
+  for stage in --format --types --tidy --instructions --core --aarch64 --portable --sanitize ""; do
+    say "./test $stage"
+    began=$SECONDS
+    # shellcheck disable=SC2086
+    if ./test $stage ${options[@]+"${options[@]}"}; then
+      lines+=("passed  $((SECONDS - began)) s  ./test $stage")
+    else
+      lines+=("FAILED  $((SECONDS - began)) s  ./test $stage")
+      failed=$((failed + 1))
+    fi
+  done
+  say "summary"
+  printf '%s\n' "${lines[@]}"
+  if ((failed)); then
+    echo "$failed of ${#lines[@]} stages failed"
+    return 1
+  fi
+  echo "all ${#lines[@]} stages passed"
+}

@@ -1,0 +1,41 @@
+# What the modes of ./test share; sourced by it, with setup, builds, cmake_arguments and ctest_arguments
+# set. The CMake flags of a mode are its preset in CMakePresets.json.
+
+if [[ -z ${JOBS:-} ]]; then
+  # The largest sources take about 1 GB to compile.
+  memory=$(awk '/MemAvailable/ {print int($2 / 1000000)}' /proc/meminfo 2>/dev/null || echo 4)
+  JOBS=$(nproc)
+  ((JOBS <= memory)) || JOBS=$((memory > 0 ? memory : 1))
+fi
+export JOBS
+
+say() { printf '\n== %s\n' "$*"; }
+
+install_packages() { # scripts/setup arguments...
+  [[ $setup == no ]] || scripts/setup "$@"
+}
+
+configure() { # preset, build folder, cmake arguments...
+  local preset=$1 build=$2
+  shift 2
+  local generator=()
+  mkdir -p "$build"
+  # A folder that was configured by hand keeps its generator.
+  [[ ! -e $build/CMakeCache.txt ]] ||
+    generator=(-G "$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")")
+  if ! cmake --preset "$preset" -B "$build" ${generator[@]+"${generator[@]}"} "$@" \
+    ${cmake_arguments[@]+"${cmake_arguments[@]}"} >"$build/configure.log" 2>&1; then
+    cat "$build/configure.log"
+    echo "test: configuring $build failed" >&2
+    return 1
+  fi
+  grep -E 'burnish:' "$build/configure.log" || true
+}
+
+build_and_test() { # preset, build folder, cmake arguments...
+  local preset=$1 build=$2
+  configure "$@"
+  cmake --build "$build" -j "$JOBS"
+  ctest --preset "$preset" --test-dir "$build" -j "$JOBS" \
+    ${ctest_arguments[@]+"${ctest_arguments[@]}"} | grep --line-buffered -vE '^ +Start +[0-9]+:'
+}

@@ -1,0 +1,10 @@
+# --instructions
+#               counts the instructions of kernels and of an iteration with valgrind, and
+#               compares them with their budgets, in build-instructions/
+
+run_instructions() {
+  install_packages --lint
+  configure instructions "$builds-instructions"
+  cmake --build "$builds-instructions" -j "$JOBS" --target burnish_instructions
+  scripts/instructions "$builds-instructions/benchmarks/burnish_instructions"
+}

@@ -1,0 +1,7 @@
+# --portable    for any machine of this kind (no -march=native) and with shared libraries that
+#               choose their kernels at run time, in build-portable/
+
+run_portable() {
+  install_packages --test
+  build_and_test portable "$builds-portable"
+}
