@@ -15,14 +15,19 @@
 namespace burnish::test {
 
 const std::vector<LawRobot>& law_robots() {
-  static const std::vector<LawRobot> robots{
-      {"talos:right_arm", "tool", "torso_2_link"},
-      {"talos", "right_sole_link", "left_sole_link"},
-      {"arm7", "tool", "link_1"},
-      {"crane", "left_tip", "right_tip"},
-      {"every_joint", "tip", "d_side"},
-      {"deep", "left_5", "right_2"},
-  };
+  static const std::vector<LawRobot> robots = [] {
+    std::vector<LawRobot> all = available(
+        std::vector<LawRobot>{
+            {"talos:right_arm", "tool", "torso_2_link"},
+            {"talos", "right_sole_link", "left_sole_link"},
+            {"arm7", "tool", "link_1"},
+            {"crane", "left_tip", "right_tip"},
+        },
+        [](const LawRobot& robot) { return robot.name; });
+    for (const BuiltRobot& built : built_robots())
+      all.push_back({built.name, built.tool, built.other_tool});
+    return all;
+  }();
   return robots;
 }
 

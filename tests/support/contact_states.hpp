@@ -10,14 +10,12 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "support/robots.hpp"
 
 namespace burnish::test {
 
-inline Model robot(const std::string& name) {
-  return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name).model;
-}
+inline Model robot(const std::string& name) { return robot_from_file(name); }
 
 struct RobotState {
   Eigen::VectorXd q, v, tau;

@@ -1,93 +1,59 @@
 // The robots that the kernels are tested on, and random states of them.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "burnish/model/robot.hpp"
+#include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
-#include "support/trees.hpp"
+#include "support/built_robots.hpp"
+#ifndef BURNISH_HAS_ROBOTS
+#error "link burnish_test_robots: without, this would quietly test fewer robots"
+#endif
+#if BURNISH_HAS_ROBOTS
+#include "burnish/model/robot.hpp"
+#endif
 
 namespace burnish::test {
 
-/// A robot that comes with the repository, or "every_joint": joints of every kind, in branches; or
-/// "deep": a long trunk with two branches. Bolted down or floating. `tool` is a frame at its end.
+/// Whether this build reads robots from files.
+constexpr bool has_robot_files = BURNISH_HAS_ROBOTS;
+
+/// A robot that comes with the repository, on its own base or the given one.
+inline Model robot_from_file([[maybe_unused]] const std::string& name,
+                             [[maybe_unused]] std::optional<Base> base = {}) {
+#if BURNISH_HAS_ROBOTS
+  RobotOverrides overrides;
+  overrides.base = base;
+  return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name, overrides).model;
+#else
+  throw Error("robot '" + name + "' is in files, which this build does not read");
+#endif
+}
+
+/// The one of built_robots() of that name, or nullptr.
+inline const BuiltRobot* built_robot(const std::string& name) {
+  for (const BuiltRobot& robot : built_robots())
+    if (robot.name == name) return &robot;
+  return nullptr;
+}
+
+/// A robot that comes with the repository or one of built_robots(), bolted down or floating. `tool`
+/// is a frame at its end.
 struct TestRobot {
   std::string name;
   Base base;
   std::string tool;
 
   Model model() const {
-    if (name == "every_joint") return tree_of_every_joint();
-    if (name == "deep") return deep_tree();
-    RobotOverrides overrides;
-    overrides.base = base;
-    return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name, overrides).model;
-  }
-  /// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
-  /// and the floating link.
-  Model tree_of_every_joint() const {
-    using enum JointType;
-    std::mt19937_64 generator(6);
-    TreeSpec tree;
-    tree.name = name;
-    const auto add = [&](const std::string& link, JointType type, const std::string& parent) {
-      JointSpec joint =
-          testing::joint("to_" + link, type, parent, link, testing::random_vector(generator));
-      joint.axis.normalize();
-      joint.placement = testing::random_placement(generator);
-      joint.armature = testing::uniform(generator, 0.0, 0.2);
-      tree.joints.push_back(joint);
-      tree.links.push_back({link, testing::random_inertia(generator), {}});
-    };
-    tree.links.push_back({"root", testing::random_inertia(generator), {}});
-    add("a", Revolute, "root");
-    add("b", Planar, "a");
-    add("c", Prismatic, "b");
-    add("d", Floating, "c");
-    add("e", Continuous, "d");
-    add("tip", Revolute, "e");
-    add("b_side", Continuous, "b");
-    add("d_side", Planar, "d");
-    add("root_side", Prismatic, "root");
+    const BuiltRobot* const built = built_robot(name);
+    if (built == nullptr) return robot_from_file(name, base);
     ModelOptions options;
     options.base = base;
-    return build_model(tree, options);
-  }
-  /// A trunk of 12 joints, from which a branch of 6 goes on and one of 3 leaves: entries have more
-  /// relatives than are worth a sparse factor (Tree::deep). Small links, so that the tips are not
-  /// metres away.
-  Model deep_tree() const {
-    using enum JointType;
-    std::mt19937_64 generator(8);
-    TreeSpec tree;
-    tree.name = name;
-    tree.links.push_back({"root", testing::random_inertia(generator), {}});
-    const auto grow = [&](const std::string& branch, int count, std::string parent) {
-      for (int i = 0; i < count; ++i) {
-        const std::string link = branch + "_" + std::to_string(i);
-        const JointType type = i % 7 == 3 ? Planar : i % 5 == 2 ? Prismatic : Revolute;
-        JointSpec joint = testing::joint("to_" + link, type, parent, link,
-                                         testing::random_vector(generator).normalized());
-        joint.placement = testing::random_placement(generator);
-        joint.placement.translation() *= 0.1;
-        joint.armature = testing::uniform(generator, 0.0, 0.05);
-        InertiaSpec inertia = testing::random_inertia(generator);
-        inertia.com *= 0.1;
-        inertia.inertia_at_com *= 0.01;
-        tree.joints.push_back(joint);
-        tree.links.push_back({link, inertia, {}});
-        parent = link;
-      }
-    };
-    grow("trunk", 12, "root");
-    grow("left", 6, "trunk_11");
-    grow("right", 3, "trunk_11");
-    ModelOptions options;
-    options.base = base;
-    return build_model(tree, options);
+    return build_model(built->tree(), options);
   }
   /// A name that a test case may have.
   std::string label() const {
@@ -101,13 +67,25 @@ struct TestRobot {
 /// How a test names it.
 inline void PrintTo(const TestRobot& robot, std::ostream* out) { *out << robot.label(); }
 
+/// Those that this build can make. `name` gives the name of an element.
+template <class Item, class Name>
+std::vector<Item> available(const std::vector<Item>& items, const Name& name) {
+  std::vector<Item> result;
+  for (const Item& item : items)
+    if (has_robot_files || built_robot(name(item)) != nullptr) result.push_back(item);
+  return result;
+}
+inline std::vector<TestRobot> available(const std::vector<TestRobot>& robots) {
+  return available(robots, [](const TestRobot& robot) { return robot.name; });
+}
+
 inline std::vector<TestRobot> robots_on(Base base) {
-  return {{"talos", base, "right_sole_link"},
-          {"talos:right_arm", base, "tool"},
-          {"arm7", base, "tool"},
-          {"crane", base, "left_tip"},
-          {"every_joint", base, "tip"},
-          {"deep", base, "left_5"}};
+  std::vector<TestRobot> robots = available({{"talos", base, "right_sole_link"},
+                                             {"talos:right_arm", base, "tool"},
+                                             {"arm7", base, "tool"},
+                                             {"crane", base, "left_tip"}});
+  for (const BuiltRobot& built : built_robots()) robots.push_back({built.name, base, built.tool});
+  return robots;
 }
 inline std::vector<TestRobot> floating_robots() { return robots_on(Base::FreeFlyer); }
 /// Every robot on both bases.

@@ -1,0 +1,90 @@
+// Robots that are built here and need no file: what every build has to test with.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/trees.hpp"
+
+namespace burnish::test {
+
+/// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
+/// and the floating link.
+inline TreeSpec tree_of_every_joint() {
+  using enum JointType;
+  std::mt19937_64 generator(6);
+  TreeSpec tree;
+  tree.name = "every_joint";
+  const auto add = [&](const std::string& link, JointType type, const std::string& parent) {
+    JointSpec joint =
+        testing::joint("to_" + link, type, parent, link, testing::random_vector(generator));
+    joint.axis.normalize();
+    joint.placement = testing::random_placement(generator);
+    joint.armature = testing::uniform(generator, 0.0, 0.2);
+    tree.joints.push_back(joint);
+    tree.links.push_back({link, testing::random_inertia(generator), {}});
+  };
+  tree.links.push_back({"root", testing::random_inertia(generator), {}});
+  add("a", Revolute, "root");
+  add("b", Planar, "a");
+  add("c", Prismatic, "b");
+  add("d", Floating, "c");
+  add("e", Continuous, "d");
+  add("tip", Revolute, "e");
+  add("b_side", Continuous, "b");
+  add("d_side", Planar, "d");
+  add("root_side", Prismatic, "root");
+  return tree;
+}
+
+/// A trunk of 12 joints, from which a branch of 6 goes on and one of 3 leaves: entries have more
+/// relatives than are worth a sparse factor (Tree::deep). Small links, so that the tips are not
+/// metres away.
+inline TreeSpec deep_tree() {
+  using enum JointType;
+  std::mt19937_64 generator(8);
+  TreeSpec tree;
+  tree.name = "deep";
+  tree.links.push_back({"root", testing::random_inertia(generator), {}});
+  const auto grow = [&](const std::string& branch, int count, std::string parent) {
+    for (int i = 0; i < count; ++i) {
+      const std::string link = branch + "_" + std::to_string(i);
+      const JointType type = i % 7 == 3 ? Planar : i % 5 == 2 ? Prismatic : Revolute;
+      JointSpec joint = testing::joint("to_" + link, type, parent, link,
+                                       testing::random_vector(generator).normalized());
+      joint.placement = testing::random_placement(generator);
+      joint.placement.translation() *= 0.1;
+      joint.armature = testing::uniform(generator, 0.0, 0.05);
+      InertiaSpec inertia = testing::random_inertia(generator);
+      inertia.com *= 0.1;
+      inertia.inertia_at_com *= 0.01;
+      tree.joints.push_back(joint);
+      tree.links.push_back({link, inertia, {}});
+      parent = link;
+    }
+  };
+  grow("trunk", 12, "root");
+  grow("left", 6, "trunk_11");
+  grow("right", 3, "trunk_11");
+  return tree;
+}
+
+/// A robot built here: a frame at its end, and one on another branch.
+struct BuiltRobot {
+  std::string name;
+  TreeSpec (*tree)();
+  std::string tool;
+  std::string other_tool;
+};
+
+/// A new one joins the law suites with one line.
+inline const std::vector<BuiltRobot>& built_robots() {
+  static const std::vector<BuiltRobot> robots = {
+      {"every_joint", tree_of_every_joint, "tip", "d_side"},
+      {"deep", deep_tree, "left_5", "right_2"},
+  };
+  return robots;
+}
+
+}  // namespace burnish::test
