@@ -1,6 +1,12 @@
 # How every target of the project is made: one function per kind, so that flags live in one place.
 include(CMakePackageConfigHelpers)
 
+# What is installed comes in components: library (shared libraries), development (headers, CMake files
+# and static libraries), program (the command line, robots, tasks), python, and documents (licences).
+
+# Before 0.3.0 a new minor version may change anything, so that its libraries have other names.
+set(BURNISH_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
@@ -70,7 +76,7 @@ function(burnish_variants name)
     set(variant burnish_${name}_${level})
     add_library(${variant} SHARED ${sources})
     set_target_properties(${variant} PROPERTIES OUTPUT_NAME burnish_${name}
-      VERSION ${PROJECT_VERSION} SOVERSION 0
+      VERSION ${PROJECT_VERSION} SOVERSION ${BURNISH_SOVERSION}
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/glibc-hwcaps/${level}
       # Its neighbours are those of the plain library, chosen by the loader again.
       INSTALL_RPATH "$ORIGIN/../.." BUILD_RPATH "${CMAKE_CURRENT_BINARY_DIR}")
@@ -80,8 +86,8 @@ function(burnish_variants name)
     target_compile_options(${variant} PRIVATE -march=${level})
     target_link_libraries(${variant} PRIVATE ${links})
     add_dependencies(burnish_${name} ${variant})
-    install(TARGETS ${variant} LIBRARY
-      DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${level} NAMELINK_SKIP)
+    install(TARGETS ${variant} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${level}
+      COMPONENT library NAMELINK_SKIP)
   endforeach()
 endfunction()
 
@@ -92,7 +98,7 @@ function(burnish_layer name)
   add_library(burnish_${name} ${arg_SOURCES})
   add_library(burnish::${name} ALIAS burnish_${name})
   set_target_properties(burnish_${name} PROPERTIES
-    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION 0)
+    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION ${BURNISH_SOVERSION})
   target_compile_features(burnish_${name} PUBLIC cxx_std_20)
   target_include_directories(burnish_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -117,15 +123,16 @@ endfunction()
 
 function(burnish_install_package)
   get_property(layers GLOBAL PROPERTY BURNISH_LAYERS)
-  install(TARGETS ${layers} EXPORT burnishTargets)
+  install(TARGETS ${layers} EXPORT burnishTargets ARCHIVE COMPONENT development
+    LIBRARY COMPONENT library NAMELINK_COMPONENT development)
   set(where ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
   set(burnish_robots_install_dir ${CMAKE_INSTALL_DATADIR}/burnish/robots)
-  install(EXPORT burnishTargets NAMESPACE burnish:: DESTINATION ${where})
+  install(EXPORT burnishTargets NAMESPACE burnish:: DESTINATION ${where} COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/burnishConfig.cmake.in
     ${PROJECT_BINARY_DIR}/burnishConfig.cmake INSTALL_DESTINATION ${where}
     PATH_VARS burnish_robots_install_dir)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/burnishConfig.cmake
-    ${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake DESTINATION ${where})
+    ${PROJECT_BINARY_DIR}/burnishConfigVersion.cmake DESTINATION ${where} COMPONENT development)
 endfunction()

@@ -1,13 +1,20 @@
 // One file: script and style sheet move into the page, the licences of what is bundled in front.
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { defineConfig } from 'vite';
 
-const bundled = ['three', 'uplot'];
+// The folders of the packages that a bundle's modules come from.
+function packages(bundle) {
+  const paths = Object.values(bundle).flatMap((part) => Object.keys(part.modules ?? {}));
+  const folders = paths.map((path) => /.*\/node_modules\/(?:@[^/]+\/)?[^/]+/.exec(path)?.[0]);
+  return [...new Set(folders.filter((folder) => folder))].sort();
+}
 
-function licences() {
-  const texts = bundled.map((name) => {
-    const text = readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim();
-    return `${name}\n${text}`;
+function licences(bundle) {
+  const texts = packages(bundle).map((folder) => {
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    if (!file) throw new Error(`${folder} holds no licence, and the page needs its text`);
+    const name = folder.split('/node_modules/').at(-1);
+    return `${name}\n${readFileSync(`${folder}/${file}`, 'utf8').trim()}`;
   });
   return `<!--\nThis page contains:\n\n${texts.join('\n\n')}\n-->`;
 }
@@ -17,6 +24,7 @@ function singleFile() {
     name: 'single-file',
     enforce: 'post',
     generateBundle(_options, bundle) {
+      const head = licences(bundle);
       const page = bundle['index.html'];
       let html = page.source;
       for (const [name, part] of Object.entries(bundle)) {
@@ -34,7 +42,7 @@ function singleFile() {
           delete bundle[name];
         }
       }
-      html = html.replace('<html', () => `${licences()}\n<html`);
+      html = html.replace('<html', () => `${head}\n<html`);
       page.source = html;
       page.fileName = 'page.html';
     },

@@ -77,5 +77,6 @@ int main() {
             "batch and single state differ");
   }
   std::printf("%s\n", moved.force("board").text().c_str());
+  std::printf("batch and single agree, in packs of %d\n", burnish::pack_width());
   return 0;
 }

@@ -1,6 +1,7 @@
 # Installs burnish into a folder of its own, builds the project beside this file against it, runs it.
 # -DBUILD= the build to install, -DWORK= where to work, -DGENERATOR= -DCOMPILER= -DEIGEN= include
-# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DPYTHON=, -DJOBS=
+# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DPAGE= whether
+# the page of runs was built, -DPYTHON=, -DJOBS=
 cmake_minimum_required(VERSION 3.22)
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
@@ -46,6 +47,21 @@ if(EXISTS ${prefix}/bin/burnish)
   run("the installed command line" ${CMAKE_COMMAND} -E env --unset=BURNISH_ROBOTS
     ${prefix}/bin/burnish show only_here)
   message(STATUS "the installed command line runs, and finds the robots")
+endif()
+
+# What is passed on says whose it is.
+file(READ ${prefix}/share/doc/burnish/third_party_licences.txt licences)
+set(wanted "libeigen3-dev")
+if(PAGE)
+  list(APPEND wanted "three.js authors" "Leon Sorokin")
+endif()
+foreach(name IN LISTS wanted)
+  if(NOT licences MATCHES "${name}")
+    message(FATAL_ERROR "third_party_licences.txt does not name ${name}")
+  endif()
+endforeach()
+if(NOT EXISTS ${prefix}/share/doc/burnish/LICENSE)
+  message(FATAL_ERROR "the licence is not installed")
 endif()
 
 # So does the installed Python package, in a folder where nothing else is.
