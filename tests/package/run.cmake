@@ -1,7 +1,7 @@
 # Installs burnish into a folder of its own, builds the project beside this file against it, runs it.
-# -DBUILD= the build to install, -DWORK= where to work, -DGENERATOR= -DCOMPILER= -DEIGEN= include
-# folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone, -DPAGE= whether
-# the page of runs was built, -DPYTHON=, -DJOBS=
+# -DBUILD= the build to install, -DVERSION= its version, -DWORK= where to work, -DGENERATOR= -DCOMPILER=
+# -DEIGEN= include folder, -DX86= whether -mavx2 exists, -DHEADERS= whether to compile each header alone,
+# -DPAGE= whether the page of runs was built, -DPYTHON=, -DJOBS=
 cmake_minimum_required(VERSION 3.22)
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
@@ -20,11 +20,25 @@ run("installation" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 file(RENAME ${prefix} ${WORK}/moved)
 set(prefix ${WORK}/moved)
 
+# Another minor version is another interface, and not taken for this one; what is newer neither.
+string(REGEX MATCH "^([0-9]+)\\.([0-9]+)\\." wanted ${VERSION})
+set(major ${CMAKE_MATCH_1})
+set(minor ${CMAKE_MATCH_2})
+math(EXPR next "${minor} + 1")
+foreach(other IN ITEMS 0.1 ${major}.${next} ${VERSION}.1)
+  find_package(burnish ${other} QUIET PATHS ${prefix} NO_DEFAULT_PATH)
+  if(burnish_FOUND OR NOT burnish_CONSIDERED_VERSIONS STREQUAL VERSION)
+    message(FATAL_ERROR "burnish ${VERSION} was taken for ${other}, or not seen: '${burnish_CONSIDERED_VERSIONS}'")
+  endif()
+endforeach()
+message(STATUS "burnish ${VERSION} is not taken for another version")
+
 foreach(native ON OFF)
   set(consumer ${WORK}/consumer_native_${native})
   run("configuring the consumer" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${consumer}
     -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${prefix} -DCONSUMER_NATIVE=${native} -DCONSUMER_HEADERS=${HEADERS})
+    -DCMAKE_PREFIX_PATH=${prefix} -DCONSUMER_NATIVE=${native} -DCONSUMER_HEADERS=${HEADERS}
+    -DCONSUMER_WANTS=${major}.${minor})
   set(HEADERS OFF)  # once is enough
   run("building the consumer" ${CMAKE_COMMAND} --build ${consumer} -j ${JOBS})
   file(READ ${consumer}/robots_dir robots)
