@@ -1,11 +1,17 @@
-// Robots that are built here and need no file: what every build has to test with.
+// Robots in code: those that every build tests with, and those that stand in for robots in files
+// where a build reads none.
 #pragma once
 
 #include <random>
 #include <string>
 #include <vector>
 
+#include "support/arm7.hpp"
+#include "support/biped.hpp"
 #include "support/trees.hpp"
+#ifndef BURNISH_HAS_ROBOTS
+#error "link burnish_test_robots: without, this would quietly test fewer robots"
+#endif
 
 namespace burnish::test {
 
@@ -70,21 +76,39 @@ inline TreeSpec deep_tree() {
   return tree;
 }
 
-/// A robot built here: a frame at its end, and one on another branch.
+inline Model compiled(const TreeSpec& tree, Base base) {
+  ModelOptions options;
+  options.base = base;
+  return build_model(tree, options);
+}
+
+/// Whether this build reads robots from files.
+constexpr bool has_robot_files = BURNISH_HAS_ROBOTS;
+
+/// A robot in code: a frame at its end, and one on another branch or nearer to the base.
 struct BuiltRobot {
   std::string name;
-  TreeSpec (*tree)();
-  std::string tool;
-  std::string other_tool;
+  Model (*model)(Base);
+  std::string tool, other_tool;
+  Base usual = Base::Fixed;  ///< where one base must do
 };
 
-/// A new one joins the law suites with one line.
+/// Those of this build. A new one joins the law suites with one line.
 inline const std::vector<BuiltRobot>& built_robots() {
-  static const std::vector<BuiltRobot> robots = {
-      {"every_joint", tree_of_every_joint, "tip", "d_side"},
-      {"deep", deep_tree, "left_5", "right_2"},
+  static const std::vector<BuiltRobot> everywhere = {
+      {"every_joint", [](Base base) { return compiled(tree_of_every_joint(), base); }, "tip",
+       "d_side"},
+      {"deep", [](Base base) { return compiled(deep_tree(), base); }, "left_5", "right_2"},
   };
-  return robots;
+  static const std::vector<BuiltRobot> without_files = [] {
+    std::vector<BuiltRobot> robots = {
+        {"arm7", arm7::model, "tool", "link_1"},
+        {"biped", biped::model, "right_sole_link", "left_sole_link", Base::FreeFlyer},
+    };
+    robots.insert(robots.end(), everywhere.begin(), everywhere.end());
+    return robots;
+  }();
+  return has_robot_files ? everywhere : without_files;
 }
 
 }  // namespace burnish::test

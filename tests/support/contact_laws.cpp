@@ -16,16 +16,14 @@ namespace burnish::test {
 
 const std::vector<LawRobot>& law_robots() {
   static const std::vector<LawRobot> robots = [] {
-    std::vector<LawRobot> all = available(
-        std::vector<LawRobot>{
-            {"talos:right_arm", "tool", "torso_2_link"},
-            {"talos", "right_sole_link", "left_sole_link"},
-            {"arm7", "tool", "link_1"},
-            {"crane", "left_tip", "right_tip"},
-        },
-        [](const LawRobot& robot) { return robot.name; });
+    std::vector<LawRobot> all;
+    if (has_robot_files)
+      all = {{"talos:right_arm", "tool", "torso_2_link"},
+             {"talos", "right_sole_link", "left_sole_link", Base::FreeFlyer},
+             {"arm7", "tool", "link_1"},
+             {"crane", "left_tip", "right_tip"}};
     for (const BuiltRobot& built : built_robots())
-      all.push_back({built.name, built.tool, built.other_tool});
+      all.push_back({built.name, built.tool, built.other_tool, built.usual});
     return all;
   }();
   return robots;
@@ -293,9 +291,7 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
 }  // namespace
 
 std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, int states) {
-  // Talos floats, the others stand; every_joint has joints of every kind.
-  const Base base = robot.name == "talos" ? Base::FreeFlyer : Base::Fixed;
-  const Model model = TestRobot{robot.name, base, robot.tool}.model();
+  const Model model = named_robot(robot.name, robot.stands_on);
   std::mt19937_64 generator(20260);
   std::vector<LawRow> rows;
   for (const Directions& directions : law_directions())

@@ -18,6 +18,7 @@ struct LawRobot {
   std::string name;  ///< as TestRobot takes it
   std::string tool;  ///< frame C2
   std::string base;  ///< frame C1 when two bodies move
+  Base stands_on = Base::Fixed;
 };
 const std::vector<LawRobot>& law_robots();
 

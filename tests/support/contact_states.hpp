@@ -15,7 +15,7 @@
 
 namespace burnish::test {
 
-inline Model robot(const std::string& name) { return robot_from_file(name); }
+inline Model robot(const std::string& name) { return named_robot(name); }
 
 struct RobotState {
   Eigen::VectorXd q, v, tau;

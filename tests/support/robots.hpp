@@ -10,21 +10,28 @@
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
 #include "support/built_robots.hpp"
-#ifndef BURNISH_HAS_ROBOTS
-#error "link burnish_test_robots: without, this would quietly test fewer robots"
-#endif
 #if BURNISH_HAS_ROBOTS
 #include "burnish/model/robot.hpp"
 #endif
 
 namespace burnish::test {
 
-/// Whether this build reads robots from files.
-constexpr bool has_robot_files = BURNISH_HAS_ROBOTS;
+/// The one of built_robots() of that name, or nullptr. Its only variant is "name:floating".
+inline const BuiltRobot* built_robot(const std::string& name) {
+  for (const BuiltRobot& robot : built_robots())
+    if (name == robot.name || name == robot.name + ":floating") return &robot;
+  return nullptr;
+}
 
-/// A robot that comes with the repository, on its own base or the given one.
-inline Model robot_from_file([[maybe_unused]] const std::string& name,
-                             [[maybe_unused]] std::optional<Base> base = {}) {
+/// Whether this build can make the robot.
+inline bool is_available(const std::string& name) {
+  return has_robot_files || built_robot(name) != nullptr;
+}
+
+/// One of built_robots(), or one that comes with the repository; on its own base, or the given one.
+inline Model named_robot(const std::string& name, std::optional<Base> base = {}) {
+  if (const BuiltRobot* const built = built_robot(name))
+    return built->model(base.value_or(name == built->name ? built->usual : Base::FreeFlyer));
 #if BURNISH_HAS_ROBOTS
   RobotOverrides overrides;
   overrides.base = base;
@@ -34,27 +41,13 @@ inline Model robot_from_file([[maybe_unused]] const std::string& name,
 #endif
 }
 
-/// The one of built_robots() of that name, or nullptr.
-inline const BuiltRobot* built_robot(const std::string& name) {
-  for (const BuiltRobot& robot : built_robots())
-    if (robot.name == name) return &robot;
-  return nullptr;
-}
-
-/// A robot that comes with the repository or one of built_robots(), bolted down or floating. `tool`
-/// is a frame at its end.
+/// A robot by its name, bolted down or floating. `tool` is a frame at its end.
 struct TestRobot {
   std::string name;
   Base base;
   std::string tool;
 
-  Model model() const {
-    const BuiltRobot* const built = built_robot(name);
-    if (built == nullptr) return robot_from_file(name, base);
-    ModelOptions options;
-    options.base = base;
-    return build_model(built->tree(), options);
-  }
+  Model model() const { return named_robot(name, base); }
   /// A name that a test case may have.
   std::string label() const {
     std::string text = name + (base == Base::Fixed ? "_fixed" : "_floating");
@@ -67,23 +60,23 @@ struct TestRobot {
 /// How a test names it.
 inline void PrintTo(const TestRobot& robot, std::ostream* out) { *out << robot.label(); }
 
-/// Those that this build can make. `name` gives the name of an element.
+/// Those that this build can make, by what `name` gives of them.
 template <class Item, class Name>
-std::vector<Item> available(const std::vector<Item>& items, const Name& name) {
-  std::vector<Item> result;
-  for (const Item& item : items)
-    if (has_robot_files || built_robot(name(item)) != nullptr) result.push_back(item);
-  return result;
+std::vector<Item> available(std::vector<Item> items, const Name& name) {
+  std::erase_if(items, [&](const Item& item) { return !is_available(name(item)); });
+  return items;
 }
 inline std::vector<TestRobot> available(const std::vector<TestRobot>& robots) {
   return available(robots, [](const TestRobot& robot) { return robot.name; });
 }
 
 inline std::vector<TestRobot> robots_on(Base base) {
-  std::vector<TestRobot> robots = available({{"talos", base, "right_sole_link"},
-                                             {"talos:right_arm", base, "tool"},
-                                             {"arm7", base, "tool"},
-                                             {"crane", base, "left_tip"}});
+  std::vector<TestRobot> robots;
+  if (has_robot_files)
+    robots = {{"talos", base, "right_sole_link"},
+              {"talos:right_arm", base, "tool"},
+              {"arm7", base, "tool"},
+              {"crane", base, "left_tip"}};
   for (const BuiltRobot& built : built_robots()) robots.push_back({built.name, base, built.tool});
   return robots;
 }
