@@ -2,13 +2,16 @@
 then becomes a wheel. Needs nothing but the standard library, so that no network is needed either.
 
 CMAKE_ARGS in the environment, or `--config-settings cmake-args=...`, go to CMake; JOBS is the number
-of compilers at a time. The build folder build-wheel is kept, so that a second time is fast."""
+of compilers at a time. The build folder build-wheel is kept, so that a second time is fast; where it
+was made in another way, or fails, everything starts anew."""
 
 import base64
 import hashlib
+import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -47,18 +50,31 @@ def _tag():
     return f"{python}-{python}-{platform}"
 
 
+class _Failed(Exception):
+    pass
+
+
 def _run(*command):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
-        sys.exit(f"burnish_build: '{shlex.join(command[:3])} ...' failed:\n{done.stdout[-8000:]}")
+        raise _Failed(f"'{shlex.join(command[:3])} ...' failed:\n{done.stdout[-8000:]}")
     return done.stdout
 
 
-def _build(stage, settings):
-    build = SOURCE / "build-wheel"
+def _cmake_arguments(settings):
     given = (settings or {}).get("cmake-args", "")
     extra = shlex.split(os.environ.get("CMAKE_ARGS", ""))
-    extra += [word for text in ([given] if isinstance(given, str) else given) for word in shlex.split(text)]
+    return extra + [word for text in ([given] if isinstance(given, str) else given) for word in shlex.split(text)]
+
+
+def _ways(extra):
+    """What CMake remembers of its first call in a folder, and would not notice a change of."""
+    names = sorted(name for name in os.environ if name.startswith("CMAKE_"))
+    return {"arguments": extra, "python": [os.path.realpath(sys.executable), sys.version],
+            "environment": {name: os.environ.get(name) for name in ["CC", "CXX", "CXXFLAGS", "LDFLAGS", *names]}}
+
+
+def _configure_and_build(build, extra):
     said = _run(
         "cmake", "-S", str(SOURCE), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release",
         "-DBURNISH_PYTHON=ON", "-DBURNISH_PYTHON_INSTALL_DIR=.", f"-DPython3_EXECUTABLE={sys.executable}",
@@ -66,12 +82,37 @@ def _build(stage, settings):
     )
     parts = [line for line in said.splitlines() if "burnish:" in line]
     if not any("Python: on" in line for line in parts):
-        sys.exit("burnish_build: something that the package needs is missing (scripts/setup installs it "
-                 "on Debian):\n" + "\n".join(parts))
+        raise _Failed("something that the package needs is missing (scripts/setup installs it on Debian):\n"
+                      + "\n".join(parts))
     _run("cmake", "--build", str(build), "--target", "burnish_python",
          "-j", os.environ.get("JOBS", str(os.cpu_count() or 1)))
-    for component in ("python", "python_data"):
-        _run("cmake", "--install", str(build), "--component", component, "--prefix", str(stage))
+
+
+def _build(stage, settings):
+    build = SOURCE / "build-wheel"
+    extra = _cmake_arguments(settings)
+    ways, record = json.dumps(_ways(extra)), build / "burnish_build.json"
+    if not record.exists() or record.read_text() != ways:
+        shutil.rmtree(build, ignore_errors=True)
+    kept = build.exists()
+    build.mkdir(exist_ok=True)
+    record.write_text(ways)
+    try:
+        try:
+            _configure_and_build(build, extra)
+        except _Failed:
+            # What an interrupted call left, or what was moved or upgraded since, may be the reason.
+            if not kept:
+                raise
+            print(f"burnish_build: {build} of an earlier call is of no use, starting anew", flush=True)
+            shutil.rmtree(build)
+            build.mkdir()
+            record.write_text(ways)
+            _configure_and_build(build, extra)
+        for component in ("python", "python_data"):
+            _run("cmake", "--install", str(build), "--component", component, "--prefix", str(stage))
+    except _Failed as failure:
+        sys.exit(f"burnish_build: {failure}")
 
 
 def get_requires_for_build_wheel(config_settings=None):
