@@ -360,8 +360,9 @@ TEST(PlantScene, tilts_about_the_tangents_and_shifts_along_the_normal) {
     d.surface_tilt_deg.setZero();
     d.surface_tilt_deg[axis] = 6.0;
     const SurfaceSpec real = plant_scene(nominal, d).surface;
-    EXPECT_NEAR(std::acos(real.normal.dot(nominal.surface.normal)) * 180.0 / std::numbers::pi, 6.0,
-                1e-9);
+    const double tilt = std::atan2(real.normal.cross(nominal.surface.normal).norm(),
+                                   real.normal.dot(nominal.surface.normal));
+    EXPECT_NEAR(tilt * 180.0 / std::numbers::pi, 6.0, 1e-9);
     EXPECT_NEAR(real.normal[axis], 0.0, 1e-12) << "its own axis stays";
     EXPECT_LE((real.point - nominal.surface.point - Eigen::Vector3d(0.0, 0.0, 0.003)).norm(),
               1e-15);

@@ -39,7 +39,8 @@ TEST(Posture, SuitsSurfacesOfAnyOrientation) {
     EXPECT_GT(found.reach.joint_margin, 0.15);
     EXPECT_LT(found.reach.torque_share, 0.5);
     const Eigen::Vector3d axis = pressing_axis(frame_placement(arm().model, found.q, task.tool));
-    EXPECT_NEAR(std::acos(-axis.dot(normal.normalized())), found.tilt, 1e-6);
+    const double tilt = std::atan2(axis.cross(normal).norm(), -axis.dot(normal));
+    EXPECT_NEAR(tilt, found.tilt, 1e-6);
     for (int k = 0; k < arm().model.nq; ++k) {
       EXPECT_GE(found.q[k] - arm().model.q_lower[k], 0.15 - 1e-9);
       EXPECT_GE(arm().model.q_upper[k] - found.q[k], 0.15 - 1e-9);

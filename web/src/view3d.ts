@@ -185,7 +185,7 @@ export class View3D {
     const arm = this.camera.position.clone().sub(this.controls.target);
     const length = arm.length() * step[2];
     const azimuth = Math.atan2(arm.y, arm.x) + step[0];
-    const height = Math.asin(arm.z / arm.length()) + step[1];
+    const height = Math.atan2(arm.z, Math.hypot(arm.x, arm.y)) + step[1];
     const polar = Math.min(Math.max(height, -1.5), 1.5);
     arm.set(
       Math.cos(polar) * Math.cos(azimuth),
