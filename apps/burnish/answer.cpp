@@ -10,8 +10,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string status_name(Status status) {
   switch (status) {
     case Status::Ok:

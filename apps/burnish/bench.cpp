@@ -12,8 +12,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct BenchArguments {
   RobotArguments robot;
   BenchSpec spec;

@@ -15,8 +15,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct CheckArguments {
   RobotArguments robot;
   CheckOptions options;
@@ -57,7 +55,7 @@ Json report_json(const CheckReport& report) {
 }
 
 /// On a terminal only; the line goes when the check is done.
-void show_progress(int done, int total) {
+void show_checked(int done, int total) {
   fmt::print(stderr, "\r{} of {} rows", done, total);
   if (done == total) fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
@@ -78,7 +76,7 @@ int check(const CheckArguments& arguments) {
     options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
                              Acceleration::Classical};
   }
-  if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  if (isatty(STDERR_FILENO) != 0) options.progress = show_checked;
   const CheckReport report = check_derivatives(robot.model, options);
   if (arguments.json) {
     fmt::print("{}\n", json_text(report_json(report)));

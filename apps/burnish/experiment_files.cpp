@@ -12,7 +12,6 @@ namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using polishing::ExperimentReport;
 using polishing::ResultCell;
 using polishing::ResultTable;

@@ -8,9 +8,7 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::json;
-
-std::string kind_of(const Json& value) {
+std::string kind_of(const nlohmann::json& value) {
   if (value.is_null()) return "null";
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number()) return "the number " + value.dump();
@@ -55,20 +53,21 @@ Eigen::Matrix3d rotation_of(const JsonReader& reader) {
 
 }  // namespace
 
-Json parse_json(const std::string& text, const std::string& source) {
+nlohmann::json parse_json(const std::string& text, const std::string& source) {
   std::vector<std::set<std::string>> open;
-  const auto refuse_twins = [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second) {
+  const auto refuse_twins = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+    if (event == nlohmann::json::parse_event_t::object_start) open.emplace_back();
+    if (event == nlohmann::json::parse_event_t::object_end) open.pop_back();
+    if (event == nlohmann::json::parse_event_t::key &&
+        !open.back().insert(value.get<std::string>()).second) {
       throw Error(
           fmt::format("{}: key '{}' stands twice in one object", source, value.get<std::string>()));
     }
     return true;
   };
   try {
-    return Json::parse(text, refuse_twins);
-  } catch (const Json::exception& error) {
+    return nlohmann::json::parse(text, refuse_twins);
+  } catch (const nlohmann::json::exception& error) {
     throw Error(source + ": " + parse_sentence(error.what()));
   }
 }

@@ -5,8 +5,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 bool fits_one_line(const Json& value) {
   if (!value.is_structured() || value.empty()) return true;
   if (value.is_object()) return false;

@@ -9,14 +9,17 @@
 
 namespace burnish::app {
 
+/// What the program writes: entries stay in the order in which they were put in.
+using Json = nlohmann::ordered_json;
+
 /// A list. Infinite entries become null: JSON knows no infinity.
-nlohmann::ordered_json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
+Json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
 /// A list of rows.
-nlohmann::ordered_json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+Json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 /// {"xyz": [m], "quaternion": [x, y, z, w]}, w not negative.
-nlohmann::ordered_json placement_json(const Eigen::Isometry3d& placement);
+Json placement_json(const Eigen::Isometry3d& placement);
 
 /// Indented, with lists of plain values on one line. Numbers read back as they were.
-std::string json_text(const nlohmann::ordered_json& value);
+std::string json_text(const Json& value);
 
 }  // namespace burnish::app

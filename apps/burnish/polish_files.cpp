@@ -13,7 +13,6 @@ namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json number_json(const std::optional<double>& value) {

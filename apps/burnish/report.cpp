@@ -7,13 +7,13 @@
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
+#include "json_text.hpp"
 #include "polish_page.hpp"
 
 namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct ReportArguments {
   std::vector<std::string> runs;

@@ -8,8 +8,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json joint_json(const Model& model, const Joint& joint) {
   const int q = joint.q_index, v = joint.v_index;
   return {{"name", joint.name},

@@ -7,8 +7,6 @@
 namespace burnish::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string word(StopReason reason) {

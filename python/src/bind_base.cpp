@@ -47,7 +47,7 @@ py::dict units_of(const Trace& trace) {
 }
 
 /// Its units and rows. How many rows were dropped is not kept.
-py::tuple state_of(const Trace& trace) {
+py::tuple trace_state(const Trace& trace) {
   const auto columns = static_cast<Eigen::Index>(trace.columns().size());
   RowMatrix rows(trace.rows(), columns);
   for (int column = 0; column < columns; ++column) rows.col(column) = trace.column(column);
@@ -105,7 +105,7 @@ void bind_trace(py::class_<Trace>& of) {
           "Writes `name [unit],...` and one line per row. Raises Error if that fails.")
       .def("__copy__", [](const Trace& trace) { return trace; })
       .def("__deepcopy__", [](const Trace& trace, const py::dict&) { return trace; })
-      .def(py::pickle(&state_of,
+      .def(py::pickle(&trace_state,
                       [](const py::tuple& state) {
                         return trace_of(state[0], py::cast<Eigen::Ref<const RowMatrix>>(state[1]));
                       }))

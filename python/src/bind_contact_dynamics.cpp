@@ -58,11 +58,11 @@ struct Dynamics {
   Busy busy;
 };
 
-using Class = py::class_<Dynamics>;
+using DynamicsClass = py::class_<Dynamics>;
 
 /// A property that copies a result of the calls `by`.
 template <class View>
-void result(Class& of, const char* name, View (ContactDynamics::*view)() const, unsigned by,
+void result(DynamicsClass& of, const char* name, View (ContactDynamics::*view)() const, unsigned by,
             bool differentiated, const char* text) {
   of.def_property_readonly(
       name,
@@ -74,7 +74,7 @@ void result(Class& of, const char* name, View (ContactDynamics::*view)() const, 
       text);
 }
 
-void bind_forward(Class& of) {
+void bind_forward(DynamicsClass& of) {
   of.def(
         "forward",
         [](Dynamics& self, const Vector& q, const Vector& v, const Vector& tau) {
@@ -97,7 +97,7 @@ void bind_forward(Class& of) {
           "that returned; raises EvaluationError if another evaluation came between.");
 }
 
-void bind_inverse(Class& of) {
+void bind_inverse(DynamicsClass& of) {
   of.def(
         "inverse",
         [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a,
@@ -140,7 +140,7 @@ void bind_inverse(Class& of) {
           "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian.");
 }
 
-void bind_results(Class& of) {
+void bind_results(DynamicsClass& of) {
   using D = ContactDynamics;
   result(of, "a", &D::a, any, false,
          "(nv,), rad/s^2 or m/s^2: of forward(), or as given to inverse() or acceleration().");
@@ -186,7 +186,7 @@ void bind_results(Class& of) {
           "Contact acceleration that the proximal iterations left, m/s^2.");
 }
 
-void bind_forces(Class& of) {
+void bind_forces(DynamicsClass& of) {
   of.def(
         "force",
         [](Dynamics& self, const NumberOrName& contact) {
@@ -228,12 +228,13 @@ void bind_forces(Class& of) {
 }  // namespace
 
 void bind_contact_dynamics(py::module_& m) {
-  Class of(m, "ContactDynamics",
-           "Dynamics of a robot in contact, one state at a time, with all derivatives.\n\n"
-           "M a + b = tau + J^T lambda_; linear parts first; d/dq is by the right increment "
-           "q (+) dq of nv entries; rows are those of the active contacts, in the order given. "
-           "Results are copies. They belong to the last evaluation: others are refused with "
-           "EvaluationError. One thread at a time.");
+  DynamicsClass of(
+      m, "ContactDynamics",
+      "Dynamics of a robot in contact, one state at a time, with all derivatives.\n\n"
+      "M a + b = tau + J^T lambda_; linear parts first; d/dq is by the right increment "
+      "q (+) dq of nv entries; rows are those of the active contacts, in the order given. "
+      "Results are copies. They belong to the last evaluation: others are refused with "
+      "EvaluationError. One thread at a time.");
   of.def(py::init([](const Model& model, const std::vector<ContactSpec>& contacts,
                      const std::optional<ContactSolver>& solver) {
            return std::make_unique<Dynamics>(model, contacts, solver.value_or(ContactSolver{}));

@@ -64,12 +64,12 @@ struct Batch {
   Busy busy;
 };
 
-using Class = py::class_<Batch>;
+using BatchClass = py::class_<Batch>;
 constexpr py::ssize_t number = sizeof(double);
 
 /// A property that shows a result of all states where the batch keeps it.
 template <class View>
-void result(Class& of, const char* name, View (ContactDynamicsBatch::*view)(int) const,
+void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)(int) const,
             bool of_derivatives, const char* text) {
   of.def_property_readonly(
       name,
@@ -92,7 +92,7 @@ void result(Class& of, const char* name, View (ContactDynamicsBatch::*view)(int)
       text);
 }
 
-void bind_results(Class& of) {
+void bind_results(BatchClass& of) {
   using B = ContactDynamicsBatch;
   result(of, "a", &B::a, false, "(n, nv), rad/s^2 or m/s^2: a read-only view.");
   result(of, "lambda_", &B::lambda, false, "(n, rows), N or Nm: a read-only view.");
@@ -136,11 +136,12 @@ std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactS
 void bind_contact_dynamics_batch(py::module_& m) {
   m.def("pack_width", &pack_width,
         "States that one register of the processor this library was built for holds.");
-  Class of(m, "ContactDynamicsBatch",
-           "Contact dynamics of many states with the same contacts, packed, one state per SIMD "
-           "lane.\n\n"
-           "Results are read-only views, a row per state, on memory of the batch, which they keep "
-           "alive: the next call writes over them. Copy what has to last. One call at a time.");
+  BatchClass of(
+      m, "ContactDynamicsBatch",
+      "Contact dynamics of many states with the same contacts, packed, one state per SIMD "
+      "lane.\n\n"
+      "Results are read-only views, a row per state, on memory of the batch, which they keep "
+      "alive: the next call writes over them. Copy what has to last. One call at a time.");
   of.def(py::init(&make_batch), py::arg("model"), py::arg("contacts"), py::arg("capacity"),
          py::arg("solver") = py::none(), py::arg("threads") = 1, py::arg("pin_threads") = false,
          "Room for `capacity` states, shared out among `threads`, the calling one included; with "

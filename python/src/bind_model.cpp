@@ -33,7 +33,7 @@ void for_each_member(Visit&& visit) {
   visit("support_begin", &Model::support_begin);
 }
 
-py::dict state_of(const Model& model) {
+py::dict model_state(const Model& model) {
   py::dict state;
   for_each_member([&](const char* name, auto member) { state[name] = py::cast(model.*member); });
   return state;
@@ -53,7 +53,7 @@ bool same(const py::object& a, const py::object& b) {
   return py::module_::import("burnish._spec").attr("_same")(a, b).cast<bool>();
 }
 bool equal(const Model& a, const Model& b) {
-  return &a == &b || (a.name == b.name && a.nq == b.nq && same(state_of(a), state_of(b)));
+  return &a == &b || (a.name == b.name && a.nq == b.nq && same(model_state(a), model_state(b)));
 }
 bool equal(const Robot& a, const Robot& b) {
   return equal(a.model, b.model) && a.postures == b.postures &&
@@ -125,7 +125,7 @@ void bind_robot(py::module_& m) {
       .def("__deepcopy__", [](const Robot& robot, const py::dict&) { return robot; })
       .def(py::pickle(
           [](const Robot& robot) {
-            return py::make_tuple(state_of(robot.model), robot.postures, robot.default_posture);
+            return py::make_tuple(model_state(robot.model), robot.postures, robot.default_posture);
           },
           [](const py::tuple& state) {
             return Robot{model_of(state[0]), py::cast<std::map<std::string, Posture>>(state[1]),
@@ -292,7 +292,7 @@ void bind_model(py::module_& m) {
       .def("__eq__", &equals<Model>)
       .def("__copy__", [](const Model& self) { return self; })
       .def("__deepcopy__", [](const Model& self, const py::dict&) { return self; })
-      .def(py::pickle(&state_of, &model_of));
+      .def(py::pickle(&model_state, &model_of));
 
   bind_descriptions(m);
   bind_configurations(m);

@@ -45,11 +45,11 @@ struct Body {
   Busy busy;
 };
 
-using Class = py::class_<Body>;
+using BodyClass = py::class_<Body>;
 
 /// A property that copies a result.
 template <class Result>
-void result(Class& of, const char* name, Result (RigidBody::*get)() const, const char* text) {
+void result(BodyClass& of, const char* name, Result (RigidBody::*get)() const, const char* text) {
   of.def_property_readonly(
       name,
       [=](Body& self) {
@@ -65,7 +65,7 @@ void result(Class& of, const char* name, Result (RigidBody::*get)() const, const
 
 /// The same of update_derivatives().
 template <class View>
-void derivative(Class& of, const char* name, View (RigidBody::*get)() const, const char* text) {
+void derivative(BodyClass& of, const char* name, View (RigidBody::*get)() const, const char* text) {
   of.def_property_readonly(
       name,
       [=](Body& self) {
@@ -79,7 +79,7 @@ void derivative(Class& of, const char* name, View (RigidBody::*get)() const, con
       text);
 }
 
-void bind_frames(Class& of) {
+void bind_frames(BodyClass& of) {
   of.def(
         "frame", [](const Body& self, const std::string& name) { return self.machine.frame(name); },
         py::arg("name"),
@@ -138,7 +138,7 @@ void bind_frames(Class& of) {
           "Derivatives of placement() and of its error to the target (4, 4).");
 }
 
-void bind_whole_robot(Class& of) {
+void bind_whole_robot(BodyClass& of) {
   using B = RigidBody;
   result(of, "mass", &B::mass, "Of all moving bodies, kg.");
   result(of, "com", &B::com, "(3,), centre of mass, world, m.");
@@ -170,12 +170,13 @@ void bind_whole_robot(Class& of) {
 }  // namespace
 
 void bind_rigid_body(py::module_& m) {
-  Class of(m, "RigidBody",
-           "What a robot's state alone says: frames, centre of mass, momentum, energy, gravity and "
-           "friction torques, with their derivatives.\n\n"
-           "Linear part of motions and momenta first; d/dq is by the right increment q (+) dq of "
-           "nv entries. Results are copies, at the last state that update() took, at first the "
-           "neutral configuration at rest. One thread at a time.");
+  BodyClass of(
+      m, "RigidBody",
+      "What a robot's state alone says: frames, centre of mass, momentum, energy, gravity and "
+      "friction torques, with their derivatives.\n\n"
+      "Linear part of motions and momenta first; d/dq is by the right increment q (+) dq of "
+      "nv entries. Results are copies, at the last state that update() took, at first the "
+      "neutral configuration at rest. One thread at a time.");
   of.def(py::init<const Model&, double>(), py::arg("model"), py::arg("slip_velocity") = 0.01,
          "`slip_velocity` is the rate at which smoothed Coulomb friction reaches 76 %, rad/s or "
          "m/s. Raises Error unless it is positive.")

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/degrees.hpp"
 #include "burnish/report/metrics.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 struct Figure {
   std::string name, value, unit, meaning;
@@ -38,7 +36,8 @@ std::vector<Figure> figures_of(const Metrics& m) {
       {"pos_mean", text(1e3 * m.position_mean), "mm", "mean distance to the path in the plane"},
       {"pos_rmse", text(1e3 * m.position_rmse), "mm", "root mean square distance"},
       {"pos_p95", text(1e3 * m.position_p95), "mm", "distance not exceeded 95 % of the time"},
-      {"turned", text(degrees * m.orientation_drift), "deg", "largest rotation of the tool"},
+      {"turned", text(degrees_per_radian * m.orientation_drift), "deg",
+       "largest rotation of the tool"},
       {"joint", text(m.joint_margin), "rad", "smallest margin to a limit: " + m.tightest_joint},
       {"torque", text(100.0 * m.torque_margin), "%", "smallest margin: " + m.tightest_torque},
       {"limited", text(100.0 * m.limited_torque), "%", "time with a joint at its torque limit"}};

@@ -6,7 +6,7 @@ namespace burnish {
 namespace {
 
 /// One figure: its words, and where it comes from.
-struct Figure {
+struct PageFigure {
   const char *name, *label, *unit, *text;
   std::optional<double> (*of)(const Metrics&);
 };
@@ -25,7 +25,7 @@ std::optional<double> of_solver(const Metrics& metrics) {
   return (*metrics.solver).*member;
 }
 
-constexpr Figure figures[] = {
+constexpr PageFigure figures[] = {
     {"force_mean", "mean force", "N", "mean normal force", plain<&Metrics::force_mean>},
     {"force_mae", "force error, mean", "N", "mean absolute error of the force's mean over 10 ms",
      plain<&Metrics::force_mae>},
@@ -79,7 +79,7 @@ constexpr Figure figures[] = {
 
 std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
   std::vector<PageMetric> result;
-  for (const Figure& figure : figures) {
+  for (const PageFigure& figure : figures) {
     std::optional<double> value;
     if (metrics) value = figure.of(*metrics);
     if (value && !std::isfinite(*value)) value.reset();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <utility>
 
@@ -20,6 +21,11 @@ using Lane = NativePack;
 inline constexpr int lanes = native_lanes;
 /// Entries by which a buffer must be longer than its last row.
 inline constexpr int spare = lanes;
+
+/// Entries of a buffer for `rows` rows that are `stride` apart.
+constexpr std::size_t block_size(int rows, int stride) {
+  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride) + spare;
+}
 
 constexpr int round_up(int n) { return (n + lanes - 1) / lanes * lanes; }
 constexpr int round_down(int n) { return n / lanes * lanes; }

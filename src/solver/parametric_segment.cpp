@@ -12,10 +12,6 @@ using dense::Update;
 
 namespace {
 
-std::size_t block(int rows, int stride) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride) + dense::spare;
-}
-
 /// X <- A^-1 B for the n rows of [A | B], by elimination with the largest pivot of a column. False
 /// where there is none, or one that is not finite.
 bool solve_rows(double* a, int stride, int n, int columns) {
@@ -53,13 +49,14 @@ ParametricSegment::ParametricSegment(const StateShape& state, int max_controls)
       system_stride_(dense::round_up(2 * dense::round_up(state.ndx) + 1)) {
   const int ndx = state.ndx;
   const int vs = layout_.value_stride;
-  for (Value* v : {&nothing_, &joined_}) v->memory = Buffer(block(vs + 1, vs));
-  for (Buffer& b : fx_) b = Buffer(block(dense::round_up(max_controls + ndx) + dense::lanes, vs));
-  projected_ = Buffer(block(state.nv, vs));
-  d_ = Buffer(block(vs, vs));
-  r_ = Buffer(block(1, vs));
-  transposed_ = Buffer(block(vs, vs));
-  system_ = Buffer(block(ndx, system_stride_));
+  for (Value* v : {&nothing_, &joined_}) v->memory = Buffer(dense::block_size(vs + 1, vs));
+  for (Buffer& b : fx_)
+    b = Buffer(dense::block_size(dense::round_up(max_controls + ndx) + dense::lanes, vs));
+  projected_ = Buffer(dense::block_size(state.nv, vs));
+  d_ = Buffer(dense::block_size(vs, vs));
+  r_ = Buffer(dense::block_size(1, vs));
+  transposed_ = Buffer(dense::block_size(vs, vs));
+  system_ = Buffer(dense::block_size(ndx, system_stride_));
 }
 
 void ParametricSegment::start() {

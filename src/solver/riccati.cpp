@@ -14,10 +14,6 @@ using dense::Update;
 
 namespace {
 
-std::size_t block(int rows, int stride) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride) + dense::spare;
-}
-
 /// A worker's share of `count` rows or columns, in groups of `size`; the last
 /// group is the leader's, who has no more than others.
 Range share(const Crew& crew, int count, int size) {
@@ -86,20 +82,21 @@ RiccatiRecursion::RiccatiRecursion(const StateShape& state, int max_controls, in
       box_qp_(max_controls) {
   const int inner = state.nv;
   const int rows = std::max(1, dense::round_up(max_controls));
-  y_ = Buffer(block(rows, y_stride_));
-  qxx_ = Buffer(block(layout_.value_stride, layout_.value_stride));
-  gradient_ = Buffer(block(2, y_stride_));
-  g_ = Buffer(block(state.ndx, y_stride_));
-  w_next_ = Buffer(block(2, layout_.value_stride));
-  box_lower_ = Buffer(block(1, rows));
-  box_upper_ = Buffer(block(1, rows));
-  if (workers > 1) l_ = Buffer(block(rows, layout_.gain_stride));
+  y_ = Buffer(dense::block_size(rows, y_stride_));
+  qxx_ = Buffer(dense::block_size(layout_.value_stride, layout_.value_stride));
+  gradient_ = Buffer(dense::block_size(2, y_stride_));
+  g_ = Buffer(dense::block_size(state.ndx, y_stride_));
+  w_next_ = Buffer(dense::block_size(2, layout_.value_stride));
+  box_lower_ = Buffer(dense::block_size(1, rows));
+  box_upper_ = Buffer(dense::block_size(1, rows));
+  if (workers > 1) l_ = Buffer(dense::block_size(rows, layout_.gain_stride));
   for (int w = 0; w < workers; ++w)
-    own_.push_back({Buffer(block(inner, layout_.value_stride)),
-                    Buffer(block(inner, dense::round_up(inner))), Buffer(block(inner, y_stride_)),
-                    Buffer(block(state.nv + state.filtered, layout_.value_stride)),
-                    Buffer(block(1, rows)),
-                    workers > 1 ? Buffer(block(rows, y_stride_)) : Buffer()});
+    own_.push_back({Buffer(dense::block_size(inner, layout_.value_stride)),
+                    Buffer(dense::block_size(inner, dense::round_up(inner))),
+                    Buffer(dense::block_size(inner, y_stride_)),
+                    Buffer(dense::block_size(state.nv + state.filtered, layout_.value_stride)),
+                    Buffer(dense::block_size(1, rows)),
+                    workers > 1 ? Buffer(dense::block_size(rows, y_stride_)) : Buffer()});
 }
 
 double RiccatiRecursion::multiplications(int controls, DynamicsForm form) const {

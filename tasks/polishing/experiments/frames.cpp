@@ -2,14 +2,12 @@
 // tool does not turn.
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/degrees.hpp"
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// What else is wrong. An estimate of the model error does not see the mistake: it takes the
 /// measured force, along the surface's normal, for what it is.
@@ -54,7 +52,7 @@ BatchRun run_of(const ExperimentSpec& spec, const Sweep& sweep, double weight, F
   return run;
 }
 
-std::vector<Sweep> perform(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
+std::vector<Sweep> perform_sweeps(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
   std::vector<Sweep> sweeps;
@@ -110,8 +108,8 @@ ResultTable pairs_table(const std::vector<Sweep>& sweeps) {
       const RunFigures &s = sweep.in_surface[i], &l = sweep.in_local[i];
       table.add({sweep.surface, std::string(sweep.circumstance->name), sweep.weights[i],
                  s.force_rmse, l.force_rmse, s.force_error_mean, l.force_error_mean,
-                 1e3 * s.position_rmse, 1e3 * l.position_rmse, degrees * s.turned,
-                 degrees * l.turned});
+                 1e3 * s.position_rmse, 1e3 * l.position_rmse, degrees_per_radian * s.turned,
+                 degrees_per_radian * l.turned});
     }
   return table;
 }
@@ -153,9 +151,10 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
       } else {
         panel.title = "Turn of the tool, " + sweep.surface + ", " + sweep.circumstance->name;
         panel.y_label = "largest [deg]";
-        panel.curves = {
-            curve_of("local axes", sweep, sweep.in_local, degrees, &RunFigures::turned, 1),
-            curve_of("surface axes", sweep, sweep.in_surface, degrees, &RunFigures::turned, 0)};
+        panel.curves = {curve_of("local axes", sweep, sweep.in_local, degrees_per_radian,
+                                 &RunFigures::turned, 1),
+                        curve_of("surface axes", sweep, sweep.in_surface, degrees_per_radian,
+                                 &RunFigures::turned, 0)};
       }
       figure.plot.panels.push_back(std::move(panel));
     }
@@ -167,7 +166,7 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
 ExperimentReport perform_frames(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Why the frame matters"};
   std::vector<RunFigures> figures;
-  const std::vector<Sweep> sweeps = perform(spec, figures);
+  const std::vector<Sweep> sweeps = perform_sweeps(spec, figures);
   report.tables = {runs_table(sweeps), pairs_table(sweeps)};
   report.figures = {error_figure(sweeps)};
   for (const Sweep& sweep : sweeps) {

@@ -1,8 +1,8 @@
 // The same task on surfaces of many orientations.
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/degrees.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/posture.hpp"
 #include "polishing/task_file.hpp"
@@ -10,7 +10,6 @@
 namespace burnish::polishing {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 /// Errors may be so many times those on the table.
 constexpr double allowed_ratio = 2.0;
 constexpr int runs_wanted = 24;
@@ -20,7 +19,7 @@ constexpr int runs_wanted = 24;
 struct Direction {
   int tilt, azimuth;
   Eigen::Vector3d normal() const {
-    const double t = tilt / degrees, a = azimuth / degrees;
+    const double t = tilt / degrees_per_radian, a = azimuth / degrees_per_radian;
     return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
   }
   std::string name() const {
@@ -141,8 +140,8 @@ ResultTable normals_table(const std::vector<Place>& places, const RunFigures& ta
   const auto add = [&](const std::string& name, const RunFigures& run, const std::string& verdict) {
     result.add({name, run.force_rmse, run.force_rmse / table.force_rmse, 1e3 * run.position_rmse,
                 run.position_rmse / table.position_rmse, 100.0 * run.lost,
-                100.0 * run.torque_margin, run.joint_margin, degrees * run.tool_to_normal,
-                verdict});
+                100.0 * run.torque_margin, run.joint_margin,
+                degrees_per_radian * run.tool_to_normal, verdict});
   };
   add("table, named posture", table, "-");
   for (const Place& place : places) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/degrees.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "polishing/posture.hpp"
 
@@ -13,7 +13,6 @@ namespace burnish::polishing {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 bool all_finite(const Trace& trace) {
   const int columns = static_cast<int>(trace.columns().size());
@@ -140,12 +139,12 @@ std::vector<ResultCell> run_cells(const RunFigures& run) {
           100.0 * run.lost,
           run.impact,
           run.overshoot,
-          degrees * run.turned,
+          degrees_per_radian * run.turned,
           run.joint_margin,
           100.0 * run.torque_margin,
           100.0 * run.limited,
           100.0 * run.largest_command,
-          degrees * run.tool_to_normal,
+          degrees_per_radian * run.tool_to_normal,
           run.outcome};
 }
 

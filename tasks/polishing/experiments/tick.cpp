@@ -27,7 +27,7 @@ std::vector<double> rates_of(bool quick) {
   return {100.0, 200.0, 500.0, 1000.0, 2000.0, 4000.0};
 }
 
-std::vector<Timed> perform(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
+std::vector<Timed> perform_rates(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
   const std::string surface = spec.surfaces.empty() ? "table" : spec.surfaces.front();
   std::vector<Timed> timed;
   std::vector<BatchRun> runs;
@@ -107,7 +107,7 @@ Figure rates_figure(const std::vector<Timed>& timed) {
 ExperimentReport perform_tick(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Computing times"};
   std::vector<RunFigures> figures;
-  const std::vector<Timed> timed = perform(spec, figures);
+  const std::vector<Timed> timed = perform_rates(spec, figures);
   report.tables = {rates_table(timed)};
   report.figures = {rates_figure(timed)};
   double highest = 0.0;

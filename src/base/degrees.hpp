@@ -1,0 +1,10 @@
+// Angles as people read them.
+#pragma once
+
+#include <numbers>
+
+namespace burnish {
+
+inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+}  // namespace burnish
