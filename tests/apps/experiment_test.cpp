@@ -9,8 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
 TEST(Experiment, WritesTablesFiguresAndAllNumbers) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";

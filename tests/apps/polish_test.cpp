@@ -9,15 +9,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
 /// Less than two seconds of simulated time on the project's own plant.
 const std::string short_run =
     " --plant ideal --duration 0.6 --set path.start_up=0.2 --set phases.reach_duration=0.2";
-
-int lines_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
 
 TEST(Polish, WritesWhatItSays) {
   const Scratch scratch;

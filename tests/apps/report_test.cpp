@@ -17,9 +17,7 @@ constexpr bool has_page = true;
 constexpr bool has_page = false;
 #endif
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
-const std::string short_run =
+const std::string moment =
     " --surface table --plant ideal --duration 0.6 --set path.start_up=0.2"
     " --set phases.reach_duration=0.2";
 
@@ -55,7 +53,7 @@ TEST(RunPages, HoldWhatTheTableHolds) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
-      run("polish" + short_run + " --controller mpc --record-every 4 --mcap --out " + quoted(out) +
+      run("polish" + moment + " --controller mpc --record-every 4 --mcap --out " + quoted(out) +
           " --set 'disturbances.surface_tilt_deg=[2, 0]'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const fs::path folder = out / "table_mpc";
@@ -112,7 +110,7 @@ TEST(RunPages, TheCommandOnThePageMakesTheRunAgain) {
   const Scratch scratch;
   const auto first = scratch.folder / "first", second = scratch.folder / "second";
   ASSERT_EQ(
-      run("polish" + short_run +
+      run("polish" + moment +
           " --controller baseline --set 'surface.normal=[0, 0.1, 1]' --seed 3 --quiet --out " +
           quoted(first))
           .exit_code,
@@ -130,11 +128,11 @@ TEST(RunPages, NoPageLeavesThemOut) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const std::string what = "polish --controller baseline --seed 1 --seed 2 --out " + quoted(out);
-  ASSERT_EQ(run(what + short_run).exit_code, 0);
+  ASSERT_EQ(run(what + moment).exit_code, 0);
   EXPECT_EQ(fs::exists(out / "comparison.html"), has_page);
   EXPECT_TRUE(fs::exists(out / "table_baseline_seed1" / "run.json"));
   // What an earlier call left goes.
-  ASSERT_EQ(run(what + short_run + " --no-page").exit_code, 0);
+  ASSERT_EQ(run(what + moment + " --no-page").exit_code, 0);
   for (const char* name : {"run.json", "run.html", "run.mcap"})
     EXPECT_FALSE(fs::exists(out / "table_baseline_seed1" / name)) << name;
   EXPECT_FALSE(fs::exists(out / "comparison.html"));
@@ -144,7 +142,7 @@ TEST(RunPages, ABuildWithoutThePageSaysSoOnce) {
   if (has_page) GTEST_SKIP() << "this build has the page";
   const Scratch scratch;
   const Outcome outcome = run("polish --controller baseline --seed 1 --seed 2 --out " +
-                              quoted(scratch.folder / "out") + short_run);
+                              quoted(scratch.folder / "out") + moment);
   EXPECT_EQ(outcome.exit_code, 0);
   const std::string words = "no run.html: ";
   const std::size_t at = outcome.out.find(words);
@@ -158,8 +156,8 @@ TEST(Report, PutsRunsOnOnePage) {
   if (!has_page) GTEST_SKIP() << "this build has no page";
   const Scratch scratch;
   for (const std::string force : {"20", "30"})
-    ASSERT_EQ(run("polish --controller baseline --quiet --set force=" + force + short_run +
-                  " --out " + quoted(scratch.folder / force))
+    ASSERT_EQ(run("polish --controller baseline --quiet --set force=" + force + moment + " --out " +
+                  quoted(scratch.folder / force))
                   .exit_code,
               0);
   const auto file = scratch.folder / "both.html";

@@ -25,12 +25,6 @@ const std::string problem =
     "  - press: 20\n"
     "terminal: {posture: {type: state}}\n";
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
-int lines_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
 TEST(Solve, WritesWhatItSays) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);

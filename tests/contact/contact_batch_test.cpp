@@ -23,18 +23,18 @@ constexpr bool can_pin = true;
 constexpr bool can_pin = false;
 #endif
 
-struct Touch {
+struct BatchTouch {
   std::string robot, tool, base;
   double rounding = 1e-12;  ///< what a robot may lose, relative: its mass matrix amplifies it
 };
 
-void PrintTo(const Touch& touch, std::ostream* out) { *out << touch.robot; }
+void PrintTo(const BatchTouch& touch, std::ostream* out) { *out << touch.robot; }
 
 struct Batch {
   Eigen::MatrixXd q, v, tau;
 };
 
-class BatchOf : public ::testing::TestWithParam<Touch> {
+class BatchOf : public ::testing::TestWithParam<BatchTouch> {
  protected:
   std::vector<ContactSpec> contacts(const Reference& reference) const {
     ContactSpec one = contact(GetParam().tool, "world", reference, Directions::parse("x,z,ry"));
@@ -188,21 +188,21 @@ TEST_P(BatchOf, refuses_wrong_sizes) {
             Status::WrongSize);
 }
 
-INSTANTIATE_TEST_SUITE_P(robots, BatchOf,
-                         ::testing::Values(Touch{"talos:fixed", "tool", "torso_1_link", 1e-11},
-                                           Touch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
-                                           Touch{"talos", "right_sole_link", "left_sole_link",
-                                                 1e-11},
-                                           Touch{"arm7", "tool", "link_1", 1e-11},
-                                           Touch{"arm7:floating", "tool", "link_1", 1e-11},
-                                           Touch{"crane", "left_tip", "right_tip"},
-                                           Touch{"crane:floating", "left_tip", "right_tip"}),
-                         [](const auto& test) {
-                           std::string name = test.param.robot;
-                           for (char& c : name)
-                             if (c == ':') c = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    robots, BatchOf,
+    ::testing::Values(BatchTouch{"talos:fixed", "tool", "torso_1_link", 1e-11},
+                      BatchTouch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
+                      BatchTouch{"talos", "right_sole_link", "left_sole_link", 1e-11},
+                      BatchTouch{"arm7", "tool", "link_1", 1e-11},
+                      BatchTouch{"arm7:floating", "tool", "link_1", 1e-11},
+                      BatchTouch{"crane", "left_tip", "right_tip"},
+                      BatchTouch{"crane:floating", "left_tip", "right_tip"}),
+    [](const auto& test) {
+      std::string name = test.param.robot;
+      for (char& c : name)
+        if (c == ':') c = '_';
+      return name;
+    });
 
 class BadInput : public ::testing::Test {
  protected:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/contact_states.hpp"
+#include "support/touch.hpp"
 
 namespace burnish::test {
 namespace {
@@ -63,14 +64,6 @@ TEST(ContactForceConversion, turns_with_the_axes_of_the_tool) {
   EXPECT_LT((force.in(Reference::local()).value - expected).norm(), 1e-12);
   for (const Reference& reference : all_references())
     EXPECT_LT((force.in(reference).in(Reference::centered()).value - force.value).norm(), 1e-12);
-}
-
-struct Touch {
-  std::string robot, tool, base;
-};
-
-void PrintTo(const Touch& touch, std::ostream* out) {
-  *out << touch.robot << ": " << touch.tool << " on " << touch.base;
 }
 
 class WrenchIn : public ::testing::TestWithParam<Touch> {

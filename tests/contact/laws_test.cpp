@@ -3,17 +3,10 @@
 
 #include "support/contact_motion.hpp"
 #include "support/contact_states.hpp"
+#include "support/touch.hpp"
 
 namespace burnish::test {
 namespace {
-
-struct Touch {
-  std::string robot, tool, base;
-};
-
-void PrintTo(const Touch& touch, std::ostream* out) {
-  *out << touch.robot << ": " << touch.tool << " on " << touch.base;
-}
 
 const std::vector<Touch>& touches() {
   static const std::vector<Touch> all{{"talos:fixed", "tool", "world"},

@@ -122,7 +122,7 @@ TEST_P(FrameKinematics, placement_derivatives_obey_the_kernel_law) {
 
 TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
   std::mt19937_64 generator(3);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const double step = 1e-6;
   for (const FrameAxes axes : all_axes) {
     SCOPED_TRACE(name_of(axes));
@@ -139,7 +139,7 @@ TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
 
 TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
   std::mt19937_64 generator(4);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const Eigen::VectorXd other = random_vector(model.nv, 1.0, generator);
   for (const FrameAxes axes : all_axes) {
     const MotionKernel kernel{tree, frame, axes};
@@ -155,7 +155,7 @@ TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
 
 TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
   std::mt19937_64 generator(5);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   std::vector<double> turning(static_cast<std::size_t>(3 * model.nv), 0.0);
   frame_rotation_derivative(frame, run.kinematics, run.state, turning.data(), model.nv);
@@ -175,7 +175,7 @@ TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
 
 TEST_P(FrameKinematics, the_three_axes_describe_one_motion) {
   std::mt19937_64 generator(6);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   const auto local = frame_velocity(FrameAxes::Local, run.state);
   const auto centered = frame_velocity(FrameAxes::Centered, run.state);
@@ -191,7 +191,7 @@ TEST_P(FrameKinematics, the_three_axes_describe_one_motion) {
 
 TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
   std::mt19937_64 generator(7);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   std::vector<double> out(static_cast<std::size_t>(6 * model.nv), 42.0);
   frame_jacobian(frame, FrameAxes::World, run.kinematics, run.state, out.data(), model.nv);

@@ -82,7 +82,7 @@ struct Evaluation {
 
 TEST_P(MomentumOf, com_jacobian_is_linear_momentum_over_mass) {
   std::mt19937_64 generator(8);
-  const Evaluation run(tree, random_state(model, generator));
+  const Evaluation run(tree, random_kernel_state(model, generator));
   const Eigen::MatrixXd com = as_matrix(run.derivatives.com_dq, model.nv);
   const Eigen::MatrixXd linear = as_matrix(run.derivatives.total_dv, model.nv).topRows(3);
   EXPECT_NEAR(run.momentum.mass, model.total_mass(), 1e-12 * model.total_mass());
@@ -91,7 +91,7 @@ TEST_P(MomentumOf, com_jacobian_is_linear_momentum_over_mass) {
 
 TEST_P(MomentumOf, energy_is_that_of_the_mass_matrix) {
   std::mt19937_64 generator(9);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const Evaluation run(tree, s);
   Eigen::MatrixXd M = as_matrix(run.mass.mass, model.nv);
   M = Eigen::MatrixXd(M.selfadjointView<Eigen::Lower>());
@@ -104,7 +104,7 @@ TEST_P(MomentumOf, energy_changes_by_the_power_of_the_torques) {
   // dE/dt = tau . v along any acceleration.
   std::mt19937_64 generator(10);
   for (int i = 0; i < 10; ++i) {
-    const KernelState s = random_state(model, generator);
+    const KernelState s = random_kernel_state(model, generator);
     const Evaluation run(tree, s);
     const Eigen::VectorXd by_q =
         as_vector(run.derivatives.kinetic_dq) + as_vector(run.derivatives.potential_dq);
@@ -116,7 +116,7 @@ TEST_P(MomentumOf, energy_changes_by_the_power_of_the_torques) {
 
 TEST_P(MomentumOf, gravity_torque_is_the_bias_at_rest) {
   std::mt19937_64 generator(11);
-  KernelState s = random_state(model, generator);
+  KernelState s = random_kernel_state(model, generator);
   s.v.setZero();
   const Evaluation run(tree, s);
   std::vector<double> torque(static_cast<std::size_t>(model.nv), 0.0);
@@ -129,7 +129,7 @@ TEST_P(FloatingMomentumOf, momentum_changes_by_gravity_and_the_wrench_on_the_bas
   // tau of the free-flyer is the wrench on the base in its axes: S_k . w = tau_k for its six axes.
   std::mt19937_64 generator(12);
   for (int i = 0; i < 10; ++i) {
-    const KernelState s = random_state(model, generator);
+    const KernelState s = random_kernel_state(model, generator);
     const Evaluation run(tree, s);
     const Eigen::VectorXd rate = as_matrix(run.derivatives.total_dq, model.nv) * s.v +
                                  as_matrix(run.derivatives.total_dv, model.nv) * s.a;
@@ -149,7 +149,7 @@ TEST_P(FloatingMomentumOf, momentum_changes_by_gravity_and_the_wrench_on_the_bas
 TEST_P(MomentumOf, centroidal_momentum_changes_by_moments_about_the_centre_of_mass) {
   // Gravity has no moment about the centre of mass: both momenta change alike but for the weight.
   std::mt19937_64 generator(13);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const Evaluation run(tree, s);
   const Eigen::VectorXd total = as_matrix(run.derivatives.total_dq, model.nv) * s.v +
                                 as_matrix(run.derivatives.total_dv, model.nv) * s.a;

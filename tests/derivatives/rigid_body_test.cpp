@@ -16,7 +16,7 @@ class RigidBodyOf : public OnRobots {
  protected:
   void SetUp() override {
     std::mt19937_64 generator(51);
-    s = random_state(model, generator);
+    s = random_kernel_state(model, generator);
     ASSERT_EQ(body.update(s.q, s.v, s.a), Status::Ok);
     body.update_derivatives();
   }

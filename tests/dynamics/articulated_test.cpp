@@ -30,7 +30,7 @@ class Articulated : public OnRobots {
     deep.deep = true;
     sparse.deep = false;
     for (int l = 0; l < native_lanes; ++l) {
-      const KernelState s = random_state(model, generator);
+      const KernelState s = random_kernel_state(model, generator);
       q.push_back(s.q);
       v.push_back(s.v);
     }

@@ -63,7 +63,7 @@ TEST_P(Dynamics, inverse_dynamics_obeys_the_kernel_law) {
 
 TEST_P(Dynamics, torque_is_mass_times_acceleration_plus_bias) {
   std::mt19937_64 generator(21);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
   const auto tau = InverseDynamicsKernel{tree}.values(s.q.data(), s.v.data(), s.a.data());
   const Eigen::VectorXd wanted = mass_matrix(s.q) * s.a + as_vector(run.mass.bias);
@@ -73,7 +73,7 @@ TEST_P(Dynamics, torque_is_mass_times_acceleration_plus_bias) {
 TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
   std::mt19937_64 generator(22);
   for (int i = 0; i < 10; ++i) {
-    const KernelState s = random_state(model, generator);
+    const KernelState s = random_kernel_state(model, generator);
     const Eigen::MatrixXd M = mass_matrix(s.q);
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0], 0.0);
     Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
@@ -91,7 +91,7 @@ TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
 
 TEST_P(Dynamics, forward_undoes_inverse) {
   std::mt19937_64 generator(23);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   const auto tau = InverseDynamicsKernel{tree}.values(s.q.data(), s.v.data(), s.a.data());
   Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
   ASSERT_FALSE(factorize(tree, run.kinematics, run.mass));
@@ -103,7 +103,7 @@ TEST_P(Dynamics, forward_undoes_inverse) {
 
 TEST_P(FloatingDynamics, moving_the_whole_robot_changes_no_mass) {
   std::mt19937_64 generator(24);
-  const KernelState s = random_state(model, generator);
+  const KernelState s = random_kernel_state(model, generator);
   Eigen::VectorXd moved = s.q;
   moved.head(7) = random_configuration(model, generator).head(7);
   EXPECT_LE(relative_error(mass_matrix(moved), mass_matrix(s.q)), 1e-12);

@@ -9,6 +9,7 @@
 
 #include "burnish/math/logarithm.hpp"
 #include "burnish/math/pack.hpp"
+#include "support/random_unit.hpp"
 
 namespace burnish {
 namespace {
@@ -23,11 +24,7 @@ constexpr double angles[] = {
     0.0, 1e-160, 1e-12, 1e-6, 1e-3, 0.1, 0.499999, 0.5, 0.7, 0.999999999999,
     1.0, 1.3,    2.0,   3.0,  3.14, 4.0, 6.0,      9.0};
 
-Eigen::Vector3d random_unit(std::mt19937_64& generator) {
-  std::normal_distribution<double> draw;
-  Eigen::Vector3d u(draw(generator), draw(generator), draw(generator));
-  return u.normalized();
-}
+using test::random_unit;
 
 Motion<double> random_twist(double angle, std::mt19937_64& generator) {
   return {from_eigen(Eigen::Vector3d(2.0 * random_unit(generator))),

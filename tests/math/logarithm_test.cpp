@@ -6,15 +6,12 @@
 #include <random>
 
 #include "burnish/math/pack.hpp"
+#include "support/random_unit.hpp"
 
 namespace burnish {
 namespace {
 
-Eigen::Vector3d random_unit(std::mt19937_64& generator) {
-  std::normal_distribution<double> draw;
-  Eigen::Vector3d u(draw(generator), draw(generator), draw(generator));
-  return u.normalized();
-}
+using test::random_unit;
 
 Eigen::Matrix3d rotation(const Eigen::Vector3d& phi) {
   const double angle = phi.norm();

@@ -5,13 +5,14 @@
 
 #include "burnish/model/model.hpp"
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 #include "support/trees.hpp"
 
 namespace burnish::testing {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 
 struct BadTree {
   std::string name;
@@ -39,7 +40,7 @@ const std::vector<BadTree>& bad_trees() {
        {"ancestor"}},
       {"Mass", [](Tree& t) { t.links[1].inertia.mass = -1.2; }, {"'a'", "-1.2", "negative"}},
       {"MassNan", [](Tree& t) { t.links[1].inertia.mass = nan; }, {"'a'", "mass", "nan"}},
-      {"ComInf", [](Tree& t) { t.links[1].inertia.com[1] = inf; }, {"'a'", "centre", "inf"}},
+      {"ComInf", [](Tree& t) { t.links[1].inertia.com[1] = infinity; }, {"'a'", "centre", "inf"}},
       {"InertiaNan",
        [](Tree& t) { t.links[1].inertia.inertia_at_com(0, 1) = nan; },
        {"'a'", "inertia", "nan"}},
@@ -57,7 +58,7 @@ const std::vector<BadTree>& bad_trees() {
       {"ZeroAxis", [](Tree& t) { t.joints[0].axis.setZero(); }, {"joint 'b'", "axis", "zero"}},
       {"AxisNan", [](Tree& t) { t.joints[0].axis[0] = nan; }, {"joint 'b'", "axis", "nan"}},
       {"Placement",
-       [](Tree& t) { t.joints[0].placement.translation()[0] = inf; },
+       [](Tree& t) { t.joints[0].placement.translation()[0] = infinity; },
        {"joint 'b'", "placement", "inf"}},
       {"Rotation",
        [](Tree& t) { t.joints[0].placement.linear() *= -1.0; },
@@ -73,7 +74,7 @@ const std::vector<BadTree>& bad_trees() {
       {"Velocity", [](Tree& t) { t.joints[0].velocity_limit = -1; }, {"'b'", "velocity", "-1"}},
       {"Effort", [](Tree& t) { t.joints[0].effort_limit = nan; }, {"'b'", "effort", "nan"}},
       {"Damping", [](Tree& t) { t.joints[0].damping = -1; }, {"'b'", "damping", "-1"}},
-      {"Friction", [](Tree& t) { t.joints[0].friction = inf; }, {"'b'", "friction", "inf"}},
+      {"Friction", [](Tree& t) { t.joints[0].friction = infinity; }, {"'b'", "friction", "inf"}},
       {"Armature", [](Tree& t) { t.joints[0].armature = -3; }, {"'b'", "armature", "-3"}},
       {"Massless", [](Tree& t) { t.links[4].inertia = {}; }, {"joint 'd'", "no mass", "lock it"}},
       {"PointOnAxis",

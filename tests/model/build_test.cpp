@@ -2,13 +2,14 @@
 
 #include "burnish/model/model.hpp"
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 #include "support/trees.hpp"
 
 namespace burnish::testing {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
 
 std::vector<std::string> names(const std::vector<Joint>& joints) {
   std::vector<std::string> result;
@@ -197,10 +198,14 @@ TEST(Build, TablesOverQAndV) {
   tree.joints[4].lower = -1.0;  // of a continuous joint: does not count
   tree.joints[4].upper = 1.0;
   const Model model = build_model(tree);
-  EXPECT_EQ(model.q_lower, (Eigen::VectorXd(5) << -inf, -inf, -1.0, -inf, -inf).finished());
-  EXPECT_EQ(model.q_upper, (Eigen::VectorXd(5) << inf, inf, 2.0, inf, inf).finished());
-  EXPECT_EQ(model.velocity_limit, (Eigen::VectorXd(4) << inf, inf, 3.0, inf).finished());
-  EXPECT_EQ(model.effort_limit, (Eigen::VectorXd(4) << inf, inf, 4.0, inf).finished());
+  EXPECT_EQ(model.q_lower,
+            (Eigen::VectorXd(5) << -infinity, -infinity, -1.0, -infinity, -infinity).finished());
+  EXPECT_EQ(model.q_upper,
+            (Eigen::VectorXd(5) << infinity, infinity, 2.0, infinity, infinity).finished());
+  EXPECT_EQ(model.velocity_limit,
+            (Eigen::VectorXd(4) << infinity, infinity, 3.0, infinity).finished());
+  EXPECT_EQ(model.effort_limit,
+            (Eigen::VectorXd(4) << infinity, infinity, 4.0, infinity).finished());
   EXPECT_EQ(model.damping, (Eigen::VectorXd(4) << 0.0, 0.0, 5.0, 0.0).finished());
   EXPECT_EQ(model.friction, (Eigen::VectorXd(4) << 0.0, 0.0, 6.0, 0.0).finished());
   EXPECT_EQ(model.armature, (Eigen::VectorXd(4) << 0.0, 0.0, 7.0, 0.0).finished());

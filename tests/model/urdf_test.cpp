@@ -9,12 +9,13 @@
 
 #include "burnish/model/model.hpp"
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 #include "support/trees.hpp"
 
 namespace burnish::testing {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
+using test::infinity;
 
 /// Two links and a hinge, with everything that the format knows.
 const char* const full = R"(<?xml version="1.0"?>
@@ -139,7 +140,7 @@ TEST(Urdf, ReadsEveryJointType) {
     const JointSpec joint = parse_urdf(robot_of_type(name, limit)).joints[0];
     EXPECT_EQ(joint.type, type) << name;
     const bool limited = type == JointType::Revolute || type == JointType::Prismatic;
-    EXPECT_EQ(joint.upper, limited ? 1.0 : inf) << name;
+    EXPECT_EQ(joint.upper, limited ? 1.0 : infinity) << name;
     EXPECT_EQ(joint.axis, Eigen::Vector3d::UnitX()) << name;  // the default of the format
   }
 }
@@ -149,15 +150,15 @@ TEST(Urdf, MissingFiguresAreInfiniteOrZero) {
       parse_urdf(robot_of_type("revolute", "<limit upper=\"1\"/><dynamics armature=\"2\"/>"))
           .joints[0];
   EXPECT_EQ(joint.lower, 0.0);
-  EXPECT_EQ(joint.velocity_limit, inf);
-  EXPECT_EQ(joint.effort_limit, inf);
+  EXPECT_EQ(joint.velocity_limit, infinity);
+  EXPECT_EQ(joint.effort_limit, infinity);
   EXPECT_EQ(joint.damping, 0.0);
   EXPECT_EQ(joint.armature, 2.0);
-  EXPECT_EQ(parse_urdf(robot_of_type("continuous")).joints[0].effort_limit, inf);
+  EXPECT_EQ(parse_urdf(robot_of_type("continuous")).joints[0].effort_limit, infinity);
   EXPECT_EQ(parse_urdf(robot_of_type("revolute", "<limit lower=\"-inf\" upper=\"inf\"/>"))
                 .joints[0]
                 .lower,
-            -inf);
+            -infinity);
 }
 
 TEST(Urdf, ReadsMimic) {

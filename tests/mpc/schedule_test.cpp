@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 
 namespace burnish {
 namespace {
 
 using testing::expect_words;
 using testing::refusal;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<SchedulePhase> phases() {
   return {{.phase = Phase::Reach, .stage = "reach", .duration = 0.5},
@@ -138,7 +137,8 @@ TEST(Schedule, refuses_what_is_no_schedule) {
   };
   expect_words(with(0, [](SchedulePhase& p) { p.duration = 0.0; }), {"phase 0", "positive"});
   expect_words(with(2, [](SchedulePhase& p) { p.duration = std::nan(""); }), {"phase 2"});
-  expect_words(with(2, [](SchedulePhase& p) { p.duration = infinity; }), {"phase 2", "never ends"});
+  expect_words(with(2, [](SchedulePhase& p) { p.duration = test::infinity; }),
+               {"phase 2", "never ends"});
   expect_words(with(1, [](SchedulePhase& p) { p.hold = 0.0; }), {"phase 1", "hold", "positive"});
   EXPECT_EQ(with(0, [](SchedulePhase& p) { p.hold = 0.0; }), "");
 }

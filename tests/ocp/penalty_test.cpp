@@ -8,11 +8,10 @@
 
 #include "burnish/math/pack.hpp"
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A penalty of one entry.
 struct PenaltyCase {
@@ -89,10 +88,7 @@ TEST_P(PenaltyLaw, IsSmoothAtItsSeams) {
   }
 }
 
-TEST_P(PenaltyLaw, NanStays) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(GetParam().at(nan).value));
-}
+TEST_P(PenaltyLaw, NanStays) { EXPECT_TRUE(std::isnan(GetParam().at(nan).value)); }
 
 TEST_P(PenaltyLaw, LanesAreAlike) {
   std::mt19937_64 generator(2);

@@ -12,8 +12,6 @@
 namespace burnish::test {
 namespace {
 
-const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
-
 /// A stage with a force, a free one, an impact, and a user's own residual; and an end.
 ProblemSpec checked_spec(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);

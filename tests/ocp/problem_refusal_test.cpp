@@ -5,12 +5,10 @@
 
 #include "support/ocp_cases.hpp"
 #include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct BadSpec {
   std::string name;

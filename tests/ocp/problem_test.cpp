@@ -11,8 +11,6 @@
 namespace burnish::test {
 namespace {
 
-const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
-
 /// Stages "reach" (a target over time), "hold" (contacts, Runge-Kutta, a user's own residual) and
 /// "touch" (an impact).
 ProblemSpec moving_spec(const OcpCase& test, const Model& model) {

@@ -41,7 +41,7 @@ inline Eigen::VectorXd as_vector(const std::vector<double>& entries) {
 struct KernelState {
   Eigen::VectorXd q, v, a;
 };
-inline KernelState random_state(const Model& model, std::mt19937_64& generator) {
+inline KernelState random_kernel_state(const Model& model, std::mt19937_64& generator) {
   return {random_configuration(model, generator), random_vector(model.nv, 1.0, generator),
           random_vector(model.nv, 1.0, generator)};
 }
@@ -71,7 +71,7 @@ void expect_kernel_law(const Model& model, const Kernel& kernel, int states = 10
   const int n = model.nv;
   const double step = 1e-6;
   for (int state = 0; state < states; ++state) {
-    const KernelState s = random_state(model, generator);
+    const KernelState s = random_kernel_state(model, generator);
     const Blocks<double> blocks =
         kernel.template derivatives<double>(s.q.data(), s.v.data(), s.a.data());
     const Eigen::MatrixXd dq = as_matrix(blocks.dq, n), dv = as_matrix(blocks.dv, n);
@@ -106,7 +106,7 @@ void expect_lanes_alike(const Model& model, const Kernel& kernel) {
   std::vector<KernelState> states;
   std::vector<Eigen::VectorXd> q, v, a;
   for (int l = 0; l < native_lanes; ++l) {
-    states.push_back(random_state(model, generator));
+    states.push_back(random_kernel_state(model, generator));
     q.push_back(states.back().q);
     v.push_back(states.back().v);
     a.push_back(states.back().a);

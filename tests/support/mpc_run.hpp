@@ -13,10 +13,9 @@
 #include "burnish/sim/ideal_plant.hpp"
 #include "polishing/stages.hpp"
 #include "support/allocation_guard.hpp"
+#include "support/special_numbers.hpp"
 
 namespace burnish::test {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Ramp from 0.3 s to 0.5 s, then half a turn of a small circle. The horizon is short: 30 knots.
 inline polishing::Task short_task() {

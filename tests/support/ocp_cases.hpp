@@ -14,6 +14,8 @@ struct OcpCase {
   bool torque_model = false;
   std::string label() const { return robot.label() + (torque_model ? "_filtered" : ""); }
 };
+
+inline const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
 inline void PrintTo(const OcpCase& test, std::ostream* out) { *out << test.label(); }
 
 inline std::vector<OcpCase> ocp_cases() {
