@@ -188,26 +188,39 @@ TEST_P(BatchOf, refuses_wrong_sizes) {
             Status::WrongSize);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    robots, BatchOf,
-    ::testing::Values(BatchTouch{"talos:fixed", "tool", "torso_1_link", 1e-11},
-                      BatchTouch{"talos:right_arm", "tool", "torso_1_link", 1e-11},
-                      BatchTouch{"talos", "right_sole_link", "left_sole_link", 1e-11},
-                      BatchTouch{"arm7", "tool", "link_1", 1e-11},
-                      BatchTouch{"arm7:floating", "tool", "link_1", 1e-11},
-                      BatchTouch{"crane", "left_tip", "right_tip"},
-                      BatchTouch{"crane:floating", "left_tip", "right_tip"}),
-    [](const auto& test) {
-      std::string name = test.param.robot;
-      for (char& c : name)
-        if (c == ':') c = '_';
-      return name;
-    });
+std::vector<BatchTouch> batch_touches() {
+  const std::vector<BatchTouch> all = {
+      {"talos:fixed", "tool", "torso_1_link", 1e-11},
+      {"talos:right_arm", "tool", "torso_1_link", 1e-11},
+      {humanoid().name, "right_sole_link", "left_sole_link", 1e-11},
+      {"arm7", "tool", "link_1", 1e-11},
+      {"arm7:floating", "tool", "link_1", 1e-11},
+      {"crane", "left_tip", "right_tip"},
+      {"crane:floating", "left_tip", "right_tip"}};
+  return available(all, [](const BatchTouch& touch) { return touch.robot; });
+}
+
+INSTANTIATE_TEST_SUITE_P(robots, BatchOf, ::testing::ValuesIn(batch_touches()),
+                         [](const auto& test) {
+                           std::string name = test.param.robot;
+                           for (char& c : name)
+                             if (c == ':') c = '_';
+                           return name;
+                         });
+
+/// A floating robot with two tips and a joint that turns without end.
+struct TwoTips {
+  std::string robot, tip, other_tip, joint;
+};
+TwoTips two_tips() {
+  if (has_robot_files) return {"crane:floating", "left_tip", "right_tip", "slew_joint"};
+  return {"every_joint:floating", "tip", "b_side", "to_e"};
+}
 
 class BadInput : public ::testing::Test {
  protected:
-  Model model_ = robot("crane:floating");
-  ContactDynamics dynamics_{model_, {contact("left_tip", "right_tip")}};
+  Model model_ = robot(two_tips().robot);
+  ContactDynamics dynamics_{model_, {contact(two_tips().tip, two_tips().other_tip)}};
   std::mt19937_64 generator_{73};
   RobotState good_ = regular_state(model_, dynamics_, generator_);
   const double nan_ = std::numeric_limits<double>::quiet_NaN();
@@ -240,8 +253,8 @@ TEST_F(BadInput, to_forward_dynamics_gives_a_status_and_zeros) {
   bad.q.segment<4>(3).setZero();
   expect(Status::NotNormalized, bad, "zero quaternion");
   bad = good_;
-  const Joint& slew = model_.joints[static_cast<std::size_t>(model_.joint_index("slew_joint"))];
-  bad.q.segment<2>(slew.q_index) *= 0.5;
+  const int endless = model_.joint_index(two_tips().joint);
+  bad.q.segment<2>(model_.joints[static_cast<std::size_t>(endless)].q_index) *= 0.5;
   expect(Status::NotNormalized, bad, "angle");
 }
 

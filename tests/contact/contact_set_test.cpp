@@ -15,7 +15,7 @@ using testing::refusal;
 
 TEST(OneLink, two_contacts_equal_one_with_the_directions_of_both) {
   std::mt19937_64 generator(51);
-  for (const std::string name : {"arm7", "talos"}) {
+  for (const std::string& name : {std::string("arm7"), humanoid().name}) {
     const Model model = robot(name);
     for (const Reference& reference : all_references()) {
       ContactSpec linear = contact("tool", "world", reference, Directions::linear());
@@ -93,7 +93,7 @@ Results results(ContactDynamicsBatch& d, const RobotState& s) {
 /// Toggles through every set of contacts in a random order, one contact at a time.
 template <class Dynamics, class Make>
 void toggle_and_compare(const Make& make) {
-  const Model model = robot("talos");
+  const Model model = humanoid().model();
   const std::vector<ContactSpec> all = three_contacts();
   Dynamics toggled = make(model, all);
   std::mt19937_64 generator(53);
@@ -128,7 +128,7 @@ TEST(ContactOnAndOff, equals_a_batch_without_the_contact_in_any_order) {
 }
 
 TEST(ContactOnAndOff, names_the_active_rows_and_refuses_unknown_contacts) {
-  const Model model = robot("talos");
+  const Model model = humanoid().model();
   ContactDynamics dynamics(model, three_contacts());
   dynamics.set_active(0, false);
   EXPECT_FALSE(dynamics.is_active(0));

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 
-#include "burnish/model/robot.hpp"
 #include "derivatives/check_differences.hpp"
 #include "derivatives/check_run.hpp"
 #include "support/refusal.hpp"
+#include "support/robots.hpp"
 
 namespace burnish {
 namespace {
 
-Model model_of(const std::string& name) { return load_robot(BURNISH_ROBOTS_DIR "/" + name).model; }
+Model model_of(const std::string& name) { return test::named_robot(name); }
 
 /// One quick row.
 CheckOptions quick() {
@@ -36,7 +36,7 @@ const std::vector<std::string> all_blocks{
     "da_dq",   "dlambda_dq", "da_dv",        "dlambda_dv", "da_dtau",   "dlambda_dtau", "dtau_dq",
     "dtau_dv", "dtau_da",    "dtau_dlambda", "dalpha_dq",  "dalpha_dv", "dalpha_da"};
 
-class CheckRobots : public ::testing::TestWithParam<const char*> {};
+class CheckRobots : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CheckRobots, PassWithMargin) {
   CheckOptions options;
@@ -48,19 +48,30 @@ TEST_P(CheckRobots, PassWithMargin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, CheckRobots,
-                         ::testing::Values("arm7", "arm7:six", "arm7:floating", "crane",
-                                           "crane:left_only", "talos:right_arm"));
+                         ::testing::ValuesIn(test::available(
+                             std::vector<std::string>{"arm7", "arm7:six", "arm7:floating", "crane",
+                                                      "crane:left_only", "talos:right_arm"},
+                             [](const std::string& name) { return name; })));
+
+/// A robot with two tips.
+struct TwoTips {
+  std::string robot, tip, other_tip;
+};
+TwoTips two_tips() {
+  if (test::has_robot_files) return {"crane", "left_tip", "right_tip"};
+  return {"every_joint", "tip", "d_side"};
+}
 
 TEST(Check, PassesForAllAccelerationsBetweenTwoBodies) {
   CheckOptions options;
-  options.tool = "left_tip";
-  options.base = "right_tip";
+  options.tool = two_tips().tip;
+  options.base = two_tips().other_tip;
   options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
                            Acceleration::Classical};
   options.states = 2;
-  const CheckReport report = check_derivatives(model_of("crane"), options);
+  const CheckReport report = check_derivatives(model_of(two_tips().robot), options);
   EXPECT_TRUE(report.pass) << report.text();
-  EXPECT_EQ(report.rows.front().bodies, "left_tip on right_tip");
+  EXPECT_EQ(report.rows.front().bodies, options.tool + " on " + options.base);
 }
 
 TEST(Check, GivenContactsAreCheckedTogether) {
@@ -72,7 +83,7 @@ TEST(Check, GivenContactsAreCheckedTogether) {
   pad.with_gains(0.0, 50.0);
   options.contacts = {left, right, pad};
   options.states = 2;
-  const CheckReport report = check_derivatives(model_of("talos"), options);
+  const CheckReport report = check_derivatives(test::humanoid().model(), options);
   ASSERT_EQ(report.rows.size(), 1U);
   EXPECT_TRUE(report.pass) << report.text();
   EXPECT_EQ(report.rows[0].reference, "centered + centered + surface");
@@ -83,10 +94,9 @@ TEST(Check, TooFewJointsAreCheckedWithComplianceAndSaySo) {
   CheckOptions options = quick();
   options.directions = {Directions::all(), Directions::z()};
   options.tool = "tool";
-  RobotOverrides four;
+  ModelOptions four = test::arm7::options(Base::Fixed);
   four.free = {"joint_1", "joint_2", "joint_3", "joint_4"};
-  const Robot robot = load_robot(BURNISH_ROBOTS_DIR "/arm7", four);
-  const CheckReport report = check_derivatives(robot.model, options);
+  const CheckReport report = check_derivatives(build_model(test::arm7::tree(), four), options);
   EXPECT_TRUE(report.pass) << report.text();
   EXPECT_GT(report.rows[0].mu, 0.0);
   EXPECT_EQ(report.rows[1].mu, 0.0);
@@ -160,7 +170,7 @@ TEST(Check, ComparesEveryBlock) {
 }
 
 TEST(Check, SameSeedSameReport) {
-  const Model model = model_of("crane");
+  const Model model = model_of(two_tips().robot);
   CheckOptions options = quick();
   EXPECT_EQ(check_derivatives(model, options).text(), check_derivatives(model, options).text());
   CheckOptions other = options;
@@ -170,8 +180,10 @@ TEST(Check, SameSeedSameReport) {
 }
 
 TEST(Check, DefaultToolIsNamedToolOrTheLastLeaf) {
-  EXPECT_EQ(check_derivatives(model_of("talos"), quick()).rows[0].bodies, "tool on world");
-  EXPECT_EQ(check_derivatives(model_of("crane"), quick()).rows[0].bodies, "right_tip on world");
+  EXPECT_EQ(check_derivatives(test::humanoid().model(), quick()).rows[0].bodies, "tool on world");
+  const std::string last_leaf = test::has_robot_files ? "right_tip" : "root_side";
+  EXPECT_EQ(check_derivatives(model_of(two_tips().robot), quick()).rows[0].bodies,
+            last_leaf + " on world");
 }
 
 TEST(Check, ProgressCountsRows) {

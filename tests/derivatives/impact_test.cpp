@@ -26,11 +26,12 @@ struct ImpactCase {
 void PrintTo(const ImpactCase& impact, std::ostream* out) { *out << impact.name; }
 
 std::vector<ImpactCase> impact_cases() {
-  const TestRobot talos{"talos", Base::FreeFlyer, ""};
   const Directions three = Directions::parse("x,z,ry");
-  return {
-      {"talos_on_two_feet", talos, {{"right_sole_link", "world"}, {"left_sole_link", "world"}}},
-      {"talos_feet_together", talos, {{"right_sole_link", "left_sole_link"}}},
+  const std::vector<ImpactCase> cases = {
+      {humanoid().name + "_on_two_feet",
+       humanoid(),
+       {{"right_sole_link", "world"}, {"left_sole_link", "world"}}},
+      {humanoid().name + "_feet_together", humanoid(), {{"right_sole_link", "left_sole_link"}}},
       {"talos_arm", {"talos:right_arm", Base::Fixed, ""}, {{"tool", "world", Directions::pad_z()}}},
       {"arm7", {"arm7", Base::Fixed, ""}, {{"tool", "world"}}},
       {"arm7_elbow", {"arm7", Base::Fixed, ""}, {{"tool", "link_1", three}}},
@@ -44,6 +45,7 @@ std::vector<ImpactCase> impact_cases() {
       {"every_joint_afloat", {"every_joint", Base::FreeFlyer, ""}, {{"tip", "b_side"}}},
       {"deep", {"deep", Base::FreeFlyer, ""}, {{"left_5", "world"}, {"right_2", "trunk_2", three}}},
   };
+  return available(cases, [](const ImpactCase& impact) { return impact.robot.name; });
 }
 
 /// v+ over Lambda, and their derivatives.

@@ -6,8 +6,8 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "support/robots.hpp"
 
 namespace burnish {
 namespace {
@@ -27,7 +27,7 @@ class TwicePad : public ::testing::Test {
     tau_ = Eigen::VectorXd::LinSpaced(model_.nv, 5.0, -8.0);
   }
 
-  Model model_ = load_robot(BURNISH_ROBOTS_DIR "/arm7").model;
+  Model model_ = test::named_robot("arm7");
   ContactSpec first_, second_;
   ContactSolver proximal_{.mu = 1e-4, .max_proximal_iterations = 30, .proximal_tolerance = 1e-11};
   Eigen::VectorXd q_, v_, tau_;

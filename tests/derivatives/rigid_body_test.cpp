@@ -166,7 +166,7 @@ TEST_P(RigidBodyOf, a_refused_state_changes_nothing) {
 INSTANTIATE_TEST_SUITE_P(robots, RigidBodyOf, ::testing::ValuesIn(test_robots()), robot_label);
 
 TEST(RigidBodyDoor, starts_at_the_neutral_configuration_at_rest) {
-  const Model model = TestRobot{"talos", Base::FreeFlyer, ""}.model();
+  const Model model = humanoid().model();
   const RigidBody body(model);
   const auto placements = frame_placements(model, model.q_neutral);
   const int sole = body.frame("right_sole_link");
@@ -177,7 +177,7 @@ TEST(RigidBodyDoor, starts_at_the_neutral_configuration_at_rest) {
 }
 
 TEST(RigidBodyDoor, names_the_nearest_frame) {
-  const RigidBody body(TestRobot{"talos", Base::FreeFlyer, ""}.model());
+  const RigidBody body(humanoid().model());
   testing::expect_words(testing::refusal([&] { body.frame("right_sole_lnk"); }),
                         {"'right_sole_lnk'", "'right_sole_link'"});
 }

@@ -5,12 +5,13 @@
 
 #include <cmath>
 
-#include "burnish/model/robot.hpp"
 #include "support/refusal.hpp"
+#include "support/robots.hpp"
 
 namespace burnish {
 namespace {
 
+#if BURNISH_HAS_ROBOTS
 TEST(Placement, ToolOfPublishedPostures) {
   const Robot arm = load_robot(BURNISH_ROBOTS_DIR "/talos:right_arm");
   const auto tool = [&](const char* posture) {
@@ -20,24 +21,27 @@ TEST(Placement, ToolOfPublishedPostures) {
   EXPECT_LT((tool("board_y") - Eigen::Vector3d(0.116, -0.764, 1.412)).norm(), 1e-3);
 }
 
+#endif
+
 TEST(Placement, ListIsInTheOrderOfFrames) {
-  const Robot robot = load_robot(BURNISH_ROBOTS_DIR "/crane");
-  const Eigen::VectorXd q = robot.posture("astern");
-  const std::vector<Eigen::Isometry3d> all = frame_placements(robot.model, q);
-  ASSERT_EQ(all.size(), robot.model.frames.size());
-  for (const char* name : {"left_tip", "turret", "deck"}) {
-    const auto index = static_cast<std::size_t>(robot.model.frame_index(name));
-    EXPECT_TRUE(all[index].isApprox(frame_placement(robot.model, q, name)));
+  const Model model = test::named_robot(test::has_robot_files ? "crane" : "every_joint");
+  std::mt19937_64 generator(2);
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  const std::vector<Eigen::Isometry3d> all = frame_placements(model, q);
+  ASSERT_EQ(all.size(), model.frames.size());
+  for (const Frame& frame : model.frames) {
+    const auto index = static_cast<std::size_t>(model.frame_index(frame.name));
+    EXPECT_TRUE(all[index].isApprox(frame_placement(model, q, frame.name)));
   }
 }
 
 TEST(Placement, FreeFlyerPutsItsLinkWhereQSays) {
-  const Robot robot = load_robot(BURNISH_ROBOTS_DIR "/arm7:floating");
-  Eigen::VectorXd q = robot.model.q_neutral;
+  const Model model = test::named_robot("arm7:floating");
+  Eigen::VectorXd q = model.q_neutral;
   q.head<7>() << 1.0, 2.0, 3.0, 0.0, 0.0, std::sin(0.4), std::cos(0.4);
-  for (const Frame& frame : robot.model.frames) {
+  for (const Frame& frame : model.frames) {
     if (frame.body != 0 || frame.kind != FrameKind::Link) continue;
-    const Eigen::Isometry3d placement = frame_placement(robot.model, q, frame.name);
+    const Eigen::Isometry3d placement = frame_placement(model, q, frame.name);
     EXPECT_LT((placement.translation() - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 1e-12);
     EXPECT_NEAR(placement.linear()(1, 0), std::sin(0.8), 1e-12);
     return;
@@ -46,13 +50,13 @@ TEST(Placement, FreeFlyerPutsItsLinkWhereQSays) {
 }
 
 TEST(Placement, WorldIsKnownAndOthersAreRefused) {
-  const Robot robot = load_robot(BURNISH_ROBOTS_DIR "/arm7");
-  const Eigen::VectorXd q = robot.model.q_neutral;
-  EXPECT_TRUE(frame_placement(robot.model, q, "world").isApprox(Eigen::Isometry3d::Identity()));
-  testing::expect_words(testing::refusal([&] { frame_placement(robot.model, q, "tol"); }),
+  const Model model = test::named_robot("arm7");
+  const Eigen::VectorXd q = model.q_neutral;
+  EXPECT_TRUE(frame_placement(model, q, "world").isApprox(Eigen::Isometry3d::Identity()));
+  testing::expect_words(testing::refusal([&] { frame_placement(model, q, "tol"); }),
                         {"'tol'", "did you mean 'tool'?"});
   testing::expect_words(
-      testing::refusal([&] { frame_placements(robot.model, Eigen::VectorXd::Zero(3)); }),
+      testing::refusal([&] { frame_placements(model, Eigen::VectorXd::Zero(3)); }),
       {"'q'", "3 entries", "wanted 7"});
 }
 

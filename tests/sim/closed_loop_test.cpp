@@ -50,7 +50,7 @@ TEST(ClosedLoop, holds_a_torque_between_ticks) {
   ASSERT_EQ(run.run(0.05), Status::Ok);
   const Trace& trace = run.loop().trace();
   const Trace::Column tick = trace.column("tick");
-  const Trace::Column tau = trace.column("tau_command_arm_right_2_joint");
+  const Trace::Column tau = trace.column("tau_command_" + right_arm().v_name(3));
   int ticks = 0;
   for (int row = 1; row < trace.rows(); ++row) {
     if (tick[row] == 0.0) {

@@ -57,11 +57,11 @@ TEST_P(IdealPlantFall, conserves_energy_to_the_fourth_order) {
 }
 
 INSTANTIATE_TEST_SUITE_P(robots, IdealPlantFall,
-                         ::testing::Values(TestRobot{"talos:right_arm", Base::Fixed, "tool"},
-                                           TestRobot{"arm7", Base::Fixed, "tool"},
-                                           TestRobot{"talos", Base::FreeFlyer, "tool"},
-                                           TestRobot{"crane", Base::FreeFlyer, "left_tip"},
-                                           TestRobot{"every_joint", Base::FreeFlyer, "tip"}),
+                         ::testing::ValuesIn(available({{"talos:right_arm", Base::Fixed, "tool"},
+                                                        {"arm7", Base::Fixed, "tool"},
+                                                        humanoid("tool"),
+                                                        {"crane", Base::FreeFlyer, "left_tip"},
+                                                        {"every_joint", Base::FreeFlyer, "tip"}})),
                          [](const auto& test) { return test.param.label(); });
 
 class IdealPlant : public ::testing::Test {

@@ -1,9 +1,9 @@
 // The recursion by segments on robots: values, gains and directions of one sweep, to rounding.
 #include <gtest/gtest.h>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "ocp/polishing_problem.hpp"
+#include "support/pressing_arm.hpp"
 #include "support/standing_problem.hpp"
 
 namespace burnish::test {
@@ -42,28 +42,33 @@ void expect_same_iteration(const ProblemSpec& spec, int knots, int segments, dou
 }
 
 TEST(SegmentsOfRobots, equal_one_sweep_on_an_arm_that_presses) {
-  const Robot robot = load_robot("talos:right_arm");
-  const Eigen::VectorXd q0 = robot.posture("table");
+  const PressingArm arm = pressing_arm();
   for (const int knots : {100, 500})
     for (const int segments : {3, 9})
-      expect_same_iteration(ocp::polishing_problem(robot.model, "tool", q0, knots), knots, segments,
-                            1e-8);
+      expect_same_iteration(ocp::polishing_problem(arm.model, "tool", arm.posture, knots), knots,
+                            segments, 1e-8);
 }
 
 TEST(SegmentsOfRobots, equal_one_sweep_with_filtered_torques) {
-  const Robot robot = load_robot("talos:right_arm");
-  ProblemSpec spec = ocp::polishing_problem(robot.model, "tool", robot.posture("table"), 100);
+  const PressingArm arm = pressing_arm();
+  ProblemSpec spec = ocp::polishing_problem(arm.model, "tool", arm.posture, 100);
   spec.torque_model = TorqueModel{.cutoff = 100.0};
   const Eigen::Index nx = spec.initial_state.size();
-  spec.initial_state.conservativeResize(nx + robot.model.nv);
-  spec.initial_state.tail(robot.model.nv).setZero();
+  spec.initial_state.conservativeResize(nx + arm.model.nv);
+  spec.initial_state.tail(arm.model.nv).setZero();
   expect_same_iteration(spec, 100, 5, 1e-8);
 }
 
 TEST(SegmentsOfRobots, equal_one_sweep_on_a_humanoid_on_two_feet) {
+#if BURNISH_HAS_ROBOTS
   const Robot robot = load_robot("talos");
-  const ProblemSpec spec = standing_problem(robot.model, {"left_sole_link", "right_sole_link"},
-                                            robot.posture("half_sitting"), 60);
+  const Model& model = robot.model;
+  const Eigen::VectorXd q0 = robot.posture("half_sitting");
+#else
+  const Model model = humanoid().model();
+  const Eigen::VectorXd q0 = biped::half_sitting(model);
+#endif
+  const ProblemSpec spec = standing_problem(model, {"left_sole_link", "right_sole_link"}, q0, 60);
   expect_same_iteration(spec, 60, 4, 1e-7);
 }
 

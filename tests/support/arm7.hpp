@@ -156,14 +156,15 @@ inline TreeSpec tree() {
   return tree;
 }
 
-/// Bolted down, or floating 0.5 m up.
-inline Model model(Base base) {
+/// Bolted down, or floating 0.5 m up, with the frame of its tool.
+inline ModelOptions options(Base base) {
   ModelOptions options;
   options.base = base;
   if (base == Base::FreeFlyer) options.base_placement.translation().z() = 0.5;
   options.frames = {{"tool", "flange", placement({0, 0, 0.12}, {0, 0, 0.785398})}};
-  return build_model(tree(), options);
+  return options;
 }
+inline Model model(Base base) { return build_model(tree(), options(base)); }
 
 /// The posture "ready", bolted down: the probe points down.
 inline Eigen::VectorXd ready() {

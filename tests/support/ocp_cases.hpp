@@ -21,12 +21,12 @@ inline void PrintTo(const OcpCase& test, std::ostream* out) { *out << test.label
 inline std::vector<OcpCase> ocp_cases() {
   std::vector<OcpCase> cases;
   for (const bool torque_model : {false, true})
-    for (const TestRobot& robot :
-         {TestRobot{"talos:right_arm", Base::Fixed, "tool"},
-          TestRobot{"talos", Base::FreeFlyer, "right_sole_link"},
-          TestRobot{"arm7", Base::Fixed, "tool"}, TestRobot{"crane", Base::Fixed, "left_tip"},
-          TestRobot{"every_joint", Base::Fixed, "tip"},
-          TestRobot{"every_joint", Base::FreeFlyer, "tip"}})
+    for (const TestRobot& robot : available({{"talos:right_arm", Base::Fixed, "tool"},
+                                             humanoid(),
+                                             {"arm7", Base::Fixed, "tool"},
+                                             {"crane", Base::Fixed, "left_tip"},
+                                             {"every_joint", Base::Fixed, "tip"},
+                                             {"every_joint", Base::FreeFlyer, "tip"}}))
       cases.push_back({robot, torque_model});
   return cases;
 }

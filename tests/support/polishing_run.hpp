@@ -1,14 +1,14 @@
-// The baseline polishing with Talos' right arm: surfaces, cases of disturbances, a run.
+// The baseline polishing with pressing_arm(): surfaces, cases of disturbances, a run.
 #pragma once
 
 #include <memory>
 #include <numbers>
 #include <string>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/impedance_controller.hpp"
+#include "support/pressing_arm.hpp"
 
 namespace burnish::test {
 
@@ -49,9 +49,9 @@ inline Disturbances sensor_noise(double mass_scale) {
 }
 
 inline Model right_arm(Eigen::VectorXd* posture = nullptr, const std::string& name = "table") {
-  const Robot robot = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm");
-  if (posture != nullptr) *posture = robot.posture(name);
-  return robot.model;
+  const PressingArm arm = pressing_arm(name);
+  if (posture != nullptr) *posture = arm.posture;
+  return arm.model;
 }
 
 /// Plant, controller and loop of a case, at its start. The pieces live as long as the run.

@@ -70,6 +70,11 @@ inline std::vector<TestRobot> available(const std::vector<TestRobot>& robots) {
   return available(robots, [](const TestRobot& robot) { return robot.name; });
 }
 
+/// Talos where it is in a file.
+inline TestRobot humanoid(const std::string& tool = "right_sole_link") {
+  return {has_robot_files ? "talos" : "biped", Base::FreeFlyer, tool};
+}
+
 inline std::vector<TestRobot> robots_on(Base base) {
   std::vector<TestRobot> robots;
   if (has_robot_files)
