@@ -32,10 +32,13 @@ configure() { # preset, build folder, cmake arguments...
   grep -E 'burnish:' "$build/configure.log" || true
 }
 
-build_and_test() { # preset, build folder, cmake arguments...
-  local preset=$1 build=$2
-  configure "$@"
-  cmake --build "$build" -j "$JOBS"
-  ctest --preset "$preset" --test-dir "$build" -j "$JOBS" \
+ctest_in() { # preset, build folder
+  ctest --preset "$1" --test-dir "$2" -j "$JOBS" \
     ${ctest_arguments[@]+"${ctest_arguments[@]}"} | grep --line-buffered -vE '^ +Start +[0-9]+:'
+}
+
+build_and_test() { # preset, build folder, cmake arguments...
+  configure "$@"
+  cmake --build "$2" -j "$JOBS"
+  ctest_in "$1" "$2"
 }

@@ -1,7 +1,8 @@
-# --tidy        clang-tidy on the sources, in build-tidy/
+# --tidy        clang-tidy on the sources that the last 30 commits reach, in build-tidy/; --tidy --whole
+#               on all of them
 
 run_tidy() {
   install_packages --lint
   configure default "$builds-tidy"
-  scripts/lint tidy "$builds-tidy"
+  scripts/lint tidy "$builds-tidy" "$@"
 }

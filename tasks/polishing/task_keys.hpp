@@ -59,7 +59,7 @@ TaskKey text_key(const char* name, const char* meaning,
 
 /// One of `words`, in the order of the enumeration's values.
 template <class Entry>
-TaskKey word_key(const char* name, const char* meaning, std::vector<std::string> words,
+TaskKey word_key(const char* name, const char* meaning, const std::vector<std::string>& words,
                  Entry entry) {
   return {name, meaning,
           [words, entry](Task& task, const files::YamlReader& reader) {

@@ -1,0 +1,10 @@
+# --long        everything that there is to build, benchmarks too, and all tests with ten times the random
+#               states, in build/
+
+run_long() {
+  install_packages --test
+  configure default "$builds"
+  cmake --build "$builds" -j "$JOBS" --target all burnish_benchmarks
+  export BURNISH_TEST_STATES=${BURNISH_TEST_STATES:-1000}
+  ctest_in default "$builds"
+}
