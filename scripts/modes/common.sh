@@ -1,12 +1,7 @@
 # What the modes of ./test share; sourced by it, with setup, builds, cmake_arguments and ctest_arguments
 # set. The CMake flags of a mode are its preset in CMakePresets.json.
 
-if [[ -z ${JOBS:-} ]]; then
-  # The largest sources take about 1 GB to compile.
-  memory=$(awk '/MemAvailable/ {print int($2 / 1000000)}' /proc/meminfo 2>/dev/null || echo 4)
-  JOBS=$(nproc)
-  ((JOBS <= memory)) || JOBS=$((memory > 0 ? memory : 1))
-fi
+JOBS=$(scripts/jobs)
 export JOBS
 
 say() { printf '\n== %s\n' "$*"; }
