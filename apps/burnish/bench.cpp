@@ -103,16 +103,18 @@ void add_bench(CLI::App& app, int& exit_code) {
       ->add_option("--tool", spec.tool,
                    "Frame in contact [the frame 'tool', or else the last leaf frame]")
       ->type_name("FRAME");
-  command->add_option("--posture", spec.posture, "Of the robot's settings [its default]")
+  command
+      ->add_option("--posture", spec.posture,
+                   "Posture that the states are near [the robot's default]")
       ->type_name("NAME");
-  command->add_option("--knots", spec.knots, "Of the horizon [100]")
+  command->add_option("--knots", spec.knots, "Knots of the horizon [100]")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--threads", spec.threads, "That share the work [1]")
+  command->add_option("--threads", spec.threads, "Threads that share the work [1]")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   command->add_flag("--pin-threads", spec.pin_threads, "Keep each thread but the first on a core");
-  command->add_option("--seconds", spec.seconds, "That each line is measured, about [0.3]")
+  command->add_option("--seconds", spec.seconds, "Seconds that each line is measured, about [0.3]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command->add_flag("--json", arguments->json, "As JSON, in seconds");

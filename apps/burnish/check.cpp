@@ -103,10 +103,10 @@ void add_options(CLI::App& command, CheckArguments& arguments) {
   command.add_flag("--all-accelerations", arguments.all_accelerations,
                    "Also the spatial and the classical acceleration");
   command.add_option("--states", options.states, "Random states per row [20]")->type_name("N");
-  command.add_option("--seed", options.seed, "Of the random states [1]")->type_name("S");
+  command.add_option("--seed", options.seed, "Seed of the random states [1]")->type_name("N");
   command
       .add_option("--tolerance", options.tolerance,
-                  "On errors relative to a block's largest entry [1e-6]")
+                  "Largest error that passes, relative to a block's largest entry [1e-6]")
       ->type_name("T");
   command.add_flag("--json", arguments.json, "As JSON");
 }

@@ -93,22 +93,24 @@ std::string list_of_experiments() {
 }
 
 void add_options(CLI::App& command, ExperimentArguments& a) {
-  command.add_option("NAME", a.name, "Of the experiment, see below")->required()->type_name("");
-  command.add_option("--seeds", a.seeds, "Runs that differ in what is drawn [paper 5, seeds 200]")
+  command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
+  command
+      .add_option("--seeds", a.seeds,
+                  "Number of seeds: of runs that differ in what is drawn [paper 5, seeds 200]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command.add_option("--first-seed", a.first_seed, "Their first one [0]")
+  command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   command
       .add_option("--surface", a.surfaces,
                   "Other surfaces than the experiment's own; again for more (not: orientation)")
-      ->type_name("NAME")
+      ->type_name("SURFACE")
       ->allow_extra_args(false);
   command
       .add_option("--plant", a.plant,
-                  polishing::has_mujoco() ? "mujoco or ideal [mujoco]"
-                                          : "ideal; this build has no MuJoCo [ideal]")
+                  polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
+                                          : "Simulator: ideal; this build has no MuJoCo [ideal]")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mujoco", "ideal"}));
   command

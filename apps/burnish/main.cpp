@@ -11,6 +11,9 @@
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
+#include "describe.hpp"
+#include "help_formatter.hpp"
+#include "robot_list.hpp"
 
 namespace burnish::app {
 namespace {
@@ -25,8 +28,9 @@ constexpr const char* footer =
     "  burnish experiment paper\n"
     "  burnish bench my_arm.urdf --tool flange\n"
     "\n"
-    "A robot is a URDF file, a folder with robot.yaml, or the name of one that comes along (arm7,\n"
-    "crane, pendulum, quadruped, talos), with ':variant' behind it if wanted.\n"
+    "A robot is a URDF file, a folder with robot.yaml, or a name that burnish --robots lists, "
+    "with\n"
+    "':variant' behind it if wanted.\n"
     "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status, a solve did not\n"
     "converge or a run did not polish; 2 bad usage or input.";
 
@@ -85,14 +89,37 @@ void check_command(const CLI::App& app, int count, char** words) {
                           did_you_mean(words[1], known)));
 }
 
+/// What the program says about itself.
+struct SelfDescription {
+  bool robots = false, manual = false;
+  std::string shell;
+
+  void add_to(CLI::App& app) {
+    app.add_flag("--robots", robots, "Print the robots that are known by name");
+    app.add_flag("--man", manual, "Print the manual page: burnish --man | man -l -");
+    app.add_option("--completion", shell,
+                   "Print what teaches a shell to complete: bash, zsh or fish")
+        ->type_name("SHELL");
+  }
+  void print(const CLI::App& app) const {
+    if (robots) fmt::print("{}", robot_list());
+    if (manual) fmt::print("{}", man_page(describe(app), BURNISH_VERSION));
+    if (!shell.empty()) fmt::print("{}", completion(describe(app), shell));
+  }
+};
+
 int run(int count, char** words) {
   CLI::App app(
       "Contact dynamics, optimal control and polishing: robots that press, slide and walk.",
       "burnish");
-  app.set_version_flag("--version", "burnish " BURNISH_VERSION);
+  app.formatter(std::make_shared<HelpFormatter>());  // before the commands, which inherit it
+  app.get_formatter()->column_width(34);
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag("--version", "burnish " BURNISH_VERSION, "Print the version and exit");
   app.footer(footer);
   app.require_subcommand(0, 1);
-  app.get_formatter()->column_width(34);
+  SelfDescription self;
+  self.add_to(app);
   int exit_code = exit_ok;
   add_show(app, exit_code);
   add_check(app, exit_code);
@@ -114,6 +141,7 @@ int run(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     throw Error(usage_sentence(app, error));
   }
+  self.print(app);
   return exit_code;
 }
 

@@ -237,32 +237,34 @@ void add_options(CLI::App& command, PolishArguments& a) {
   command.add_option("TASK", a.file, "Task file [the default task, on table and board]")
       ->type_name("");
   command
-      .add_option(
-          "--surface", a.surfaces,
-          "table, board (in front), board_x, board_y, board_minus_y, tilt_45; again for more")
-      ->type_name("NAME")
+      .add_option("--surface", a.surfaces,
+                  "Surface: table, board (in front), board_x, board_y, board_minus_y, tilt_45; "
+                  "again for more")
+      ->type_name("SURFACE")
       ->allow_extra_args(false);
-  command.add_option("--controller", a.controller, "mpc, baseline or both [both]")
+  command.add_option("--controller", a.controller, "Controller: mpc, baseline or both [both]")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mpc", "baseline", "both"}));
   command
       .add_option("--plant", a.plant,
-                  polishing::has_mujoco() ? "mujoco or ideal [mujoco]"
-                                          : "ideal; this build has no MuJoCo [ideal]")
+                  polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
+                                          : "Simulator: ideal; this build has no MuJoCo [ideal]")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mujoco", "ideal"}));
   command
       .add_option("--disturbances", a.disturbances,
-                  "none, sensors, mismatch, joint_friction [the file's, or mismatch]")
-      ->type_name("NAME");
+                  "What the controller does not know: none, sensors, mismatch or joint_friction, "
+                  "each with those before [the file's, or mismatch]")
+      ->type_name("PRESET");
   command.add_option("--set", a.overrides, "Any key of a task file, such as force=20; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", a.seeds, "Of what is drawn at random; again for more runs")
+  command.add_option("--seed", a.seeds, "Seed of what is drawn at random; again for more runs")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber)
       ->allow_extra_args(false);
-  command.add_option("--duration", a.duration, "s on the path [the file's, or the default's]")
+  command
+      .add_option("--duration", a.duration, "Seconds on the path [the file's, or the default's]")
       ->type_name("S");
   command.add_option("--out", a.out, "Folder for what is written [TASK_run or polishing_run]")
       ->type_name("DIR");

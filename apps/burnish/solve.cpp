@@ -123,7 +123,8 @@ void add_solve(CLI::App& app, int& exit_code) {
   command->add_option("PROBLEM", arguments->file, "Problem file")->type_name("")->required();
   command->add_option("--out", arguments->out, "Folder for what is written [PROBLEM_solution]")
       ->type_name("DIR");
-  command->add_option("--iterations", arguments->iterations, "At most so many [the file's, or 100]")
+  command
+      ->add_option("--iterations", arguments->iterations, "Iterations at most [the file's, or 100]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--threads", arguments->threads, "Threads [the file's, or 1]")

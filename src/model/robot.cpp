@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 #include <sstream>
 
 #include "burnish/model/urdf.hpp"
+#include "model/known_robots.hpp"
 #include "model/robot_settings.hpp"
 #include "model/sentence.hpp"
 
@@ -55,15 +55,11 @@ std::optional<fs::path> file_of(const std::string& name) {
   return std::nullopt;
 }
 
-std::vector<std::string> known_robots() {
-  std::set<std::string> names;
-  for (const fs::path& folder : robot_search_path()) {
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-      if (file_at(entry.path()) && entry.is_directory()) names.insert(entry.path().filename());
-    }
-  }
-  return {names.begin(), names.end()};
+template <class Value>
+std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : named) names.push_back(name);
+  return names;
 }
 
 [[noreturn]] void refuse_name(const std::string& name) {
@@ -71,7 +67,7 @@ std::vector<std::string> known_robots() {
     const std::string hint = fs::is_directory(name) ? " holds no robot.yaml" : " does not exist";
     refuse(name, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
   }
-  const std::vector<std::string> known = known_robots();
+  const std::vector<std::string> known = keys_of(known_robots());
   std::string nearest = did_you_mean(name, known);
   if (nearest.empty()) {
     for (const std::string& robot : known) nearest += (nearest.empty() ? "" : ", ") + robot;
@@ -96,13 +92,6 @@ Place find_robot(const std::string& name) {
                 "files have variants");
   }
   return {*file, variant};
-}
-
-template <class Value>
-std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : named) names.push_back(name);
-  return names;
 }
 
 RobotSettings settings_at(const Place& place) {
@@ -222,6 +211,18 @@ std::vector<fs::path> robot_search_path() {
   folders.emplace_back(BURNISH_SOURCE_ROBOTS);
   folders.emplace_back(BURNISH_INSTALLED_ROBOTS);
   return folders;
+}
+
+std::map<std::string, fs::path> known_robots() {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& folder : robot_search_path()) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+      const auto file = file_at(entry.path());
+      if (file && entry.is_directory(ignored)) files.emplace(entry.path().filename(), *file);
+    }
+  }
+  return files;
 }
 
 Robot load_robot(const std::string& name, const RobotOverrides& overrides) {

@@ -74,7 +74,7 @@ TEST(Experiment, BadInputIsOneSentence) {
   refused("paper --seeds 0", "--seeds");
   refused("paper --plant gazebo", "--plant");
   refused("paper --fast", "unknown argument '--fast'");
-  expect_refused(run("experiment"), "NAME is required");
+  expect_refused(run("experiment"), "EXPERIMENT is required");
   EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
 }
 

@@ -55,19 +55,29 @@ class Scratch {
   std::filesystem::path folder;
 };
 
-/// `arguments` as typed in a shell.
-inline Outcome run(const std::string& arguments, const std::string& input = "") {
+/// What a command does, as typed in a shell.
+inline Outcome shell(const std::string& command, const std::string& input = "") {
   const Scratch scratch;
   const auto file = [&](const char* name) { return (scratch.folder / name).string(); };
   scratch.write("in", input);
-  const std::string command = "'" BURNISH_PROGRAM "' " + arguments + " <'" + file("in") + "' >'" +
-                              file("out") + "' 2>'" + file("err") + "'";
-  const int status = std::system(command.c_str());
+  const std::string redirected =
+      command + " <'" + file("in") + "' >'" + file("out") + "' 2>'" + file("err") + "'";
+  const int status = std::system(redirected.c_str());
   Outcome outcome;
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   outcome.out = contents(scratch.folder / "out");
   outcome.err = contents(scratch.folder / "err");
   return outcome;
+}
+
+/// burnish with `arguments` as typed in a shell.
+inline Outcome run(const std::string& arguments, const std::string& input = "") {
+  return shell("'" BURNISH_PROGRAM "' " + arguments, input);
+}
+
+/// Whether a shell finds a program of this name.
+inline bool is_installed(const std::string& program) {
+  return shell("command -v " + program).exit_code == 0;
 }
 
 /// Exit code 2, nothing on stdout, and one sentence on stderr that holds `words`.

@@ -61,6 +61,14 @@ if(EXISTS ${prefix}/bin/burnish)
   run("the installed command line" ${CMAKE_COMMAND} -E env --unset=BURNISH_ROBOTS
     ${prefix}/bin/burnish show only_here)
   message(STATUS "the installed command line runs, and finds the robots")
+  foreach(text IN ITEMS man/man1/burnish.1 bash-completion/completions/burnish
+      zsh/vendor-completions/_burnish fish/vendor_completions.d/burnish.fish)
+    file(READ ${prefix}/share/${text} contents)
+    if(NOT contents MATCHES "polish")
+      message(FATAL_ERROR "${text} was installed without its contents")
+    endif()
+  endforeach()
+  message(STATUS "so are its manual page and the completion of three shells")
 endif()
 
 # What is passed on says whose it is.

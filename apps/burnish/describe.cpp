@@ -1,0 +1,117 @@
+#include "describe.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "burnish/base/error.hpp"
+#include "polishing/experiments/experiment.hpp"
+#include "polishing/task_file.hpp"
+#include "polishing/task_keys.hpp"
+
+namespace burnish::app {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words surface_names() {
+  Words words;
+  for (const polishing::NamedSurface& surface : polishing::named_surfaces())
+    words.push_back(surface.name);
+  return words;
+}
+
+Words experiment_names() {
+  Words words;
+  for (const polishing::Experiment& experiment : polishing::experiments())
+    words.push_back(experiment.name);
+  return words;
+}
+
+/// "force=", "path.kind=", ...
+Words task_key_words() {
+  Words words;
+  for (const polishing::TaskSection& section : polishing::task_sections())
+    for (const polishing::TaskKey& key : section.keys)
+      words.push_back((section.name.empty() ? "" : section.name + ".") + key.name + "=");
+  return words;
+}
+
+/// The words between the braces of "NAME:{mpc,baseline,both}".
+Words choices_in(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+/// A value's name says what it can be; choices that the command line checks go before.
+void find_offer(const std::string& type, OptionText& text) {
+  static const std::map<std::string, Words (*)()> words{
+      {"SURFACE", surface_names},
+      {"PRESET", [] { return polishing::disturbance_presets(); }},
+      {"EXPERIMENT", experiment_names},
+      {"KEY=VALUE", task_key_words},
+      {"SHELL", [] { return completion_shells(); }}};
+  static const std::map<std::string, Offer> others{
+      {"ROBOT", Offer::Robots}, {"DIR", Offer::Folders},   {"FILE", Offer::Files},
+      {"TASK", Offer::Files},   {"PROBLEM", Offer::Files}, {"RUN", Offer::Files}};
+  text.words = choices_in(type);
+  if (const auto known = words.find(text.value); known != words.end() && text.words.empty())
+    text.words = known->second();
+  if (const auto other = others.find(text.value); other != others.end()) text.offer = other->second;
+  if (!text.words.empty()) text.offer = Offer::Words;
+}
+
+OptionText describe(const CLI::Option& option) {
+  OptionText text;
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  const bool takes_value = option.get_type_size_max() > 0;
+  if (takes_value) text.value = text.names.empty() ? option.get_name(true) : value_name(option);
+  text.meaning = option.get_description();
+  if (!option.get_default_str().empty()) text.meaning += " [" + option.get_default_str() + "]";
+  text.required = option.get_required();
+  text.several =
+      takes_value && (option.get_expected_max() >= CLI::detail::expected_max_vector_size ||
+                      option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll);
+  if (takes_value) find_offer(option.get_type_name(), text);
+  return text;
+}
+
+CommandText describe_command(const CLI::App& app) {
+  CommandText text{.name = app.get_name(), .meaning = app.get_description()};
+  text.footer = app.get_footer();
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // hidden
+    (option->nonpositional() ? text.options : text.places).push_back(describe(*option));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
+
+ProgramText describe(const CLI::App& app) {
+  ProgramText text{.itself = describe_command(app), .commands = {}};
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    text.commands.push_back(describe_command(*command));
+  return text;
+}
+
+const std::vector<std::string>& completion_shells() {
+  static const std::vector<std::string> shells{"bash", "zsh", "fish"};
+  return shells;
+}
+
+std::string completion(const ProgramText& program, const std::string& shell) {
+  if (shell == "bash") return bash_completion(program);
+  if (shell == "zsh") return zsh_completion(program);
+  if (shell == "fish") return fish_completion(program);
+  throw Error("no completion for '" + shell + "'; wanted bash, zsh or fish" +
+              did_you_mean(shell, completion_shells()));
+}
+
+}  // namespace burnish::app
