@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
-
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "contact_text.hpp"
@@ -22,8 +20,6 @@ struct CheckArguments {
   bool all_accelerations = false;
   bool json = false;
 };
-
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json row_json(const CheckRow& row) {
   return {{"reference", row.reference},

@@ -37,9 +37,14 @@ void write(const Json& value, const std::string& indent, std::string& out) {
 
 }  // namespace
 
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_json(const std::optional<double>& value) {
+  return value ? number_json(*value) : Json(nullptr);
+}
+
 Json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values) {
   Json list = Json::array();
-  for (const double x : values) list.push_back(std::isfinite(x) ? Json(x) : Json(nullptr));
+  for (const double x : values) list.push_back(number_json(x));
   return list;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "burnish/base/abi.hpp"
@@ -12,7 +13,10 @@ namespace burnish::app {
 /// What the program writes: entries stay in the order in which they were put in.
 using Json = nlohmann::ordered_json;
 
-/// A list. Infinite entries become null: JSON knows no infinity.
+/// Null where it is not finite or not there: JSON knows no infinity.
+Json number_json(double value);
+Json number_json(const std::optional<double>& value);
+/// A list. Infinite entries become null.
 Json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
 /// A list of rows.
 Json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include "json_text.hpp"
@@ -13,11 +12,6 @@ namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number_json(const std::optional<double>& value) {
-  return value ? number_json(*value) : Json(nullptr);
-}
 
 Json metrics_json(const Metrics& m) {
   Json json{{"start_s", m.start},

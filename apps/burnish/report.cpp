@@ -20,20 +20,20 @@ struct ReportArguments {
   std::string out = "report.html";
 };
 
-constexpr const char* wanted = "wanted a folder that burnish polish wrote, with run.json in it";
+constexpr const char* wanted_run = "wanted a folder that burnish polish wrote, with run.json in it";
 
 /// The run.json files that an argument means: a file, a run's folder, or a folder of such.
 std::vector<fs::path> files_of(const std::string& argument) {
   const fs::path path = argument;
   std::error_code ignored;
   if (!fs::exists(path, ignored))
-    throw Error(fmt::format("'{}' does not exist; {}", argument, wanted));
+    throw Error(fmt::format("'{}' does not exist; {}", argument, wanted_run));
   if (!fs::is_directory(path, ignored)) return {path};
   if (fs::exists(path / "run.json", ignored)) return {path / "run.json"};
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(path, ignored))
     if (fs::exists(entry.path() / "run.json", ignored)) files.push_back(entry.path() / "run.json");
-  if (files.empty()) throw Error(fmt::format("'{}' is no run; {}", argument, wanted));
+  if (files.empty()) throw Error(fmt::format("'{}' is no run; {}", argument, wanted_run));
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -47,7 +47,7 @@ Json runs_in(const fs::path& file) {
     throw Error(fmt::format("'{}' is no run: it holds no JSON object", file.string()));
   const auto format = page.find("format");
   if (format == page.end() || !format->is_string())
-    throw Error(fmt::format("'{}' is no run: it has no format; {}", file.string(), wanted));
+    throw Error(fmt::format("'{}' is no run: it has no format; {}", file.string(), wanted_run));
   if (format->get<std::string>() != page_format)
     throw Error(fmt::format("'{}' has the format '{}'; this program reads '{}'", file.string(),
                             format->get<std::string>(), page_format));

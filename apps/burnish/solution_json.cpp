@@ -1,4 +1,3 @@
-#include <cmath>
 #include <limits>
 
 #include "json_text.hpp"
@@ -6,8 +5,6 @@
 
 namespace burnish::app {
 namespace {
-
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string word(StopReason reason) {
   switch (reason) {

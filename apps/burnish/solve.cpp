@@ -21,11 +21,11 @@ struct SolveArguments {
   bool check = false, pin = false, quiet = false, json = false;
 };
 
-volatile std::sig_atomic_t interrupt_wanted = 0;
+volatile std::sig_atomic_t solve_must_end = 0;
 
 /// The first Ctrl-C ends the solve after its iteration, the second one the program.
 extern "C" void stop_after_iteration(int signal) {
-  interrupt_wanted = 1;
+  solve_must_end = 1;
   std::signal(signal, SIG_DFL);
 }
 
@@ -44,7 +44,7 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
                  p.seconds);
       std::fflush(stdout);
     }
-    return interrupt_wanted == 0;
+    return solve_must_end == 0;
   };
   return options;
 }
@@ -92,7 +92,7 @@ int solve(const SolveArguments& arguments) {
     fmt::print("{:>5}  {:>14}  {:>11}  {:>11}  {:>7}  {:>9}  {:>9}\n", "iter", "cost", "expected",
                "largest gap", "step", "regular.", "time [s]");
   }
-  interrupt_wanted = 0;
+  solve_must_end = 0;
   const auto before = std::signal(SIGINT, stop_after_iteration);
   const DdpSummary& summary = solver.solve();
   std::signal(SIGINT, before);
