@@ -49,10 +49,11 @@ struct RobotOverrides {
 ///     base: free_flyer                 # or fixed, which is the default
 ///     base_placement: {xyz: [0, 0, 1.02], rpy: [0, 0, 0]}
 ///     lock: [joint, ...]               # or free: [joint, ...], which locks all others
-///     posture: name                    # at which joints are locked; else default_posture, else
-///     zero default_posture: name            # of reference_configuration() postures: {name:
-///     {joint: value or list of values, ...}, ...} frames: {name: {parent: frame, xyz: [0, 0, 0],
-///     rpy: [0, 0, 0]}, ...} variants: {name: {any of the keys above}, ...}
+///     posture: name                    # at which joints are locked; default_posture, or zero
+///     default_posture: name            # of reference_configuration()
+///     postures: {name: {joint: value or list of values, ...}, ...}
+///     frames: {name: {parent: frame, xyz: [0, 0, 0], rpy: [0, 0, 0]}, ...}
+///     variants: {name: {any of the keys above}, ...}
 ///
 /// A variant's keys replace those of the file; its postures and frames are added, replacing those
 /// of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
