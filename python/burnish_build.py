@@ -1,5 +1,5 @@
-"""Builds the Python package for `pip install .`: CMake builds and installs it into a folder, which
-then becomes a wheel. Needs nothing but the standard library, so that no network is needed either.
+"""Builds the Python package and the command line for `pip install .`: CMake builds and installs them
+into a folder, which then becomes a wheel. Needs nothing but the standard library.
 
 CMAKE_ARGS in the environment, or `--config-settings cmake-args=...`, go to CMake; JOBS is the number
 of compilers at a time. The build folder build-wheel is kept, so that a second time is fast; where it
@@ -20,7 +20,9 @@ import zipfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
-OFF = ("TESTS", "APPS", "EXAMPLES", "BENCHMARKS", "PAGE", "MESHES")
+OFF = ("TESTS", "EXAMPLES", "BENCHMARKS")
+NEEDED = ("Python", "command line")
+COMPONENTS = ("python", "program", "documents")
 
 
 def _version():
@@ -81,14 +83,13 @@ def _configure_and_build(build, extra):
         *(f"-DBURNISH_{part}=OFF" for part in OFF), *extra,
     )
     parts = [line for line in said.splitlines() if "burnish:" in line]
-    if not any("Python: on" in line for line in parts):
+    if not all(any(f"{part}: on" in line for line in parts) for part in NEEDED):
         raise _Failed("something that the package needs is missing (scripts/setup installs it on Debian):\n"
                       + "\n".join(parts))
-    _run("cmake", "--build", str(build), "--target", "burnish_python",
-         "-j", os.environ.get("JOBS", str(os.cpu_count() or 1)))
+    _run("cmake", "--build", str(build), "-j", os.environ.get("JOBS", str(os.cpu_count() or 1)))
 
 
-def _build(stage, settings):
+def _build(settings):
     build = SOURCE / "build-wheel"
     extra = _cmake_arguments(settings)
     ways, record = json.dumps(_ways(extra)), build / "burnish_build.json"
@@ -98,21 +99,17 @@ def _build(stage, settings):
     build.mkdir(exist_ok=True)
     record.write_text(ways)
     try:
-        try:
-            _configure_and_build(build, extra)
-        except _Failed:
-            # What an interrupted call left, or what was moved or upgraded since, may be the reason.
-            if not kept:
-                raise
-            print(f"burnish_build: {build} of an earlier call is of no use, starting anew", flush=True)
-            shutil.rmtree(build)
-            build.mkdir()
-            record.write_text(ways)
-            _configure_and_build(build, extra)
-        for component in ("python", "python_data"):
-            _run("cmake", "--install", str(build), "--component", component, "--prefix", str(stage))
-    except _Failed as failure:
-        sys.exit(f"burnish_build: {failure}")
+        _configure_and_build(build, extra)
+    except _Failed:
+        # What an interrupted call left, or what was moved or upgraded since, may be the reason.
+        if not kept:
+            raise
+        print(f"burnish_build: {build} of an earlier call is of no use, starting anew", flush=True)
+        shutil.rmtree(build)
+        build.mkdir()
+        record.write_text(ways)
+        _configure_and_build(build, extra)
+    return build
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -132,26 +129,59 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     return name
 
 
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+def _cached(build, name):
+    found = re.search(rf"^{name}:\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    if not found:
+        raise _Failed(f"{build} was not configured with {name}")
+    return found.group(1)
+
+
+def _contents(build, stage):
+    """What a wheel of this build holds: (place in the wheel, file) of each. The program, robots and
+    tasks go where the environment has its own programs and shared files."""
+    for component in COMPONENTS:
+        _run("cmake", "--install", str(build), "--component", component, "--prefix", str(stage), "--strip")
+    data = f"burnish-{_version()}.data"
+    package = stage / _cached(build, "BURNISH_PYTHON_INSTALL_DIR")
+    for folder, place in ((package / "burnish", "burnish"), (stage / "bin", f"{data}/scripts"),
+                          (stage / "share", f"{data}/data/share")):
+        for file in sorted(p for p in folder.rglob("*") if p.is_file()):
+            yield f"{place}/{file.relative_to(folder).as_posix()}", file
+
+
+def pack_wheel(build, wheel_directory):
+    """Makes a wheel of what was built in this folder, and returns its name."""
     name = f"burnish-{_version()}-{_tag()}.whl"
     info = f"burnish-{_version()}.dist-info"
     with tempfile.TemporaryDirectory() as folder:
-        stage = Path(folder)
-        _build(stage, config_settings)
-        _write_info(stage / info)
-        (stage / info / "LICENSE").write_text((SOURCE / "LICENSE").read_text())
-        files = sorted(p for p in stage.rglob("*") if p.is_file())
+        stage, about = Path(folder) / "stage", Path(folder) / info
+        files = list(_contents(build, stage))
+        _write_info(about)
+        (about / "LICENSE").write_text((SOURCE / "LICENSE").read_text())
+        files += [(f"{info}/{file.name}", file) for file in sorted(about.iterdir())]
         lines = []
-        with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
-            for file in files:
+        with zipfile.ZipFile(Path(wheel_directory) / name, "w") as wheel:
+            def write(place, data, mode):
+                entry = zipfile.ZipInfo(place)  # of a fixed date
+                entry.compress_type = zipfile.ZIP_DEFLATED
+                entry.external_attr = mode << 16  # programs stay programs
+                wheel.writestr(entry, data)
+
+            for place, file in files:
                 data = file.read_bytes()
-                place = file.relative_to(stage).as_posix()
                 digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
                 lines.append(f"{place},sha256={digest},{len(data)}")
-                wheel.writestr(place, data)
+                write(place, data, file.stat().st_mode)
             lines.append(f"{info}/RECORD,,")
-            wheel.writestr(f"{info}/RECORD", "\n".join(lines) + "\n")
+            write(f"{info}/RECORD", "\n".join(lines) + "\n", 0o100644)
     return name
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    try:
+        return pack_wheel(_build(config_settings), wheel_directory)
+    except _Failed as failure:
+        sys.exit(f"burnish_build: {failure}")
 
 
 def build_sdist(sdist_directory, config_settings=None):

@@ -7,6 +7,7 @@ namespace burnish::python {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of burnish; import burnish instead.";
+  module.attr("__version__") = BURNISH_VERSION;
   bind_base(module);
   bind_specs(module);
   bind_model(module);

@@ -1,0 +1,80 @@
+"""The package as a whole: its version, and the wheel that `pip install .` makes."""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import burnish
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2]
+
+
+def said(*command, **environment):
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, env=environment or None)
+    assert done.returncode == 0, done.stdout
+    return done.stdout.strip()
+
+
+def test_version_is_the_projects():
+    project = (SOURCE / "CMakeLists.txt").read_text()
+    assert burnish.__version__ == re.search(r"project\(burnish VERSION ([0-9.]+)", project).group(1)
+
+
+def files_below(folder):
+    return {path for path in folder.rglob("*") if "__pycache__" not in path.parts}
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """Of this build: `pip install .` makes its own in the same way."""
+    build = Path(os.environ.get("BURNISH_BUILD_DIR", "/nowhere"))
+    if not (build / "CMakeCache.txt").is_file():
+        pytest.skip("BURNISH_BUILD_DIR names no build")
+    settings = (build / "CMakeCache.txt").read_text()
+    if re.search("^BUILD_SHARED_LIBS:[A-Z]+=(ON|TRUE|1)$", settings, re.MULTILINE):
+        pytest.skip("wheels are made with static libraries")
+    if not (build / "apps/burnish/burnish").is_file():
+        pytest.skip("this build has no command line")
+    spec = importlib.util.spec_from_file_location("burnish_build", SOURCE / "python/burnish_build.py")
+    builder = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(builder)
+    folder = tmp_path_factory.mktemp("wheel")
+    return folder / builder.pack_wheel(build, folder)
+
+
+def test_wheel_brings_the_library_the_command_line_and_the_robots(wheel, tmp_path):
+    if importlib.util.find_spec("ensurepip") is None:
+        pytest.skip("environments cannot be made: python3-venv is missing")
+    place = tmp_path / "env"
+    said(sys.executable, "-m", "venv", "--system-site-packages", place)
+    before = files_below(place)
+    pip = place / "bin/pip"
+    said(pip, "install", "--no-index", "--no-deps", wheel)
+
+    # Nothing of this build's environment gets in.
+    version = burnish.__version__
+    program = place / "bin/burnish"
+    assert said(program, "--version", PATH="/usr/bin:/bin") == f"burnish {version}"
+    assert "talos" in said(program, "show", "talos", PATH="/usr/bin:/bin")
+    script = f"""
+import burnish, importlib.metadata
+from burnish import polishing
+from pathlib import Path
+assert importlib.metadata.version("burnish") == burnish.__version__ == "{version}", burnish.__version__
+place = Path("{place}").resolve()
+for file in Path(burnish.__file__).resolve(), burnish.robot_search_path()[0].resolve():
+    assert place in file.parents, file
+task = polishing.make_task("table", polish_duration=0.2)
+run = polishing.run_task(polishing.RunSpec(task=task, plant="ideal"))
+assert "trace.csv" in run.write("{tmp_path}/run")
+"""
+    said(place / "bin/python", "-c", script, PATH="/usr/bin:/bin", PYTHONDONTWRITEBYTECODE="1")
+
+    said(pip, "uninstall", "--yes", "burnish")
+    left = files_below(place) - before
+    assert not [path for path in left if path.is_file()], left
