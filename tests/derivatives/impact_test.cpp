@@ -269,21 +269,21 @@ TEST_P(Impact, lanes_equal_single_states) {
     ConstrainedDerivatives<S> packed_by(packed);
     ConstrainedDynamics<double> one(model, contacts, {});
     ConstrainedDerivatives<double> one_by(one);
-    std::vector<RobotState> states;
+    std::vector<RobotState> lane_states;
     std::vector<S> q(static_cast<std::size_t>(model.nq), S(0.0));
     std::vector<S> v(static_cast<std::size_t>(model.nv), S(0.0));
     for (int l = 0; l < native_lanes; ++l) {
-      states.push_back(state());
+      lane_states.push_back(state());
       for (int i = 0; i < model.nq; ++i)
-        Lanes<S>::set(q[static_cast<std::size_t>(i)], l, states.back().q[i]);
+        Lanes<S>::set(q[static_cast<std::size_t>(i)], l, lane_states.back().q[i]);
       for (int i = 0; i < model.nv; ++i)
-        Lanes<S>::set(v[static_cast<std::size_t>(i)], l, states.back().v[i]);
+        Lanes<S>::set(v[static_cast<std::size_t>(i)], l, lane_states.back().v[i]);
     }
     packed.impact(q.data(), v.data());
     packed_by.impact(packed);
     for (int l = 0; l < native_lanes; ++l) {
       EXPECT_EQ(packed.status(l), Status::Ok);
-      const Result want = evaluate(one, one_by, states[static_cast<std::size_t>(l)]);
+      const Result want = evaluate(one, one_by, lane_states[static_cast<std::size_t>(l)]);
       EXPECT_LE(difference(result_of(packed, packed_by, l), want), 1e-11) << reference.name();
     }
   }

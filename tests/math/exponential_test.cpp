@@ -20,7 +20,7 @@ using RealMatrix = Eigen::Matrix<Real, n, n>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 // Both sides of the two places where the series end, 0.5 and 1, and beyond half a turn.
-constexpr double angles[] = {
+constexpr double all_angles[] = {
     0.0, 1e-160, 1e-12, 1e-6, 1e-3, 0.1, 0.499999, 0.5, 0.7, 0.999999999999,
     1.0, 1.3,    2.0,   3.0,  3.14, 4.0, 6.0,      9.0};
 
@@ -72,7 +72,7 @@ Vector6 to_vector(const Motion<double>& m) {
 double rounding(double angle) { return 4e-15 * (1.0 + angle * angle); }
 
 TEST(ExpCoefficients, equal_their_sums_in_extended_precision) {
-  for (const double angle : angles) {
+  for (const double angle : all_angles) {
     const auto c_of = [&](int n) {
       Real term = 1.0L;
       for (int k = 2; k <= n; ++k) term /= Real(k);
@@ -108,7 +108,7 @@ TEST(ExpCoefficients, series_and_closed_form_meet) {
 
 TEST(ExpRotation, equals_the_series_of_the_matrix) {
   std::mt19937_64 generator(1);
-  for (const double angle : angles)
+  for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
       const Vec3<double> w = random_twist(angle, generator).angular;
       const Quaternion<double> got = exp_rotation(w, rotation_angle(w));
@@ -121,7 +121,7 @@ TEST(ExpRotation, equals_the_series_of_the_matrix) {
 
 TEST(ExpPosition, equals_the_series_of_the_placement) {
   std::mt19937_64 generator(2);
-  for (const double angle : angles)
+  for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
       const Motion<double> xi = random_twist(angle, generator);
       const ExpCoefficients<double> c = exp_coefficients(rotation_angle(xi.angular));
@@ -133,7 +133,7 @@ TEST(ExpPosition, equals_the_series_of_the_placement) {
 
 TEST(RightJacobian, equals_its_series) {
   std::mt19937_64 generator(3);
-  for (const double angle : angles)
+  for (const double angle : all_angles)
     for (int i = 0; i < 20; ++i) {
       const Motion<double> xi = random_twist(angle, generator), m = random_twist(1.0, generator);
       const ExpCoefficients<double> c = exp_coefficients(rotation_angle(xi.angular));
@@ -150,7 +150,7 @@ TEST(RightJacobian, equals_its_series) {
 
 TEST(RightJacobian, is_undone_by_the_derivative_of_the_logarithm) {
   std::mt19937_64 generator(4);
-  for (const double angle : angles) {
+  for (const double angle : all_angles) {
     if (angle > 3.1416) continue;
     for (int i = 0; i < 20; ++i) {
       const Motion<double> xi = random_twist(angle, generator), m = random_twist(1.0, generator);
@@ -169,7 +169,7 @@ TEST(RightJacobian, is_undone_by_the_derivative_of_the_logarithm) {
 TEST(RightJacobian, is_what_automatic_differentiation_of_the_exponential_says) {
   using Dual = Eigen::AutoDiffScalar<Vector6>;
   std::mt19937_64 generator(5);
-  for (const double angle : angles) {
+  for (const double angle : all_angles) {
     const Motion<double> xi = random_twist(angle, generator);
     const auto seeded = [](double value, int k) { return Dual(value, 6, k); };
     const Vec3<Dual> v{seeded(xi.linear.x, 0), seeded(xi.linear.y, 1), seeded(xi.linear.z, 2)};

@@ -18,7 +18,7 @@
 namespace burnish::test {
 namespace {
 
-constexpr double dt = 5e-4;
+constexpr double plant_step = 5e-4;
 
 TEST(RandomStream, gives_the_same_numbers_on_every_machine) {
   RandomStream random(7, 3);
@@ -60,7 +60,7 @@ struct Response {
 
 Response respond(const Model& model, const Disturbances& disturbances, double size = 10.0) {
   constexpr int steps = 60;
-  Actuation actuation(model, disturbances, dt);
+  Actuation actuation(model, disturbances, plant_step);
   Response result;
   for (Eigen::MatrixXd* x :
        {&result.command, &result.delayed, &result.tracked, &result.noise, &result.applied})
@@ -91,7 +91,7 @@ TEST_F(ActuationTest, gives_what_is_commanded_when_nothing_is_switched_on) {
 
 TEST_F(ActuationTest, delays_the_command_by_whole_steps) {
   Disturbances d;
-  d.command_delay = 3.1 * dt;
+  d.command_delay = 3.1 * plant_step;
   const Response late = respond(model, d);
   EXPECT_EQ(late.delayed.rightCols(57), ideal.command.leftCols(57));
   EXPECT_EQ(late.delayed.leftCols(3), Eigen::MatrixXd::Zero(model.nv, 3));
@@ -102,10 +102,10 @@ TEST_F(ActuationTest, delays_the_command_by_whole_steps) {
 TEST_F(ActuationTest, follows_the_command_at_the_rate_of_the_cutoff) {
   Disturbances d;
   d.torque_cutoff = 100.0;
-  Actuation actuation(model, d, dt);
+  Actuation actuation(model, d, plant_step);
   const Eigen::VectorXd step = Eigen::VectorXd::Ones(model.nv);
   for (int i = 0; i < 20; ++i) actuation.apply(step);
-  EXPECT_NEAR(actuation.step().applied[0], 1.0 - std::exp(-100.0 * 20 * dt), 1e-12);
+  EXPECT_NEAR(actuation.step().applied[0], 1.0 - std::exp(-100.0 * 20 * plant_step), 1e-12);
   EXPECT_EQ(actuation.step().delayed, step);
 }
 
@@ -113,7 +113,7 @@ TEST_F(ActuationTest, scales_and_biases_every_joint_by_its_own_draw_within_the_r
   Disturbances d;
   d.torque_scale_range = 0.2;
   d.seed = 5;
-  const Actuation scaled(model, d, dt);
+  const Actuation scaled(model, d, plant_step);
   EXPECT_LE((scaled.scale().array() - 1.0).abs().maxCoeff(), 0.2);
   EXPECT_GT((scaled.scale().array() - 1.0).abs().maxCoeff(), 0.02);
   EXPECT_GT(std::abs(scaled.scale()[0] - scaled.scale()[1]), 1e-6);
@@ -158,13 +158,13 @@ TEST_F(ActuationTest, stays_within_the_effort_limits_and_says_so) {
   Disturbances d;
   d.torque_limits = false;
   EXPECT_EQ(respond(model, d, 1e4).applied, strong.command);
-  Actuation actuation(model, {}, dt);
+  Actuation actuation(model, {}, plant_step);
   actuation.apply(Eigen::VectorXd::Constant(model.nv, 1e4));
   EXPECT_EQ(actuation.step().limited, model.nv);
 }
 
 TEST_F(ActuationTest, holds_the_last_command_in_place_of_one_that_is_no_number) {
-  Actuation actuation(model, {}, dt);
+  Actuation actuation(model, {}, plant_step);
   const Eigen::VectorXd good = Eigen::VectorXd::Constant(model.nv, 2.0);
   actuation.apply(good);
   actuation.apply(Eigen::VectorXd::Constant(model.nv, std::nan("")));
@@ -339,7 +339,7 @@ TEST(PlantModel, spares_a_floating_base) {
   const Model real = plant_model(floating, d);
   EXPECT_TRUE(real.friction.head(6).isZero(0.0));
   EXPECT_EQ(real.friction[6], 1.0);
-  Actuation actuation(real, d, dt);
+  Actuation actuation(real, d, plant_step);
   EXPECT_TRUE(actuation.apply(Eigen::VectorXd::Zero(real.nv)).head(6).isZero(0.0));
 }
 
