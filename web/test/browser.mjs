@@ -29,6 +29,7 @@ export async function open(browser, file, options = {}) {
     ...contextOptions,
   });
   const page = await context.newPage();
+  page.setDefaultTimeout(120_000); // a machine that is busy with other things is no failure
   if (script) await page.addInitScript(script);
   const errors = [];
   const requests = [];
