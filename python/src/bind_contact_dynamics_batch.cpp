@@ -65,7 +65,7 @@ struct Batch {
 };
 
 using BatchClass = py::class_<Batch>;
-constexpr py::ssize_t number = sizeof(double);
+constexpr py::ssize_t number_size = sizeof(double);
 
 /// A property that shows a result of all states where the batch keeps it.
 template <class View>
@@ -81,12 +81,12 @@ void result(BatchClass& of, const char* name, View (ContactDynamicsBatch::*view)
         // With one state only, there is no second to tell the stride from.
         const py::ssize_t stride =
             batch.states > 1 ? (batch.machine.*view)(1).data() - first.data() : first.size();
-        std::vector<py::ssize_t> sizes{batch.states, first.rows()}, strides{stride * number};
+        std::vector<py::ssize_t> sizes{batch.states, first.rows()}, strides{stride * number_size};
         if constexpr (std::is_same_v<View, MatrixView>) {
           sizes.push_back(first.cols());
-          strides.push_back(first.cols() * number);
+          strides.push_back(first.cols() * number_size);
         }
-        strides.push_back(number);
+        strides.push_back(number_size);
         return view_of(first.data(), sizes, strides, self);
       },
       text);
