@@ -44,7 +44,7 @@ minimal_root_enter() {
   mkdir -p "$place"
   if [[ -z ${MINIMAL_ROOT_ON:-} ]]; then
     MINIMAL_ROOT_ON=disk
-    (($(awk '/MemAvailable/ {print $2}' /proc/meminfo) < 8000000)) || MINIMAL_ROOT_ON=memory
+    (($(awk '/MemAvailable/ {print $2}' /proc/meminfo) < 6000000)) || MINIMAL_ROOT_ON=memory
   fi
   export MINIMAL_ROOT_ON
   # Not `exec`: somebody has to clean up, and to pass signals on that a PID namespace would swallow.

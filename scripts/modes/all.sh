@@ -1,11 +1,11 @@
-# --all         all of these but --coverage, and last the tests of (nothing); all are run even
-#               where one fails
+# --all         all of these but --coverage, the tests of (nothing) and --bare last; all are run
+#               even where one fails
 
 run_all() {
   local stage began lines=() failed=0
   local options=(${cmake_arguments[@]+"${cmake_arguments[@]}"})
   [[ $setup == yes ]] || options+=(--no-setup)
-  for stage in --format --types --tidy --instructions --core --aarch64 --portable --sanitize ""; do
+  for stage in --format --types --tidy --instructions --core --aarch64 --portable --sanitize "" --bare; do
     say "./test $stage"
     began=$SECONDS
     # shellcheck disable=SC2086

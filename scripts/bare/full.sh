@@ -1,0 +1,27 @@
+# Sourced by run: builds and runs the two commands of the README, each on a machine as bare as it was
+# made, and says what they took, packages included.
+
+# shellcheck disable=SC2154
+began() { awk '{print $14 + $15 + $16 + $17}' /proc/$$/stat; }
+
+lines=()
+for command in $full; do
+  say "./$command, from nothing"
+  minimal_root_copy bare "$command"
+  log=$logs/full_$command.log
+  cpu=$(began)
+  clock=$SECONDS
+  status=0
+  minimal_root_run "$command" --chdir=/burnish CCACHE_DISABLE=1 "./$command" 2>&1 | tee "$log" || status=$?
+  clock=$((SECONDS - clock))
+  cpu=$((($(began) - cpu) / $(getconf CLK_TCK)))
+  page="without the page"
+  [[ ! -e $place/$command/burnish/build/page.html ]] || page="with the page"
+  word=passed
+  ((status == 0)) || word=FAILED
+  lines+=("$(printf '%s  ./%s: %d s, %d CPU-seconds, %s' "$word" "$command" "$clock" "$cpu" "$page")")
+  minimal_root_remove "$command"
+done
+say "done"
+printf '%s\n' "${lines[@]}"
+[[ "${lines[*]}" != *FAILED* ]] || exit 1
