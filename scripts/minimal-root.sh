@@ -168,7 +168,8 @@ minimal_root_run() {
     [[ -z ${!variable:-} ]] || environment+=("$variable=${!variable}")
   done
   [[ ! -e $root/etc/certificates-for-node.crt ]] || environment+=("NODE_EXTRA_CA_CERTS=/etc/certificates-for-node.crt")
-  chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+  # What minimal_root_enter has put in the background ignores the keyboard's signals.
+  chroot "$root" /usr/bin/env -i --default-signal=INT,QUIT HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     ${environment[@]+"${environment[@]}"} env "$@" </dev/null
 }

@@ -81,7 +81,7 @@ if reason=$(built_outside); then
   # All but those of memory over time, which take half of it.
   python_tests() {
     in_root PYTHONPATH=/opt/burnish/lib/python3.11/site-packages PYTHONDONTWRITEBYTECODE=1 \
-      python3 -m pytest -q -p no:cacheprovider --ignore=python/tests/test_leaks.py python/tests
+      timeout 300 python3 -m pytest -q -p no:cacheprovider --ignore=python/tests/test_leaks.py python/tests
   }
   if [[ -d $root/opt/burnish/lib/python3.11/site-packages/burnish ]]; then
     step "its Python: the package built outside, with its tests" python_tests
