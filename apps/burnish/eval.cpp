@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "answer.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
+#include "model/text_file.hpp"
 
 namespace burnish::app {
 namespace {
@@ -18,46 +17,21 @@ struct EvalArguments {
   bool compact = false;
 };
 
-std::string contents(const std::string& file) {
-  std::ostringstream text;
-  if (file == "-") {
-    text << std::cin.rdbuf();
-    return text.str();
-  }
-  if (std::filesystem::is_directory(file)) throw Error("'" + file + "' is a folder");
-  std::ifstream stream(file);
-  if (!stream) throw Error("cannot read '" + file + "'");
-  text << stream.rdbuf();
-  return text.str();
-}
-
 int eval(const EvalArguments& arguments) {
   const std::string source = arguments.file == "-" ? "standard input" : arguments.file;
   const std::filesystem::path folder =
       arguments.file == "-" ? "" : std::filesystem::path(arguments.file).parent_path();
-  const nlohmann::json parsed = parse_json(contents(arguments.file), source);
-  const JsonReader reader(parsed, "");
-  std::vector<EvalRequest> requests;
-  try {
-    if (reader.is_list()) {
-      for (const JsonReader& entry : reader.entries()) {
-        const JsonReader named(entry.json(), "request " + entry.place());
-        requests.push_back(read_request(named, folder));
-      }
-    } else {
-      requests.push_back(read_request(reader, folder));
-    }
-  } catch (const Error& error) {
-    throw Error(source + ": " + error.what());
-  }
+  const std::string text = arguments.file == "-" ? read_text(std::cin, source)
+                                                 : read_text(arguments.file, "request in JSON");
+  const EvalRequests asked = read_requests(text, source, folder);
   nlohmann::ordered_json answers = nlohmann::ordered_json::array();
   bool good = true;
-  for (const EvalRequest& request : requests) {
+  for (const EvalRequest& request : asked.requests) {
     Answer answer = evaluate(request);
     good = good && answer.good;
     answers.push_back(std::move(answer.json));
   }
-  const nlohmann::ordered_json& result = reader.is_list() ? answers : answers.front();
+  const nlohmann::ordered_json& result = asked.is_list ? answers : answers.front();
   fmt::print("{}\n", arguments.compact ? result.dump() : json_text(result));
   return good ? exit_ok : exit_failed;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/model/state.hpp"
 #include "request_contact.hpp"
@@ -27,7 +29,7 @@ std::string locate(const std::string& name, const fs::path& folder) {
   return name;
 }
 
-Robot read_robot(const JsonReader& reader, const fs::path& folder) {
+Robot load_robot_of(const JsonReader& reader, const fs::path& folder) {
   RobotOverrides overrides;
   if (reader.has("base")) {
     const std::string base = reader["base"].text();
@@ -41,6 +43,19 @@ Robot read_robot(const JsonReader& reader, const fs::path& folder) {
   if (reader.has("lock_posture")) overrides.posture = reader["lock_posture"].text();
   const JsonReader name = reader["robot"];
   return name.named([&] { return load_robot(locate(name.text(), folder), overrides); });
+}
+
+/// Robots of earlier requests: in a list they are often the same.
+using KnownRobots = std::map<std::string, Robot>;
+
+Robot read_robot(const JsonReader& reader, const fs::path& folder, KnownRobots& known) {
+  nlohmann::json wanted;
+  for (const char* key : {"robot", "base", "lock", "free", "lock_posture"})
+    if (reader.has(key)) wanted[key] = reader.json().at(key);
+  const std::string name = wanted.dump();
+  const auto found = known.find(name);
+  if (found != known.end()) return found->second;
+  return known.emplace(name, load_robot_of(reader, folder)).first->second;
 }
 
 void add_frames(const JsonReader& list, Model& model) {
@@ -114,19 +129,22 @@ Eigen::VectorXd read_configuration(const JsonReader& reader, const Robot& robot)
   });
 }
 
-EvalState read_state(const JsonReader& reader, const Robot& robot, const ContactSet& set) {
+/// The robot of the states to read, the names of their entries, and the state that states nothing.
+struct StateSpace {
+  const Robot& robot;
+  std::vector<std::string> v_names, row_names;
+  Eigen::VectorXd q;
+};
+
+EvalState read_state(const JsonReader& reader, const StateSpace& space) {
   reader.allow_only({"q", "v", "tau", "a", "lambda"});
-  const Model& model = robot.model;
-  std::vector<std::string> v_names;
-  for (int k = 0; k < model.nv; ++k) v_names.push_back(model.v_name(k));
   const auto entries = [&](const char* key, const std::vector<std::string>& names) {
     if (reader.has(key)) return read_entries(reader[key], names);
     return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size())));
   };
-  return {
-      reader.has("q") ? read_configuration(reader["q"], robot) : robot.reference_configuration(),
-      entries("v", v_names), entries("tau", v_names), entries("a", v_names),
-      entries("lambda", set.row_names())};
+  return {reader.has("q") ? read_configuration(reader["q"], space.robot) : space.q,
+          entries("v", space.v_names), entries("tau", space.v_names), entries("a", space.v_names),
+          entries("lambda", space.row_names)};
 }
 
 std::set<std::string> read_compute(const JsonReader& reader) {
@@ -142,6 +160,45 @@ std::set<std::string> read_compute(const JsonReader& reader) {
     wanted.insert(word);
   }
   return wanted;
+}
+
+/// Everything is read and checked before anything is computed.
+EvalRequest read_request(const JsonReader& reader, const fs::path& folder, KnownRobots& known) {
+  reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "frames", "gravity", "states",
+                     "contacts", "solver", "compute", "forces_in"});
+  EvalRequest request;
+  request.robot = read_robot(reader, folder, known);
+  request.robot_name = reader["robot"].text();
+  Model& model = request.robot.model;
+  if (reader.has("frames")) add_frames(reader["frames"], model);
+  if (reader.has("gravity")) model.gravity = reader["gravity"].numbers(3);
+  if (reader.has("contacts")) {
+    for (const JsonReader& entry : reader["contacts"].entries()) {
+      request.contacts.push_back(read_contact(entry));
+    }
+  }
+  const ContactSet set(model, request.contacts);
+  if (reader.has("solver")) request.solver = read_solver(reader["solver"]);
+  request.compute = {"forward"};
+  if (reader.has("compute")) request.compute = read_compute(reader["compute"]);
+  if (reader.has("forces_in")) {
+    const JsonReader list = reader["forces_in"];
+    request.forces_in = list.texts();
+    for (const std::string& name : request.forces_in) {
+      list.named([&] { return Reference::parse(name); });
+    }
+    request.compute.insert("forces");
+  }
+  StateSpace space{request.robot, {}, set.row_names(), request.robot.reference_configuration()};
+  for (int k = 0; k < model.nv; ++k) space.v_names.push_back(model.v_name(k));
+  if (!reader.has("states")) {
+    request.states.push_back(read_state({nlohmann::json::object(), ""}, space));
+    return request;
+  }
+  for (const JsonReader& entry : reader["states"].entries()) {
+    request.states.push_back(read_state(entry, space));
+  }
+  return request;
 }
 
 }  // namespace
@@ -164,40 +221,35 @@ const std::vector<std::string>& computable() {
   return words;
 }
 
-EvalRequest read_request(const JsonReader& reader, const fs::path& folder) {
-  reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "frames", "gravity", "states",
-                     "contacts", "solver", "compute", "forces_in"});
-  EvalRequest request;
-  request.robot = read_robot(reader, folder);
-  request.robot_name = reader["robot"].text();
-  Model& model = request.robot.model;
-  if (reader.has("frames")) add_frames(reader["frames"], model);
-  if (reader.has("gravity")) model.gravity = reader["gravity"].numbers(3);
-  if (reader.has("contacts")) {
-    for (const JsonReader& entry : reader["contacts"].entries()) {
-      request.contacts.push_back(read_contact(entry));
+EvalRequests read_requests(const std::string& text, const std::string& source,
+                           const fs::path& folder) {
+  const nlohmann::json parsed = parse_json(text, source);
+  const JsonReader reader(parsed, "");
+  EvalRequests result;
+  KnownRobots known;
+  result.is_list = reader.is_list();
+  try {
+    if (!result.is_list) {
+      result.requests.push_back(read_request(reader, folder, known));
+      return result;
     }
-  }
-  const ContactSet set(model, request.contacts);
-  if (reader.has("solver")) request.solver = read_solver(reader["solver"]);
-  request.compute = {"forward"};
-  if (reader.has("compute")) request.compute = read_compute(reader["compute"]);
-  if (reader.has("forces_in")) {
-    const JsonReader list = reader["forces_in"];
-    request.forces_in = list.texts();
-    for (const std::string& name : request.forces_in) {
-      list.named([&] { return Reference::parse(name); });
+    // All robots are in memory at once.
+    constexpr std::size_t most = 1000;
+    const std::vector<JsonReader> entries = reader.entries();
+    if (entries.size() > most) {
+      reader.refuse(fmt::format(
+          "it has {} requests; at most {} are answered at once, and each may have any number of "
+          "states",
+          entries.size(), most));
     }
-    request.compute.insert("forces");
+    for (const JsonReader& entry : entries) {
+      const JsonReader named(entry.json(), "request " + entry.place());
+      result.requests.push_back(read_request(named, folder, known));
+    }
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
   }
-  if (!reader.has("states")) {
-    request.states.push_back(read_state({nlohmann::json::object(), ""}, request.robot, set));
-    return request;
-  }
-  for (const JsonReader& entry : reader["states"].entries()) {
-    request.states.push_back(read_state(entry, request.robot, set));
-  }
-  return request;
+  return result;
 }
 
 }  // namespace burnish::app

@@ -26,9 +26,17 @@ struct EvalRequest {
   std::vector<std::string> forces_in;  ///< names of references
 };
 
+/// What a file asks for: one request, or a list of them.
+struct EvalRequests {
+  std::vector<EvalRequest> requests;
+  bool is_list = false;
+};
+
 /// Reads and checks everything, so that nothing is refused after the first state was evaluated.
-/// A robot's path is looked up beside the file in `folder` first, then where the program runs.
-EvalRequest read_request(const JsonReader& reader, const std::filesystem::path& folder);
+/// `source` stands for the text's name in error sentences. A robot's path is looked up beside the
+/// file in `folder` first, then where the program runs.
+EvalRequests read_requests(const std::string& text, const std::string& source,
+                           const std::filesystem::path& folder);
 
 /// What `compute` may ask for.
 const std::vector<std::string>& computable();

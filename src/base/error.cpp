@@ -6,6 +6,41 @@
 namespace burnish {
 namespace {
 
+/// Bytes of the character that begins at `at`, or 0 where there is none in UTF-8.
+std::size_t character_size(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80) return 1;
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  }
+  // Codes written longer than needed, the halves of pairs, and what is beyond the last code.
+  const unsigned char second = byte(at + 1);
+  const bool valid = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
+                     !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+  return valid ? size : 0;
+}
+
+std::string one_line(std::string_view text) {
+  constexpr std::size_t longest = 4000;
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    if (result.size() > longest) return result + "...";
+    const std::size_t size = character_size(text, at);
+    if (size == 0) {
+      result += '?';
+    } else if (static_cast<unsigned char>(text[at]) < 0x20 || text[at] == 0x7F) {
+      result += ' ';
+    } else {
+      result += text.substr(at, size);
+    }
+    at += std::max<std::size_t>(size, 1);
+  }
+  return result;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -23,10 +58,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+Error::Error(const std::string& sentence) : std::runtime_error(one_line(sentence)) {}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
+  // A file may hold text of any length where a name belongs; the distance takes time as the
+  // product.
+  constexpr std::size_t longest_name = 200;
+  if (name.size() > longest_name) return "";
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(3, name.size() / 2) + 1;
   for (const std::string& candidate : known) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (longer - std::min(name.size(), candidate.size()) >= best_distance) continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_distance) {
       best_distance = distance;

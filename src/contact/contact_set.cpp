@@ -90,6 +90,9 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
 }  // namespace
 
 ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {
+  if (specs.size() > max_contacts)
+    throw Error("there are " + std::to_string(specs.size()) + " contacts; at most " +
+                std::to_string(max_contacts) + " are supported");
   for (ContactSpec spec : specs) {
     if (spec.name.empty()) spec.name = spec.tool;
     for (const CompiledContact& other : contacts_)

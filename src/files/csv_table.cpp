@@ -1,12 +1,13 @@
 #include "files/csv_table.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "burnish/base/error.hpp"
 #include "model/parse_number.hpp"
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
 
 namespace burnish::files {
 namespace {
@@ -47,18 +48,21 @@ Eigen::VectorXd CsvTable::column(const std::string& name, Eigen::Index rows) con
 }
 
 CsvTable read_csv(const std::filesystem::path& file) {
-  std::ifstream stream(file);
+  return parse_csv(read_text(file, "table"), file.string());
+}
+
+CsvTable parse_csv(const std::string& text, const std::string& file) {
+  std::istringstream stream(text);
   std::string line;
-  if (!stream || !std::getline(stream, line))
-    throw Error(file.string() + ": the file cannot be read; a table was wanted");
-  CsvTable table{file.string(), {}, {}};
+  if (!std::getline(stream, line)) refuse(file, "it is empty; a table was wanted");
+  CsvTable table{file, {}, {}};
   for (const std::string& cell : cells_of(line)) table.names.push_back(name_of_cell(cell));
   const std::size_t columns = table.names.size();
   std::vector<double> values;
   for (int number = 2; std::getline(stream, line); ++number) {
     if (line.empty() || line == "\r") continue;
     const std::vector<std::string> cells = cells_of(line);
-    const std::string place = file.string() + ": line " + std::to_string(number) + ": ";
+    const std::string place = file + ": line " + std::to_string(number) + ": ";
     if (cells.size() != columns)
       throw Error(place + "it has " + std::to_string(cells.size()) + " cells; wanted " +
                   std::to_string(columns));

@@ -21,5 +21,7 @@ struct CsvTable {
 
 /// Throws Error naming the file and the line.
 CsvTable read_csv(const std::filesystem::path& file);
+/// The same from a text; `file` stands for its name in error sentences.
+CsvTable parse_csv(const std::string& text, const std::string& file);
 
 }  // namespace burnish::files

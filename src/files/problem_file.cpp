@@ -4,6 +4,7 @@
 
 #include "files/read_costs.hpp"
 #include "files/read_parts.hpp"
+#include "files/read_problem.hpp"
 #include "files/read_solver.hpp"
 
 namespace burnish::files {
@@ -34,23 +35,28 @@ Stage read_stage(const std::string& name, const YamlReader& reader, const FileSc
   return stage;
 }
 
-/// A list of {stage: knots} and {repeat: times, of: [...]}.
-void read_horizon(const YamlReader& reader, const ProblemSpec& spec,
+/// A list of {stage: knots} and {repeat: times, of: [...]}; `known` are the stages.
+void read_horizon(const YamlReader& reader, const std::vector<std::string>& known,
                   std::vector<HorizonSegment>& horizon) {
-  std::vector<std::string> known;
-  for (const Stage& stage : spec.stages) known.push_back(stage.name);
   for (const YamlReader& entry : reader.entries()) {
     if (entry.has("repeat")) {
       entry.allow_only({"repeat", "of"});
       std::vector<HorizonSegment> once;
-      read_horizon(entry["of"], spec, once);
-      for (int i = entry["repeat"].count(1); i > 0; --i)
-        horizon.insert(horizon.end(), once.begin(), once.end());
-      continue;
+      read_horizon(entry["of"], known, once);
+      const int times = entry["repeat"].count(1);
+      // A segment has at least one knot: what is too long for a problem is not built here first.
+      if (static_cast<std::size_t>(times) > max_knots / once.size())
+        entry.refuse("it repeats more than " + std::to_string(max_knots) +
+                     " knots; at most that many are supported");
+      for (int i = 0; i < times; ++i) horizon.insert(horizon.end(), once.begin(), once.end());
+    } else {
+      if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
+      entry.allow_only(known);
+      for (const auto& [stage, knots] : entry.items()) horizon.push_back({stage, knots.count(1)});
     }
-    if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
-    entry.allow_only(known);
-    for (const auto& [stage, knots] : entry.items()) horizon.push_back({stage, knots.count(1)});
+    if (horizon.size() > max_knots)
+      reader.refuse("it has more than " + std::to_string(max_knots) +
+                    " knots; at most that many are supported");
   }
   if (horizon.empty()) reader.refuse("it has no knots; wanted stages with their knots");
 }
@@ -127,9 +133,19 @@ void read_scene(const YamlReader& top, ProblemFile& result) {
 void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spec) {
   const auto shared = top.find("terms");
   if (shared) check_shared(*shared);
-  for (const auto& [name, stage] : top["stages"].items())
+  // An alias may give every stage a long list of costs.
+  constexpr std::size_t max_terms = 10000;
+  std::size_t terms = 0;
+  std::vector<std::string> known;
+  for (const auto& [name, stage] : top["stages"].items()) {
     spec.stages.push_back(read_stage(name, stage, scene, shared));
-  read_horizon(top["horizon"], spec, spec.horizon);
+    known.push_back(name);
+    terms += spec.stages.back().costs.size();
+    if (terms > max_terms)
+      stage.refuse("the stages so far have more than " + std::to_string(max_terms) +
+                   " costs; at most that many are supported");
+  }
+  read_horizon(top["horizon"], known, spec.horizon);
   if (const auto terminal = top.find("terminal")) {
     // The contacts of the last stage: with a torque model their forces are known at the end too.
     std::vector<std::string> contacts;
@@ -139,7 +155,9 @@ void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spe
   }
 }
 
-ProblemFile read(const YamlReader& top, const std::filesystem::path& folder) {
+}  // namespace
+
+ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& folder) {
   top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
                   "torque_model", "control_bounds", "terms", "stages", "horizon", "terminal",
                   "solver", "guess"});
@@ -165,13 +183,12 @@ ProblemFile read(const YamlReader& top, const std::filesystem::path& folder) {
   return result;
 }
 
-}  // namespace
 }  // namespace burnish::files
 
 namespace burnish {
 
 ProblemFile read_problem_file(const std::filesystem::path& file) {
-  return files::read(files::YamlReader::load(file), file.parent_path());
+  return files::read_problem(files::YamlReader::load(file), file.parent_path());
 }
 
 }  // namespace burnish

@@ -2,40 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "model/parse_number.hpp"
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
+#include "model/yaml_text.hpp"
 
 namespace burnish::files {
 
-namespace {
-
-[[noreturn]] void refuse_yaml(const std::string& name, const YAML::Exception& error) {
-  burnish::refuse(
-      name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
-}
-
-}  // namespace
-
 YamlReader YamlReader::load(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) burnish::refuse(name, "this is a folder");
-  try {
-    return {name, "", YAML::LoadFile(name)};
-  } catch (const YAML::BadFile&) {
-    burnish::refuse(name, "the file cannot be opened; a readable problem file was wanted");
-  } catch (const YAML::Exception& error) {
-    refuse_yaml(name, error);
-  }
+  return parse(read_text(file, "YAML file"), file.string());
 }
 
 YamlReader YamlReader::parse(const std::string& text, const std::string& name) {
-  try {
-    return {name, "", YAML::Load(text)};
-  } catch (const YAML::Exception& error) {
-    refuse_yaml(name, error);
-  }
+  return {name, "", parse_yaml(text, name)};
 }
 
 YamlReader YamlReader::child(const std::string& key, const YAML::Node& value) const {
@@ -81,11 +62,12 @@ YamlReader YamlReader::operator[](const std::string& key) const {
 std::vector<std::pair<std::string, YamlReader>> YamlReader::items() const {
   if (!node_.IsMap()) refuse("wanted keys with values");
   std::vector<std::pair<std::string, YamlReader>> result;
+  std::set<std::string> seen;
   for (const auto& pair : node_) {
     if (!pair.first.IsScalar()) refuse("its keys must be names");
     const std::string key = pair.first.Scalar();
-    for (const auto& earlier : result)
-      if (earlier.first == key) refuse("key " + in_quotes(key) + " is stated twice; state it once");
+    if (!seen.insert(key).second)
+      refuse("key " + in_quotes(key) + " is stated twice; state it once");
     result.emplace_back(key, child(key, pair.second));
   }
   return result;

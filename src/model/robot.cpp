@@ -64,8 +64,13 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
 
 [[noreturn]] void refuse_name(const std::string& name) {
   if (looks_like_a_path(name)) {
-    const std::string hint = fs::is_directory(name) ? " holds no robot.yaml" : " does not exist";
-    refuse(name, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
+    std::error_code ignored;
+    const std::string hint =
+        fs::is_directory(name, ignored) ? " holds no robot.yaml" : " does not exist";
+    // No path is as long as text can be.
+    constexpr std::size_t longest = 300;
+    const std::string path = name.size() > longest ? name.substr(0, longest) + "..." : name;
+    refuse(path, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
   }
   const std::vector<std::string> known = keys_of(known_robots());
   std::string nearest = did_you_mean(name, known);
@@ -225,13 +230,12 @@ std::map<std::string, fs::path> known_robots() {
   return files;
 }
 
-Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
-  const Place place = find_robot(name);
-  const std::string origin = place.file.string();
-  const RobotSettings settings = settings_at(place);
+Robot make_robot(const RobotSettings& settings, const RobotOverrides& overrides,
+                 const std::string& origin,
+                 const std::function<TreeSpec(const std::string& urdf)>& read) {
   const ModelOptions options = options_of(settings, overrides, origin);
   Robot robot;
-  robot.model = build_model(read_urdf(place.file.parent_path() / *settings.urdf), options);
+  robot.model = build_model(read(*settings.urdf), options);
   robot.postures = settings.postures;
   if (settings.default_posture) {
     find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
@@ -239,6 +243,13 @@ Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
   }
   check_postures(robot, origin);
   return robot;
+}
+
+Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
+  const Place place = find_robot(name);
+  return make_robot(
+      settings_at(place), overrides, place.file.string(),
+      [&](const std::string& urdf) { return read_urdf(place.file.parent_path() / urdf); });
 }
 
 }  // namespace burnish

@@ -1,13 +1,14 @@
 #include "model/robot_settings.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "model/parse_number.hpp"
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
+#include "model/yaml_text.hpp"
 
 namespace burnish {
 namespace {
@@ -32,14 +33,13 @@ struct Entry {
 void for_each(const Entry& entry,
               const std::function<void(const std::string&, const Entry&)>& visit) {
   if (!entry.node.IsMap()) entry.refuse("wanted keys with values");
-  std::vector<std::string> seen;
+  std::set<std::string> seen;
   for (const auto& pair : entry.node) {
     if (!pair.first.IsScalar()) entry.refuse("its keys must be names");
     const std::string key = pair.first.Scalar();
-    if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+    if (!seen.insert(key).second) {
       entry.refuse("key " + in_quotes(key) + " is stated twice; state it once");
     }
-    seen.push_back(key);
     visit(key, entry.child(key, pair.second));
   }
 }
@@ -201,16 +201,8 @@ RobotSettings settings_of(const Entry& entry, const Handler& variants) {
 
 }  // namespace
 
-RobotSettingsFile read_robot_settings(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  YAML::Node root;
-  try {
-    root = YAML::LoadFile(name);
-  } catch (const YAML::BadFile&) {
-    refuse(name, "the file cannot be opened; a readable settings file was wanted");
-  } catch (const YAML::Exception& error) {
-    refuse(name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
-  }
+RobotSettingsFile parse_robot_settings(const std::string& text, const std::string& name) {
+  const YAML::Node root = parse_yaml(text, name);
   const Entry top{name, "", root};
   if (!root.IsMap()) top.refuse("wanted keys with values, such as 'urdf: robot.urdf'");
   RobotSettingsFile result;
@@ -221,6 +213,10 @@ RobotSettingsFile read_robot_settings(const std::filesystem::path& file) {
   });
   if (!result.common.urdf) top.refuse("key 'urdf' is missing; wanted the name of a URDF file");
   return result;
+}
+
+RobotSettingsFile read_robot_settings(const std::filesystem::path& file) {
+  return parse_robot_settings(read_text(file, "settings file"), file.string());
 }
 
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {

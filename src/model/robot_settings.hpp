@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "burnish/model/model.hpp"
+#include "burnish/model/robot.hpp"
 
 namespace burnish {
 
@@ -30,8 +31,16 @@ struct RobotSettingsFile {
 
 /// Throws Error naming the file, the line, the key, and what was wanted.
 RobotSettingsFile read_robot_settings(const std::filesystem::path& file);
+/// The same from a text, called `name` in refusals.
+RobotSettingsFile parse_robot_settings(const std::string& text, const std::string& name);
 
 /// `common` with what `variant` states in its place.
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
+
+/// The robot that settings with a `urdf` describe; `read` reads that file, `origin` stands for the
+/// settings' file in error sentences.
+Robot make_robot(const RobotSettings& settings, const RobotOverrides& overrides,
+                 const std::string& origin,
+                 const std::function<TreeSpec(const std::string& urdf)>& read);
 
 }  // namespace burnish

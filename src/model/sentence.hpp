@@ -32,13 +32,9 @@ inline std::string origin_of(const TreeSpec& tree) {
   return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
 }
 
-/// Throws Error("<origin>: <what>") on one line, whatever a file holds between its quotes.
+/// Throws Error("<origin>: <what>").
 [[noreturn]] inline void refuse(const std::string& origin, const std::string& what) {
-  std::string sentence = origin + ": " + what;
-  for (char& letter : sentence) {
-    if (static_cast<unsigned char>(letter) < 0x20) letter = ' ';
-  }
-  throw Error(sentence);
+  throw Error(origin + ": " + what);
 }
 [[noreturn]] inline void refuse(const TreeSpec& tree, const std::string& what) {
   refuse(origin_of(tree), what);

@@ -4,11 +4,10 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
 #include "model/tree_check.hpp"
 #include "model/urdf_check.hpp"
 
@@ -139,14 +138,7 @@ TreeSpec parse_urdf(const std::string& xml, const std::string& source) {
 }
 
 TreeSpec read_urdf(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) {
-    refuse(file.string(), "it is a folder; a URDF file was wanted");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse(file.string(), "the file cannot be opened; a readable URDF file was wanted");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_urdf(text.str(), file.string());
+  return parse_urdf(read_text(file, "URDF file"), file.string());
 }
 
 }  // namespace burnish

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
 #include "model/tree_check.hpp"
 #include "model/xml_element.hpp"
 
@@ -61,6 +62,28 @@ void parse_xml(tinyxml2::XMLDocument& document, const std::string& xml, const st
   refuse(source, "line " + std::to_string(document.ErrorLineNum()) +
                      ": the XML is not well formed: " + reason);
 }
+
+/// The readers look attributes up one by one, each time from the first.
+class FewAttributes : public tinyxml2::XMLVisitor {
+ public:
+  explicit FewAttributes(const std::string& source) : source_(source) {}
+
+  bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* attribute) override {
+    constexpr int most = 100;
+    int count = 0;
+    for (; attribute != nullptr; attribute = attribute->Next()) {
+      if (++count > most) {
+        refuse(source_, "line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() +
+                            "> has more than " + std::to_string(most) +
+                            " attributes; at most that many are read");
+      }
+    }
+    return true;
+  }
+
+ private:
+  const std::string& source_;
+};
 
 /// Elements that have no name are pointed at by their line.
 std::string name_of(const XMLElement& element, const std::string& source) {
@@ -285,7 +308,9 @@ void check_no_macros(const XMLElement& robot, const std::string& source) {
 }  // namespace
 
 UrdfOutline check_urdf(const std::string& xml, const std::string& source) {
+  constexpr int megabytes = 16;  // of the shortest elements 1 GB in memory
   check_link_count(xml, source);
+  check_size(xml, source, megabytes);
   tinyxml2::XMLDocument document;
   parse_xml(document, xml, source);
   XMLElement* robot = document.RootElement();
@@ -297,6 +322,8 @@ UrdfOutline check_urdf(const std::string& xml, const std::string& source) {
   UrdfOutline outline;
   outline.tree.source = source;
   outline.tree.name = name_of(*robot, source);
+  FewAttributes check(source);
+  robot->Accept(&check);
   robot->DeleteAttribute("version");  // urdfdom refuses versions that it does not know
   check_no_macros(*robot, source);
   const Colours colours = collect_colours(*robot, source);

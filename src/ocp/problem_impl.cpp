@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "burnish/base/error.hpp"
 #include "model/sentence.hpp"
@@ -50,6 +51,42 @@ std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* nam
   return result;
 }
 
+/// The stage of each knot, as its index.
+std::vector<int> stages_of_knots(const ProblemSpec& spec) {
+  std::vector<std::string> names;
+  std::unordered_map<std::string, int> index;
+  for (const Stage& stage : spec.stages) {
+    index.emplace(stage.name, static_cast<int>(names.size()));
+    names.push_back(stage.name);
+  }
+  std::vector<int> result;
+  for (const HorizonSegment& phase : spec.horizon) {
+    const auto found = index.find(phase.stage);
+    if (found == index.end())
+      throw Error("horizon: unknown stage " + in_quotes(phase.stage) +
+                  did_you_mean(phase.stage, names));
+    if (phase.knots < 1)
+      throw Error("horizon: stage " + in_quotes(phase.stage) + " for " +
+                  std::to_string(phase.knots) + " knots; wanted at least 1");
+    if (static_cast<std::size_t>(phase.knots) > max_knots - result.size())
+      throw Error("horizon: it has more than " + std::to_string(max_knots) +
+                  " knots; at most that many are supported");
+    result.insert(result.end(), static_cast<std::size_t>(phase.knots), found->second);
+  }
+  if (result.empty()) throw Error("horizon: has no knots; wanted at least one");
+  return result;
+}
+
+/// Every knot holds the targets of its terms: each may be few enough and the product too many.
+void check_size(std::size_t knots, const CompiledProblem& problem) {
+  constexpr std::size_t most = 10'000'000;
+  const auto per_knot = static_cast<std::size_t>(problem.largest_terms + problem.largest_targets);
+  if (per_knot > most / knots)
+    throw Error("horizon: " + std::to_string(knots) + " knots with up to " +
+                std::to_string(per_knot) + " terms and numbers of their targets each; at most " +
+                std::to_string(most) + " in all are supported");
+}
+
 }  // namespace
 }  // namespace ocp
 
@@ -73,23 +110,12 @@ Problem::Impl::Impl(const ProblemSpec& given)
   signal_scratch.setZero(largest_signal);
 
   double time = given.start_time;
-  std::vector<std::string> names;
-  for (const Stage& stage : given.stages) names.push_back(stage.name);
-  for (const HorizonSegment& phase : given.horizon) {
-    const auto found = std::find(names.begin(), names.end(), phase.stage);
-    if (found == names.end())
-      throw Error("horizon: unknown stage " + in_quotes(phase.stage) +
-                  did_you_mean(phase.stage, names));
-    if (phase.knots < 1)
-      throw Error("horizon: stage " + in_quotes(phase.stage) + " for " +
-                  std::to_string(phase.knots) + " knots; wanted at least 1");
-    for (int k = 0; k < phase.knots; ++k) {
-      stage_of.push_back(static_cast<int>(found - names.begin()));
-      times.push_back(time);
-      time += compiled.stages[static_cast<std::size_t>(stage_of.back())].step;
-    }
+  for (const int stage : ocp::stages_of_knots(given)) {
+    stage_of.push_back(stage);
+    times.push_back(time);
+    time += compiled.stages[static_cast<std::size_t>(stage)].step;
   }
-  if (stage_of.empty()) throw Error("horizon: has no knots; wanted at least one");
+  ocp::check_size(stage_of.size(), compiled);
   stage_of.push_back(static_cast<int>(compiled.stages.size()) - 1);
   times.push_back(time);
   targets.assign(stage_of.size() * static_cast<std::size_t>(compiled.largest_targets), 0.0);

@@ -14,6 +14,8 @@ const std::vector<std::string>& names() {
   return all;
 }
 
+constexpr int max_rows = 10'000;  // of a zigzag
+
 /// From 0 to 1 within unit time, at rest at both ends with no acceleration there.
 struct Blend {
   double value, rate, curvature;
@@ -68,6 +70,9 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
       positive(spec.speed, "speed");
       if (spec.rows < 2)
         throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at least 2");
+      if (spec.rows > max_rows)
+        throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at most " +
+                    std::to_string(max_rows));
       corners_.emplace_back(0.0, 0.0);
       for (int row = 0; row < spec.rows; ++row) {
         const double w = spec.height * (static_cast<double>(row) / (spec.rows - 1) - 0.5);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "model/sentence.hpp"
+#include "model/text_file.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {
@@ -109,13 +110,18 @@ Disturbances disturbance_preset(const std::string& name) {
 }
 
 Task read_task(const fs::path& file, const std::vector<std::string>& overrides) {
+  return parse_task(read_text(file, "YAML file"), file.string(), overrides);
+}
+
+Task parse_task(const std::string& text, const std::string& name,
+                const std::vector<std::string>& overrides) {
   Task task;
-  read_sections(task, YamlReader::load(file));
+  read_sections(task, YamlReader::parse(text, name));
   override_task(task, overrides);
   try {
     check_task(task);
   } catch (const Error& error) {
-    throw Error(file.string() + ": " + error.what());
+    throw Error(name + ": " + error.what());
   }
   return task;
 }
@@ -128,6 +134,10 @@ void check_task(const Task& task) {
   if (!is_multiple(task.horizon, task.step))
     refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
                     number(task.step) + " s; wanted a whole number of steps");
+  if (task.horizon / task.step > static_cast<double>(max_knots))
+    refuse_together("the horizon of " + number(task.horizon) + " s has more than " +
+                    std::to_string(max_knots) + " steps of " + number(task.step) +
+                    " s; wanted at most that many");
   if (!is_multiple(task.tick_rate, task.update_rate))
     refuse_together("update_rate is " + number(task.update_rate) + " Hz and tick_rate " +
                     number(task.tick_rate) + " Hz; wanted a whole number of ticks per update");

@@ -33,6 +33,9 @@ Disturbances disturbance_preset(const std::string& name);
 /// states all of them. `overrides` are applied after it, in order, each "key.path=value" with a
 /// value in YAML. Throws Error naming file (or override), line, key and what was wanted.
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// The same from a text; `name` stands for the file's in refusals.
+Task parse_task(const std::string& text, const std::string& name,
+                const std::vector<std::string>& overrides = {});
 /// Applies overrides to a task. Throws Error as read_task() does.
 void override_task(Task& task, const std::vector<std::string>& overrides);
 

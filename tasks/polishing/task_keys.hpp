@@ -38,6 +38,7 @@ void read_sections(Task& task, const files::YamlReader& file);
 
 /// Values in YAML that read back as they were.
 std::string yaml(double value);
+std::string yaml(const std::string& text);  ///< in quotes where it could be read as something else
 std::string yaml(const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// The entry of a task that a chain of members leads to.

@@ -1,6 +1,8 @@
 // Keys that hold one value, and how values are written.
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "polishing/task_keys.hpp"
@@ -19,6 +21,28 @@ std::string yaml(const Eigen::Ref<const Eigen::VectorXd>& values) {
   std::string text = "[";
   for (Eigen::Index i = 0; i < values.size(); ++i) text += (i == 0 ? "" : ", ") + yaml(values[i]);
   return text + "]";
+}
+
+std::string yaml(const std::string& text) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  const auto harmless = [&](unsigned char c) {
+    return plain(c) || c == '/' || c == '.' || c == '-';
+  };
+  // A colon inside a word, as in talos:right_arm, ends no key.
+  bool bare = !text.empty() && plain(text.front()) && plain(text.back());
+  for (const char c : text) bare = bare && (harmless(c) || c == ':');
+  // Words for nothing at all.
+  for (const char* word : {"null", "Null", "NULL"}) bare = bare && text != word;
+  if (bare) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    char code[8] = {c};
+    if (c == '"' || c == '\\') std::snprintf(code, sizeof code, "\\%c", c);
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      std::snprintf(code, sizeof code, "\\x%02X", static_cast<unsigned>(c));
+    quoted += code;
+  }
+  return quoted + "\"";
 }
 
 TaskKey number_key(const char* name, const char* meaning, Range range,
@@ -65,7 +89,7 @@ TaskKey text_key(const char* name, const char* meaning,
           [=](const Task& task) -> std::optional<std::string> {
             Task copy = task;
             if (entry(copy).empty()) return std::nullopt;
-            return entry(copy);
+            return yaml(entry(copy));
           }};
 }
 

@@ -225,8 +225,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
 
 TEST(Eval, FilesThatCannotBeRead) {
-  expect_refused(run("eval nowhere.json"), "cannot read 'nowhere.json'");
-  expect_refused(run("eval /tmp"), "'/tmp' is a folder");
+  expect_refused(run("eval nowhere.json"), "nowhere.json: the file cannot be opened");
+  expect_refused(run("eval /tmp"), "/tmp: this is a folder");
   expect_refused(run("eval"), "FILE is required");
 }
 

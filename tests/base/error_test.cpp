@@ -25,6 +25,28 @@ TEST(DidYouMean, quotes_the_nearest_name) {
   EXPECT_EQ(did_you_mean("tol", {"tool", "base"}), "; did you mean 'tool'?");
 }
 
+TEST(NearestName, is_not_searched_for_text_that_is_no_name) {
+  const std::string text(1'000'000, 'a');
+  EXPECT_EQ(nearest_name(text, {text}), "");
+  EXPECT_EQ(nearest_name("tol", {text, "tool"}), "tool");
+}
+
+TEST(Error, is_one_line_of_text_whatever_it_quotes) {
+  EXPECT_STREQ(Error("a 'b\n\x01\tc' d\x7F").what(), "a 'b   c' d ");
+  EXPECT_STREQ(Error("Gr\u00f6\u00dfe, \u20ac, \U0001F916").what(),
+               "Gr\u00f6\u00dfe, \u20ac, \U0001F916");
+  // No character begins, ends, is as short as it could be, is one of a pair, is a code.
+  EXPECT_STREQ(Error("\x80 \xC3( \xC3").what(), "? ?( ?");
+  EXPECT_STREQ(Error("\xC0\xAF \xE0\x80\xAF \xF0\x80\x80\xAF").what(), "?? ??? ????");
+  EXPECT_STREQ(Error("\xED\xA0\x80 \xF4\x90\x80\x80 \xF5").what(), "??? ???? ?");
+}
+
+TEST(Error, is_cut_where_it_is_far_too_long) {
+  const std::string sentence = Error(std::string(1'000'000, 'a')).what();
+  EXPECT_LT(sentence.size(), 5000U);
+  EXPECT_TRUE(sentence.ends_with("..."));
+}
+
 TEST(Status, every_value_has_a_sentence_of_its_own_and_worst_is_the_larger) {
   std::set<std::string_view> sentences;
   for (int s = 0; s <= static_cast<int>(Status::NotEvaluated); ++s)

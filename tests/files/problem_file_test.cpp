@@ -250,7 +250,7 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"target: 30",
        "target: {points: {file: no.csv, columns: a}}",
        "",
-       {"points.file:", "no.csv", "cannot be read"}},
+       {"points.file:", "no.csv", "cannot be opened"}},
       {"target: here", "target: {circle: {radius: 1, rate: 1}}", "", {"'center' or 'start'"}},
       {"target: here", "target: nan", "", {"point.target: nan is not finite"}},
       {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},

@@ -10,9 +10,13 @@ namespace burnish {
 
 /// A specification, a file or an argument that cannot be used. Thrown while things are set up,
 /// never by a function that runs inside a control tick (those return a Status).
+///
+/// Whatever a file holds that is quoted in it, the sentence is one line of UTF-8: control
+/// characters become blanks, bytes that are no text question marks, and what is far too long is
+/// cut.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& sentence);
 };
 
 /// The known name closest to `name` by edit distance, or an empty string when none is close.

@@ -30,6 +30,9 @@ struct CompiledContact {
   std::vector<ContactSupport> support;  ///< ascending in v
 };
 
+/// Of one model: memory and time grow with the square and the cube of their rows.
+inline constexpr std::size_t max_contacts = 100;
+
 /// Contacts of a model, in the order given. Immutable; rows of contact i start at first_row(i) when
 /// every contact is active.
 class ContactSet {

@@ -70,6 +70,9 @@ struct HorizonSegment {
   int knots = 1;
 };
 
+/// Of one problem, the terminal one not counted.
+inline constexpr std::size_t max_knots = 100'000;
+
 struct ProblemSpec {
   Model model;
   std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose

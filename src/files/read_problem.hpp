@@ -1,0 +1,12 @@
+// A problem file behind its text.
+#pragma once
+
+#include "burnish/files/problem_file.hpp"
+#include "files/yaml_reader.hpp"
+
+namespace burnish::files {
+
+/// `folder`: where relative names are looked up.
+ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& folder);
+
+}  // namespace burnish::files
