@@ -1,0 +1,108 @@
+# --fuzz        feeds what reads files (robots, problems, tasks, requests) with made-up text under
+#               sanitizers, in build-fuzz/; fails for a crash, a second of processor time for one
+#               text, 1 GB of memory. What was found lies in build-fuzz/found
+#     --seconds=N   per reader (30)
+#     --runs=N      texts per reader, however long that takes
+#     --reader=NAME one of urdf, robot, problem, task, request, table
+#     --seed=N      of what is made up (1)
+
+run_fuzz() {
+  local readers=(urdf robot problem task request table) seed=1 extent=-max_total_time=30 word
+  for word in "$@"; do
+    case $word in
+      --seconds=*) extent=-max_total_time=${word#*=} ;;
+      --runs=*) extent=-runs=${word#*=} ;;
+      --reader=*) readers=("${word#*=}") ;;
+      --seed=*) seed=${word#*=} ;;
+      *) refuse "'$word' needs a value, such as --seconds=30" ;;
+    esac
+  done
+  [[ ${extent#*=} =~ ^[1-9][0-9]*$ && $seed =~ ^[1-9][0-9]*$ ]] ||
+    refuse "--seconds, --runs and --seed want whole numbers from 1"
+  local build=$builds-fuzz reader
+  for reader in "${readers[@]}"; do
+    [[ -d tests/fuzz/corpus/$reader ]] || refuse "--reader=$reader is not known"
+  done
+  install_packages --fuzz
+  configure fuzz "$build"
+  cmake --build "$build" -j "$JOBS" --target fuzz
+  rm -rf "$build"/{seeds,grown,logs,found}
+  mkdir -p "$build"/{logs,found}
+
+  say "fuzzing ${readers[*]}: ${extent#-} each, seed $seed"
+  trap 'kill $(jobs -p) 2>/dev/null || true' EXIT
+  trap 'exit 130' INT TERM
+  for reader in "${readers[@]}"; do
+    while (($(jobs -rp | wc -l) >= JOBS)); do wait -n || true; done
+    fuzz_reader "$build" "$reader" "$extent" "$seed" &
+  done
+  wait
+  trap - EXIT INT TERM
+  report_fuzzing "$build" "${readers[@]}"
+}
+
+# What a reader starts from: its corpus, what was once found, and the files that come with burnish.
+collect_seeds() { # build folder, reader
+  local file seeds=$1/seeds/$2 own=()
+  case $2 in
+    urdf) own=(robots/*/*.urdf) ;;
+    robot) own=(robots/*/robot.yaml) ;;
+    problem) own=(examples/problems/*.yaml) ;;
+    task) own=(tasks/polishing/*.yaml) ;;
+    request) own=(examples/eval/*.json) ;;
+  esac
+  mkdir -p "$seeds"
+  for file in tests/fuzz/{corpus,regressions}/"$2"/* ${own[@]+"${own[@]}"}; do
+    [[ ! -f $file ]] || cp "$file" "$seeds/${file//\//_}"
+  done
+}
+
+# Words that a reader may know, all of those that its seeds hold, and what is often misread.
+write_dictionary() { # build folder, reader
+  {
+    grep -rohE '[A-Za-z_][A-Za-z_0-9]{2,39}' "$1/seeds/$2" | sort -u
+    printf '%s\n' 1e308 -1e308 1e-308 1e999 -1 2147483648 18446744073709551616 nan inf \
+      '[]' '{}' '[[' '{a: ' '&a ' '*a' '<<: ' '- ' '? ' ': ' '---' '!!' '<!--' '-->' '<![CDATA[' '&#0;'
+  } | sed 's/.*/"&"/' >"$1/seeds/$2.words"
+}
+
+fuzz_reader() { # build folder, reader, libFuzzer's extent, seed
+  local grown=$1/grown/$2
+  collect_seeds "$1" "$2"
+  write_dictionary "$1" "$2"
+  mkdir -p "$grown"
+  # A second of processor time is what tests/fuzz/run.cpp watches, also where the machine is busy. The
+  # timeout is for what does not end. Freed memory that the sanitizer holds back does not count.
+  ASAN_OPTIONS=quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1 \
+    "$1/tests/fuzz/fuzz_$2" -seed="$4" "$3" -timeout=30 -report_slow_units=30 -rss_limit_mb=1024 -max_len=65536 \
+    -dict="$1/seeds/$2.words" -artifact_prefix="$1/found/$2-" -print_final_stats=1 \
+    "$grown" "$1/seeds/$2" >"$1/logs/$2" 2>&1 && touch "$1/logs/$2.passed"
+}
+
+report_fuzzing() { # build folder, readers...
+  local build=$1 reader failed=0 stat
+  shift
+  stat() { sed -n "s/^stat::$1: *//p" "$build/logs/$reader"; }
+  say "inputs that were read or refused"
+  printf '%-10s %10s %9s %8s  %s\n' reader inputs per-second peak-MB result
+  for reader in "$@"; do
+    if [[ -e $build/logs/$reader.passed ]]; then
+      word="nothing found"
+    else
+      word=FAILED
+      failed=1
+    fi
+    printf '%-10s %10s %9s %8s  %s\n' "$reader" "$(stat number_of_executed_units)" \
+      "$(stat average_exec_per_sec)" "$(stat peak_rss_mb)" "$word"
+  done
+  ((failed)) || return 0
+  for reader in "$@"; do
+    [[ ! -e $build/logs/$reader.passed ]] || continue
+    say "$reader: the end of $build/logs/$reader"
+    grep -vE '^(#|stat::|Dictionary|DE:)' "$build/logs/$reader" | tail -n 40
+    for file in "$build/found/$reader-"*; do
+      [[ ! -e $file ]] || echo "again: $build/tests/fuzz/fuzz_$reader $file"
+    done
+  done
+  return 1
+}

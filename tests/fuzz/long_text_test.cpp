@@ -1,0 +1,167 @@
+// Texts that are long, nested or repeated beyond what anybody means: each is read within a second
+// or refused, and what would stand for more than fits in memory is refused before it is built.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "burnish/model/urdf.hpp"
+#include "fuzz/readers.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::fuzz {
+namespace {
+
+/// Pieces of about 64 kB together, each with its number.
+std::string many(const std::function<std::string(const std::string&)>& piece,
+                 std::size_t bytes = 64000, const char* between = ",") {
+  std::string text;
+  for (int i = 0; text.size() < bytes; ++i)
+    text += (i == 0 ? "" : between) + piece(std::to_string(i));
+  return text;
+}
+std::string many(const std::string& piece, std::size_t bytes = 64000) {
+  return many([&](const std::string&) { return piece; }, bytes);
+}
+std::string times(int count, const std::string& piece) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+struct LongText {
+  const char* name;
+  const Reader& reader;
+  std::string text;
+  std::string refusal;  ///< part of it; empty: is read
+};
+void PrintTo(const LongText& text, std::ostream* out) { *out << text.name; }
+
+const std::string swing = "robot: pendulum\nstages: {s: {costs: {r: {type: joint_velocity}}}}\n";
+std::string costs(const std::string& entries, const std::string& horizon) {
+  return "robot: pendulum\nstages: {s: {costs: &c {" + entries + "}}}\nhorizon: " + horizon + "\n";
+}
+
+std::string name_of(const ::testing::TestParamInfo<LongText>& given) { return given.param.name; }
+
+class Long : public ::testing::TestWithParam<LongText> {};
+
+TEST_P(Long, is_read_or_refused_within_a_second) {
+  const LongText& given = GetParam();
+  const std::string sentence = run(given.reader, given.text);
+  if (given.refusal.empty()) {
+    EXPECT_EQ(sentence, "");
+  }
+  EXPECT_NE(sentence.find(given.refusal), std::string::npos) << sentence;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Problem, Long,
+    ::testing::Values(
+        LongText{"knots", problem, swing + "horizon: [s: 100000]\n", ""},
+        LongText{"too_many_knots", problem, swing + "horizon: [s: 100000, s: 1]\n",
+                 "more than 100000 knots"},
+        LongText{"repeated_repeats", problem,
+                 swing + "horizon: [{repeat: 50000, of: [{repeat: 3, of: [s: 1]}]}]\n",
+                 "repeats more than 100000 knots"},
+        LongText{"segments", problem,
+                 swing + "horizon: [" + many("{repeat: 90000, of: [s: 1]}") + "]\n",
+                 "more than 100000 knots"},
+        LongText{"alias_of_itself", problem, swing + "horizon: &h [{repeat: 2, of: *h}]\n",
+                 "an alias stands for what holds it"},
+        LongText{"nesting", problem, swing + "horizon: " + times(150, "[") + times(150, "]") + "\n",
+                 "nested more than 100 deep"},
+        LongText{"keys", problem, "{" + many([](const auto& i) { return "k" + i + ": 1"; }) + "}",
+                 "key 'k0' is unknown"},
+        LongText{
+            "contacts", problem,
+            "robot: pendulum\ncontacts: {" + many([](const auto& i) {
+              return "c" + i + ": {tool: tip}";
+            }) + "}\nstages: {s: {costs: {r: {type: control, target: hold}}}}\nhorizon: [s: 1]\n",
+            "at most 100 are supported"},
+        LongText{
+            "holds", problem,
+            costs(many([](const auto& i) { return "r" + i + ": {type: control, target: hold}"; }),
+                  "[s: 1]"),
+            ""},
+        LongText{"costs_by_alias", problem,
+                 "robot: pendulum\nstages: {s: {costs: &c {" +
+                     many([](const auto& i) { return "r" + i + ": {type: control}"; }, 10000) +
+                     "}}, " + many([](const auto& i) { return "s" + i + ": {costs: *c}"; }, 1000) +
+                     "}\nhorizon: [s: 1]\n",
+                 "more than 10000 costs"},
+        LongText{
+            "targets", problem,
+            costs(many([](const auto& i) { return "r" + i + ": {type: state}"; }), "[s: 100000]"),
+            "at most 10000000 in all"},
+        LongText{"path", problem, "robot: " + times(30000, "a/") + "\n", "does not exist"},
+        LongText{"name", problem, "robot: " + std::string(60000, 'a') + "\n", "is not known"},
+        LongText{"file", problem, std::string((4 << 20) + 1, '\n'), "larger than 4 MB"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Task, Long,
+    ::testing::Values(
+        LongText{"steps", task, "controller: {horizon: 1e6, step: 1e-3}\n",
+                 "more than 100000 steps"},
+        LongText{"rows", task, "path: {kind: zigzag, rows: 1000000}\n", "wanted at most 10000"},
+        LongText{"points", task, "path: {kind: points, points: [" + many("[0, 1]") + "]}\n", ""},
+        LongText{"override", task, "force: 30\n#set " + times(30000, "a.") + "b=1\n",
+                 "this is no YAML"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Robot, Long,
+    ::testing::Values(
+        LongText{"frames", robot, "urdf: arm7.urdf\nframes: {" + many([](const auto& i) {
+                                    return "f" + i + ": {parent: flange}";
+                                  }) + "}\n",
+                 ""},
+        LongText{"postures_by_alias", robot,
+                 "urdf: arm7.urdf\npostures: {p: &p {" +
+                     many([](const auto& i) { return "j" + i + ": 1"; }, 32000) + "}, " +
+                     many([](const auto& i) { return "q" + i + ": *p"; }, 32000) + "}\n",
+                 "more than 1000000 values"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Description, Long,
+    ::testing::Values(
+        LongText{"attributes", urdf,
+                 "<robot name='a'><link name='l' " +
+                     many([](const auto& i) { return "a" + i + "=''"; }, 64000, " ") + "/></robot>",
+                 "more than 100 attributes"},
+        LongText{"nesting", urdf, "<robot name='a'>" + times(20000, "<a>"), "nested too deeply"},
+        LongText{"name", urdf,
+                 "<robot name='a'><link name='" + std::string(32000, 'a') +
+                     "'/><joint name='j' type='fixed'><parent link='" + std::string(31000, 'a') +
+                     "'/><child link='b'/></joint></robot>",
+                 "does not exist"},
+        LongText{"file", urdf, std::string((16 << 20) + 1, ' '), "larger than 16 MB"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Request, Long,
+    ::testing::Values(
+        LongText{"states", request, R"({"robot": "talos", "states": [)" + many("{}") + "]}", ""},
+        LongText{"requests", request,
+                 "[" + many(R"({"robot": "talos", "compute": ["forward"]})", 40000) + "]", ""},
+        LongText{"too_many_requests", request, "[" + many(R"({"robot": "pendulum"})") + "]",
+                 "at most 1000 are answered"},
+        LongText{"nesting", request, times(32000, "[") + times(32000, "]"), "wanted an object"},
+        LongText{"contacts", request,
+                 R"({"robot": "pendulum", "contacts": [)" + many([](const auto& i) {
+                   return R"({"name": "c)" + i + R"(", "tool": "tip"})";
+                 }) + "]}",
+                 "at most 100 are supported"},
+        LongText{"path", request, R"({"robot": ")" + times(32000, "a/") + R"("})",
+                 "does not exist"}),
+    name_of);
+
+TEST(LongFile, that_never_ends_is_refused) {
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no file without an end here";
+  testing::expect_words(testing::refusal([] { read_urdf("/dev/zero"); }), {"larger than 64 MB"});
+}
+
+}  // namespace
+}  // namespace burnish::fuzz

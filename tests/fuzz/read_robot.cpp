@@ -1,0 +1,46 @@
+#include <filesystem>
+#include <map>
+
+#include "burnish/model/urdf.hpp"
+#include "fuzz/readers.hpp"
+#include "model/robot_settings.hpp"
+
+namespace burnish::fuzz {
+namespace {
+
+/// The descriptions that come along, whatever the settings name: each is read once, and no other.
+const TreeSpec& description(const std::string& urdf) {
+  static const auto trees = [] {
+    std::map<std::string, TreeSpec> result;
+    for (const char* name : {"arm7", "crane", "pendulum", "quadruped", "talos"}) {
+      const std::string file = std::string(name) + ".urdf";
+      result[file] = read_urdf(std::filesystem::path(BURNISH_ROBOTS_DIR) / name / file);
+    }
+    return result;
+  }();
+  const auto found = trees.find(urdf);
+  return found == trees.end() ? trees.at("arm7.urdf") : found->second;
+}
+
+void load(const RobotSettings& settings) { make_robot(settings, {}, "robot.yaml", description); }
+
+void read(const std::string& text) {
+  const RobotSettingsFile file = parse_robot_settings(text, "robot.yaml");
+  // Who loads a robot reads one variant of it.
+  int variants = 3;
+  for (const auto& [name, variant] : file.variants) {
+    if (variants-- == 0) break;
+    try {
+      load(with_variant(file.common, variant));
+    } catch (const Error&) {
+      // The next one may be better.
+    }
+  }
+  load(file.common);
+}
+
+}  // namespace
+
+const Reader robot{"robot", read};
+
+}  // namespace burnish::fuzz

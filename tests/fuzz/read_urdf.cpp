@@ -1,0 +1,24 @@
+#include "burnish/model/model.hpp"
+#include "burnish/model/urdf.hpp"
+#include "fuzz/readers.hpp"
+
+namespace burnish::fuzz {
+namespace {
+
+void read(const std::string& text) {
+  const TreeSpec tree = parse_urdf(text, "input.urdf");
+  ModelOptions floating;
+  floating.base = Base::FreeFlyer;
+  try {
+    build_model(tree, floating);
+  } catch (const Error&) {
+    // A fixed base refuses less: look at that too.
+  }
+  build_model(tree, {});
+}
+
+}  // namespace
+
+const Reader urdf{"urdf", read};
+
+}  // namespace burnish::fuzz
