@@ -30,13 +30,15 @@ run_fuzz() {
   mkdir -p "$build"/{logs,found}
 
   say "fuzzing ${readers[*]}: ${extent#-} each, seed $seed"
-  trap 'kill $(jobs -p) 2>/dev/null || true' EXIT
+  local -A reader_of=() # by process
+  trap 'kill "${!reader_of[@]}" 2>/dev/null || true' EXIT
   trap 'exit 130' INT TERM
   for reader in "${readers[@]}"; do
-    while (($(jobs -rp | wc -l) >= JOBS)); do wait -n || true; done
-    fuzz_reader "$build" "$reader" "$extent" "$seed" &
+    ((${#reader_of[@]} < JOBS)) || wait_for_reader "$build"
+    start_reader "$build" "$reader" "$extent" "$seed"
+    reader_of[$!]=$reader
   done
-  wait
+  while ((${#reader_of[@]})); do wait_for_reader "$build"; done
   trap - EXIT INT TERM
   report_fuzzing "$build" "${readers[@]}"
 }
@@ -66,7 +68,7 @@ write_dictionary() { # build folder, reader
   } | sed 's/.*/"&"/' >"$1/seeds/$2.words"
 }
 
-fuzz_reader() { # build folder, reader, libFuzzer's extent, seed
+start_reader() { # build folder, reader, libFuzzer's extent, seed
   local grown=$1/grown/$2
   collect_seeds "$1" "$2"
   write_dictionary "$1" "$2"
@@ -76,11 +78,17 @@ fuzz_reader() { # build folder, reader, libFuzzer's extent, seed
   ASAN_OPTIONS=quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1 \
     "$1/tests/fuzz/fuzz_$2" -seed="$4" "$3" -timeout=30 -report_slow_units=30 -rss_limit_mb=1024 -max_len=65536 \
     -dict="$1/seeds/$2.words" -artifact_prefix="$1/found/$2-" -print_final_stats=1 \
-    "$grown" "$1/seeds/$2" >"$1/logs/$2" 2>&1 && touch "$1/logs/$2.passed"
+    "$grown" "$1/seeds/$2" >"$1/logs/$2" 2>&1 &
+}
+
+wait_for_reader() { # build folder
+  local ended=""
+  if wait -n -p ended "${!reader_of[@]}"; then touch "$1/logs/${reader_of[$ended]}.passed"; fi
+  unset "reader_of[$ended]"
 }
 
 report_fuzzing() { # build folder, readers...
-  local build=$1 reader failed=0 stat
+  local build=$1 reader failed=0 word file
   shift
   stat() { sed -n "s/^stat::$1: *//p" "$build/logs/$reader"; }
   say "inputs that were read or refused"
