@@ -27,7 +27,8 @@ foreach(component IN LISTS components)
   install(FILES ${papers}/copyright ${papers}/changelog.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${burnish_package_${component}} COMPONENT ${component})
 endforeach()
-install(FILES ${papers}/CHANGELOG.md.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES ${papers}/CHANGELOG.md.gz README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN __pycache__ EXCLUDE)
 
 # debian_package(component SECTION ... [DEPENDS ...] [RECOMMENDS ...] [CONTROL files...] DESCRIPTION "..."):
 # the fields of one package; libraries that it is linked with are found by dpkg-shlibdeps.

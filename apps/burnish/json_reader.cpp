@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "model/text_file.hpp"
+
 namespace burnish::app {
 namespace {
 
@@ -91,6 +93,8 @@ class TwinKeys : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 nlohmann::json parse_json(const std::string& text, const std::string& source) {
+  constexpr int megabytes = 32;  // of the shortest objects 1 GB in memory
+  check_size(text, source, megabytes);
   try {
     nlohmann::json result = nlohmann::json::parse(text);
     TwinKeys twins(source);

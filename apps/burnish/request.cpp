@@ -45,17 +45,27 @@ Robot load_robot_of(const JsonReader& reader, const fs::path& folder) {
   return name.named([&] { return load_robot(locate(name.text(), folder), overrides); });
 }
 
-/// Robots of earlier requests: in a list they are often the same.
-using KnownRobots = std::map<std::string, Robot>;
+/// What requests of one list share.
+struct Shared {
+  fs::path folder;
+  std::map<std::string, Robot> robots = {};  ///< of earlier requests: often they are the same
+  std::size_t state_bytes = 0;
+};
 
-Robot read_robot(const JsonReader& reader, const fs::path& folder, KnownRobots& known) {
+/// Its numbers, and what memory is lost between them.
+std::size_t bytes_of_state(const Model& model, std::size_t rows) {
+  const auto numbers = static_cast<std::size_t>(model.nq + 3 * model.nv) + rows;
+  return sizeof(EvalState) + 5 * 32 + numbers * sizeof(double);
+}
+
+Robot read_robot(const JsonReader& reader, Shared& shared) {
   nlohmann::json wanted;
   for (const char* key : {"robot", "base", "lock", "free", "lock_posture"})
     if (reader.has(key)) wanted[key] = reader.json().at(key);
   const std::string name = wanted.dump();
-  const auto found = known.find(name);
-  if (found != known.end()) return found->second;
-  return known.emplace(name, load_robot_of(reader, folder)).first->second;
+  const auto found = shared.robots.find(name);
+  if (found != shared.robots.end()) return found->second;
+  return shared.robots.emplace(name, load_robot_of(reader, shared.folder)).first->second;
 }
 
 void add_frames(const JsonReader& list, Model& model) {
@@ -163,11 +173,11 @@ std::set<std::string> read_compute(const JsonReader& reader) {
 }
 
 /// Everything is read and checked before anything is computed.
-EvalRequest read_request(const JsonReader& reader, const fs::path& folder, KnownRobots& known) {
+EvalRequest read_request(const JsonReader& reader, Shared& shared) {
   reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "frames", "gravity", "states",
                      "contacts", "solver", "compute", "forces_in"});
   EvalRequest request;
-  request.robot = read_robot(reader, folder, known);
+  request.robot = read_robot(reader, shared);
   request.robot_name = reader["robot"].text();
   Model& model = request.robot.model;
   if (reader.has("frames")) add_frames(reader["frames"], model);
@@ -195,7 +205,16 @@ EvalRequest read_request(const JsonReader& reader, const fs::path& folder, Known
     request.states.push_back(read_state({nlohmann::json::object(), ""}, space));
     return request;
   }
-  for (const JsonReader& entry : reader["states"].entries()) {
+  const JsonReader states = reader["states"];
+  constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
+  const std::size_t count = states.is_list() ? states.json().size() : 0;
+  shared.state_bytes += count * bytes_of_state(model, space.row_names.size());
+  if (shared.state_bytes > most) {
+    states.refuse(fmt::format(
+        "its {} states and those before them take {} MB of memory; at most {} MB are read at once",
+        count, shared.state_bytes / megabyte, most / megabyte));
+  }
+  for (const JsonReader& entry : states.entries()) {
     request.states.push_back(read_state(entry, space));
   }
   return request;
@@ -226,11 +245,11 @@ EvalRequests read_requests(const std::string& text, const std::string& source,
   const nlohmann::json parsed = parse_json(text, source);
   const JsonReader reader(parsed, "");
   EvalRequests result;
-  KnownRobots known;
+  Shared shared{folder};
   result.is_list = reader.is_list();
   try {
     if (!result.is_list) {
-      result.requests.push_back(read_request(reader, folder, known));
+      result.requests.push_back(read_request(reader, shared));
       return result;
     }
     // All robots are in memory at once.
@@ -238,13 +257,12 @@ EvalRequests read_requests(const std::string& text, const std::string& source,
     const std::vector<JsonReader> entries = reader.entries();
     if (entries.size() > most) {
       reader.refuse(fmt::format(
-          "it has {} requests; at most {} are answered at once, and each may have any number of "
-          "states",
+          "it has {} requests; at most {} are answered at once, and each may have many states",
           entries.size(), most));
     }
     for (const JsonReader& entry : entries) {
       const JsonReader named(entry.json(), "request " + entry.place());
-      result.requests.push_back(read_request(named, folder, known));
+      result.requests.push_back(read_request(named, shared));
     }
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());

@@ -148,6 +148,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "[" + many(R"({"robot": "talos", "compute": ["forward"]})", 40000) + "]", ""},
         LongText{"too_many_requests", request, "[" + many(R"({"robot": "pendulum"})") + "]",
                  "at most 1000 are answered"},
+        LongText{"too_many_states", request,
+                 R"({"robot": "talos", "states": [)" + many("{}", 1200000) + "]}",
+                 "at most 400 MB are read"},
+        LongText{"file", request, std::string((32 << 20) + 1, ' '), "larger than 32 MB"},
         LongText{"nesting", request, times(32000, "[") + times(32000, "]"), "wanted an object"},
         LongText{"contacts", request,
                  R"({"robot": "pendulum", "contacts": [)" + many([](const auto& i) {
@@ -156,6 +160,14 @@ INSTANTIATE_TEST_SUITE_P(
                  "at most 100 are supported"},
         LongText{"path", request, R"({"robot": ")" + times(32000, "a/") + R"("})",
                  "does not exist"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, Long,
+    ::testing::Values(LongText{"columns", table, std::string(64000, ','), "at most 10000 are read"},
+                      LongText{"cells", table, "time,u\n" + std::string(64000, ','),
+                               "has 64001 cells; wanted 2"},
+                      LongText{"rows", table, "time\n" + times(32000, "1\n"), ""}),
     name_of);
 
 TEST(LongFile, that_never_ends_is_refused) {
