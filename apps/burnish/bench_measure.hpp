@@ -40,8 +40,9 @@ struct BenchReport {
 };
 
 /// States are drawn near the posture; one direction of the tool is held along world z. The horizon
-/// is the problem that solvers are compared on: press with 30 N, draw a circle of 7 cm. Throws
-/// Error for a frame or posture that there is not, and where the robot cannot be evaluated so.
+/// is the problem that solvers are compared on: press with 30 N, draw a circle of 7 cm radius.
+/// Throws Error for a frame or posture that there is not, and where the robot cannot be evaluated
+/// so.
 BenchReport measure_speed(const BenchSpec& given);
 
 }  // namespace burnish::app
