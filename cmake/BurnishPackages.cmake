@@ -70,7 +70,7 @@ These are the shared libraries. Those that compute come for x86-64, x86-64-v3
 processor.")
 debian_package(development SECTION libdevel
   DEPENDS "${burnish_package_library} ${same}" "${burnish_package_program} ${same}" "libeigen3-dev (>= 3.4)"
-    liburdfdom-dev libconsole-bridge-dev libtinyxml2-dev libyaml-cpp-dev
+    libtinyxml2-dev libyaml-cpp-dev
   DESCRIPTION "contact dynamics, its derivatives and optimal control (C++)
 ${what}
 These are the headers and what CMake needs to find the libraries with

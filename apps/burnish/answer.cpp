@@ -197,7 +197,7 @@ class Evaluation {
 
 Answer evaluate(const EvalRequest& request) {
   Evaluation evaluation(request);
-  Json json{{"robot", request.robot_name}};
+  Json json{{"robot", request.robot_name}, {"warnings", request.robot.warnings}};
   json.update(evaluation.names());
   json["states"] = Json::array();
   for (const EvalState& state : request.states) json["states"].push_back(evaluation.state(state));

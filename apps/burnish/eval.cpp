@@ -3,18 +3,20 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "answer.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
 #include "model/text_file.hpp"
+#include "robot_arguments.hpp"
 
 namespace burnish::app {
 namespace {
 
 struct EvalArguments {
   std::string file;
-  bool compact = false;
+  bool compact = false, strict = false;
 };
 
 int eval(const EvalArguments& arguments) {
@@ -25,6 +27,9 @@ int eval(const EvalArguments& arguments) {
                                                  : read_text(arguments.file, "request in JSON");
   const EvalRequests asked = read_requests(text, source, folder);
   nlohmann::ordered_json answers = nlohmann::ordered_json::array();
+  std::set<std::string> robots;
+  for (const EvalRequest& request : asked.requests)
+    if (robots.insert(request.robot_name).second) print_warnings(request.robot, arguments.strict);
   bool good = true;
   for (const EvalRequest& request : asked.requests) {
     Answer answer = evaluate(request);
@@ -46,6 +51,7 @@ void add_eval(CLI::App& app, int& exit_code) {
       ->type_name("")
       ->required();
   command->add_flag("--compact", arguments->compact, "One line instead of indented text");
+  add_strict(*command, arguments->strict);
   command->footer(
       "Examples:\n"
       "  burnish eval examples/eval/polishing.json\n"

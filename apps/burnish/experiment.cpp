@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <set>
 
 #include "command.hpp"
 #include "experiment_files.hpp"
 #include "polish_files.hpp"
 #include "progress_bar.hpp"
+#include "robot_arguments.hpp"
 #include "shell_word.hpp"
 
 namespace burnish::app {
@@ -20,7 +22,7 @@ struct ExperimentArguments {
   std::string name, plant, out;
   std::vector<std::string> surfaces, overrides;
   int seeds = 0, first_seed = 0, threads = 0;
-  bool quick = false, quiet = false;
+  bool quick = false, quiet = false, strict = false;
 };
 
 volatile std::sig_atomic_t stop_wanted = 0;
@@ -64,9 +66,11 @@ int perform(const ExperimentArguments& arguments) {
   const polishing::Experiment& experiment = polishing::experiment_named(arguments.name);
   const polishing::ExperimentSpec spec = spec_of(arguments);
   // Bad words are refused, and the folder is there, before minutes of computing.
+  std::set<std::string> robots;
   for (const std::string& surface :
        arguments.surfaces.empty() ? std::vector<std::string>{"table"} : arguments.surfaces)
-    check_experiment_task(spec, surface);
+    robots.insert(check_experiment_task(spec, surface).robot);
+  for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
   const fs::path folder = arguments.out.empty() ? "experiment_" + arguments.name : arguments.out;
   make_folder(folder);
 
@@ -128,6 +132,7 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
   command.add_option("--out", a.out, "Folder for what is written [experiment_NAME]")
       ->type_name("DIR");
   command.add_flag("--quiet", a.quiet, "Print nothing");
+  add_strict(command, a.strict);
 }
 
 }  // namespace

@@ -150,6 +150,11 @@ int JsonReader::count() const {
   return value_.get<int>();
 }
 
+bool JsonReader::yes_or_no() const {
+  if (!value_.is_boolean()) refuse("it is " + kind_of(value_) + "; wanted true or false");
+  return value_.get<bool>();
+}
+
 std::vector<std::string> JsonReader::texts() const {
   if (is_text()) return {text()};
   std::vector<std::string> result;

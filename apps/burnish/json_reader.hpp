@@ -38,6 +38,7 @@ class JsonReader {
   std::string text() const;
   double number() const;                    ///< finite
   int count() const;                        ///< an integer, not negative
+  bool yes_or_no() const;                   ///< true or false
   std::vector<std::string> texts() const;   ///< of a list, or one text
   Eigen::VectorXd numbers() const;          ///< of a list
   Eigen::VectorXd numbers(int size) const;  ///< refuses another size

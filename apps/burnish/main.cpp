@@ -154,6 +154,10 @@ int main(int count, char** words) {
   try {
     exit_code = burnish::app::run(count, words);
     if (std::fflush(stdout) != 0) throw burnish::Error("the output could not be written");
+  } catch (const burnish::Error& error) {
+    for (const std::string& sentence : error.sentences())
+      fmt::print(stderr, "burnish: {}\n", sentence);
+    return burnish::app::exit_usage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "burnish: {}\n", error.what());
     return burnish::app::exit_usage;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <set>
 
 #include "command.hpp"
 #include "json_text.hpp"
@@ -12,6 +13,7 @@
 #include "polishing/task_file.hpp"
 #include "polishing/task_notes.hpp"
 #include "progress_bar.hpp"
+#include "robot_arguments.hpp"
 #include "shell_word.hpp"
 
 namespace burnish::app {
@@ -29,7 +31,7 @@ struct PolishArguments {
   std::optional<double> duration;
   int record_every = 10;
   bool quiet = false, json = false, time = false, unchecked = false;
-  bool no_page = false, mcap = false;
+  bool no_page = false, mcap = false, strict = false;
 
   bool talks() const { return !quiet && !json; }
 };
@@ -192,6 +194,9 @@ int polish(const PolishArguments& arguments) {
     polishing::write_task(jobs.front().spec.task, arguments.write_task);
     return exit_ok;
   }
+  std::set<std::string> robots;
+  for (const PolishJob& job : jobs) robots.insert(job.spec.task.robot);
+  for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
   check(jobs, arguments);
   fs::path folder = arguments.out;
   if (folder.empty())
@@ -283,6 +288,7 @@ void add_options(CLI::App& command, PolishArguments& a) {
       ->type_name("FILE");
   command.add_flag("--quiet", a.quiet, "Print nothing but the table of results");
   command.add_flag("--json", a.json, "Print summary.json and nothing else");
+  add_strict(command, a.strict);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/model/state.hpp"
+#include "model/known_robots.hpp"
 #include "request_contact.hpp"
 
 namespace burnish::app {
@@ -20,9 +21,7 @@ std::string locate(const std::string& name, const fs::path& folder) {
   std::error_code ignored;
   const std::string bare = name.substr(0, name.rfind(':'));
   // A bare word such as "talos" is a robot's name before it is a folder's.
-  const bool is_path = name.find('/') != std::string::npos || path.extension() == ".urdf" ||
-                       fs::path(bare).extension() == ".yaml";
-  if (!is_path) return name;
+  if (!is_robot_path(name) && !is_robot_path(bare)) return name;
   if (fs::exists(folder / name, ignored) || fs::exists(folder / bare, ignored)) {
     return (folder / name).string();
   }
@@ -41,6 +40,7 @@ Robot load_robot_of(const JsonReader& reader, const fs::path& folder) {
   if (reader.has("lock")) overrides.locked = reader["lock"].texts();
   if (reader.has("free")) overrides.free = reader["free"].texts();
   if (reader.has("lock_posture")) overrides.posture = reader["lock_posture"].text();
+  if (reader.has("strict")) overrides.strict = reader["strict"].yes_or_no();
   const JsonReader name = reader["robot"];
   return name.named([&] { return load_robot(locate(name.text(), folder), overrides); });
 }
@@ -60,7 +60,7 @@ std::size_t bytes_of_state(const Model& model, std::size_t rows) {
 
 Robot read_robot(const JsonReader& reader, Shared& shared) {
   nlohmann::json wanted;
-  for (const char* key : {"robot", "base", "lock", "free", "lock_posture"})
+  for (const char* key : {"robot", "base", "lock", "free", "lock_posture", "strict"})
     if (reader.has(key)) wanted[key] = reader.json().at(key);
   const std::string name = wanted.dump();
   const auto found = shared.robots.find(name);
@@ -174,8 +174,8 @@ std::set<std::string> read_compute(const JsonReader& reader) {
 
 /// Everything is read and checked before anything is computed.
 EvalRequest read_request(const JsonReader& reader, Shared& shared) {
-  reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "frames", "gravity", "states",
-                     "contacts", "solver", "compute", "forces_in"});
+  reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "strict", "frames", "gravity",
+                     "states", "contacts", "solver", "compute", "forces_in"});
   EvalRequest request;
   request.robot = read_robot(reader, shared);
   request.robot_name = reader["robot"].text();

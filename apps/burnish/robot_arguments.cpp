@@ -1,6 +1,12 @@
 #include "robot_arguments.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "burnish/base/error.hpp"
+#include "model/findings.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish::app {
 
@@ -18,6 +24,11 @@ void RobotArguments::add_to(CLI::App& command) {
       ->delimiter(',');
   command.add_option("--lock-posture", lock_posture, "Posture at which joints are held")
       ->type_name("NAME");
+  command
+      .add_option("--srdf", srdf,
+                  "SRDF file whose group states are postures too [that of a URDF file's name]")
+      ->type_name("FILE");
+  add_strict(command, strict);
 }
 
 Robot RobotArguments::load() const {
@@ -28,7 +39,30 @@ Robot RobotArguments::load() const {
   overrides.locked = locked;
   overrides.free = free;
   overrides.posture = lock_posture;
-  return load_robot(robot, overrides);
+  overrides.srdf = srdf;
+  overrides.strict = strict;
+  Robot loaded = load_robot(robot, overrides);
+  print_warnings(loaded);
+  return loaded;
+}
+
+void add_strict(CLI::App& command, bool& strict) {
+  command.add_flag("--strict", strict, "Refuse a robot about which something is odd");
+}
+
+void print_warnings_of(const std::string& robot, bool strict) {
+  print_warnings(load_robot(robot), strict);
+}
+
+void print_warnings(const Robot& robot, bool strict) {
+  if (strict) refuse_warnings("robot " + in_quotes(robot.model.name), robot.warnings);
+  constexpr std::size_t most = 10;
+  const std::size_t count = robot.warnings.size();
+  for (std::size_t i = 0; i < std::min(count, most); ++i)
+    fmt::print(stderr, "burnish: warning: {}\n", robot.warnings[i]);
+  if (count > most)
+    fmt::print(stderr, "burnish: {} more warnings, all in burnish show ROBOT --json\n",
+               count - most);
 }
 
 }  // namespace burnish::app

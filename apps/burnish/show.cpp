@@ -6,6 +6,7 @@
 
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
+#include "draft_settings.hpp"
 #include "json_text.hpp"
 #include "mesh_file.hpp"
 #include "polish_page.hpp"
@@ -21,7 +22,8 @@ struct ShowArguments {
   std::string posture;  ///< to look at; empty for the default
   bool all_frames = false;
   bool json = false;
-  std::string html;  ///< file for a page; empty for none
+  std::string html;      ///< file for a page; empty for none
+  std::string settings;  ///< folder for a draft of settings; empty for none
 };
 
 /// A number for people: four significant digits, "-" where there is no limit.
@@ -155,6 +157,13 @@ void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
   const Eigen::VectorXd q = posture.empty() ? robot.model.q_neutral : robot.posture(posture);
+  if (!arguments.settings.empty()) {
+    const std::string file =
+        write_settings(robot, arguments.robot.robot, arguments.robot.srdf, arguments.settings)
+            .string();
+    fmt::print("a draft in {}: burnish show {} reads it\n", file, arguments.settings);
+    return;
+  }
   if (!arguments.html.empty()) {
     write_page(robot, q, arguments);
     return;
@@ -185,11 +194,19 @@ void add_show(CLI::App& app, int& exit_code) {
       ->add_option("--html", arguments->html,
                    "Write a page that draws the robot in 3D, and print no table")
       ->type_name("FILE");
+  command
+      ->add_option("--write-settings", arguments->settings,
+                   "Draft robot.yaml for a URDF file in this folder, and print no table")
+      ->type_name("DIR");
   command->footer(
       "Examples:\n"
       "  burnish show talos:right_arm --posture table\n"
       "  burnish show quadruped --html quadruped.html\n"
-      "  burnish show my_arm.urdf --lock finger_left finger_right --json");
+      "  burnish show my_arm.urdf --lock finger_left finger_right --json\n"
+      "  burnish show <(xacro my_arm.urdf.xacro)\n"
+      "  burnish show my_arm.urdf --write-settings my_arm\n"
+      "\n"
+      "docs/robots.md says what a robot's files need and what is odd about them.");
   command->callback([arguments, &exit_code] {
     show(*arguments);
     exit_code = exit_ok;

@@ -60,6 +60,7 @@ Json show_json(const Robot& robot, const Eigen::VectorXd& q, const std::string& 
               {"total_mass", model.total_mass()},
               {"gravity", numbers_json(model.gravity)},
               {"locked_joints", model.locked_joints},
+              {"warnings", robot.warnings},
               {"joints", Json::array()},
               {"frames", Json::array()},
               {"postures", Json::object()},

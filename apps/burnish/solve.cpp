@@ -7,6 +7,7 @@
 #include "burnish/ocp/check.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
+#include "robot_arguments.hpp"
 #include "solution.hpp"
 
 namespace burnish::app {
@@ -18,7 +19,7 @@ struct SolveArguments {
   std::string file, out;
   int iterations = -1, threads = -1;
   double tolerance = -1.0;
-  bool check = false, pin = false, quiet = false, json = false;
+  bool check = false, pin = false, quiet = false, json = false, strict = false;
 };
 
 volatile std::sig_atomic_t solve_must_end = 0;
@@ -76,6 +77,7 @@ bool check(Problem& problem, const SolveArguments& arguments) {
 
 int solve(const SolveArguments& arguments) {
   const ProblemFile file = read_problem_file(arguments.file);
+  print_warnings(file.robot, arguments.strict);
   Problem problem(file.spec);
   for (const std::string& complaint : complaints(problem))
     fmt::print(stderr, "burnish: {}: note: {}\n", arguments.file, complaint);
@@ -140,6 +142,7 @@ void add_solve(CLI::App& app, int& exit_code) {
                     "Check the problem's derivatives first; if they fail, do not solve");
   command->add_flag("--quiet", arguments->quiet, "Say nothing but how it ended");
   command->add_flag("--json", arguments->json, "Print summary.json and nothing else");
+  add_strict(*command, arguments->strict);
   command->footer(
       "Examples:\n"
       "  burnish solve examples/problems/reaching.yaml\n"

@@ -159,6 +159,8 @@ class LinkSpec(Spec):
     name: str
     inertia: InertiaSpec = field(default_factory=InertiaSpec)
     visuals: List[VisualSpec] = items()
+    line: int = 0
+    """of the file, for sentences about it; 0: none"""
 
 
 @dataclass(eq=False, repr=False)
@@ -195,6 +197,8 @@ class JointSpec(Spec):
     armature: float = 0.0
     """kg m^2 or kg"""
     mimic: Optional[MimicSpec] = None
+    line: int = 0
+    """of the file, for sentences about it; 0: none"""
 
 
 @dataclass(eq=False, repr=False)
@@ -207,6 +211,8 @@ class TreeSpec(Spec):
     """file it was read from, used in error sentences"""
     links: List[LinkSpec] = items()
     joints: List[JointSpec] = items()
+    warnings: List[str] = items()
+    """what was odd about the file but stopped nothing; a Model gets them too"""
 
 
 @dataclass(eq=False, repr=False)
@@ -237,6 +243,8 @@ class ModelOptions(Spec):
     """added in this order; a parent may be an earlier one"""
     gravity: ArrayLike = vector(0.0, 0.0, -9.81)
     """m/s^2, world"""
+    strict: bool = False
+    """refuse what would be a warning"""
 
 
 @dataclass(eq=False, repr=False)
@@ -297,3 +305,8 @@ class RobotOverrides(Spec):
     """these alone move, whatever the settings lock or free"""
     posture: str = ""
     """named posture at which joints are locked; empty: the settings' own"""
+    srdf: str = ""
+    """file whose group_states are postures too; empty: the one that the settings name or that lies beside
+    the URDF file"""
+    strict: bool = False
+    """refuse what would be a warning"""

@@ -29,6 +29,7 @@ void for_each_member(Visit&& visit) {
   visit("joint_of_v", &Model::joint_of_v);
   visit("parent_of_v", &Model::parent_of_v);
   visit("locked_joints", &Model::locked_joints);
+  visit("warnings", &Model::warnings);
   visit("support_entries", &Model::support_entries);
   visit("support_begin", &Model::support_begin);
 }
@@ -57,7 +58,7 @@ bool equal(const Model& a, const Model& b) {
 }
 bool equal(const Robot& a, const Robot& b) {
   return equal(a.model, b.model) && a.postures == b.postures &&
-         a.default_posture == b.default_posture;
+         a.default_posture == b.default_posture && a.warnings == b.warnings;
 }
 /// Against another of the class; Python decides about the rest.
 template <class Machine>
@@ -111,6 +112,9 @@ void bind_robot(py::module_& m) {
       .def_property_readonly(
           "default_posture", [](const Robot& robot) { return robot.default_posture; },
           "Name in postures, or empty.")
+      .def_property_readonly(
+          "warnings", [](const Robot& robot) { return robot.warnings; },
+          "What is odd about its files but computes, one sentence each.")
       .def("posture", &Robot::posture, py::arg("name"),
            "Configuration (nq,) of a named posture. Raises Error with the nearest known name.")
       .def("reference_configuration", &Robot::reference_configuration,
@@ -125,11 +129,13 @@ void bind_robot(py::module_& m) {
       .def("__deepcopy__", [](const Robot& robot, const py::dict&) { return robot; })
       .def(py::pickle(
           [](const Robot& robot) {
-            return py::make_tuple(model_state(robot.model), robot.postures, robot.default_posture);
+            return py::make_tuple(model_state(robot.model), robot.postures, robot.default_posture,
+                                  robot.warnings);
           },
           [](const py::tuple& state) {
             return Robot{model_of(state[0]), py::cast<std::map<std::string, Posture>>(state[1]),
-                         py::cast<std::string>(state[2])};
+                         py::cast<std::string>(state[2]),
+                         py::cast<std::vector<std::string>>(state[3])};
           }));
 
   m.def(
@@ -141,7 +147,9 @@ void bind_robot(py::module_& m) {
       "Loads a robot by a URDF file ('arm.urdf'), a settings file ('robots/talos/robot.yaml'), a "
       "folder that holds one, or the name of a robot that came with the library ('talos', "
       "'talos:right_arm', 'arm7', 'crane', 'quadruped', 'pendulum'), with ':variant' behind it if "
-      "wanted. Raises Error with one sentence.");
+      "wanted. A path may also be a pipe. Raises Error, with all problems of a URDF file at once; "
+      "what "
+      "is odd but computes is in the robot's `warnings`, and refused with strict overrides.");
   m.def("robot_search_path", &robot_search_path, "Folders searched for robots by name, in order.");
 }
 
@@ -200,8 +208,10 @@ void bind_descriptions(py::module_& m) {
         return build_model(tree, options.value_or(ModelOptions{}));
       },
       py::arg("tree"), py::arg("options") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Compiles a tree. Raises Error with one sentence naming the source, the element and the "
-      "reason.");
+      "Compiles a tree. Raises Error naming the source, the element and the reason, with all "
+      "problems "
+      "at once; what is odd but computes is in the model's `warnings`, and refused with strict "
+      "options.");
   m.def("read_urdf", &read_urdf, py::arg("file"), "Reads a URDF file into a TreeSpec.");
   m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>",
         "Reads URDF from a text; `source` stands for the file's name in error sentences.");
@@ -263,6 +273,8 @@ void bind_model(py::module_& m) {
           "gravity", [](const Model& self) { return self.gravity; }, "(3,), m/s^2, world.")
       .def_readonly("locked_joints", &Model::locked_joints,
                     "Moving joints of the description that were locked.")
+      .def_readonly("warnings", &Model::warnings,
+                    "What is odd about the description but computes, one sentence each.")
       .def_property_readonly(
           "v_names",
           [](const Model& self) {

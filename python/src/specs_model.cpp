@@ -72,7 +72,8 @@ const SpecTable& AsDataclass<LinkSpec>::table() {
   static const SpecTable fields = SpecTable("burnish.model", "LinkSpec")
                                       .field("name", &LinkSpec::name)
                                       .field("inertia", &LinkSpec::inertia)
-                                      .field("visuals", &LinkSpec::visuals);
+                                      .field("visuals", &LinkSpec::visuals)
+                                      .field("line", &LinkSpec::line);
   return fields;
 }
 template <>
@@ -99,7 +100,8 @@ const SpecTable& AsDataclass<JointSpec>::table() {
                                       .field("damping", &JointSpec::damping)
                                       .field("friction", &JointSpec::friction)
                                       .field("armature", &JointSpec::armature)
-                                      .field("mimic", &JointSpec::mimic);
+                                      .field("mimic", &JointSpec::mimic)
+                                      .field("line", &JointSpec::line);
   return fields;
 }
 template <>
@@ -108,7 +110,8 @@ const SpecTable& AsDataclass<TreeSpec>::table() {
                                       .field("name", &TreeSpec::name)
                                       .field("source", &TreeSpec::source)
                                       .field("links", &TreeSpec::links)
-                                      .field("joints", &TreeSpec::joints);
+                                      .field("joints", &TreeSpec::joints)
+                                      .field("warnings", &TreeSpec::warnings);
   return fields;
 }
 template <>
@@ -128,7 +131,8 @@ const SpecTable& AsDataclass<ModelOptions>::table() {
                                       .field("free", &ModelOptions::free)
                                       .field("posture", &ModelOptions::posture)
                                       .field("frames", &ModelOptions::frames)
-                                      .field("gravity", &ModelOptions::gravity);
+                                      .field("gravity", &ModelOptions::gravity)
+                                      .field("strict", &ModelOptions::strict);
   return fields;
 }
 template <>
@@ -172,7 +176,9 @@ const SpecTable& AsDataclass<RobotOverrides>::table() {
                                       .field("base", &RobotOverrides::base)
                                       .field("locked", &RobotOverrides::locked)
                                       .field("free", &RobotOverrides::free)
-                                      .field("posture", &RobotOverrides::posture);
+                                      .field("posture", &RobotOverrides::posture)
+                                      .field("srdf", &RobotOverrides::srdf)
+                                      .field("strict", &RobotOverrides::strict);
   return fields;
 }
 

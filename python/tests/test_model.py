@@ -114,6 +114,38 @@ class TestCopies:
             ARM.model.nq = 3  # type: ignore[misc]
 
 
+class TestWarnings:
+    XML = ("<robot><link name='base'/><link name='tip'/><joint name='hinge' type='continuous'>"
+           "<parent link='base'/><child link='tip'/></joint></robot>")
+
+    def test_are_on_the_result(self, tmp_path: Path) -> None:
+        file = tmp_path / "finger.urdf"
+        file.write_text(self.XML)
+        robot = burnish.load_robot(str(file))
+        assert robot.model.name == "finger"
+        assert len(robot.warnings) == 2 and robot.warnings == robot.model.warnings
+        assert "no name" in robot.warnings[0] and "'hinge' moves no mass" in robot.warnings[1]
+        assert len(burnish.read_urdf(file).warnings) == 1
+        assert pickle.loads(pickle.dumps(robot)).warnings == robot.warnings
+        assert TALOS.warnings == []
+        with pytest.raises(burnish.Error, match="2 problems.*moves no mass.*strict"):
+            burnish.load_robot(str(file), burnish.RobotOverrides(strict=True))
+
+    def test_refuse_where_models_are_strict(self) -> None:
+        tree = burnish.parse_urdf(self.XML, "finger.urdf")
+        assert tree.joints[0].line == 1
+        assert len(burnish.build_model(tree).warnings) == 2
+        with pytest.raises(burnish.Error, match="no name"):
+            burnish.build_model(tree, ModelOptions(strict=True))
+
+    def test_all_problems_are_in_one_error(self) -> None:
+        tree = burnish.parse_urdf(self.XML)
+        tree.links[1].inertia.mass = -1.0
+        tree.joints[0].parent_link = "bas"
+        with pytest.raises(burnish.Error, match=r"2 problems: \(1\) .*'base'\?.* \(2\) .*negative"):
+            burnish.build_model(tree)
+
+
 class TestDescriptions:
     def test_compile_to_models(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE, axis=[0.0, 1.0, 0.0], lower=-1.0, upper=2.0,

@@ -41,6 +41,36 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
+constexpr std::size_t most_problems = 50;
+
+/// What Error::sentences() gives.
+std::vector<std::string> listed(const std::string& origin,
+                                const std::vector<std::string>& problems) {
+  std::vector<std::string> sentences;
+  for (const std::string& problem : problems) {
+    if (sentences.size() == most_problems) {
+      sentences.push_back(
+          one_line(origin + ": and " + std::to_string(problems.size() - most_problems) + " more"));
+      break;
+    }
+    sentences.push_back(one_line(origin + ": " + problem));
+  }
+  return sentences;
+}
+
+std::string numbered(const std::string& origin, const std::vector<std::string>& problems) {
+  std::string text = one_line(origin) + ": ";
+  if (problems.size() == 1) return text + one_line(problems.front());
+  text += std::to_string(problems.size()) + " problems:";
+  for (std::size_t i = 0; i < std::min(problems.size(), most_problems); ++i) {
+    text += " (" + std::to_string(i + 1) + ") " + one_line(problems[i]);
+  }
+  if (problems.size() > most_problems) {
+    text += " and " + std::to_string(problems.size() - most_problems) + " more";
+  }
+  return text;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -58,7 +88,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Error::Error(const std::string& sentence) : std::runtime_error(one_line(sentence)) {}
+Error::Error(const std::string& sentence)
+    : Error(std::vector{one_line(sentence)}, one_line(sentence)) {}
+
+Error::Error(const std::string& origin, const std::vector<std::string>& problems)
+    : Error(listed(origin, problems), numbered(origin, problems)) {}
+
+Error::Error(std::vector<std::string> sentences, const std::string& joined)
+    : std::runtime_error(joined),
+      sentences_(std::make_shared<const std::vector<std::string>>(std::move(sentences))) {}
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
   // A file may hold text of any length where a name belongs; the distance takes time as the

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
+#include "model/known_robots.hpp"
 
 namespace burnish::files {
 namespace {
@@ -11,9 +12,9 @@ namespace fs = std::filesystem;
 
 /// Of names that are no paths, and of paths that do not exist in the folder, nothing is changed.
 std::string locate(const std::string& name, const fs::path& folder) {
-  if (name.find('/') == std::string::npos && fs::path(name).extension() != ".urdf") return name;
-  std::error_code ignored;
   const std::string bare = name.substr(0, name.rfind(':'));
+  if (!is_robot_path(name) && !is_robot_path(bare)) return name;
+  std::error_code ignored;
   const fs::path here = beside(folder, name);
   return fs::exists(here, ignored) || fs::exists(beside(folder, bare), ignored) ? here.string()
                                                                                 : name;
@@ -29,13 +30,14 @@ Vector6 read_gains(const YamlReader& reader) {
 Robot read_robot(const YamlReader& reader, const fs::path& folder) {
   if (!reader.is_map())
     return reader.named([&] { return load_robot(locate(reader.text(), folder)); });
-  reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture"});
+  reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture", "strict"});
   RobotOverrides overrides;
   if (const auto base = reader.find("base"))
     overrides.base = base->word({"fixed", "free_flyer"}) == "fixed" ? Base::Fixed : Base::FreeFlyer;
   if (const auto lock = reader.find("lock")) overrides.locked = lock->texts();
   if (const auto free = reader.find("free")) overrides.free = free->texts();
   if (const auto posture = reader.find("lock_posture")) overrides.posture = posture->text();
+  if (const auto strict = reader.find("strict")) overrides.strict = strict->yes_or_no();
   std::string name = locate(reader["name"].text(), folder);
   if (const auto variant = reader.find("variant")) name += ":" + variant->text();
   return reader.named([&] { return load_robot(name, overrides); });

@@ -263,8 +263,10 @@ void check_options(const TreeSpec& tree, const ModelOptions& options) {
 }  // namespace
 
 Model build_model(const TreeSpec& tree, const ModelOptions& options) {
-  check_topology(tree);
-  check_values(tree);
+  Findings findings(origin_of(tree));
+  check_topology(tree, findings);
+  check_values(tree, findings);
+  findings.refuse_problems();
   check_options(tree, options);
   LockedTree locked = lock_joints(tree, options);
   Walk walk = prepare(locked.tree, options);
@@ -282,7 +284,12 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   fill_limits(walk, model);
   fill_neutral(walk, model);
   fill_support(model);
-  check_inertia_along_joints(model, origin_of(tree));
+  check_inertia_along_joints(model, findings);
+  findings.refuse_problems();
+  model.warnings = tree.warnings;
+  model.warnings.insert(model.warnings.end(), findings.warnings().begin(),
+                        findings.warnings().end());
+  if (options.strict) refuse_warnings(origin_of(tree), model.warnings);
   add_frames(tree, options, model);
   return model;
 }

@@ -7,7 +7,9 @@
 #include "model/mass_check.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/posture.hpp"
 #include "model/sentence.hpp"
@@ -74,47 +76,108 @@ Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
   return joint.placement * moved;
 }
 
-double smallest_eigenvalue(const Square& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Square>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
+/// What the joint's own motions meet when all joints beyond it give way, and what they carry.
+struct Met {
+  Square inertia;  // S^T A S + armature
+  Square carried;  // the same as if the joints beyond it were rigid
+  Eigen::SelfAdjointEigenSolver<Square> decomposed;
+
+  Met(Square met, Square rigid)
+      : inertia(std::move(met)), carried(std::move(rigid)), decomposed(inertia) {}
+  double smallest() const { return decomposed.eigenvalues()[0]; }
+  /// Rounding of the subtraction grows with what was subtracted from.
+  double tolerance() const {
+    return no_inertia * std::max(1.0, carried.diagonal().cwiseAbs().maxCoeff());
+  }
+  /// inertia^-1 along what has an inertia: where there is none, nothing is handed on.
+  Square inverse() const {
+    const auto along = decomposed.eigenvalues().array();
+    const Eigen::ArrayXd inverses = (along.abs() > tolerance()).select(1.0 / along, 0.0);
+    return decomposed.eigenvectors() * inverses.matrix().asDiagonal() *
+           decomposed.eigenvectors().transpose();
+  }
+};
+
+/// Names of the joints that one sentence is about.
+using Names = std::vector<std::string>;
+
+std::string listed(const Names& names) {
+  constexpr std::size_t most = 10;
+  std::string text = names.size() == 1 ? "joint " : "joints ";
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+  }
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
 }
 
-void require_inertia(const Joint& joint, const Square& met, const Square& carried,
-                     const std::string& origin) {
-  // Rounding of the subtraction grows with what was subtracted from.
-  const double tolerance = no_inertia * std::max(1.0, carried.diagonal().maxCoeff());
-  if (smallest_eigenvalue(met) > tolerance) return;
-  if (smallest_eigenvalue(carried) <= no_inertia) {
-    refuse(origin, "joint " + in_quotes(joint.name) +
-                       " moves no mass: all that it carries has no inertia along it, and its "
-                       "armature is 0; give its link a mass or lock it");
+/// What is found at one joint after the other.
+struct Oddities {
+  Names massless, twins, negative;
+
+  void look(const Joint& joint, const Met& met) {
+    if (met.smallest() > met.tolerance()) return;
+    const double carried =
+        Eigen::SelfAdjointEigenSolver<Square>(met.carried, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    if (met.smallest() < -met.tolerance()) {
+      negative.push_back(joint.name);
+    } else if (carried <= no_inertia) {
+      massless.push_back(joint.name);
+    } else {
+      twins.push_back(joint.name);
+    }
   }
-  refuse(origin, "joint " + in_quotes(joint.name) +
-                     " moves no mass of its own: joints beyond it move the same bodies in the same "
-                     "way; give its link a mass or lock it");
-}
+  void warn(Findings& findings) const {
+    const auto say = [&](const Names& names, const std::string& what) {
+      if (!names.empty()) findings.warn(listed(names) + what);
+    };
+    const auto verb = [](const Names& names, const char* one, const char* several) {
+      return std::string(names.size() == 1 ? one : several);
+    };
+    say(massless,
+        verb(massless, " moves", " move") +
+            " no mass, so that the mass matrix is singular; give a link beyond a mass, or "
+            "the joint an armature, or lock it");
+    say(twins,
+        verb(twins, " moves", " move") +
+            " no mass of its own, so that the mass matrix is singular: joints beyond it move "
+            "the same bodies in the same way; give its link a mass or lock it");
+    say(negative, verb(negative, " meets", " meet") +
+                      " a negative inertia, so that the mass matrix is not positive definite; "
+                      "correct the inertias of the links beyond or lock it");
+  }
+};
 
 }  // namespace
 
-void check_inertia_along_joints(const Model& model, const std::string& origin) {
+void check_inertia_along_joints(const Model& model, Findings& findings) {
   std::vector<Matrix6d> articulated, composite;
   for (const Joint& joint : model.joints) {
     articulated.push_back(spatial_inertia(joint));
     composite.push_back(articulated.back());
   }
+  Oddities oddities;
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
     const Directions along = directions_of(joint.kind);
     const Square armature = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
-    const Square met = along.transpose() * articulated[i] * along + armature;
-    require_inertia(joint, met, along.transpose() * composite[i] * along + armature, origin);
+    const Met met(along.transpose() * articulated[i] * along + armature,
+                  along.transpose() * composite[i] * along + armature);
+    if (!articulated[i].allFinite() || !composite[i].allFinite() || !met.inertia.allFinite()) {
+      findings.problem("joint " + in_quotes(joint.name) +
+                       ": the inertia that it moves is too large for a number");
+      return;
+    }
+    oddities.look(joint, met);
     if (joint.parent < 0) continue;
     const auto parent = static_cast<std::size_t>(joint.parent);
     const Matrix6d to_body = motion_transform(generic_placement(joint, i));
     const Directions pushed = articulated[i] * along;
-    const Matrix6d given = articulated[i] - pushed * met.ldlt().solve(pushed.transpose());
+    const Matrix6d given = articulated[i] - pushed * met.inverse() * pushed.transpose();
     articulated[parent] += to_body.transpose() * given * to_body;
     composite[parent] += to_body.transpose() * composite[i] * to_body;
   }
+  oddities.warn(findings);
 }
 
 }  // namespace burnish

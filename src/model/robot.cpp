@@ -5,13 +5,16 @@
 #endif
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <sstream>
 
 #include "burnish/model/urdf.hpp"
+#include "model/findings.hpp"
 #include "model/known_robots.hpp"
 #include "model/robot_settings.hpp"
 #include "model/sentence.hpp"
+#include "model/srdf.hpp"
 
 namespace burnish {
 namespace {
@@ -26,12 +29,14 @@ struct Place {
   std::string variant;  // empty for none
 };
 
-bool is_urdf(const fs::path& file) { return file.extension() == ".urdf"; }
-bool is_settings(const fs::path& file) {
-  return file.extension() == ".yaml" || file.extension() == ".yml";
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
-bool looks_like_a_path(const std::string& name) {
-  return name.find('/') != std::string::npos || is_urdf(name) || is_settings(name);
+bool is_settings(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".yaml" || extension == ".yml";
 }
 
 /// The file that a path means, if there is one.
@@ -41,18 +46,22 @@ std::optional<fs::path> file_at(const fs::path& path) {
     const fs::path settings = path / settings_name;
     return fs::exists(settings, ignored) ? std::optional(settings) : std::nullopt;
   }
-  if (!fs::exists(path, ignored) || !(is_urdf(path) || is_settings(path))) return std::nullopt;
-  return path;
+  return fs::exists(path, ignored) ? std::optional(path) : std::nullopt;
 }
 
 std::optional<fs::path> file_of(const std::string& name) {
   if (name.empty()) return std::nullopt;
-  if (auto file = file_at(name)) return file;
-  if (looks_like_a_path(name)) return std::nullopt;
+  std::error_code ignored;
+  // A file beside that has a robot's name and no extension is not that robot.
+  if (is_robot_path(name) || fs::is_directory(name, ignored)) {
+    if (auto file = file_at(name)) return file;
+    if (is_robot_path(name)) return std::nullopt;
+  }
   for (const fs::path& folder : robot_search_path()) {
+    if (!fs::is_directory(folder / name, ignored)) continue;
     if (auto file = file_at(folder / name)) return file;
   }
-  return std::nullopt;
+  return fs::is_regular_file(name, ignored) ? std::optional<fs::path>(name) : std::nullopt;
 }
 
 template <class Value>
@@ -63,7 +72,7 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
 }
 
 [[noreturn]] void refuse_name(const std::string& name) {
-  if (looks_like_a_path(name)) {
+  if (is_robot_path(name)) {
     std::error_code ignored;
     const std::string hint =
         fs::is_directory(name, ignored) ? " holds no robot.yaml" : " does not exist";
@@ -92,7 +101,7 @@ Place find_robot(const std::string& name) {
   if (variant.empty()) {
     throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
   }
-  if (is_urdf(*file)) {
+  if (!is_settings(*file)) {
     throw Error("robot " + in_quotes(name) + " asks for a variant of a URDF file; only settings " +
                 "files have variants");
   }
@@ -100,7 +109,7 @@ Place find_robot(const std::string& name) {
 }
 
 RobotSettings settings_at(const Place& place) {
-  if (is_urdf(place.file)) {
+  if (!is_settings(place.file)) {
     RobotSettings settings;
     settings.urdf = place.file.filename().string();
     return settings;
@@ -138,6 +147,7 @@ Posture locking_posture(const RobotSettings& settings, const RobotOverrides& ove
 ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& overrides,
                         const std::string& origin) {
   ModelOptions options;
+  options.strict = overrides.strict;
   options.base = overrides.base.value_or(settings.base.value_or(Base::Fixed));
   if (settings.base_placement) options.base_placement = *settings.base_placement;
   options.frames = settings.frames;
@@ -159,6 +169,57 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
     refuse(origin, "every joint that the settings leave free is to be locked; leave one free");
   }
   return options;
+}
+
+void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
+                const std::string& origin) {
+  const std::string key = "limits: joint " + in_quotes(name);
+  const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
+                                  [&](const JointSpec& spec) { return spec.name == name; });
+  if (joint == tree.joints.end()) {
+    std::vector<std::string> known;
+    for (const JointSpec& spec : tree.joints) known.push_back(spec.name);
+    refuse(origin, key + " does not exist" + did_you_mean(name, known));
+  }
+  if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed and has none");
+  const bool has_range = joint->type == JointType::Revolute || joint->type == JointType::Prismatic;
+  if ((limits.lower || limits.upper) && !has_range) {
+    refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
+  }
+  joint->lower = limits.lower.value_or(joint->lower);
+  joint->upper = limits.upper.value_or(joint->upper);
+  joint->velocity_limit = limits.velocity.value_or(joint->velocity_limit);
+  joint->effort_limit = limits.effort.value_or(joint->effort_limit);
+}
+
+/// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
+std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
+                                  RobotSettings& settings, Findings& findings) {
+  std::map<std::string, Posture> postures;
+  const auto read = [&] { postures = read_srdf(srdf.file, tree, findings); };
+  if (srdf.asked_for) {
+    read();
+  } else {
+    findings.attempt_or_warn(read, "; the file is passed over");
+  }
+  std::vector<std::string> names;
+  for (auto& [name, posture] : postures) {
+    if (settings.postures.emplace(name, std::move(posture)).second) names.push_back(name);
+  }
+  return names;
+}
+
+/// Of an SRDF file's postures those that are no configuration of the robot go, with a warning.
+void drop_bad_postures(const std::vector<std::string>& names, Robot& robot, Findings& findings) {
+  for (const std::string& name : names) {
+    try {
+      configuration(robot.model, robot.postures.at(name));
+    } catch (const Error& error) {
+      findings.warn("posture " + in_quotes(name) + ": " + error.what() +
+                    "; this posture is left out");
+      robot.postures.erase(name);
+    }
+  }
 }
 
 /// A posture is used long after loading: what is wrong with it is said now.
@@ -204,6 +265,11 @@ Eigen::VectorXd Robot::reference_configuration() const {
   return default_posture.empty() ? model.q_neutral : posture(default_posture);
 }
 
+bool is_robot_path(const std::string& name) {
+  return name.find('/') != std::string::npos || lower_extension(name) == ".urdf" ||
+         is_settings(name);
+}
+
 std::vector<fs::path> robot_search_path() {
   std::vector<fs::path> folders;
   if (const char* listed = std::getenv("BURNISH_ROBOTS")) {
@@ -230,26 +296,40 @@ std::map<std::string, fs::path> known_robots() {
   return files;
 }
 
-Robot make_robot(const RobotSettings& settings, const RobotOverrides& overrides,
-                 const std::string& origin,
-                 const std::function<TreeSpec(const std::string& urdf)>& read) {
+Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
+                 const std::function<TreeSpec(const std::string& urdf)>& read,
+                 const SrdfFile& srdf) {
+  TreeSpec tree = read(*settings.urdf);
+  for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
+  Findings of_srdf(srdf.file.string());
+  std::vector<std::string> from_srdf;
+  if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
   const ModelOptions options = options_of(settings, overrides, origin);
   Robot robot;
-  robot.model = build_model(read(*settings.urdf), options);
+  robot.model = build_model(tree, options);
   robot.postures = settings.postures;
+  drop_bad_postures(from_srdf, robot, of_srdf);
   if (settings.default_posture) {
     find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
     robot.default_posture = *settings.default_posture;
   }
   check_postures(robot, origin);
+  if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
+  robot.warnings = robot.model.warnings;
+  robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
   return robot;
 }
 
 Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
   const Place place = find_robot(name);
+  RobotSettings settings = settings_at(place);
+  const fs::path folder = place.file.parent_path();
+  SrdfFile srdf{overrides.srdf, true};
+  if (srdf.file.empty() && settings.srdf) srdf.file = folder / *settings.srdf;
+  if (srdf.file.empty() && !is_settings(place.file)) srdf = {srdf_of(place.file), false};
   return make_robot(
-      settings_at(place), overrides, place.file.string(),
-      [&](const std::string& urdf) { return read_urdf(place.file.parent_path() / urdf); });
+      std::move(settings), overrides, place.file.string(),
+      [&](const std::string& urdf) { return read_urdf(folder / urdf); }, srdf);
 }
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "model/parse_number.hpp"
@@ -141,6 +142,34 @@ Posture posture_of(const Entry& entry) {
   return posture;
 }
 
+/// A limit, which may be infinite: as YAML writes it or as C++ does.
+double limit_of(const Entry& entry) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::string text = entry.node.IsScalar() ? entry.node.Scalar() : "";
+  for (const char* word : {".inf", "+.inf", "inf", "+inf"}) {
+    if (text == word) return infinity;
+  }
+  return text == "-.inf" || text == "-inf" ? -infinity : number_of(entry);
+}
+
+JointLimits limits_of(const Entry& entry) {
+  JointLimits limits;
+  for_each(entry, [&](const std::string& key, const Entry& value) {
+    if (key == "lower") {
+      limits.lower = limit_of(value);
+    } else if (key == "upper") {
+      limits.upper = limit_of(value);
+    } else if (key == "velocity") {
+      limits.velocity = limit_of(value);
+    } else if (key == "effort") {
+      limits.effort = limit_of(value);
+    } else {
+      refuse_key(value, key, {"lower", "upper", "velocity", "effort"});
+    }
+  });
+  return limits;
+}
+
 Base base_of(const Entry& entry) {
   const std::string name = text_of(entry);
   if (name == "fixed") return Base::Fixed;
@@ -154,6 +183,7 @@ using Handler = std::function<void(const Entry&)>;
 std::vector<std::pair<std::string, Handler>> handlers_of(RobotSettings& settings) {
   return {
       {"urdf", [&](const Entry& e) { settings.urdf = text_of(e); }},
+      {"srdf", [&](const Entry& e) { settings.srdf = text_of(e); }},
       {"description", [&](const Entry& e) { settings.description = text_of(e); }},
       {"base", [&](const Entry& e) { settings.base = base_of(e); }},
       {"base_placement", [&](const Entry& e) { settings.base_placement = placement_of(e); }},
@@ -175,6 +205,12 @@ std::vector<std::pair<std::string, Handler>> handlers_of(RobotSettings& settings
        [&](const Entry& e) {
          for_each(e, [&](const std::string& name, const Entry& value) {
            settings.frames.push_back(frame_of(name, value));
+         });
+       }},
+      {"limits",
+       [&](const Entry& e) {
+         for_each(e, [&](const std::string& joint, const Entry& value) {
+           settings.limits[joint] = limits_of(value);
          });
        }},
   };
@@ -221,6 +257,7 @@ RobotSettingsFile read_robot_settings(const std::filesystem::path& file) {
 
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
   if (variant.urdf) common.urdf = variant.urdf;
+  if (variant.srdf) common.srdf = variant.srdf;
   if (variant.description) common.description = variant.description;
   if (variant.base) common.base = variant.base;
   if (variant.base_placement) common.base_placement = variant.base_placement;
@@ -231,6 +268,7 @@ RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
     common.free = variant.free;
   }
   for (const auto& [name, posture] : variant.postures) common.postures[name] = posture;
+  for (const auto& [joint, limits] : variant.limits) common.limits[joint] = limits;
   for (const FrameSpec& frame : variant.frames) {
     const auto same = std::find_if(common.frames.begin(), common.frames.end(),
                                    [&](const FrameSpec& f) { return f.name == frame.name; });

@@ -12,9 +12,15 @@
 
 namespace burnish {
 
+/// Limits of a joint that go before those of the URDF.
+struct JointLimits {
+  std::optional<double> lower, upper, velocity, effort;
+};
+
 /// What a settings file, or one variant in it, states. Keys that are absent are empty.
 struct RobotSettings {
   std::optional<std::string> urdf;  ///< as written, relative to the settings file
+  std::optional<std::string> srdf;  ///< the same
   std::optional<std::string> description;
   std::optional<Base> base;
   std::optional<Eigen::Isometry3d> base_placement;
@@ -22,6 +28,7 @@ struct RobotSettings {
   std::optional<std::string> posture, default_posture;
   std::map<std::string, Posture> postures;
   std::vector<FrameSpec> frames;  ///< in the order of the file
+  std::map<std::string, JointLimits> limits;
 };
 
 struct RobotSettingsFile {
@@ -37,10 +44,16 @@ RobotSettingsFile parse_robot_settings(const std::string& text, const std::strin
 /// `common` with what `variant` states in its place.
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant);
 
+/// Where the SRDF file lies, if there is one. One that nobody asked for stops nothing.
+struct SrdfFile {
+  std::filesystem::path file;
+  bool asked_for = false;
+};
+
 /// The robot that settings with a `urdf` describe; `read` reads that file, `origin` stands for the
 /// settings' file in error sentences.
-Robot make_robot(const RobotSettings& settings, const RobotOverrides& overrides,
-                 const std::string& origin,
-                 const std::function<TreeSpec(const std::string& urdf)>& read);
+Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
+                 const std::function<TreeSpec(const std::string& urdf)>& read,
+                 const SrdfFile& srdf = {});
 
 }  // namespace burnish

@@ -11,71 +11,75 @@ namespace {
 
 using IndexByName = std::unordered_map<std::string, std::size_t>;
 
-std::string joint_label(const JointSpec& joint) { return "joint " + in_quotes(joint.name); }
-std::string link_label(const LinkSpec& link) { return "link " + in_quotes(link.name); }
+std::string label(const std::string& kind, const std::string& name, int line) {
+  return (line > 0 ? "line " + std::to_string(line) + ": " : "") + kind + " " + in_quotes(name);
+}
+std::string label_of(const JointSpec& joint) { return label("joint", joint.name, joint.line); }
+std::string label_of(const LinkSpec& link) { return label("link", link.name, link.line); }
 
 template <class Element>
-IndexByName index_names(const TreeSpec& tree, const std::vector<Element>& elements,
-                        const std::string& kind) {
+IndexByName index_names(const std::vector<Element>& elements, const std::string& kind,
+                        Findings& findings) {
   IndexByName index;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::string& name = elements[i].name;
     if (name.empty()) {
-      refuse(tree, kind + " number " + std::to_string(i + 1) + " has no name; every " + kind +
+      findings.problem(kind + " number " + std::to_string(i + 1) + " has no name; every " + kind +
                        " needs one");
-    }
-    if (!index.emplace(name, i).second) {
-      refuse(tree, kind + " " + in_quotes(name) + " is defined twice; names of " + kind +
+    } else if (!index.emplace(name, i).second) {
+      findings.problem(label_of(elements[i]) + " is defined twice; names of " + kind +
                        "s must be unique");
     }
   }
   return index;
 }
 
-std::size_t find_link(const TreeSpec& tree, const IndexByName& links, const JointSpec& joint,
-                      const std::string& name, const std::string& role) {
-  const auto found = links.find(name);
-  if (found != links.end()) return found->second;
+/// The joint above each link as an index into tree.joints, -1 for a root.
+std::vector<int> parent_joints(const TreeSpec& tree, const IndexByName& links, Findings& findings) {
   std::vector<std::string> known;
   for (const LinkSpec& link : tree.links) known.push_back(link.name);
-  refuse(tree, joint_label(joint) + ": " + role + " link " + in_quotes(name) + " does not exist" +
-                   did_you_mean(name, known));
-}
-
-/// The joint above each link as an index into tree.joints, -1 for a root.
-std::vector<int> parent_joints(const TreeSpec& tree, const IndexByName& links) {
+  const auto exists = [&](const JointSpec& joint, const std::string& name, const char* role) {
+    if (links.contains(name)) return true;
+    findings.problem(label_of(joint) + ": " + role + " link " + in_quotes(name) +
+                     " does not exist" + (findings.are_few() ? did_you_mean(name, known) : ""));
+    return false;
+  };
   std::vector<int> above(tree.links.size(), -1);
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     const JointSpec& joint = tree.joints[j];
-    find_link(tree, links, joint, joint.parent_link, "parent");
-    const std::size_t child = find_link(tree, links, joint, joint.child_link, "child");
+    exists(joint, joint.parent_link, "parent");
+    if (!exists(joint, joint.child_link, "child")) continue;
+    const std::size_t child = links.at(joint.child_link);
     if (above[child] >= 0) {
       const JointSpec& first = tree.joints[static_cast<std::size_t>(above[child])];
-      refuse(tree, "link " + in_quotes(joint.child_link) + " has two parents, " +
+      findings.problem(label_of(tree.links[child]) + " has two parents, " +
                        in_quotes(first.parent_link) + " through joint " + in_quotes(first.name) +
                        " and " + in_quotes(joint.parent_link) + " through joint " +
                        in_quotes(joint.name) + "; a link of a tree has one");
+      continue;
     }
     above[child] = static_cast<int>(j);
   }
   return above;
 }
 
-void check_one_root(const TreeSpec& tree, const std::vector<int>& above) {
+void check_one_root(const TreeSpec& tree, const std::vector<int>& above, Findings& findings) {
   const LinkSpec* root = nullptr;
   for (std::size_t i = 0; i < above.size(); ++i) {
     if (above[i] >= 0) continue;
-    if (root != nullptr) {
-      refuse(tree, "links " + in_quotes(root->name) + " and " + in_quotes(tree.links[i].name) +
-                       " both have no parent joint; a tree has one root, so join them by a joint");
+    if (root == nullptr) {
+      root = &tree.links[i];
+      continue;
     }
-    root = &tree.links[i];
+    findings.problem("links " + in_quotes(root->name) + " and " + in_quotes(tree.links[i].name) +
+                     " both have no parent joint; a tree has one root, so join them by a joint");
   }
 }
 
 /// Depth of every link by walking up until a link of known depth. A walk longer than the number
 /// of links has met a cycle.
-void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vector<int>& above) {
+void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vector<int>& above,
+                  Findings& findings) {
   std::vector<int> depth(tree.links.size(), 0);
   std::vector<std::size_t> path;
   for (std::size_t start = 0; start < tree.links.size(); ++start) {
@@ -84,10 +88,11 @@ void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vec
     while (depth[link] == 0 && above[link] >= 0) {
       path.push_back(link);
       if (path.size() > tree.links.size()) {
-        refuse(tree, "link " + in_quotes(tree.links[link].name) +
+        findings.problem("link " + in_quotes(tree.links[link].name) +
                          " is its own ancestor through joint " +
                          in_quotes(tree.joints[static_cast<std::size_t>(above[link])].name) +
                          "; the links must form a tree without cycles");
+        return;
       }
       link = links.at(tree.joints[static_cast<std::size_t>(above[link])].parent_link);
     }
@@ -95,71 +100,90 @@ void check_depths(const TreeSpec& tree, const IndexByName& links, const std::vec
     depth[link] = below;
     for (auto up = path.rbegin(); up != path.rend(); ++up) depth[*up] = ++below;
     if (below > max_depth) {
-      refuse(tree, "link " + in_quotes(tree.links[start].name) + " is " + std::to_string(below) +
-                       " links from the root; at most " + std::to_string(max_depth) +
-                       " are supported");
+      findings.problem("link " + in_quotes(tree.links[start].name) + " is " +
+                       std::to_string(below) + " links from the root; at most " +
+                       std::to_string(max_depth) + " are supported");
+      return;
     }
   }
 }
 
-[[noreturn]] void refuse_value(const TreeSpec& tree, const std::string& element,
-                               const std::string& quantity, double value,
-                               const std::string& wanted) {
-  refuse(tree, element + ": " + quantity + " is " + number(value) + "; " + wanted);
-}
+/// The values of one link or joint: what is wrong with them is noted under its name.
+struct ValueCheck {
+  std::string element;
+  Findings& findings;
 
-template <class Derived>
-void check_finite(const TreeSpec& tree, const std::string& element, const std::string& quantity,
-                  const Eigen::MatrixBase<Derived>& values) {
-  for (Eigen::Index j = 0; j < values.cols(); ++j) {
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-      if (!std::isfinite(values(i, j))) {
-        refuse_value(tree, element, quantity, values(i, j), "it must be finite");
+  void problem(const std::string& what) const { findings.problem(element + what); }
+  void value(const std::string& quantity, double number_there, const std::string& wanted) const {
+    problem(": " + quantity + " is " + number(number_there) + "; " + wanted);
+  }
+
+  template <class Derived>
+  bool finite(const std::string& quantity, const Eigen::MatrixBase<Derived>& values) const {
+    for (Eigen::Index j = 0; j < values.cols(); ++j) {
+      for (Eigen::Index i = 0; i < values.rows(); ++i) {
+        if (std::isfinite(values(i, j))) continue;
+        value(quantity, values(i, j), "it must be finite");
+        return false;
       }
     }
+    return true;
   }
+
+  void placement(const std::string& quantity, const Eigen::Isometry3d& stated) const {
+    if (!finite(quantity, stated.matrix().topRows<3>())) return;
+    const Eigen::Matrix3d rotation = stated.linear();
+    if ((rotation * rotation.transpose()).isIdentity(1e-6) && rotation.determinant() > 0.0) return;
+    problem(": the rotation of its " + quantity +
+            " is not orthonormal and right-handed; a rotation matrix was wanted");
+  }
+
+  void not_negative(const std::string& quantity, double stated, bool may_be_infinite) const {
+    if (std::isnan(stated) || stated < 0.0 || (!may_be_infinite && std::isinf(stated))) {
+      value(quantity, stated, "it must be zero or positive");
+    }
+  }
+};
+
+/// What counts as zero beside the body: the inertia of its mass at a distance far below its size,
+/// or of a speck of dust.
+double negligible_inertia(const InertiaSpec& inertia) {
+  constexpr double share = 1e-6, smallest_size = 0.01, dust = 1e-20;
+  return dust + share * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +
+                         1e-3 * inertia.mass * smallest_size * smallest_size);
 }
 
-void check_placement(const TreeSpec& tree, const std::string& element, const std::string& quantity,
-                     const Eigen::Isometry3d& placement) {
-  check_finite(tree, element, quantity, placement.matrix().topRows<3>());
-  const Eigen::Matrix3d rotation = placement.linear();
-  const bool is_rotation =
-      (rotation * rotation.transpose()).isIdentity(1e-6) && rotation.determinant() > 0.0;
-  if (!is_rotation) {
-    refuse(tree, element + ": the rotation of its " + quantity +
-                     " is not orthonormal and right-handed; a rotation matrix was wanted");
-  }
-}
-
-void check_inertia(const TreeSpec& tree, const LinkSpec& link) {
-  const std::string label = link_label(link);
+void check_inertia(const LinkSpec& link, Findings& findings) {
+  const ValueCheck check{label_of(link), findings};
   const Eigen::Matrix3d& inertia = link.inertia.inertia_at_com;
   const double mass = link.inertia.mass;
-  if (!std::isfinite(mass)) refuse_value(tree, label, "mass", mass, "it must be finite");
+  if (!std::isfinite(mass)) return check.value("mass", mass, "it must be finite");
   if (mass < 0.0) {
-    refuse(tree,
-           label + ": mass " + number(mass) + " kg is negative; a mass must be zero or positive");
+    check.problem(": mass " + number(mass) + " kg is negative; a mass must be zero or positive");
   }
-  check_finite(tree, label, "centre of mass", link.inertia.com);
-  check_finite(tree, label, "inertia", inertia);
+  check.finite("centre of mass", link.inertia.com);
+  if (!check.finite("inertia", inertia)) return;
   const double size = inertia.cwiseAbs().maxCoeff();
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) {
-    refuse(tree, label +
-                     ": its inertia matrix is not symmetric; an inertia about the centre of "
-                     "mass is");
+    return check.problem(
+        ": its inertia matrix is not symmetric; an inertia about the centre of mass is");
+  }
+  const double smallest_moment = inertia.diagonal().minCoeff();
+  const double nothing = negligible_inertia(link.inertia);
+  if (smallest_moment < -inertia_tolerance * size - nothing) {
+    return check.value("moment of inertia", smallest_moment,
+                       "which is negative; it must be zero or positive");
   }
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  if (principal[0] < -1e-6 * size) {
-    refuse(tree, label + ": its inertia has the principal moment " + number(principal[0]) +
-                     " kg m^2, which is negative; principal moments must be zero or positive");
-  }
-  if (principal[0] + principal[1] < (1.0 - inertia_tolerance) * principal[2]) {
-    refuse(tree, label + ": its principal moments of inertia " + number(principal[0]) + ", " +
-                     number(principal[1]) + ", " + number(principal[2]) +
-                     " kg m^2 belong to no solid; the largest can be at most the sum of the "
-                     "other two (5 % are allowed for rounding)");
+  if (principal[0] < -nothing) {
+    findings.warn(check.element + ": its inertia has the principal moment " + number(principal[0]) +
+                  " kg m^2, which is negative; no solid has one");
+  } else if (principal[0] + principal[1] < (1.0 - inertia_tolerance) * principal[2] - nothing) {
+    findings.warn(check.element + ": its principal moments of inertia " + number(principal[0]) +
+                  ", " + number(principal[1]) + ", " + number(principal[2]) +
+                  " kg m^2 belong to no solid; the largest can be at most the sum of the other two "
+                  "(5 % are allowed for rounding)");
   }
 }
 
@@ -172,79 +196,72 @@ double smallest_size(const Shape& shape) {
   return 0.0;
 }
 
-void check_visuals(const TreeSpec& tree, const LinkSpec& link) {
+void check_visuals(const LinkSpec& link, Findings& findings) {
+  const ValueCheck check{label_of(link), findings};
   for (const VisualSpec& visual : link.visuals) {
-    check_placement(tree, link_label(link), "visual placement", visual.placement);
-    check_finite(tree, link_label(link), "visual colour", visual.rgba);
+    check.placement("visual placement", visual.placement);
+    check.finite("visual colour", visual.rgba);
     if (const auto* box = std::get_if<BoxShape>(&visual.shape)) {
-      check_finite(tree, link_label(link), "visual box size", box->size);
+      if (!check.finite("visual box size", box->size)) continue;
     } else if (const auto* mesh = std::get_if<MeshShape>(&visual.shape)) {
-      check_finite(tree, link_label(link), "visual mesh scale", mesh->scale);
+      check.finite("visual mesh scale", mesh->scale);
     }
     const double size = smallest_size(visual.shape);
     if (!(size >= 0.0) || !std::isfinite(size)) {
-      refuse_value(tree, link_label(link), "a size of its visual", size,
-                   "it must be finite and not negative");
+      check.value("a size of its visual", size, "it must be finite and not negative");
     }
   }
 }
 
-void check_not_negative(const TreeSpec& tree, const JointSpec& joint, const std::string& quantity,
-                        double value, bool may_be_infinite) {
-  if (std::isnan(value) || value < 0.0 || (!may_be_infinite && std::isinf(value))) {
-    refuse_value(tree, joint_label(joint), quantity, value, "it must be zero or positive");
-  }
-}
-
-void check_joint(const TreeSpec& tree, const JointSpec& joint) {
-  const std::string label = joint_label(joint);
-  check_placement(tree, label, "placement", joint.placement);
-  check_finite(tree, label, "axis", joint.axis);
+void check_joint(const JointSpec& joint, Findings& findings) {
+  const ValueCheck check{label_of(joint), findings};
+  check.placement("placement", joint.placement);
   const bool has_axis = joint.type != JointType::Fixed && joint.type != JointType::Floating;
-  if (has_axis && joint.axis.norm() < 1e-9) {
-    refuse(tree, label + ": its axis is zero; a direction was wanted");
+  if (check.finite("axis", joint.axis) && has_axis && joint.axis.norm() < 1e-9) {
+    check.problem(": its axis is zero; a direction was wanted");
   }
-  if (std::isnan(joint.lower))
-    refuse_value(tree, label, "lower limit", joint.lower, "a number was wanted");
-  if (std::isnan(joint.upper))
-    refuse_value(tree, label, "upper limit", joint.upper, "a number was wanted");
+  if (std::isnan(joint.lower)) check.value("lower limit", joint.lower, "a number was wanted");
+  if (std::isnan(joint.upper)) check.value("upper limit", joint.upper, "a number was wanted");
   if (joint.lower > joint.upper) {
-    refuse(tree, label + ": its lower limit " + number(joint.lower) + " is above its upper limit " +
-                     number(joint.upper) + "; lower must be at most upper");
+    check.problem(": its lower limit " + number(joint.lower) + " is above its upper limit " +
+                  number(joint.upper) + "; lower must be at most upper");
   }
-  check_not_negative(tree, joint, "velocity limit", joint.velocity_limit, true);
-  check_not_negative(tree, joint, "effort limit", joint.effort_limit, true);
-  check_not_negative(tree, joint, "damping", joint.damping, false);
-  check_not_negative(tree, joint, "friction", joint.friction, false);
-  check_not_negative(tree, joint, "armature", joint.armature, false);
-  if (joint.mimic) {
-    check_finite(tree, label, "mimic multiplier",
-                 Eigen::Matrix<double, 1, 1>(joint.mimic->multiplier));
-    check_finite(tree, label, "mimic offset", Eigen::Matrix<double, 1, 1>(joint.mimic->offset));
-  }
+  check.not_negative("velocity limit", joint.velocity_limit, true);
+  check.not_negative("effort limit", joint.effort_limit, true);
+  check.not_negative("damping", joint.damping, false);
+  check.not_negative("friction", joint.friction, false);
+  check.not_negative("armature", joint.armature, false);
+  if (!joint.mimic) return;
+  check.finite("mimic multiplier", Eigen::Matrix<double, 1, 1>(joint.mimic->multiplier));
+  check.finite("mimic offset", Eigen::Matrix<double, 1, 1>(joint.mimic->offset));
 }
 
 }  // namespace
 
-void check_topology(const TreeSpec& tree) {
-  if (tree.links.empty()) refuse(tree, "it has no links; a robot needs at least one");
+void check_topology(const TreeSpec& tree, Findings& findings) {
+  if (tree.links.empty()) return findings.problem("it has no links; a robot needs at least one");
   if (tree.links.size() > max_links) {
-    refuse(tree, "it has " + std::to_string(tree.links.size()) + " links; at most " +
-                     std::to_string(max_links) + " are supported");
+    return findings.problem("it has " + std::to_string(tree.links.size()) + " links; at most " +
+                            std::to_string(max_links) + " are supported");
   }
-  const IndexByName links = index_names(tree, tree.links, "link");
-  index_names(tree, tree.joints, "joint");
-  const std::vector<int> above = parent_joints(tree, links);
-  check_depths(tree, links, above);
-  check_one_root(tree, above);
+  Findings of_names(findings.origin());
+  const IndexByName links = index_names(tree.links, "link", of_names);
+  index_names(tree.joints, "joint", of_names);
+  const std::vector<int> above = parent_joints(tree, links, of_names);
+  // Where a link is unknown, roots and depths follow from what is wrong already.
+  if (!of_names.has_problems()) {
+    check_depths(tree, links, above, of_names);
+    if (!of_names.has_problems()) check_one_root(tree, above, of_names);
+  }
+  findings.add(of_names);
 }
 
-void check_values(const TreeSpec& tree) {
+void check_values(const TreeSpec& tree, Findings& findings) {
   for (const LinkSpec& link : tree.links) {
-    check_inertia(tree, link);
-    check_visuals(tree, link);
+    check_inertia(link, findings);
+    check_visuals(link, findings);
   }
-  for (const JointSpec& joint : tree.joints) check_joint(tree, joint);
+  for (const JointSpec& joint : tree.joints) check_joint(joint, findings);
 }
 
 }  // namespace burnish

@@ -1,139 +1,96 @@
 #include "burnish/model/urdf.hpp"
 
-#include <console_bridge/console.h>
-#include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
-
-#include <mutex>
+#include <cctype>
 
 #include "model/sentence.hpp"
 #include "model/text_file.hpp"
 #include "model/tree_check.hpp"
-#include "model/urdf_check.hpp"
+#include "model/urdf_element.hpp"
+#include "model/xml_document.hpp"
 
 namespace burnish {
 namespace {
 
-/// Keeps urdfdom off the console and remembers its last complaint. The handler is global to the
-/// process, so one reader at a time holds it.
-class QuietUrdfdom : private console_bridge::OutputHandler {
- public:
-  QuietUrdfdom() : lock_(mutex()), previous_(console_bridge::getOutputHandler()) {
-    console_bridge::useOutputHandler(this);
-  }
-  ~QuietUrdfdom() override { console_bridge::useOutputHandler(previous_); }
-  QuietUrdfdom(const QuietUrdfdom&) = delete;
-  QuietUrdfdom& operator=(const QuietUrdfdom&) = delete;
+using tinyxml2::XMLElement;
 
-  const std::string& complaint() const { return complaint_; }
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex shared;
-    return shared;
-  }
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) complaint_ = text;
-  }
-
-  std::lock_guard<std::mutex> lock_;
-  console_bridge::OutputHandler* previous_;
-  std::string complaint_;
-};
-
-urdf::ModelInterfaceSharedPtr parse_quietly(const UrdfOutline& outline) {
-  QuietUrdfdom quiet;
-  std::string reason;
-  try {
-    if (urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(outline.xml)) return model;
-    reason = quiet.complaint();
-  } catch (const std::exception& error) {
-    reason = error.what();
-  }
-  refuse(outline.tree, "urdfdom refuses it: " + (reason.empty() ? "no reason given" : reason));
-}
-
-Eigen::Vector3d vector_of(const urdf::Vector3& x) { return {x.x, x.y, x.z}; }
-
-Eigen::Isometry3d placement_of(const urdf::Pose& pose) {
-  const urdf::Rotation& r = pose.rotation;
-  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
-  placement.translation() = vector_of(pose.position);
-  placement.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
-  return placement;
-}
-
-InertiaSpec inertia_of(const urdf::Inertial& stated) {
-  const Eigen::Isometry3d origin = placement_of(stated.origin);
-  Eigen::Matrix3d inertia;
-  inertia << stated.ixx, stated.ixy, stated.ixz, stated.ixy, stated.iyy, stated.iyz, stated.ixz,
-      stated.iyz, stated.izz;
-  const Eigen::Matrix3d turned = origin.linear() * inertia * origin.linear().transpose();
-  // The product is symmetric up to rounding only.
-  return {stated.mass, origin.translation(), 0.5 * (turned + turned.transpose())};
-}
-
-Shape shape_of(const urdf::Geometry& geometry) {
-  switch (geometry.type) {
-    case urdf::Geometry::SPHERE:
-      return SphereShape{static_cast<const urdf::Sphere&>(geometry).radius};
-    case urdf::Geometry::BOX:
-      return BoxShape{vector_of(static_cast<const urdf::Box&>(geometry).dim)};
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
-      return CylinderShape{cylinder.radius, cylinder.length};
+/// Refuses by counting tags, before a tree of a million elements is built in memory.
+void check_link_count(const std::string& xml, const std::string& source) {
+  std::size_t links = 0;
+  std::size_t at = xml.find('<');
+  while (at != std::string::npos) {
+    if (xml.compare(at, 4, "<!--") == 0) {
+      at = xml.find("-->", at);
+      if (at == std::string::npos) return;
+    } else if (xml.compare(at, 5, "<link") == 0 && at + 5 < xml.size() &&
+               std::string_view(" \t\r\n/>").find(xml[at + 5]) != std::string_view::npos) {
+      if (++links > max_links) {
+        refuse(source, "it has more than " + std::to_string(max_links) +
+                           " links; at most that many are supported");
+      }
     }
-    case urdf::Geometry::MESH:
-      break;
-  }
-  const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-  return MeshShape{mesh.filename, vector_of(mesh.scale)};
-}
-
-VisualSpec visual_of(const urdf::Visual& stated) {
-  VisualSpec visual;
-  visual.shape = shape_of(*stated.geometry);
-  visual.placement = placement_of(stated.origin);
-  if (stated.material) {
-    const urdf::Color& colour = stated.material->color;
-    visual.rgba = Eigen::Vector4f(colour.r, colour.g, colour.b, colour.a).cast<double>();
-  }
-  return visual;
-}
-
-void fill_link(LinkSpec& link, const urdf::Link& stated) {
-  if (stated.inertial) link.inertia = inertia_of(*stated.inertial);
-  for (const urdf::VisualSharedPtr& visual : stated.visual_array) {
-    if (visual && visual->geometry) link.visuals.push_back(visual_of(*visual));
+    at = xml.find('<', at + 1);
   }
 }
 
-void fill_joint(JointSpec& joint, const urdf::Joint& stated) {
-  joint.placement = placement_of(stated.parent_to_joint_origin_transform);
-  if (joint.type != JointType::Fixed && joint.type != JointType::Floating) {
-    joint.axis = vector_of(stated.axis);
-    // A zero axis stays as it is for check_values to name.
-    if (joint.axis.norm() > 0.0) joint.axis.normalize();
+/// The robot's own name, or else the file's; what comes from a pipe has none.
+std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
+  const char* stated = robot.Attribute("name");
+  if (stated != nullptr && *stated != '\0') return stated;
+  std::string name = std::filesystem::path(source).stem().string();
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "robot";
+  findings.warn(line_text(robot) + "<robot> has no name; it is called " + in_quotes(name));
+  return name;
+}
+
+/// Definitions of xacro that are left stand for nothing; its other elements stand for links,
+/// without which all else would be in vain.
+void check_macros(const XMLElement& robot, Findings& findings) {
+  for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string_view name = child->Name();
+    if (!name.starts_with("xacro:")) continue;
+    const std::string what = line_text(*child) + "<" + child->Name() + "> ";
+    if (name != "xacro:property" && name != "xacro:arg" && name != "xacro:macro" &&
+        name != "xacro:include") {
+      refuse(findings.origin(), what + "is a macro; expand the file with xacro first");
+    }
+    findings.warn(what + "was left by xacro and is passed over");
   }
-  if (stated.dynamics) {
-    joint.damping = stated.dynamics->damping;
-    joint.friction = stated.dynamics->friction;
+}
+
+/// False where one is missing, so that others would seem to be wrong.
+bool read_elements(const XMLElement& robot, TreeSpec& tree, Findings& findings) {
+  const Colours colours = read_colours(robot);
+  bool complete = true;
+  for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string_view kind = child->Name();
+    if (kind == "link") {
+      complete &=
+          findings.attempt([&] { tree.links.push_back(read_link(*child, colours, findings)); });
+    } else if (kind == "joint") {
+      complete &= findings.attempt([&] { tree.joints.push_back(read_joint(*child, findings)); });
+    }
   }
-  if (stated.mimic) {
-    joint.mimic =
-        MimicSpec{stated.mimic->joint_name, stated.mimic->multiplier, stated.mimic->offset};
-  }
+  return complete;
 }
 
 }  // namespace
 
 TreeSpec parse_urdf(const std::string& xml, const std::string& source) {
-  UrdfOutline outline = check_urdf(xml, source);
-  const urdf::ModelInterfaceSharedPtr stated = parse_quietly(outline);
-  TreeSpec tree = std::move(outline.tree);
-  for (LinkSpec& link : tree.links) fill_link(link, *stated->getLink(link.name));
-  for (JointSpec& joint : tree.joints) fill_joint(joint, *stated->getJoint(joint.name));
-  check_values(tree);
+  check_link_count(xml, source);
+  tinyxml2::XMLDocument document;
+  const XMLElement& robot = parse_robot_xml(document, xml, source, "URDF");
+  Findings findings(source);
+  TreeSpec tree;
+  tree.source = source;
+  tree.name = robot_name(robot, source, findings);
+  check_macros(robot, findings);
+  const bool complete = read_elements(robot, tree, findings);
+  tree.warnings = findings.warnings();  // what is odd about the values, build_model says
+  if (complete) check_topology(tree, findings);
+  check_values(tree, findings);
+  findings.refuse_problems();
   return tree;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "burnish/base/error.hpp"
 #include "model/parse_number.hpp"
@@ -28,34 +27,59 @@ std::string tag(const tinyxml2::XMLElement& element) {
   return std::string("<").append(element.Name()).append(">");
 }
 
-std::string plain(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  // printf follows the locale's decimal separator; the readers that follow do not.
-  std::replace(text, text + sizeof text, ',', '.');
-  return text;
+[[noreturn]] void refuse_attribute(const tinyxml2::XMLElement& element, const char* attribute,
+                                   const XmlPlace& place, const std::string& wanted) {
+  refuse(place, element,
+         tag(element) + " has " + attribute + " = " + in_quotes(element.Attribute(attribute)) +
+             "; " + wanted);
+}
+
+std::vector<double> read_numbers(const tinyxml2::XMLElement& element, const char* attribute,
+                                 const XmlPlace& place, bool may_be_infinite) {
+  std::vector<double> values;
+  for (const std::string_view word : words(element.Attribute(attribute))) {
+    const std::optional<double> value = parse_number(word);
+    if (!value) {
+      refuse_attribute(element, attribute, place, in_quotes(word) + " is not a number");
+    }
+    const bool allowed = std::isfinite(*value) || (may_be_infinite && !std::isnan(*value));
+    if (!allowed) refuse_attribute(element, attribute, place, "it must be finite");
+    values.push_back(*value);
+  }
+  return values;
 }
 
 }  // namespace
 
-void refuse(const XmlPlace& place, const std::string& what) {
-  refuse(place.source, place.element + ": " + what);
+void refuse(const XmlPlace& place, const tinyxml2::XMLElement& at, const std::string& what) {
+  refuse(place.source, line_text(at) + place.element + ": " + what);
 }
 
-tinyxml2::XMLElement* only_child(tinyxml2::XMLElement& parent, const char* name,
-                                 const XmlPlace& place) {
-  tinyxml2::XMLElement* child = parent.FirstChildElement(name);
+std::string line_text(const tinyxml2::XMLElement& element) {
+  return "line " + std::to_string(element.GetLineNum()) + ": ";
+}
+
+std::string name_of(const tinyxml2::XMLElement& element, const std::string& source) {
+  const char* name = element.Attribute("name");
+  if (name != nullptr && *name != '\0') return name;
+  refuse(source,
+         line_text(element) + tag(element) + " has no name; the attribute 'name' is needed");
+}
+
+const tinyxml2::XMLElement* only_child(const tinyxml2::XMLElement& parent, const char* name,
+                                       const XmlPlace& place) {
+  const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
   if (child != nullptr && child->NextSiblingElement(name) != nullptr) {
-    refuse(place, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");
+    refuse(place, *child, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");
   }
   return child;
 }
 
-tinyxml2::XMLElement& needed_child(tinyxml2::XMLElement& parent, const char* name,
-                                   const XmlPlace& place) {
-  tinyxml2::XMLElement* child = only_child(parent, name, place);
+const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, const char* name,
+                                         const XmlPlace& place) {
+  const tinyxml2::XMLElement* child = only_child(parent, name, place);
   if (child == nullptr) {
-    refuse(place, tag(parent) + " has no <" + name + ">; it must hold one");
+    refuse(place, parent, tag(parent) + " has no <" + name + ">; it must hold one");
   }
   return *child;
 }
@@ -64,49 +88,33 @@ std::string needed_attribute(const tinyxml2::XMLElement& element, const char* na
                              const XmlPlace& place) {
   const char* text = element.Attribute(name);
   if (text == nullptr || *text == '\0') {
-    refuse(place, tag(element) + " has no " + in_quotes(name) + "; the attribute is needed");
+    refuse(place, element,
+           tag(element) + " has no " + in_quotes(name) + "; the attribute is needed");
   }
   return text;
 }
 
-std::optional<std::vector<double>> numbers(tinyxml2::XMLElement& element, const char* attribute,
-                                           std::size_t count, const XmlPlace& place,
-                                           bool may_be_infinite) {
+std::optional<std::vector<double>> numbers(const tinyxml2::XMLElement& element,
+                                           const char* attribute, std::size_t count,
+                                           const XmlPlace& place, bool may_be_infinite) {
   const char* text = element.Attribute(attribute);
   if (text == nullptr) return std::nullopt;
-  const auto wrong = [&](const std::string& wanted) {
-    refuse(place, tag(element) + " has " + attribute + " = " + in_quotes(text) + "; " + wanted);
-  };
-  std::vector<double> values;
-  std::string rewritten;
-  for (const std::string_view word : words(text)) {
-    const std::optional<double> value = parse_number(word);
-    if (!value) wrong(in_quotes(word) + " is not a number");
-    const bool allowed = std::isfinite(*value) || (may_be_infinite && !std::isnan(*value));
-    if (!allowed) wrong("it must be finite");
-    values.push_back(*value);
-    rewritten += (rewritten.empty() ? "" : " ") + plain(*value);
-  }
-  if (values.size() != count) {
-    wrong("wanted " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
-  }
-  element.SetAttribute(attribute, rewritten.c_str());
-  return values;
+  std::vector<double> values = read_numbers(element, attribute, place, may_be_infinite);
+  if (values.size() == count) return values;
+  refuse_attribute(element, attribute, place,
+                   "wanted " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
 }
 
-double needed_number(tinyxml2::XMLElement& element, const char* attribute, const XmlPlace& place) {
+std::vector<double> all_numbers(const tinyxml2::XMLElement& element, const char* attribute,
+                                const XmlPlace& place) {
+  needed_attribute(element, attribute, place);
+  return read_numbers(element, attribute, place, false);
+}
+
+double needed_number(const tinyxml2::XMLElement& element, const char* attribute,
+                     const XmlPlace& place) {
   needed_attribute(element, attribute, place);
   return numbers(element, attribute, 1, place)->front();
-}
-
-void keep_children(tinyxml2::XMLElement& parent, std::initializer_list<std::string_view> names) {
-  tinyxml2::XMLElement* child = parent.FirstChildElement();
-  while (child != nullptr) {
-    tinyxml2::XMLElement* next = child->NextSiblingElement();
-    const bool keep = std::find(names.begin(), names.end(), child->Name()) != names.end();
-    if (!keep) parent.DeleteChild(child);
-    child = next;
-  }
 }
 
 }  // namespace burnish

@@ -3,7 +3,6 @@
 
 #include <tinyxml2.h>
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,28 +16,35 @@ struct XmlPlace {
   std::string element;  ///< e.g. "link 'arm_3'"
 };
 
-/// Throws Error("<source>: <element>: <what>").
-[[noreturn]] void refuse(const XmlPlace& place, const std::string& what);
+/// Throws Error("<source>: line <of the XML element>: <element>: <what>").
+[[noreturn]] void refuse(const XmlPlace& place, const tinyxml2::XMLElement& at,
+                         const std::string& what);
+
+/// "line 12: ".
+std::string line_text(const tinyxml2::XMLElement& element);
+
+/// The attribute 'name' of a link, a joint or a material, which needs one.
+std::string name_of(const tinyxml2::XMLElement& element, const std::string& source);
 
 /// The child of that name, or nullptr; two of them are refused.
-tinyxml2::XMLElement* only_child(tinyxml2::XMLElement& parent, const char* name,
-                                 const XmlPlace& place);
-tinyxml2::XMLElement& needed_child(tinyxml2::XMLElement& parent, const char* name,
-                                   const XmlPlace& place);
+const tinyxml2::XMLElement* only_child(const tinyxml2::XMLElement& parent, const char* name,
+                                       const XmlPlace& place);
+const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, const char* name,
+                                         const XmlPlace& place);
 
 /// A non-empty attribute.
 std::string needed_attribute(const tinyxml2::XMLElement& element, const char* name,
                              const XmlPlace& place);
 
-/// Reads `count` numbers of an attribute and writes them back in plain notation, so that no later
-/// reader can take them differently. Nothing if the attribute is missing. NaN is refused, and so
+/// The `count` numbers of an attribute; nothing if the attribute is missing. NaN is refused, and so
 /// are infinities unless allowed.
-std::optional<std::vector<double>> numbers(tinyxml2::XMLElement& element, const char* attribute,
-                                           std::size_t count, const XmlPlace& place,
-                                           bool may_be_infinite = false);
-double needed_number(tinyxml2::XMLElement& element, const char* attribute, const XmlPlace& place);
-
-/// Deletes child elements whose names are not listed.
-void keep_children(tinyxml2::XMLElement& parent, std::initializer_list<std::string_view> names);
+std::optional<std::vector<double>> numbers(const tinyxml2::XMLElement& element,
+                                           const char* attribute, std::size_t count,
+                                           const XmlPlace& place, bool may_be_infinite = false);
+/// All numbers of an attribute that is needed, one at least.
+std::vector<double> all_numbers(const tinyxml2::XMLElement& element, const char* attribute,
+                                const XmlPlace& place);
+double needed_number(const tinyxml2::XMLElement& element, const char* attribute,
+                     const XmlPlace& place);
 
 }  // namespace burnish

@@ -80,6 +80,74 @@ TEST(Show, Json) {
   }
 }
 
+/// A robot without a name, with a finger that has no mass.
+const char* const odd_robot =
+    "<robot><link name='base'/><link name='arm'><inertial><origin xyz='0 0 1'/><mass value='1'/>"
+    "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n"
+    "<link name='finger'/><joint name='hinge' type='revolute'><parent link='base'/><child "
+    "link='arm'/>"
+    "<limit lower='-2' upper='-1' velocity='1' effort='5'/></joint>\n"
+    "<joint name='grip' type='continuous'><parent link='arm'/><child "
+    "link='finger'/></joint></robot>";
+
+TEST(Show, WarnsOfWhatIsOdd) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const Outcome outcome = run("show " + file);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(lines_of(outcome.err), 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("burnish: warning: "), std::string::npos);
+  EXPECT_NE(outcome.err.find("joint 'grip' moves no mass"), std::string::npos) << outcome.err;
+  EXPECT_EQ(Json::parse(run("show --json " + file).out)["warnings"].size(), 2U);
+  const Outcome strict = run("show --strict " + file);
+  EXPECT_EQ(strict.exit_code, 2);
+  EXPECT_EQ(lines_of(strict.err), 2) << strict.err;
+}
+
+TEST(Show, ReadsPipes) {
+  const std::string program = "'" BURNISH_PROGRAM "' ";
+  for (const std::string& command : {"cat | " + program + "show /dev/stdin",
+                                     "bash -c \"" + program + "show <(cat)\" 0</dev/stdin"}) {
+    const Outcome outcome = shell("cat | " + command, odd_robot);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("2 moving joints"), std::string::npos) << outcome.out;
+  }
+}
+
+TEST(Show, ListsAllProblemsOneALine) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run("show " + quoted(scratch.write(
+                        "bad.urdf",
+                        "<robot name='r'><link name='a'/><link name='a'/>\n"
+                        "<link name='b'><inertial><mass value='-1'/></inertial></link></robot>")));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(lines_of(outcome.err), 3) << outcome.err;
+  EXPECT_NE(outcome.err.find("line 2: link 'b': mass -1 kg is negative"), std::string::npos);
+}
+
+TEST(Show, DraftsSettings) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string folder = quoted(scratch.folder / "drafted");
+  const Outcome outcome = run("show " + file + " --write-settings " + folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string text = contents(scratch.folder / "drafted/robot.yaml");
+  for (const std::string line :
+       {"urdf: ../odd.urdf\n", "base: fixed", "  start: {hinge: -1.1, grip: 0}\n",
+        "  tool: {parent: finger, xyz: [0, 0, 0], rpy: [0, 0, 0]}\n",
+        "  hinge: {lower: -2, upper: -1, velocity: 1, effort: 5}\n", "  grip: {}\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  const Json json = Json::parse(run("show --json " + folder).out);
+  EXPECT_EQ(json["default_posture"], "start");
+  EXPECT_EQ(json["joints"][0]["effort_limit"][0], 5.0);
+  const Outcome again = run("show " + file + " --write-settings " + folder);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("robot.yaml: it is there already"), std::string::npos) << again.err;
+  expect_refused(run("show arm7 --write-settings " + folder), "a URDF file");
+}
+
 TEST(Check, PassesWithExitCodeZero) {
   const Outcome outcome = run("check arm7 --states 2");
   EXPECT_EQ(outcome.exit_code, 0);

@@ -164,6 +164,28 @@ TEST(Eval, RobotsAreFoundBesideTheRequest) {
   EXPECT_EQ(Json::parse(outcome.out)["v_names"].size(), 7U);
 }
 
+TEST(Eval, AJointWithoutMassIsAWarningAndAStatus) {
+  const Scratch scratch;
+  scratch.write("finger.urdf",
+                "<robot name='finger'><link name='base'/><link name='tip'/><joint name='hinge' "
+                "type='continuous'><parent link='base'/><child link='tip'/></joint></robot>");
+  const auto request = [&](const std::string& more) {
+    const std::string text =
+        R"({"robot": "finger.urdf", "compute": ["forward", "forward_derivatives"])" + more + "}";
+    return run("eval '" + scratch.write("request.json", text).string() + "'");
+  };
+  const Outcome outcome = request("");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const Json answer = Json::parse(outcome.out);
+  EXPECT_EQ(answer["states"][0]["status"], "singular_mass");
+  EXPECT_TRUE(answer["states"][0]["forward"].is_null());
+  ASSERT_EQ(answer["warnings"].size(), 1U);
+  EXPECT_NE(answer["warnings"][0].get<std::string>().find("joint 'hinge' moves no mass"),
+            std::string::npos);
+  EXPECT_NE(outcome.err.find("joint 'hinge' moves no mass"), std::string::npos);
+  expect_refused(request(R"(, "strict": true)"), "joint 'hinge' moves no mass");
+}
+
 struct Refused {
   const char* request;
   const char* sentence;

@@ -1,6 +1,7 @@
 // What a bad input is answered with: one sentence that names what, what came and what was wanted.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +18,16 @@ namespace burnish {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
+  /// All that is wrong with one thing: what() is "origin: problem", or where there are several
+  /// "origin: 3 problems: (1) problem (2) ...". Of more than 50 the rest is counted.
+  Error(const std::string& origin, const std::vector<std::string>& problems);
+
+  /// One sentence for each problem, to be printed one a line; what() alone where there is one.
+  const std::vector<std::string>& sentences() const noexcept { return *sentences_; }
+
+ private:
+  explicit Error(std::vector<std::string> sentences, const std::string& joined);
+  std::shared_ptr<const std::vector<std::string>> sentences_;
 };
 
 /// The known name closest to `name` by edit distance, or an empty string when none is close.

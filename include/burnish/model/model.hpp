@@ -92,6 +92,7 @@ struct ModelOptions {
   Posture posture;
   std::vector<FrameSpec> frames;  ///< added in this order; a parent may be an earlier one
   Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  ///< m/s^2
+  bool strict = false;                                         ///< refuse what would be a warning
 };
 
 /// An immutable robot. Cheap to move, safe to share between threads.
@@ -130,19 +131,26 @@ struct Model {
   double total_mass() const;
 
   std::vector<std::string> locked_joints;  ///< moving joints of the description that were locked
+  /// What is odd about the description but computes, one sentence each: that of the TreeSpec, then
+  /// inertias that no solid has and joints that move no mass.
+  std::vector<std::string> warnings;
 
   /// Storage of support(): entries begin[body] to begin[body + 1].
   std::vector<int> support_entries, support_begin;
 };
 
-/// Compiles a tree. Throws Error with one sentence naming the source, the element and the reason.
+/// Compiles a tree. Throws Error naming the source, the element and the reason, and all problems of
+/// the tree at once.
 ///
 /// Refused are: no links, more than 2000 links, a tree deeper than 500 links; names that are empty,
 /// used twice or unknown; two roots, a link with two parents, a cycle; numbers that are not finite;
-/// negative masses, limits, damping, friction or armature; inertias that are not symmetric or
-/// belong to no solid (principal moments may break the triangle inequality by 5 % of the largest,
-/// since published figures are rounded); zero axes (others are normalised); lower limits above
-/// upper ones; joints that move no mass at any posture and have no armature.
+/// negative masses, moments of inertia, limits, damping, friction or armature; inertias that are
+/// not symmetric; zero axes (others are normalised); lower limits above upper ones.
+///
+/// Warnings, which ModelOptions::strict turns into refusals, are: inertias that belong to no solid
+/// (principal moments may break the triangle inequality by 5 % of the largest, since published
+/// figures are rounded; what vanishes beside mass x (1 cm)^2 is rounding too); joints that move no
+/// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass.
 ///
 /// Position limits count for revolute and prismatic joints only; the other limits, damping,
 /// friction and armature of a planar or floating joint hold for each of its entries.

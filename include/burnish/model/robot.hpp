@@ -16,6 +16,8 @@ struct Robot {
   Model model;
   std::map<std::string, Posture> postures;
   std::string default_posture;  ///< name in postures, or empty
+  /// What is odd about its files but computes, one sentence each: those of the model and others.
+  std::vector<std::string> warnings;
 
   /// Configuration of a named posture. Throws Error with the nearest known name.
   Eigen::VectorXd posture(const std::string& name) const;
@@ -31,16 +33,19 @@ struct RobotOverrides {
   /// Named posture at which joints are locked; empty: the settings' `posture`, then their
   /// `default_posture`, then zero.
   std::string posture;
+  std::string srdf;     ///< file whose group_states are postures too; empty: as load_robot says
+  bool strict = false;  ///< refuse what would be a warning
 };
 
 /// Loads a robot by
-///  - a URDF file (`arm.urdf`; no postures),
+///  - a URDF file (`arm.urdf`), or whatever else a path leads to, such as /dev/stdin or a pipe,
 ///  - a settings file (`robots/talos/robot.yaml`), with `:variant` behind it if wanted,
 ///  - a folder that holds robot.yaml (`robots/talos`, `robots/talos:right_arm`),
 ///  - the name of a robot that came with the library (`talos`, `talos:right_arm`), looked up in
 ///    $BURNISH_ROBOTS, then in share/burnish/robots around the program or library that runs, then
 ///    where the library was built or installed.
-/// Throws Error with one sentence naming the file, the key and what was wanted.
+/// Throws Error naming the file, the place in it and what was wanted, all problems of a URDF file
+/// at once. What is odd but computes is in the result's `warnings`.
 ///
 /// A settings file (all keys but `urdf` are optional; angles in rad, lengths in m):
 ///
@@ -53,10 +58,15 @@ struct RobotOverrides {
 ///     default_posture: name            # of reference_configuration()
 ///     postures: {name: {joint: value or list of values, ...}, ...}
 ///     frames: {name: {parent: frame, xyz: [0, 0, 0], rpy: [0, 0, 0]}, ...}
+///     limits: {joint: {lower: -1, upper: 1, velocity: 2, effort: 40}, ...}  # before the URDF's
+///     srdf: talos.srdf                 # its group_states are postures too
 ///     variants: {name: {any of the keys above}, ...}
 ///
-/// A variant's keys replace those of the file; its postures and frames are added, replacing those
-/// of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
+/// Without settings the SRDF file beside a URDF file, or in ../srdf, that has its name is read; the
+/// postures of the settings go before those of an SRDF file.
+///
+/// A variant's keys replace those of the file; its postures, frames and limits are added, replacing
+/// those of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
 Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
 
 /// Folders searched for robots by name, in order.

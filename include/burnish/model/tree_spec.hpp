@@ -46,6 +46,7 @@ struct LinkSpec {
   std::string name;
   InertiaSpec inertia;
   std::vector<VisualSpec> visuals;
+  int line = 0;  ///< of the file, for sentences about it; 0: none
 };
 
 enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating };
@@ -74,6 +75,7 @@ struct JointSpec {
   double friction = 0.0;                                            ///< Nm or N, Coulomb
   double armature = 0.0;                                            ///< kg m^2 or kg
   std::optional<MimicSpec> mimic;
+  int line = 0;  ///< of the file, for sentences about it; 0: none
 };
 
 /// A tree of links. Valid when every joint names known links, each link but one has exactly one
@@ -83,6 +85,8 @@ struct TreeSpec {
   std::string source;  ///< file it was read from, used in error sentences; may be empty
   std::vector<LinkSpec> links;
   std::vector<JointSpec> joints;
+  /// What was odd about the file but stopped nothing, one sentence each; a Model gets them too.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace burnish

@@ -9,11 +9,14 @@
 
 namespace burnish {
 
-/// Reads a URDF file. Throws Error with one sentence naming the file, the element and the reason
-/// when the file is missing, malformed or describes no tree of physical bodies.
+/// Reads a URDF file: from a disk, or once from a pipe or /dev/stdin. Throws Error when the file is
+/// missing, malformed or describes no tree; it names the file and lists all problems in it, each
+/// with its line and its link or joint. What is odd but usable is in the result's `warnings`; what
+/// dynamics does not need, such as colours, stops nothing.
 TreeSpec read_urdf(const std::filesystem::path& file);
 
-/// The same from a string; `source` stands for the file's name in error sentences.
+/// The same from a string; `source` stands for the file's name in error sentences, and its stem for
+/// the name of a robot that has none.
 TreeSpec parse_urdf(const std::string& xml, const std::string& source = "<string>");
 
 }  // namespace burnish

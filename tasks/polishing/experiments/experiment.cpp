@@ -49,8 +49,10 @@ Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
   return task;
 }
 
-void check_experiment_task(const ExperimentSpec& spec, const std::string& surface) {
-  check_task(experiment_task(spec, surface, "mismatch", 1.0));
+Task check_experiment_task(const ExperimentSpec& spec, const std::string& surface) {
+  Task task = experiment_task(spec, surface, "mismatch", 1.0);
+  check_task(task);
+  return task;
 }
 
 }  // namespace burnish::polishing

@@ -80,7 +80,8 @@ ExperimentReport perform_tick(const ExperimentSpec& spec);
 Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
                      const std::string& disturbances, double duration);
 
-/// Throws Error where an override is bad or a surface is not known, before anything is run.
-void check_experiment_task(const ExperimentSpec& spec, const std::string& surface);
+/// The task on a surface. Throws Error where an override is bad or the surface is not known, before
+/// anything is run.
+Task check_experiment_task(const ExperimentSpec& spec, const std::string& surface);
 
 }  // namespace burnish::polishing

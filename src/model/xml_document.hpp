@@ -1,0 +1,15 @@
+// A file in XML whose outermost element is <robot>, within bounds that every reader keeps.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <string>
+
+namespace burnish {
+
+/// Throws Error where the text is larger than 16 MB, is no XML, has not <robot> around it, or an
+/// element with more than 100 attributes. `format` says in sentences what was wanted, e.g. "URDF".
+const tinyxml2::XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
+                                            const std::string& source, const std::string& format);
+
+}  // namespace burnish
