@@ -150,7 +150,7 @@ struct ValueCheck {
 double negligible_inertia(const InertiaSpec& inertia) {
   constexpr double share = 1e-6, smallest_size = 0.01, dust = 1e-20;
   return dust + share * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +
-                         1e-3 * inertia.mass * smallest_size * smallest_size);
+                         1e-3 * std::abs(inertia.mass) * smallest_size * smallest_size);
 }
 
 void check_inertia(const LinkSpec& link, Findings& findings) {
@@ -171,8 +171,8 @@ void check_inertia(const LinkSpec& link, Findings& findings) {
   const double smallest_moment = inertia.diagonal().minCoeff();
   const double nothing = negligible_inertia(link.inertia);
   if (smallest_moment < -inertia_tolerance * size - nothing) {
-    return check.value("moment of inertia", smallest_moment,
-                       "which is negative; it must be zero or positive");
+    return check.problem(": moment of inertia " + number(smallest_moment) +
+                         " kg m^2 is negative; it must be zero or positive");
   }
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();

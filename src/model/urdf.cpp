@@ -32,12 +32,13 @@ void check_link_count(const std::string& xml, const std::string& source) {
   }
 }
 
-/// The robot's own name, or else the file's; what comes from a pipe has none.
+/// The robot's own name, or else the file's; a device or a pipe has none.
 std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
   const char* stated = robot.Attribute("name");
   if (stated != nullptr && *stated != '\0') return stated;
   std::string name = std::filesystem::path(source).stem().string();
-  if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) name = "robot";
+  const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  if (!is_name || source.starts_with("/dev/")) name = "robot";
   findings.warn(line_text(robot) + "<robot> has no name; it is called " + in_quotes(name));
   return name;
 }

@@ -49,7 +49,7 @@ const std::vector<BadTree>& bad_trees() {
        {"'a'", "symmetric"}},
       {"NegativeInertia",
        [](Tree& t) { t.links[1].inertia.inertia_at_com(0, 0) = -1.0; },
-       {"'a'", "moment of inertia is -1", "negative"}},
+       {"'a'", "moment of inertia -1", "negative"}},
       {"ZeroAxis", [](Tree& t) { t.joints[0].axis.setZero(); }, {"joint 'b'", "axis", "zero"}},
       {"AxisNan", [](Tree& t) { t.joints[0].axis[0] = nan; }, {"joint 'b'", "axis", "nan"}},
       {"Placement",

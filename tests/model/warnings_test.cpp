@@ -271,6 +271,7 @@ TEST(Warnings, ARobotWithoutANameHasThatOfItsFile) {
   const std::string xml = "<robot><link name='a'/></robot>";
   EXPECT_EQ(parse_urdf(xml, "some/ur3.urdf").name, "ur3");
   EXPECT_EQ(parse_urdf(xml, "/dev/fd/63").name, "robot");
+  EXPECT_EQ(parse_urdf(xml, "/dev/stdin").name, "robot");
   EXPECT_EQ(parse_urdf(xml).name, "robot");
 }
 
