@@ -6,6 +6,7 @@
 
 #include "burnish/report/svg_plot.hpp"
 #include "polish_files.hpp"
+#include "report/moving_mean.hpp"
 
 namespace burnish::app {
 namespace {
@@ -48,18 +49,6 @@ Eigen::VectorXd normal_part(const Trace& trace, const std::string& what,
          trace.column(what + "_z_world") * normal.z();
 }
 
-/// Mean over 10 ms about every row.
-Eigen::VectorXd averaged(const Eigen::VectorXd& x, double dt) {
-  const Eigen::Index half = std::max<Eigen::Index>(1, std::lround(0.005 / dt)), n = x.size();
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1), result(n);
-  for (Eigen::Index i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - half), to = std::min(n, i + half);
-    result[i] = (sums[to] - sums[from]) / static_cast<double>(std::max<Eigen::Index>(1, to - from));
-  }
-  return result;
-}
-
 /// First row of a phase and the one behind its last; equal if there is none.
 std::pair<Eigen::Index, Eigen::Index> rows_of(const Trace& trace, Phase phase) {
   const Eigen::VectorXd phases = trace.column("phase");
@@ -75,14 +64,17 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
   const Eigen::VectorXd time = trace.column("time"), force = normal_part(trace, "tool_force", n);
   const Eigen::VectorXd target = trace.column("target_force");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
-  const Eigen::VectorXd smooth = averaged(force, dt);
+  const int width = samples_in(MetricsSpec{}.average, dt);
+  const Eigen::VectorXd smooth = moving_mean(force, width);
+  const std::string mean = width > 1 ? fmt::format("mean over {:g} ms", 1e3 * width * dt) : "true";
   const Eigen::VectorXd estimated = normal_part(trace, "estimated_force", n);
   PlotSpec plot{.title = "Normal force, " + job.name};
   plot.panel_width = 900;
   const auto panel = [&](const std::string& title, Eigen::Index first, Eigen::Index last,
                          bool with_raw) {
     Panel result_panel{.title = title, .x_label = time_axis, .y_label = "force [N]"};
-    const auto add = [&](const char* name, const Eigen::VectorXd& y, int color, bool dashed) {
+    const auto add = [&](const std::string& name, const Eigen::VectorXd& y, int color,
+                         bool dashed) {
       const Eigen::Index size = last - first;
       result_panel.curves.push_back(thinned({.name = name,
                                              .x = time.segment(first, size),
@@ -90,10 +82,10 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
                                              .color = color,
                                              .dashed = dashed}));
     };
-    if (with_raw) add("true", force, 5, false);
+    if (with_raw && width > 1) add("true", force, 5, false);
     if (job.spec.controller == polishing::ControllerKind::Mpc)
       add("estimated", estimated, 4, false);
-    add("mean over 10 ms", smooth, 0, false);
+    add(mean, smooth, 0, false);
     add("target", target, black, true);
     plot.panels.push_back(std::move(result_panel));
   };

@@ -56,6 +56,8 @@ class Metrics(Spec):
     end: float = 0.0
     """s, of the rows found"""
     rows: int = 0
+    average: float = 0.0
+    """s that averaged forces are means over: MetricsSpec.average, by whole rows; 0: of one row each"""
 
     force_mean: float = 0.0
     """N, along the normal"""

@@ -28,6 +28,7 @@ const SpecTable& AsDataclass<Metrics>::table() {
                                       .field("start", &Metrics::start)
                                       .field("end", &Metrics::end)
                                       .field("rows", &Metrics::rows)
+                                      .field("average", &Metrics::average)
                                       .field("force_mean", &Metrics::force_mean)
                                       .field("force_mae", &Metrics::force_mae)
                                       .field("force_rmse", &Metrics::force_rmse)

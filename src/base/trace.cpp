@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <ostream>
 
@@ -69,10 +70,11 @@ void Trace::write_csv(std::ostream& out) const {
   for (int row = 0; row < rows_; ++row) {
     line.clear();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      char text[40];
-      const auto end = std::to_chars(text, text + sizeof text, at(row, static_cast<int>(i))).ptr;
+      const double value = at(row, static_cast<int>(i));
       if (i > 0) line += ',';
-      line.append(text, end);
+      if (std::isnan(value)) continue;
+      char text[40];
+      line.append(text, std::to_chars(text, text + sizeof text, value).ptr);
     }
     out << line << '\n';
   }

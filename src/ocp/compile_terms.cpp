@@ -9,6 +9,7 @@
 #include "burnish/model/state.hpp"
 #include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
+#include "ocp/position_limits.hpp"
 
 namespace burnish::ocp {
 namespace {
@@ -107,7 +108,7 @@ struct TermBuilder {
     term.signal.at(0.0, value);
     const double length = value.segment(first, 4).norm();
     if (std::abs(length - 1.0) > 1e-6)
-      refuse("the target's quaternion has length " + std::to_string(length) + "; wanted 1");
+      refuse("the target's quaternion has length " + number(length) + "; wanted 1");
   }
 
   void unit_configuration() const {
@@ -192,9 +193,7 @@ struct TermBuilder {
     }
     if (r.joints.empty())
       for (const Joint& j : problem.model.joints)
-        if (plain(j) && (std::isfinite(problem.model.q_lower[j.q_index]) ||
-                         std::isfinite(problem.model.q_upper[j.q_index])))
-          add(j);
+        if (has_position_limit(problem.model, j)) add(j);
     select(Selection::Source::Q, entries, layout().column_q(), columns, r.target);
   }
   std::vector<int> velocity_entries(const std::vector<std::string>& joints) const {
@@ -287,7 +286,7 @@ struct TermBuilder {
     const int c = contact(r.contact);
     needs(c, Directions::linear());
     if (!(r.friction > 0.0) || !std::isfinite(r.friction))
-      refuse("friction is " + std::to_string(r.friction) + "; wanted a number above 0");
+      refuse("friction is " + number(r.friction) + "; wanted a number above 0");
     if (r.normal < 0 || r.normal > 2)
       refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
     term.rows = 2;
@@ -300,7 +299,7 @@ struct TermBuilder {
     const int c = contact(r.contact);
     needs(c, Directions::pad_z());
     if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
-      refuse("half lengths are " + std::to_string(r.half_x) + " and " + std::to_string(r.half_y) +
+      refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
              " m; wanted positive numbers");
     term.rows = 4;
     term.residual = PressureMargin{c, r.half_x, r.half_y};
@@ -346,8 +345,7 @@ struct TermBuilder {
     term.penalty = penalty.kind;
     term.width = penalty.width;
     if (!(penalty.width > 0.0) || !std::isfinite(penalty.width))
-      refuse("the penalty's width is " + std::to_string(penalty.width) +
-             "; wanted a positive number");
+      refuse("the penalty's width is " + number(penalty.width) + "; wanted a positive number");
     const auto rows = static_cast<std::size_t>(term.rows);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto limits = [&](const Eigen::VectorXd& given, double none, const char* name) {
@@ -366,13 +364,13 @@ struct TermBuilder {
       if (term.lower[i] == infinity || term.upper[i] == -infinity)
         refuse("the penalty's limits of row " + std::to_string(i) + " leave nothing inside");
       if (term.lower[i] > term.upper[i])
-        refuse("the penalty's lower limit " + std::to_string(term.lower[i]) +
-               " is above the upper one " + std::to_string(term.upper[i]));
+        refuse("the penalty's lower limit " + number(term.lower[i]) + " is above the upper one " +
+               number(term.upper[i]));
     }
   }
   void finish_weights() {
     if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))
-      refuse("weight is " + std::to_string(cost.weight) + "; wanted a number of at least 0");
+      refuse("weight is " + number(cost.weight) + "; wanted a number of at least 0");
     if (cost.weights.size() != 0 && cost.weights.size() != term.rows)
       refuse("has " + std::to_string(cost.weights.size()) + " row weights; wanted " +
              std::to_string(term.rows));
@@ -380,7 +378,7 @@ struct TermBuilder {
     for (int i = 0; i < term.rows; ++i) {
       const double w = cost.weights.size() == 0 ? 1.0 : cost.weights[i];
       if (!(w >= 0.0) || !std::isfinite(w))
-        refuse("row weight " + std::to_string(i) + " is " + std::to_string(w) +
+        refuse("row weight " + std::to_string(i) + " is " + number(w) +
                "; wanted a number of at least 0");
       term.weights.push_back(scale * w);
     }

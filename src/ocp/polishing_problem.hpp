@@ -5,6 +5,7 @@
 
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/problem.hpp"
+#include "ocp/position_limits.hpp"
 
 namespace burnish::ocp {
 
@@ -35,14 +36,21 @@ inline ProblemSpec polishing_problem(const Model& model, const std::string& fram
       {.name = "state", .residual = residual::State{}, .weight = 1e-1},
       {.name = "position", .residual = residual::FramePosition{frame, circle}, .weight = 1e4},
       {.name = "rotation", .residual = residual::FrameRotation{frame, turned}, .weight = 1e1},
-      {.name = "position limits",
-       .residual = residual::JointPosition{},
-       .weight = 1e2,
-       .penalty = Penalty::barrier(model.q_lower, model.q_upper)},
-      {.name = "velocity limits",
-       .residual = residual::JointVelocity{},
-       .weight = 1e2,
-       .penalty = Penalty::barrier(-0.1 * model.velocity_limit, 0.1 * model.velocity_limit)}};
+  };
+  const PositionLimits limits = position_limits(model);
+  if (limits.lower.size() > 0)
+    common.push_back({.name = "position limits",
+                      .residual = residual::JointPosition{},
+                      .weight = 1e2,
+                      .penalty = Penalty::barrier(limits.lower, limits.upper)});
+  const int base = model.joints.front().kind == JointKind::FreeFlyer ? 6 : 0;
+  if (nv > base) {
+    const Eigen::VectorXd fastest = 0.1 * model.velocity_limit.tail(nv - base);
+    common.push_back({.name = "velocity limits",
+                      .residual = residual::JointVelocity{},
+                      .weight = 1e2,
+                      .penalty = Penalty::barrier(-fastest, fastest)});
+  }
   spec.terminal = common;
   for (CostTerm& term : spec.terminal) term.weight *= 0.1;
 

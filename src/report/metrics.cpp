@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "burnish/mpc/controller.hpp"
+#include "model/sentence.hpp"
 #include "report/moving_mean.hpp"
 
 namespace burnish {
@@ -75,8 +76,9 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
   const Eigen::VectorXd target = trace.column("target_force");
   const Eigen::VectorXd force = along(trace, "tool_force", normal);
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
-  const Eigen::VectorXd smooth =
-      moving_mean(force, std::max(1, static_cast<int>(std::lround(spec.average / dt))));
+  const int width = samples_in(spec.average, dt);
+  const Eigen::VectorXd smooth = moving_mean(force, width);
+  metrics.average = width > 1 ? width * dt : 0.0;
   const int first = window.first, n = window.size();
   const Eigen::VectorXd error = (smooth - target).segment(first, n);
   const Eigen::VectorXd raw = (force - target).segment(first, n);
@@ -173,8 +175,8 @@ Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec)
   const Trace::Column time = trace.column("time");
   const Window window = window_of(time, spec.start, spec.end);
   if (window.size() == 0)
-    throw Error("no row of the trace is between " + std::to_string(spec.start) + " s and " +
-                std::to_string(spec.end) + " s; wanted a window within the run");
+    throw Error("no row of the trace is between " + number(spec.start) + " s and " +
+                number(spec.end) + " s; wanted a window within the run");
   const Eigen::Vector3d normal = spec.normal_world.normalized();
   Metrics metrics;
   metrics.start = time[window.first];

@@ -15,18 +15,27 @@ struct Figure {
 std::string text(double value) {
   char buffer[32];
   const double size = std::abs(value);
-  const char* format = size != 0.0 && size < 0.01 ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f";
-  std::snprintf(buffer, sizeof buffer, format, value);
+  const bool extreme = (size != 0.0 && size < 0.01) || size >= 1e6;
+  const char* format = extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f";
+  std::snprintf(buffer, sizeof buffer, format, size == 0.0 ? 0.0 : value);
   return buffer;
 }
 std::string text(const std::optional<double>& value) { return value ? text(*value) : "-"; }
 
+std::string milliseconds(double time) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g ms", 1e3 * time);
+  return buffer;
+}
+
 std::vector<Figure> figures_of(const Metrics& m) {
+  const std::string force =
+      m.average > 0.0 ? "force, mean over " + milliseconds(m.average) : std::string("force");
   std::vector<Figure> figures{
       {"force_mean", text(m.force_mean), "N", "mean normal force"},
-      {"force_mae", text(m.force_mae), "N", "mean absolute error, averaged force"},
-      {"force_rmse", text(m.force_rmse), "N", "root mean square error, averaged force"},
-      {"force_peak", text(m.force_peak), "N", "largest error, averaged force"},
+      {"force_mae", text(m.force_mae), "N", "mean absolute error, " + force},
+      {"force_rmse", text(m.force_rmse), "N", "root mean square error, " + force},
+      {"force_peak", text(m.force_peak), "N", "largest error, " + force},
       {"rmse_raw", text(m.force_rmse_raw), "N", "root mean square error of every sample"},
       {"peak_raw", text(m.force_peak_raw), "N", "largest error of every sample"},
       {"estimate", text(m.estimate_rmse), "N", "root mean square error of the force estimate"},

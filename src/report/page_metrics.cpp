@@ -1,11 +1,13 @@
 #include <cmath>
+#include <cstdio>
 
 #include "burnish/report/run_page.hpp"
 
 namespace burnish {
 namespace {
 
-/// One figure: its words, and where it comes from.
+/// One figure: its words, and where it comes from. `text` has {mean} where it is of the force's
+/// moving average.
 struct PageFigure {
   const char *name, *label, *unit, *text;
   std::optional<double> (*of)(const Metrics&);
@@ -27,11 +29,11 @@ std::optional<double> of_solver(const Metrics& metrics) {
 
 constexpr PageFigure figures[] = {
     {"force_mean", "mean force", "N", "mean normal force", plain<&Metrics::force_mean>},
-    {"force_mae", "force error, mean", "N", "mean absolute error of the force's mean over 10 ms",
+    {"force_mae", "force error, mean", "N", "mean absolute error of the force{mean}",
      plain<&Metrics::force_mae>},
-    {"force_rmse", "force error, rms", "N", "root mean square error of the force's mean over 10 ms",
+    {"force_rmse", "force error, rms", "N", "root mean square error of the force{mean}",
      plain<&Metrics::force_rmse>},
-    {"force_peak", "force error, peak", "N", "largest error of the force's mean over 10 ms",
+    {"force_peak", "force error, peak", "N", "largest error of the force{mean}",
      plain<&Metrics::force_peak>},
     {"force_rmse_raw", "force error, rms, raw", "N", "root mean square error of every sample",
      plain<&Metrics::force_rmse_raw>},
@@ -75,6 +77,14 @@ constexpr PageFigure figures[] = {
        return m.solver->missed_deadlines;
      }}};
 
+/// What a force's errors are of.
+std::string mean_of(const Metrics& metrics) {
+  if (metrics.average <= 0.0) return "";
+  char text[48];
+  std::snprintf(text, sizeof text, "'s mean over %.4g ms", 1e3 * metrics.average);
+  return text;
+}
+
 }  // namespace
 
 std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
@@ -84,6 +94,8 @@ std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
     if (metrics) value = figure.of(*metrics);
     if (value && !std::isfinite(*value)) value.reset();
     std::string text = figure.text;
+    if (const std::size_t at = text.find("{mean}"); at != std::string::npos)
+      text.replace(at, 6, metrics ? mean_of(*metrics) : "");
     const auto add_whose = [&](const char* name, const std::string& whose) {
       if (std::string_view(figure.name) == name && !whose.empty()) text += ": " + whose;
     };

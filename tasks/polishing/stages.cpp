@@ -7,6 +7,8 @@
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "model/sentence.hpp"
+#include "ocp/position_limits.hpp"
 #include "polishing/posture.hpp"
 
 namespace burnish::polishing {
@@ -68,9 +70,6 @@ struct Builder {
     rows.head(model.nv).setConstant(w.posture);
     rows.segment(model.nv, model.nv).setConstant(w.velocity);
     if (task.torque_cutoff > 0.0) rows.tail(model.nv).setConstant(w.torque);
-    Eigen::VectorXd q_lower = model.q_lower, q_upper = model.q_upper;
-    q_lower.array() += 0.05;
-    q_upper.array() -= 0.05;
     const Eigen::Isometry3d start = frame_placement(model, setting.q_start, task.tool);
     std::vector<CostTerm> terms{
         {.name = "state", .residual = residual::State{state_target()}, .weights = rows},
@@ -78,14 +77,17 @@ struct Builder {
          .residual =
              residual::FrameRotation{task.tool, Eigen::Quaterniond(start.linear()).coeffs()},
          .weight = w.rotation},
-        {.name = "position limits",
-         .residual = residual::JointPosition{},
-         .weight = w.position_limits,
-         .penalty = Penalty::barrier(q_lower, q_upper)},
         {.name = "velocity limits",
          .residual = residual::JointVelocity{},
          .weight = w.velocity_limits,
          .penalty = Penalty::barrier(-model.velocity_limit, model.velocity_limit)}};
+    const ocp::PositionLimits limits = ocp::position_limits(model);
+    if (limits.lower.size() > 0)
+      terms.push_back(
+          {.name = "position limits",
+           .residual = residual::JointPosition{},
+           .weight = w.position_limits,
+           .penalty = Penalty::barrier(limits.lower.array() + 0.05, limits.upper.array() - 0.05)});
     return terms;
   }
   /// Of the tool's position, along the surface and along its normal.
@@ -174,8 +176,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   s.p_start = frame_placement(s.robot.model, s.q_start, task.tool).translation();
   const double above = gap(s.scene, s.p_start);
   s.p_center = s.p_start - above * n;
-  if (above <= 0.0)
-    throw Error("the tool starts " + std::to_string(-above) + " m inside the surface");
+  if (above <= 0.0) throw Error("the tool starts " + number(-above) + " m inside the surface");
   s.reach_end = task.reach_duration;
   s.touch = s.reach_end + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;

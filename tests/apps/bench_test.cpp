@@ -52,6 +52,21 @@ TEST(Bench, PrintsATableToPaste) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 }
 
+TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
+  const Scratch scratch;
+  std::string urdf = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7" / "arm7.urdf");
+  const std::string joint = "\"joint_7\" type=\"revolute\"";
+  ASSERT_NE(urdf.find(joint), std::string::npos);
+  urdf.replace(urdf.find(joint), joint.size(), "\"joint_7\" type=\"continuous\"");
+  const auto turning = scratch.write("turning.urdf", urdf);
+  for (const std::string& robot :
+       {std::string("crane"), std::string("quadruped"), std::string("pendulum"), quoted(turning)}) {
+    const Outcome outcome = run("bench " + robot + quick);
+    EXPECT_EQ(outcome.exit_code, 0) << robot << outcome.err;
+    EXPECT_NE(outcome.out.find("| tick "), std::string::npos) << robot << outcome.out;
+  }
+}
+
 TEST(Bench, BadInputIsOneSentence) {
   EXPECT_EQ(run("bench arm8").exit_code, 2);
   const Outcome frame = run("bench arm7 --tool tol" + quick);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "support/refusal.hpp"
@@ -68,6 +69,15 @@ TEST(Trace, refuses_names_that_a_reader_could_not_tell_apart) {
                {"no column", "did you mean 'tool_force_z_world'"});
   expect_words(refusal([] { three_rows().write_csv(std::filesystem::path("/no/such/folder/x")); }),
                {"cannot write", "/no/such/folder/x"});
+}
+
+TEST(Trace, leaves_what_is_not_a_number_empty) {
+  Trace trace({{"a", "N"}, {"b", "N"}, {"c", "N"}}, 1);
+  double* row = trace.add_row();
+  row[0] = 1.5, row[1] = std::nan(""), row[2] = -std::nan("");
+  std::ostringstream text;
+  trace.write_csv(text);
+  EXPECT_EQ(text.str(), "a [N],b [N],c [N]\n1.5,,\n");
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "burnish/mpc/controller.hpp"
+#include "burnish/report/run_page.hpp"
+#include "report/moving_mean.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish {
@@ -203,12 +205,68 @@ TEST(Metrics, are_printed_with_their_units) {
   EXPECT_EQ(metrics_table({}), "");
 }
 
+TEST(Metrics, say_what_their_mean_is_of) {
+  const Model model = one_joint();
+  const Trace trace = trace_with([](int, Trace&, double*) {});
+  MetricsSpec spec = from_half();
+  for (const auto& [average, taken, words] :
+       {std::tuple(0.010, 0.010, "mean over 10 ms"), std::tuple(0.0252, 0.025, "mean over 25 ms"),
+        std::tuple(0.0, 0.0, "root mean square error, force\n")}) {
+    spec.average = average;
+    const Metrics m = measure(trace, model, spec);
+    EXPECT_NEAR(m.average, taken, 1e-12);
+    EXPECT_NE(metrics_text(m).find(words), std::string::npos) << metrics_text(m);
+    std::string page;
+    for (const PageMetric& metric : page_metrics(m)) page += metric.text + "\n";
+    EXPECT_NE(page.find(average > 0.0 ? words : "square error of the force\n"), std::string::npos)
+        << page;
+    EXPECT_EQ(page.find('{'), std::string::npos) << page;
+  }
+}
+
+TEST(Metrics, print_no_number_that_nobody_can_read) {
+  Metrics m;
+  m.force_mean = 1e300;
+  m.force_mae = -0.0;
+  const std::string text = metrics_text(m);
+  EXPECT_NE(text.find("1.00e+300"), std::string::npos) << text;
+  EXPECT_EQ(text.find("-0.0"), std::string::npos) << text;
+}
+
+/// The mean of each window, summed up with twice the digits.
+double mean_about(const Eigen::VectorXd& x, Eigen::Index i, int width) {
+  const Eigen::Index from = std::max<Eigen::Index>(0, i - width / 2);
+  const Eigen::Index to = std::min(x.size(), i - width / 2 + width);
+  long double sum = 0.0;
+  for (Eigen::Index k = from; k < to; ++k) sum += x[k];
+  return static_cast<double>(sum / static_cast<long double>(to - from));
+}
+
+TEST(MovingMean, is_the_mean_of_every_window_at_any_width) {
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(137);
+  for (const int width : {1, 2, 3, 7, 10, 64, 136, 137, 138, 500}) {
+    const Eigen::VectorXd mean = moving_mean(x, width);
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      ASSERT_NEAR(mean[i], mean_about(x, i, width), 1e-14) << width << " " << i;
+  }
+  EXPECT_EQ(moving_mean(Eigen::VectorXd(), 5).size(), 0);
+}
+
+TEST(MovingMean, keeps_its_digits_and_its_time_on_long_signals) {
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(1'000'000).array() + 1e6;
+  for (const int width : {20, 1000, 300'000}) {
+    const Eigen::VectorXd mean = moving_mean(x, width);
+    for (Eigen::Index i = 0; i < x.size(); i += width < 1000 ? 101 : 49'999)
+      ASSERT_NEAR(mean[i] / mean_about(x, i, width), 1.0, 1e-12) << width << " " << i;
+  }
+}
+
 TEST(Metrics, refuse_windows_and_traces_that_hold_nothing_to_measure) {
   const Model model = one_joint();
   const Trace trace = trace_with([](int, Trace&, double*) {});
   MetricsSpec spec;
   spec.start = 2.0;
-  expect_words(refusal([&] { measure(trace, model, spec); }), {"no row", "2.0", "window"});
+  expect_words(refusal([&] { measure(trace, model, spec); }), {"no row", "2 s", "window"});
   spec = {};
   spec.normal_world.setZero();
   expect_words(refusal([&] { measure(trace, model, spec); }), {"normal"});

@@ -49,7 +49,7 @@ class Trace {
   Column column(std::string_view name) const { return column(index(name)); }
 
   /// First line `name [unit],...`, then one line per row with every digit that counts, decimal
-  /// points whatever the locale.
+  /// points whatever the locale. What is NaN is an empty cell.
   void write_csv(std::ostream& out) const;
   /// The same into a file. Throws Error if it cannot be written.
   void write_csv(const std::filesystem::path& file) const;

@@ -32,6 +32,9 @@ struct SolverFigures {
 struct Metrics {
   double start = 0.0, end = 0.0;  ///< s, of the rows found
   int rows = 0;
+  /// s that averaged forces are means over: MetricsSpec::average, by whole rows; 0: of one row
+  /// each.
+  double average = 0.0;
 
   double force_mean = 0.0;  ///< N, along the normal
   // Error of the averaged force against the target.

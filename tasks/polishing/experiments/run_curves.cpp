@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/moving_mean.hpp"
+
 namespace burnish::polishing {
 namespace {
 
@@ -40,17 +42,6 @@ Curve sampled(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index c
   return {.x = x(Eigen::seqN(0, size, every)), .y = y(Eigen::seqN(0, size, every))};
 }
 
-Eigen::VectorXd averaged(const Eigen::VectorXd& x, Eigen::Index half) {
-  const Eigen::Index n = x.size();
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n + 1), result(n);
-  for (Eigen::Index i = 0; i < n; ++i) sums[i + 1] = sums[i] + x[i];
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - half), to = std::min(n, i + half + 1);
-    result[i] = (sums[to] - sums[from]) / static_cast<double>(to - from);
-  }
-  return result;
-}
-
 }  // namespace
 
 RunCurves curves_of(const RunResult& result, const std::string& name) {
@@ -67,7 +58,7 @@ RunCurves curves_of(const RunResult& result, const std::string& name) {
   const Eigen::VectorXd since = time.segment(first, size).array() - time[first];
   const Eigen::Matrix3d& axes = result.setting.surface_axes;
   const Eigen::VectorXd force =
-      averaged(along(trace, "tool_force", axes.col(2)), std::lround(5e-3 / dt));
+      moving_mean(along(trace, "tool_force", axes.col(2)), samples_in(MetricsSpec{}.average, dt));
   // The force is still settling at first; its last means reach into the retreat.
   const Eigen::Index from = size > 2 * std::lround(0.5 / dt) ? std::lround(0.5 / dt) : 0;
   const Eigen::Index kept = size - from - std::min<Eigen::Index>(size / 4, std::lround(0.02 / dt));
