@@ -7,9 +7,11 @@
 namespace burnish {
 namespace {
 
-std::string number(double value) {
+std::string rounded(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.*f", std::abs(value) < 9.95 ? 2 : 1, value);
+  const bool readable = std::abs(value) < 1e9;
+  std::snprintf(text, sizeof text, readable ? "%.*f" : "%.*e", std::abs(value) < 9.95 ? 2 : 1,
+                value);
   return text;
 }
 
@@ -34,9 +36,9 @@ std::string vector_text(const Eigen::Vector3d& value, const char* unit, const ch
   if (rest.cwiseAbs().maxCoeff() < 5e-3 && length >= 5e-3) {
     const char sign = value[largest] < 0.0 ? '-' : '+';
     const char axis = "xyz"[largest];
-    return number(length) + " " + unit + " " + along + " " + sign + axis;
+    return rounded(length) + " " + unit + " " + along + " " + sign + axis;
   }
-  return "(" + number(value.x()) + ", " + number(value.y()) + ", " + number(value.z()) + ") " +
+  return "(" + rounded(value.x()) + ", " + rounded(value.y()) + ", " + rounded(value.z()) + ") " +
          unit;
 }
 

@@ -5,6 +5,7 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {
@@ -13,7 +14,7 @@ int checked_knots(int knots, double step, int horizon) {
   if (knots < 1)
     throw Error("feedback plan: room for " + std::to_string(knots) + " knots; wanted at least 1");
   if (!(step > 0.0) || !std::isfinite(step))
-    throw Error("feedback plan: a step of " + std::to_string(step) + " s; wanted a positive time");
+    throw Error("feedback plan: a step of " + number(step) + " s; wanted a positive time");
   return std::min(knots, horizon);
 }
 

@@ -6,6 +6,7 @@
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish {
 
@@ -20,11 +21,10 @@ struct TorqueErrorObserver::Impl {
         total(Eigen::VectorXd::Zero(model.nv)),
         innovation(Eigen::VectorXd::Zero(model.nv)) {
     if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
-      throw Error("model error: a bandwidth of " + std::to_string(given.bandwidth) +
+      throw Error("model error: a bandwidth of " + number(given.bandwidth) +
                   " rad/s; wanted a positive number");
     if (!(given.limit > 0.0))
-      throw Error("model error: a limit of " + std::to_string(given.limit) +
-                  "; wanted a positive number");
+      throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
   }
 
   ModelErrorOptions options;

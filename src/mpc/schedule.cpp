@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish {
 
@@ -13,15 +14,15 @@ Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const double duration = phases_[i].duration;
     if (!(duration > 0.0))
-      throw Error("phase " + std::to_string(i) + " of a schedule lasts " +
-                  std::to_string(duration) + " s; wanted a positive time");
+      throw Error("phase " + std::to_string(i) + " of a schedule lasts " + number(duration) +
+                  " s; wanted a positive time");
     if (std::isinf(duration) && i + 1 < phases_.size())
       throw Error("phase " + std::to_string(i) + " of a schedule never ends, but " +
                   std::to_string(phases_.size() - i - 1) + " follow it");
     if (phases_[i].until_contact && !(phases_[i].hold > 0.0 && std::isfinite(phases_[i].hold)))
       throw Error("phase " + std::to_string(i) +
-                  " of a schedule waits for contact with a hold of " +
-                  std::to_string(phases_[i].hold) + " s; wanted a positive time");
+                  " of a schedule waits for contact with a hold of " + number(phases_[i].hold) +
+                  " s; wanted a positive time");
     starts_.push_back(start);
     start += duration;
   }

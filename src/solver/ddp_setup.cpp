@@ -1,6 +1,7 @@
 // Memory of a solver, and what each solve starts from.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "solver/ddp_impl.hpp"
 #include "solver/dense.hpp"
@@ -41,6 +42,26 @@ std::size_t size(int rows, int columns) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
 }
 
+/// Bytes that a knot takes in allocate(), about.
+double bytes_of_knot(const RiccatiLayout& layout, int nx, int ndx, int nu) {
+  const double expansion = (1.0 + layout.expansion_rows + ndx) * layout.expansion_stride;
+  const double value = (2.0 + ndx) * layout.value_stride, policy = (1.0 + nu) * layout.gain_stride;
+  const double iterates = 3.0 * (nx + nu + layout.value_stride) + nx;
+  return sizeof(double) * (expansion + value + policy + iterates + 3.0 * layout.spare);
+}
+
+/// Before any of it is asked for.
+void check_memory(const RiccatiLayout& layout, int knots, int nx, int ndx, int nu) {
+  constexpr double most = 4e9;  // bytes
+  const double wanted = knots * bytes_of_knot(layout, nx, ndx, nu);
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%d knots of %d states and %d controls take %.1f GB of memory; at most %.0f GB are "
+                "supported",
+                knots, nx, nu, 1e-9 * wanted, 1e-9 * most);
+  require(wanted <= most, text);
+}
+
 }  // namespace
 
 DdpSolver::Impl::Impl(ShootingProblem& shooting_problem, DdpOptions wanted)
@@ -54,6 +75,7 @@ DdpSolver::Impl::Impl(ShootingProblem& shooting_problem, DdpOptions wanted)
       value_stride(recursion.layout().value_stride),
       gain_stride(recursion.layout().gain_stride),
       control_stride(dense::round_up(std::max(1, nu_max))) {
+  check_memory(recursion.layout(), N, nx, ndx, nu_max);
   apply_options(std::move(wanted));
   allocate();
   start();

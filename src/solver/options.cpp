@@ -1,6 +1,7 @@
 #include "burnish/solver/options.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,11 @@ namespace burnish {
 namespace {
 
 void require(bool holds, std::string_view name, double value, std::string_view wanted) {
-  if (!holds)
-    throw Error("solver options: " + std::string(name) + " is " + std::to_string(value) +
-                "; wanted " + std::string(wanted));
+  if (holds) return;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  throw Error("solver options: " + std::string(name) + " is " + text + "; wanted " +
+              std::string(wanted));
 }
 
 void require_positive(double value, std::string_view name) {

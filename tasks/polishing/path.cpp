@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "burnish/base/error.hpp"
+#include "model/sentence.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -27,10 +28,22 @@ Blend blend(double s) {
           60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)};
 }
 
+/// Beyond these a path has more points, or takes longer, than anything that walks along it can do.
+constexpr double longest = 100.0, shortest = 1e-6;  // m, m/s
+constexpr double fastest = 1e4;                     // rad/s
+
 void positive(double value, const char* name) {
   if (!(value > 0.0) || !std::isfinite(value))
-    throw Error("path: " + std::string(name) + " is " + std::to_string(value) +
+    throw Error("path: " + std::string(name) + " is " + number(value) +
                 "; wanted a positive number");
+}
+
+/// Of lengths and speeds.
+void within_reason(double value, const char* name) {
+  positive(value, name);
+  if (value < shortest || value > longest)
+    throw Error("path: " + std::string(name) + " is " + number(value) + "; wanted a number from " +
+                number(shortest) + " to " + number(longest));
 }
 
 /// r(t) times the unit circle at angle(t).
@@ -53,21 +66,25 @@ PathKind parse_path(const std::string& name) {
 Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<double>::infinity()) {
   switch (spec.kind) {
     case PathKind::Circle:
-      positive(spec.radius, "radius");
+      within_reason(spec.radius, "radius");
       positive(spec.start_up, "start_up");
-      if (!std::isfinite(spec.rate))
-        throw Error("path: rate is " + std::to_string(spec.rate) + "; wanted a finite number");
+      if (!(std::abs(spec.rate) <= fastest))
+        throw Error("path: rate is " + number(spec.rate) + "; wanted a finite number of at most " +
+                    number(fastest));
       break;
     case PathKind::Spiral:
       positive(spec.start_up, "start_up");
-      positive(spec.radius, "radius");
-      positive(spec.pitch, "pitch");
+      within_reason(spec.radius, "radius");
+      within_reason(spec.pitch, "pitch");
       positive(spec.rate, "rate");
+      if (spec.rate > fastest)
+        throw Error("path: rate is " + number(spec.rate) + "; wanted a finite number of at most " +
+                    number(fastest));
       break;
     case PathKind::ZigZag: {
-      positive(spec.width, "width");
-      positive(spec.height, "height");
-      positive(spec.speed, "speed");
+      within_reason(spec.width, "width");
+      within_reason(spec.height, "height");
+      within_reason(spec.speed, "speed");
       if (spec.rows < 2)
         throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at least 2");
       if (spec.rows > max_rows)
@@ -83,11 +100,15 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
       break;
     }
     case PathKind::Points:
-      positive(spec.speed, "speed");
+      within_reason(spec.speed, "speed");
       if (spec.points.empty()) throw Error("path: there are no points");
       corners_ = spec.points;
-      for (const Eigen::Vector2d& p : corners_)
+      for (const Eigen::Vector2d& p : corners_) {
         if (!p.allFinite()) throw Error("path: a point is not finite");
+        if (p.norm() > longest)
+          throw Error("path: a point is " + number(p.norm()) +
+                      " m from the centre; wanted at most " + number(longest) + " m");
+      }
       corners_.insert(corners_.begin(), Eigen::Vector2d::Zero());
       break;
   }

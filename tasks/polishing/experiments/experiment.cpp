@@ -49,6 +49,13 @@ Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
   return task;
 }
 
+int seeds_of(const ExperimentSpec& spec, int own) {
+  if (spec.seeds > max_seeds)
+    throw Error("the experiment has " + std::to_string(spec.seeds) + " seeds; wanted at most " +
+                std::to_string(max_seeds));
+  return spec.seeds > 0 ? spec.seeds : own;
+}
+
 Task check_experiment_task(const ExperimentSpec& spec, const std::string& surface) {
   Task task = experiment_task(spec, surface, "mismatch", 1.0);
   check_task(task);

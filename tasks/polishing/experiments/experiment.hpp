@@ -11,9 +11,12 @@
 
 namespace burnish::polishing {
 
+/// What is more is refused: every run is kept in mind before the first one is made.
+inline constexpr int max_seeds = 10'000;
+
 struct ExperimentSpec {
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  int seeds = 0;  ///< 0: the experiment's own number
+  int seeds = 0;  ///< at most max_seeds; 0: the experiment's own number
   int first_seed = 0;
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
@@ -46,7 +49,7 @@ struct ExperimentReport {
   std::vector<Figure> figures = {};
   std::vector<NamedTask> tasks = {};
   std::vector<std::string> findings = {};  ///< sentences
-  /// Runs that did not come to their end, and why; empty: all did.
+  /// Runs that did not polish, and why; empty: all did.
   std::vector<std::string> failures = {};
   bool interrupted = false;
 };
@@ -79,6 +82,9 @@ ExperimentReport perform_tick(const ExperimentSpec& spec);
 /// `duration`: s on the path, before the overrides. Throws Error as override_task() does.
 Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
                      const std::string& disturbances, double duration);
+
+/// The spec's number of seeds, or else the experiment's own. Throws Error for too many.
+int seeds_of(const ExperimentSpec& spec, int own);
 
 /// The task on a surface. Throws Error where an override is bad or the surface is not known, before
 /// anything is run.

@@ -177,7 +177,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "MPC and baseline on the paper's task"};
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
-  const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 1 : 5;
+  const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
   std::vector<Group> groups;
   std::vector<BatchRun> runs;
   std::vector<int> drawn;  // figure's place of a run, or -1

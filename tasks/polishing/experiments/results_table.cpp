@@ -12,7 +12,11 @@ namespace {
 
 std::string rounded(double value, int digits) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  const bool readable = std::abs(value) < 1e9;
+  // What is rounded to nothing has no sign.
+  const double unit = std::pow(10.0, -digits);
+  if (std::abs(value) < 0.5 * unit) value = 0.0;
+  std::snprintf(text, sizeof text, readable ? "%.*f" : "%.*e", digits, value);
   return text;
 }
 
