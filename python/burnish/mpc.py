@@ -163,7 +163,8 @@ class SafetyLimits(Spec):
     contact_lost: float = 0.15
     """s without force in RAMP and TRACK"""
     contact_threshold: float = 2.0
-    """N of normal force that count as contact"""
+    """N of normal force that count as contact. Where the sensor's noise comes near it, which is found
+    out in REACH, it is the mean over 5 ms that counts, against six of its own deviations."""
     late_contact_travel: float = 0.03
     """m along the normal without contact, from when the schedule's clock began to wait for it in
     APPROACH: how far the surface may lie behind where it is thought to be"""
@@ -171,7 +172,8 @@ class SafetyLimits(Spec):
     """s, likewise"""
     unexpected_force: float = 15.0
     """N of normal force, mean over `force_window`: in REACH, and in RETREAT once the tool has come
-    off (its force fell below `contact_threshold`) or `release` s are over"""
+    off (its force fell below `contact_threshold`) or `release` s are over. More where noise reaches
+    further: six deviations of that mean."""
     release: float = 0.5
     """s"""
     failed_solves: int = 5

@@ -30,9 +30,12 @@ double step_of(const ProblemSpec& problem) {
 }
 
 int ticks_per_update(const MpcSpec& spec) {
+  constexpr double shortest = 1e-5;  // s: the record of the last second has a row for each
+  if (!(spec.tick_period >= shortest))
+    throw Error("MPC: a tick of " + number(spec.tick_period) + " s; wanted at least " +
+                number(shortest) + " s");
   const double ratio = spec.update_period / spec.tick_period;
-  if (!(spec.tick_period > 0.0) || !(ratio > 0.5) || !(ratio < 1e9) ||
-      std::abs(ratio - std::round(ratio)) > 1e-6)
+  if (!(ratio > 0.5) || !(ratio < 1e9) || std::abs(ratio - std::round(ratio)) > 1e-6)
     throw Error("MPC: an update period of " + number(spec.update_period) +
                 " s; wanted a multiple of the tick of " + number(spec.tick_period) + " s");
   return static_cast<int>(std::lround(ratio));
@@ -129,6 +132,13 @@ const MpcSpec& checked(const MpcSpec& spec) {
   return spec;
 }
 
+constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
+
+/// Ticks that a time is, one at least.
+int samples_of(double time, double tick_period) {
+  return static_cast<int>(std::max(1.0, std::round(time / tick_period)));
+}
+
 }  // namespace
 
 MpcController::Impl::Impl(MpcSpec given)
@@ -145,6 +155,7 @@ MpcController::Impl::Impl(MpcSpec given)
       gravity_(spec.problem.model),
       contact_(spec.problem.model, without_gains(spec.problem.contacts), {.mu = 1e-9}),
       tool_(body_.frame(spec.tool)),
+      touch_(spec.limits.contact_threshold, samples_of(touch_window, spec.tick_period)),
       tree_(spec.problem.model) {
   spec.normal_world.normalize();
   const StateLayout& layout = problem.layout();
@@ -161,8 +172,7 @@ MpcController::Impl::Impl(MpcSpec given)
   effort_ = spec.problem.model.effort_limit;
   guess_x_ = RowMatrix::Zero(problem.knots() + 1, layout.nx());
   guess_u_ = RowMatrix::Zero(problem.knots(), layout.nu);
-  const double window = std::round(spec.limits.force_window / spec.tick_period);
-  forces_ = Eigen::Matrix3Xd::Zero(3, std::max<Eigen::Index>(1, std::lround(window)));
+  forces_ = Eigen::Matrix3Xd::Zero(3, samples_of(spec.limits.force_window, spec.tick_period));
   find_stages();
   find_force_terms();
   make_history();
@@ -212,6 +222,7 @@ void MpcController::Impl::reset() noexcept {
   acted_.setZero();
   torque_offset_.setZero();
   tool_force.setZero();
+  touch_.reset();
   mean_force_.setZero();
   force_error = good_time_ = last_time_ = 0.0;
   lost_for_ = waits_for_ = due_height_ = retreats_for_ = blind_for_ = 0.0;
@@ -235,9 +246,9 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
     // Over ticks without a good measurement, if there were any.
     const double dt = started_ ? good_time_ - before : 0.0;
     average_force();
+    feel_contact();
     estimate(dt);
-    const bool contact = normal_force() > spec.limits.contact_threshold;
-    if (started_ && schedule.advance(dt, contact)) jumped_ = true;
+    if (started_ && schedule.advance(dt, touch_.touches())) jumped_ = true;
     watch(dt);
     started_ = true;
     take_over(last_time_);

@@ -9,6 +9,7 @@
 #include "burnish/dynamics/tree.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "mpc/contact_detector.hpp"
 
 namespace burnish {
 
@@ -29,6 +30,7 @@ struct MpcController::Impl {
   bool take_state(const Measurement& m) noexcept;
   void bridge(FaultKind kind, Status status, double limit) noexcept;
   void average_force() noexcept;
+  void feel_contact() noexcept;
   void estimate(double dt) noexcept;
   void follow_command(double dt) noexcept;
   void estimate_force_error(double share) noexcept;
@@ -77,6 +79,7 @@ struct MpcController::Impl {
   ContactDynamics gravity_;  ///< of the free robot, for the fallback
   ContactDynamics contact_;  ///< of the problem's contacts, for the force estimate
   int tool_;
+  ContactDetector touch_;
   std::vector<int> stage_of_phase_;
   std::vector<std::vector<char>> holds_;       ///< per phase and contact: its stage holds it
   std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row

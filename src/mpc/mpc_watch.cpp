@@ -57,6 +57,13 @@ void MpcController::Impl::average_force() noexcept {
   mean_force_ = forces_.leftCols(count).rowwise().sum() / static_cast<double>(count);
 }
 
+/// Nothing touches in the reach. Where there is none, the approach shows the noise.
+void MpcController::Impl::feel_contact() noexcept {
+  const Phase phase = schedule.phases()[static_cast<std::size_t>(schedule.phase())].phase;
+  const bool in_air = phase == Phase::Reach || (phase == Phase::Approach && !touch_.knows_noise());
+  touch_.add(normal_force(), in_air);
+}
+
 /// What the model believes to act on the joints: the command of the tick before, behind the torque
 /// model's filter if there is one. What is lost between motor and link, joint friction above all,
 /// is to be known too, so that errors are told from the command and not from the torque sensors.
@@ -124,7 +131,7 @@ void MpcController::Impl::watch(double dt) noexcept {
   const double force = mean_force_.norm();
   if (force > limits.force) raise(FaultKind::ForceLimit, force, limits.force);
   const bool wanted = phase == Phase::Ramp || phase == Phase::Track;
-  const bool lost = wanted && normal_force() < limits.contact_threshold;
+  const bool lost = wanted && touch_.is_lost(command_.target_force);
   lost_for_ = lost ? lost_for_ + dt : 0.0;
   if (lost_for_ > limits.contact_lost)
     raise(FaultKind::ContactLost, lost_for_, limits.contact_lost);
@@ -138,8 +145,10 @@ void MpcController::Impl::watch_free_space(Phase phase, double dt) noexcept {
   retreats_for_ = retreats ? retreats_for_ + dt : 0.0;
   released_ = retreats &&
               (released_ || pushed < limits.contact_threshold || retreats_for_ > limits.release);
-  if ((phase == Phase::Reach || released_) && pushed > limits.unexpected_force)
-    raise(FaultKind::UnexpectedContact, pushed, limits.unexpected_force);
+  const auto samples = static_cast<int>(forces_.cols());
+  const double least = touch_.above_noise(limits.unexpected_force, samples);
+  if ((phase == Phase::Reach || released_) && forces_count_ >= samples && pushed > least)
+    raise(FaultKind::UnexpectedContact, pushed, least);
 }
 
 /// Where contact is due and does not come.

@@ -9,13 +9,15 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/integration.hpp"
 #include "model/sentence.hpp"
+#include "mpc/contact_detector.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish {
 namespace {
 
 constexpr double slow = 1e-3;  // m/s: friction is fed forward in full above this speed of the path
-constexpr double longest_lag = 0.03;  // m
+constexpr double longest_lag = 0.03;   // m
+constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
 
 ImpedanceSpec checked(const Model& model, ImpedanceSpec spec) {
   const auto refuse = [](const std::string& what) {
@@ -74,6 +76,7 @@ class ImpedanceController final : public Controller {
   RigidBody body_;
   ContactDynamics dynamics_;
   int tool_;
+  ContactDetector touch_;
   FrameDerivatives motion_;
   Command command_;
   double since_ = 0.0;     ///< s in the phase
@@ -92,6 +95,7 @@ ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec
       body_(model),
       dynamics_(model),
       tool_(body_.frame(spec.tool)),
+      touch_(spec.contact_threshold, static_cast<int>(std::lround(touch_window / spec.period))),
       zero_(Eigen::VectorXd::Zero(model.nv)),
       tau_(zero_),
       posture_torque_(zero_),
@@ -108,6 +112,7 @@ ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec
 
 void ImpedanceController::reset() noexcept {
   since_ = integral_ = measured_ = lag_ = 0.0;
+  touch_.reset();
   command_.tau.setZero();
   command_.phase = Phase::Approach;
   command_.status = Status::Ok;
@@ -151,7 +156,8 @@ TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
   measured_ = measurement.tool_force_world.dot(spec_.normal_world);
   Phase& phase = command_.phase;
   const Phase before = phase;
-  if (phase == Phase::Approach && measured_ > spec_.contact_threshold) phase = Phase::Ramp;
+  touch_.add(measured_, phase == Phase::Approach);
+  if (phase == Phase::Approach && touch_.touches()) phase = Phase::Ramp;
   if (phase == Phase::Ramp && since_ >= spec_.ramp) phase = Phase::Track;
   since_ = phase == before ? since_ + spec_.period : 0.0;
   TaskPoint target = spec_.task(phase == Phase::Track ? since_ : 0.0);

@@ -205,5 +205,48 @@ TEST(Fault, unexpected_contact_in_the_reach) {
   expect_rest(run);
 }
 
+/// A force sensor with noise, white or behind a filter.
+MpcCase noisy(double deviation, double cutoff) {
+  MpcCase wanted;
+  wanted.task.disturbances.force_noise = deviation;
+  wanted.task.disturbances.force_cutoff = cutoff;
+  wanted.task.model_error.bandwidth = 30.0;
+  return wanted;
+}
+
+TEST(Fault, is_none_where_the_force_is_noisy_and_all_is_well) {
+  for (const double deviation : {2.0, 4.0})
+    for (const double cutoff : {0.0, 314.0})
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        SCOPED_TRACE(std::to_string(deviation) + " N, " + std::to_string(cutoff) + " rad/s");
+        MpcCase wanted = noisy(deviation, cutoff);
+        wanted.task.disturbances.seed = seed;
+        // Longer in the air, where noise was taken for a touch.
+        wanted.task.clearance = 0.02;
+        wanted.task.polish_duration = 0.3;
+        MpcRun run(wanted);
+        ASSERT_EQ(run.polish_and_retreat(), Status::Ok);
+        EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+        // The ramp begins with the touch, and not before.
+        const Trace& trace = run.loop().trace();
+        const Trace::Column phase = trace.column("phase"), contact = trace.column("in_contact");
+        int touch = 0, ramp = 0;
+        while (contact[touch] == 0.0) ++touch;
+        while (phase[ramp] < static_cast<double>(Phase::Ramp)) ++ramp;
+        EXPECT_GE(ramp, touch);
+        EXPECT_LE(ramp - touch, 40) << "20 ms";
+      }
+}
+
+TEST(Fault, contact_lost_is_found_in_noise) {
+  MpcCase wanted = noisy(2.0, 0.0);
+  wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
+    return std::make_unique<Vanishing>(model, scene, 0.8);
+  };
+  MpcRun run(wanted);
+  ASSERT_EQ(run.polish(), Status::Ok);
+  expect_report(run.mpc().fault(), FaultKind::ContactLost, 0.953, 6e-3);
+}
+
 }  // namespace
 }  // namespace burnish::test

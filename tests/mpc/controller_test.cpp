@@ -342,6 +342,8 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(with([](S& s) { s.update_period = 0.0; }), {"update period"});
   expect_words(with([](S& s) { s.tick_period = 0.0; }), {"tick"});
   expect_words(with([&](S& s) { s.tick_period = nan; }), {"tick"});
+  expect_words(with([](S& s) { s.tick_period = s.update_period = 1e-9; }),
+               {"a tick of 1e-09 s; wanted at least 1e-05 s"});
   expect_words(with([](S& s) { s.solver_delay = 0.02; }), {"solver delay", "0.02", "0.01"});
   expect_words(with([](S& s) { s.solver_delay = -1e-3; }), {"solver delay"});
   expect_words(with([](S& s) { s.problem.horizon[0].knots = 2; }), {"horizon", "0.02"});

@@ -38,14 +38,17 @@ struct SafetyLimits {
   double stale = 0.02;             ///< s without a new measurement; longer than a tick
   double bad = 0.01;               ///< s of bad measurements that the last good one bridges
   double contact_lost = 0.15;      ///< s without force in Ramp and Track
-  double contact_threshold = 2.0;  ///< N of normal force that count as contact
+  /// N of normal force that count as contact. Where the sensor's noise comes near it, which is
+  /// found out in Reach, it is the mean over 5 ms that counts, against six of its own deviations.
+  double contact_threshold = 2.0;
   /// m along the normal, and s, without contact from when the schedule's clock began to wait for it
   /// (SchedulePhase::hold before it was due) in Approach: how far the surface may lie behind where
   /// it is thought to be.
   double late_contact_travel = 0.03;
   double late_contact_time = 3.0;
   /// N of normal force, mean over `force_window`: in Reach, and in Retreat once the tool has come
-  /// off (its force fell below `contact_threshold`) or `release` s are over.
+  /// off (its force fell below `contact_threshold`) or `release` s are over. More where noise
+  /// reaches further: six deviations of that mean.
   double unexpected_force = 15.0;
   double release = 0.5;
   int failed_solves = 5;  ///< in a row; the first solve may not fail
@@ -105,10 +108,10 @@ struct MpcSpec {
 /// Each tick: (1) the measurement is checked; (2) the model error is estimated, from the torque
 /// commanded at the tick before, and the force at the tool from torques, positions and velocities
 /// by forward dynamics; (3) the schedule's clock goes on, contact being a measured normal force
-/// above the threshold; (4) limits are checked; (5) when an update is due, the horizon is given its
-/// stages and targets, warm-started from the last solution, and solved from the measured state, or
-/// from the one that the policy is predicted to lead to after `solver_delay`; (6) the policy gives
-/// the torque, within the effort limits.
+/// above the threshold and the sensor's noise; (4) limits are checked; (5) when an update is due,
+/// the horizon is given its stages and targets, warm-started from the last solution, and solved
+/// from the measured state, or from the one that the policy is predicted to lead to after
+/// `solver_delay`; (6) the policy gives the torque, within the effort limits.
 ///
 /// Measurements that are no state (NaN, wrong sizes, time that stands still) are bridged: the
 /// policy goes on from the last good one until the limits' `bad` or `stale` is over. An update that

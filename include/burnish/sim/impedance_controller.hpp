@@ -23,17 +23,18 @@ struct ImpedanceSpec {
   Eigen::VectorXd posture;  ///< nq, what the null space is drawn to
   double period = 1e-3;     ///< s between ticks
 
-  double kp = 900.0;               ///< 1/s^2, along the surface
-  double kd = 60.0;                ///< 1/s, along the surface
-  double kd_normal = 30.0;         ///< 1/s, along the normal
-  double ki = 10.0;                ///< 1/s, of the force error; 0: no force feedback
-  double integral_limit = 30.0;    ///< N, largest correction by the integral
-  double posture_kp = 20.0;        ///< 1/s^2
-  double posture_kd = 6.0;         ///< 1/s
-  double friction = 0.0;           ///< of the surface, fed forward along the path's velocity
-  double approach_speed = 0.05;    ///< m/s, of a point that draws the tip against the normal
-  double contact_threshold = 2.0;  ///< N of measured normal force that end the approach
-  double ramp = 0.5;               ///< s from the threshold to the task's force
+  double kp = 900.0;             ///< 1/s^2, along the surface
+  double kd = 60.0;              ///< 1/s, along the surface
+  double kd_normal = 30.0;       ///< 1/s, along the normal
+  double ki = 10.0;              ///< 1/s, of the force error; 0: no force feedback
+  double integral_limit = 30.0;  ///< N, largest correction by the integral
+  double posture_kp = 20.0;      ///< 1/s^2
+  double posture_kd = 6.0;       ///< 1/s
+  double friction = 0.0;         ///< of the surface, fed forward along the path's velocity
+  double approach_speed = 0.05;  ///< m/s, of a point that draws the tip against the normal
+  /// N of measured normal force that end the approach; see SafetyLimits::contact_threshold
+  double contact_threshold = 2.0;
+  double ramp = 0.5;  ///< s from the threshold to the task's force
 };
 
 /// Phases: Approach, Ramp, Track. A measurement that is no state, or a tip that cannot move in all

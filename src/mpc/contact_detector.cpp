@@ -1,0 +1,94 @@
+#include "mpc/contact_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace burnish {
+namespace {
+
+constexpr double deviations = 6.0;           // that noise does not reach
+constexpr double median_of_normal = 0.6745;  // of |x|, x of deviation 1
+constexpr std::size_t enough = 8;            // blocks, to know a deviation
+constexpr std::size_t most = 200;            // blocks that are learned from
+
+}  // namespace
+
+void RunningMedian::add(double size) noexcept {
+  if (sorted_.size() == sorted_.capacity() || !std::isfinite(size)) return;
+  sorted_.insert(std::upper_bound(sorted_.begin(), sorted_.end(), size), size);
+}
+
+ContactDetector::ContactDetector(double threshold, int window)
+    : threshold_(threshold),
+      window_(Eigen::VectorXd::Zero(std::max(1, window))),
+      sample_strays_(most),
+      mean_strays_(most) {}
+
+void ContactDetector::reset() noexcept {
+  count_ = 0;
+  mean_ = last_ = block_sum_ = first_ = 0.0;
+  in_block_ = 0;
+  blocks_ = 0;
+  sample_strays_.clear();
+  mean_strays_.clear();
+}
+
+void ContactDetector::add(double force, bool in_air) noexcept {
+  window_[count_++ % window_.size()] = force;
+  const Eigen::Index filled = std::min<Eigen::Index>(count_, window_.size());
+  mean_ = window_.head(filled).mean();
+  last_ = force;
+  if (in_air) learn(force);
+}
+
+/// Differences to some blocks before, so that an offset of the sensor is no noise and what its
+/// filter remembers hides none; medians, so that a touch is no noise either.
+void ContactDetector::learn(double force) noexcept {
+  if (in_block_ == 0) first_ = force;
+  block_sum_ += force;
+  if (++in_block_ < window_.size()) return;
+  const double mean = block_sum_ / static_cast<double>(window_.size());
+  double& before = block_means_[blocks_ % block_means_.size()];
+  if (blocks_++ >= block_means_.size()) {
+    sample_strays_.add(std::abs(first_ - before));
+    mean_strays_.add(std::abs(mean - before));
+  }
+  before = mean;
+  block_sum_ = 0.0;
+  in_block_ = 0;
+}
+
+bool ContactDetector::knows_noise() const noexcept { return mean_strays_.count() >= enough; }
+
+double ContactDetector::deviation() const noexcept {
+  return sample_strays_.value() / median_of_normal;
+}
+double ContactDetector::mean_deviation() const noexcept {
+  return mean_strays_.value() / (median_of_normal * std::numbers::sqrt2);
+}
+
+bool ContactDetector::is_quiet() const noexcept { return deviations * deviation() <= threshold_; }
+
+bool ContactDetector::touches() const noexcept {
+  if (!knows_noise()) return count_ >= window_.size() && window_.minCoeff() > threshold_;
+  if (is_quiet()) return last_ > threshold_;
+  return count_ >= window_.size() && mean_ > std::max(threshold_, deviations * mean_deviation());
+}
+
+bool ContactDetector::is_lost(double wanted) const noexcept {
+  if (!knows_noise() || is_quiet()) return last_ < threshold_;
+  const double least = std::min(deviations * mean_deviation(), 0.5 * wanted);
+  return mean_ < std::max(threshold_, least);
+}
+
+double ContactDetector::above_noise(double limit, int samples) const noexcept {
+  if (!knows_noise()) return limit;
+  // A shorter mean strays further, at most as a sample does.
+  const double shorter = deviation() / std::sqrt(static_cast<double>(std::max(1, samples)));
+  const double strays =
+      samples < window_.size() ? std::max(mean_deviation(), shorter) : mean_deviation();
+  return std::max(limit, deviations * strays);
+}
+
+}  // namespace burnish
