@@ -2,6 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+
+#include "burnish/base/error.hpp"
 
 namespace burnish::app {
 
@@ -9,6 +12,19 @@ namespace burnish::app {
 inline constexpr int exit_ok = 0;
 inline constexpr int exit_failed = 1;  ///< a check failed, or an evaluation had a bad status
 inline constexpr int exit_usage = 2;   ///< bad usage or input
+
+/// What `work` gives. An Error that does not name the file that it is about does then.
+template <class Work>
+auto named_by(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    const bool named = sentence.find(file) != std::string::npos || error.sentences().size() > 1;
+    if (file.empty() || named) throw;
+    throw Error(file + ": " + sentence);
+  }
+}
 
 /// `exit_code` is set when the command has run.
 void add_show(CLI::App& app, int& exit_code);

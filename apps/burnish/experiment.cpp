@@ -2,15 +2,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <set>
 
 #include "command.hpp"
 #include "experiment_files.hpp"
-#include "polish_files.hpp"
 #include "progress_bar.hpp"
 #include "robot_arguments.hpp"
+#include "run_folder.hpp"
 #include "shell_word.hpp"
+#include "signals.hpp"
 
 namespace burnish::app {
 namespace {
@@ -22,16 +22,8 @@ struct ExperimentArguments {
   std::string name, plant, out;
   std::vector<std::string> surfaces, overrides;
   int seeds = 0, first_seed = 0, threads = 0;
-  bool quick = false, quiet = false, strict = false;
+  bool quick = false, quiet = false, force = false, strict = false;
 };
-
-volatile std::sig_atomic_t stop_wanted = 0;
-
-/// The first Ctrl-C ends the runs, the second one the program.
-extern "C" void stop_experiment(int signal) {
-  stop_wanted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 /// What repeats the results: options that change them and no others.
 std::string command_of(const ExperimentArguments& a) {
@@ -54,7 +46,7 @@ polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {
   spec.quick = a.quick;
   spec.surfaces = a.surfaces;
   spec.overrides = a.overrides;
-  spec.stopped = [] { return stop_wanted != 0; };
+  spec.stopped = [] { return StopRequest::asked(); };
   if (!a.quiet && isatty(STDERR_FILENO) != 0)
     spec.progress = [name = a.name](double share, const std::string& what) {
       show_progress(name, share, what);
@@ -71,21 +63,29 @@ int perform(const ExperimentArguments& arguments) {
        arguments.surfaces.empty() ? std::vector<std::string>{"table"} : arguments.surfaces)
     robots.insert(check_experiment_task(spec, surface).robot);
   for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
-  const fs::path folder = arguments.out.empty() ? "experiment_" + arguments.name : arguments.out;
-  make_folder(folder);
-
-  stop_wanted = 0;
-  const auto before = std::signal(SIGINT, stop_experiment);
+  const StopRequest stop("the runs end, and what there is of them is written");
+  RunFolder folder(
+      {.out = arguments.out, .name = "experiment_" + arguments.name, .force = arguments.force});
+  folder.claim({"results.md", "results.json", "results.csv"});
   const polishing::ExperimentReport report = experiment.perform(spec);
-  std::signal(SIGINT, before);
   if (spec.progress) fmt::print(stderr, "\r\033[K");
 
   const std::string command = command_of(arguments);
-  const auto names = write_experiment(report, experiment.name, command, folder);
+  std::vector<std::string> names = experiment_files(report);
+  std::string unwritten;  // why files are missing
+  try {
+    folder.claim(names);
+    write_experiment(report, experiment.name, command, folder.path());
+    folder.finish();
+  } catch (const Error& error) {
+    unwritten = error.what();
+  }
   if (!arguments.quiet) {
     fmt::print("{}", experiment_text(report, command));
-    fmt::print("\nin {}: {}\n", folder.string(), fmt::join(names, ", "));
+    if (unwritten.empty())
+      fmt::print("\nin {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   }
+  if (!unwritten.empty()) throw Error(unwritten);
   return report.failures.empty() && !report.interrupted ? exit_ok : exit_failed;
 }
 
@@ -102,7 +102,7 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       .add_option("--seeds", a.seeds,
                   "Number of seeds: of runs that differ in what is drawn [paper 5, seeds 200]")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
@@ -127,10 +127,13 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       .add_option("--threads", a.threads,
                   "Runs at once, which changes no result; tick has one [one per core]")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
-  command.add_option("--out", a.out, "Folder for what is written [experiment_NAME]")
+  command
+      .add_option("--out", a.out,
+                  "Folder for what is written [a new one: experiment_NAME, experiment_NAME_2, ...]")
       ->type_name("DIR");
+  command.add_flag("--force", a.force, "Replace the run that the folder of --out holds");
   command.add_flag("--quiet", a.quiet, "Print nothing");
   add_strict(command, a.strict);
 }
@@ -151,10 +154,11 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
       "\n"
       "Each leaves results.md (its tables), results.json (all), results.csv (a row per run) and\n"
-      "figures. Ctrl-C ends the runs and writes what there is. docs/experiments.md shows and\n"
-      "explains the results.\n"
-      "Exit codes: 0 all runs came to their end, whether aims were met or not; 1 some did not;\n"
-      "2 bad input.");
+      "figures. Ctrl-C (or SIGTERM, or SIGHUP) ends the runs and writes what there is.\n"
+      "docs/experiments.md shows and explains the results.\n"
+      "Exit codes: 0 all runs polished, as the task's `verdict` asks for, whether aims were met or "
+      "not;\n"
+      "1 some did not; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = perform(*arguments); });
 }
 

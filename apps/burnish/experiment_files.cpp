@@ -56,15 +56,21 @@ std::string experiment_text(const ExperimentReport& report, const std::string& c
   for (const std::string& finding : report.findings) text += fmt::format("- {}\n", finding);
   for (const ResultTable& table : report.tables)
     if (table.for_people) text += fmt::format("\n## {}\n\n{}", table.title, markdown(table));
-  if (!report.failures.empty()) text += "\n## Runs that did not come to their end\n\n";
+  if (!report.failures.empty()) text += "\n## Runs that did not polish\n\n";
   for (const std::string& failure : report.failures) text += fmt::format("- {}\n", failure);
   return text;
 }
 
-std::vector<std::string> write_experiment(const ExperimentReport& report, const std::string& name,
-                                          const std::string& command, const fs::path& folder) {
-  make_folder(folder);
+std::vector<std::string> experiment_files(const ExperimentReport& report) {
   std::vector<std::string> names{"results.md", "results.json"};
+  if (!report.tables.empty()) names.emplace_back("results.csv");
+  for (const polishing::Figure& figure : report.figures) names.push_back(figure.name + ".svg");
+  for (const polishing::NamedTask& task : report.tasks) names.push_back(task.name + ".yaml");
+  return names;
+}
+
+void write_experiment(const ExperimentReport& report, const std::string& name,
+                      const std::string& command, const fs::path& folder) {
   std::string text = experiment_text(report, command);
   text.pop_back();  // write_text() ends the last line
   write_text(folder / "results.md", text);
@@ -73,17 +79,11 @@ std::vector<std::string> write_experiment(const ExperimentReport& report, const 
     std::string rows = csv(report.tables.front());
     rows.pop_back();
     write_text(folder / "results.csv", rows);
-    names.push_back("results.csv");
   }
-  for (const polishing::Figure& figure : report.figures) {
-    names.push_back(figure.name + ".svg");
-    write_svg_plot(figure.plot, folder / names.back());
-  }
-  for (const polishing::NamedTask& task : report.tasks) {
-    names.push_back(task.name + ".yaml");
-    polishing::write_task(task.task, folder / names.back());
-  }
-  return names;
+  for (const polishing::Figure& figure : report.figures)
+    write_svg_plot(figure.plot, folder / (figure.name + ".svg"));
+  for (const polishing::NamedTask& task : report.tasks)
+    polishing::write_task(task.task, folder / (task.name + ".yaml"));
 }
 
 }  // namespace burnish::app

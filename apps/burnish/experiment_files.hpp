@@ -13,10 +13,10 @@ namespace burnish::app {
 /// repeats it all.
 std::string experiment_text(const polishing::ExperimentReport& report, const std::string& command);
 
-/// Writes results.md, results.json (everything), results.csv (the first table), the figures and the
-/// tasks; their names.
-std::vector<std::string> write_experiment(const polishing::ExperimentReport& report,
-                                          const std::string& name, const std::string& command,
-                                          const std::filesystem::path& folder);
+/// results.md, results.json (everything), results.csv (the first table), the figures and the tasks.
+std::vector<std::string> experiment_files(const polishing::ExperimentReport& report);
+/// Writes them.
+void write_experiment(const polishing::ExperimentReport& report, const std::string& name,
+                      const std::string& command, const std::filesystem::path& folder);
 
 }  // namespace burnish::app

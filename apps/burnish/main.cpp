@@ -1,19 +1,19 @@
 // burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
 // optimal control problems, run the polishing task and experiments with it.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
 #include "describe.hpp"
 #include "help_formatter.hpp"
 #include "robot_list.hpp"
+#include "signals.hpp"
 
 namespace burnish::app {
 namespace {
@@ -33,15 +33,6 @@ constexpr const char* footer =
     "':variant' behind it if wanted.\n"
     "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status, a solve did not\n"
     "converge or a run did not polish; 2 bad usage or input.";
-
-/// Wipes the progress line, then ends as any program that was interrupted.
-extern "C" void interrupted(int signal) {
-  if (isatty(STDERR_FILENO) != 0) {
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, "\r\033[K", 4);
-  }
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
 
 std::string lower_first(std::string text) {
   if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])) != 0) {
@@ -149,7 +140,7 @@ int run(int count, char** words) {
 }  // namespace burnish::app
 
 int main(int count, char** words) {
-  std::signal(SIGINT, burnish::app::interrupted);
+  burnish::app::end_on_signals();
   int exit_code = burnish::app::exit_usage;
   try {
     exit_code = burnish::app::run(count, words);
@@ -157,6 +148,9 @@ int main(int count, char** words) {
   } catch (const burnish::Error& error) {
     for (const std::string& sentence : error.sentences())
       fmt::print(stderr, "burnish: {}\n", sentence);
+    return burnish::app::exit_usage;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "burnish: there is not enough memory for this\n");
     return burnish::app::exit_usage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "burnish: {}\n", error.what());

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <set>
 
 #include "command.hpp"
@@ -14,7 +13,9 @@
 #include "polishing/task_notes.hpp"
 #include "progress_bar.hpp"
 #include "robot_arguments.hpp"
+#include "run_folder.hpp"
 #include "shell_word.hpp"
+#include "signals.hpp"
 
 namespace burnish::app {
 namespace {
@@ -31,18 +32,10 @@ struct PolishArguments {
   std::optional<double> duration;
   int record_every = 10;
   bool quiet = false, json = false, time = false, unchecked = false;
-  bool no_page = false, mcap = false, strict = false;
+  bool no_page = false, mcap = false, force = false, strict = false;
 
   bool talks() const { return !quiet && !json; }
 };
-
-volatile std::sig_atomic_t interrupt_wanted = 0;
-
-/// The first Ctrl-C ends the run, the second one the program.
-extern "C" void stop_polishing(int signal) {
-  interrupt_wanted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 polishing::Task make_task(const PolishArguments& arguments, const std::string& surface) {
   std::vector<std::string> words;
@@ -108,6 +101,10 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
         if (!arguments.plant.empty())
           job.spec.plant = arguments.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
         job.command = command_of(arguments, surface, job);
+        for (const PolishJob& other : jobs)
+          if (other.name == job.name)
+            throw Error(fmt::format(
+                "the run {} is asked for twice; wanted other surfaces and seeds", job.name));
         jobs.push_back(std::move(job));
       }
     }
@@ -152,7 +149,7 @@ RunResult run_job(PolishJob& job, bool bar) {
     if (bar)
       show_progress(job.name, time / std::max(end, 1e-9),
                     fmt::format("{:.1f} s of {:.1f} s", time, end));
-    return interrupt_wanted == 0;
+    return !StopRequest::asked();
   };
   RunResult result = polishing::run_task(job.spec);
   if (bar) fmt::print(stderr, "\r\033[K");
@@ -175,17 +172,71 @@ void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult
   }
 }
 
-void print_end(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results,
-               const fs::path& folder, const PolishArguments& arguments,
-               const std::string& page_note) {
+/// What a call of the program makes: results, and files of them as long as these can be written.
+struct Outcomes {
+  PageWriter pages;
+  std::vector<RunResult> results = {};
+  nlohmann::ordered_json summary = nlohmann::ordered_json::array();
+  std::string unwritten = {};  ///< why files are missing, one sentence; empty: none are
+  std::string page_note = {};
+
+  /// Nothing more is tried after the first failure: results are there to be printed all the same.
+  template <class Write>
+  void write(const Write& work) {
+    if (!unwritten.empty()) return;
+    try {
+      work();
+    } catch (const Error& error) {
+      unwritten = error.what();
+    }
+  }
+};
+
+/// The files of the last result, and of all so far; the names of the former.
+std::vector<std::string> write_last(const PolishJob& job, int record_every, const fs::path& folder,
+                                    Outcomes& outcomes) {
+  const RunResult& result = outcomes.results.back();
+  std::vector<std::string> names;
+  outcomes.summary.push_back(run_json(job, result));
+  outcomes.write([&] {
+    names = write_run(job, result, record_every, folder / job.name);
+    for (std::string& name : outcomes.pages.write(job, result, record_every, folder / job.name))
+      names.push_back(std::move(name));
+    write_text(folder / "summary.json", json_text(outcomes.summary));
+  });
+  return names;
+}
+
+void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, const fs::path& folder,
+               const PolishArguments& arguments) {
+  if (arguments.json) return fmt::print("{}\n", json_text(outcomes.summary));
+  const std::vector<RunResult>& results = outcomes.results;
   std::vector<NamedMetrics> rows;
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
   if (arguments.time) print_times(jobs, results);
-  if (!arguments.talks()) return;
+  if (!arguments.talks() || !outcomes.unwritten.empty()) return;
   fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
-  if (!page_note.empty()) fmt::print("{}\n", page_note);
+  if (!outcomes.page_note.empty()) fmt::print("{}\n", outcomes.page_note);
+}
+
+void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
+               const fs::path& folder, Outcomes& outcomes) {
+  const bool bar = arguments.talks() && isatty(STDERR_FILENO) != 0;
+  for (PolishJob& job : jobs) {
+    outcomes.results.push_back(run_job(job, bar));
+    const RunResult& result = outcomes.results.back();
+    const auto names = write_last(job, arguments.record_every, folder, outcomes);
+    if (arguments.talks() || (!arguments.json && !result.polished))
+      fmt::print("{}: {}\n", job.name, result.outcome);
+    if (arguments.talks() && outcomes.unwritten.empty())
+      fmt::print("  {}: {}\n", (folder / job.name).string(), fmt::join(names, ", "));
+    std::fflush(stdout);
+    outcomes.results.back().trace = {};
+    if (StopRequest::asked()) break;
+  }
+  outcomes.write([&] { outcomes.page_note = outcomes.pages.finish(folder); });
 }
 
 int polish(const PolishArguments& arguments) {
@@ -197,45 +248,23 @@ int polish(const PolishArguments& arguments) {
   std::set<std::string> robots;
   for (const PolishJob& job : jobs) robots.insert(job.spec.task.robot);
   for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
-  check(jobs, arguments);
-  fs::path folder = arguments.out;
-  if (folder.empty())
-    folder =
-        (arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string()) + "_run";
-  make_folder(folder);
+  named_by(arguments.file, [&] { check(jobs, arguments); });
+  const StopRequest stop("the run ends, and what there is of it is written");
+  const std::string task =
+      arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string();
+  RunFolder folder({.out = arguments.out, .name = task + "_run", .force = arguments.force});
+  std::vector<std::string> names{"summary.json", "comparison.html"};
+  for (const PolishJob& job : jobs) names.push_back(job.name + "/");
+  folder.claim(names);
 
-  interrupt_wanted = 0;
-  const auto before = std::signal(SIGINT, stop_polishing);
-  std::vector<RunResult> results;
-  PageWriter pages(!arguments.no_page, arguments.mcap);
-  auto summary = nlohmann::ordered_json::array();
-  bool polished = true;
-  const bool bar = arguments.talks() && isatty(STDERR_FILENO) != 0;
-  for (PolishJob& job : jobs) {
-    results.push_back(run_job(job, bar));
-    const RunResult& result = results.back();
-    polished = polished && result.polished;
-    auto names = write_run(job, result, arguments.record_every, folder / job.name);
-    for (std::string& name : pages.write(job, result, arguments.record_every, folder / job.name))
-      names.push_back(std::move(name));
-    summary.push_back(run_json(job, result));
-    write_text(folder / "summary.json", json_text(summary));
-    if (arguments.talks())
-      fmt::print("{}: {}\n  {}: {}\n", job.name, result.outcome, (folder / job.name).string(),
-                 fmt::join(names, ", "));
-    else if (!arguments.json && !result.polished)
-      fmt::print("{}: {}\n", job.name, result.outcome);
-    std::fflush(stdout);
-    results.back().trace = {};
-    if (interrupt_wanted != 0) break;
-  }
-  std::signal(SIGINT, before);
-  const std::string page_note = pages.finish(folder);
-  if (arguments.json)
-    fmt::print("{}\n", json_text(summary));
-  else
-    print_end(jobs, results, folder, arguments, page_note);
-  return polished && interrupt_wanted == 0 ? exit_ok : exit_failed;
+  Outcomes outcomes{.pages = {!arguments.no_page, arguments.mcap}};
+  make_runs(jobs, arguments, folder.path(), outcomes);
+  outcomes.write([&] { folder.finish(); });
+  print_end(jobs, outcomes, folder.path(), arguments);
+  if (!outcomes.unwritten.empty()) throw Error(outcomes.unwritten);
+  const bool polished = std::all_of(outcomes.results.begin(), outcomes.results.end(),
+                                    [](const RunResult& result) { return result.polished; });
+  return polished && !StopRequest::asked() ? exit_ok : exit_failed;
 }
 
 void add_options(CLI::App& command, PolishArguments& a) {
@@ -271,8 +300,12 @@ void add_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option("--duration", a.duration, "Seconds on the path [the file's, or the default's]")
       ->type_name("S");
-  command.add_option("--out", a.out, "Folder for what is written [TASK_run or polishing_run]")
+  command
+      .add_option(
+          "--out", a.out,
+          "Folder for what is written [a new one: TASK_run or polishing_run, polishing_run_2, ...]")
       ->type_name("DIR");
+  command.add_flag("--force", a.force, "Replace the run that the folder of --out holds");
   command
       .add_option("--record-every", a.record_every,
                   "Rows of trace.csv are so many plant steps apart [10]")
@@ -301,15 +334,18 @@ void add_polish(CLI::App& app, int& exit_code) {
   command->footer(
       "Examples:\n"
       "  burnish polish                                    table and board, MPC and baseline\n"
-      "  burnish polish --surface board --controller mpc --set force=20 --set path.kind=zigzag\n"
+      "  burnish polish --surface board --controller mpc --set force=20 --set path.rate=2\n"
       "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"
       "Each run leaves a folder: run.html, a page of all of it for any browser, trace.csv,\n"
       "metrics.json, task.yaml, force.svg, path.svg, torques.svg, solver.svg, run.json, and after\n"
-      "a fault fault.txt and last_second.csv; several runs leave comparison.html. Ctrl-C ends the\n"
-      "run and writes what there is. docs/polishing.md and docs/run_page.md explain all of it.\n"
-      "Exit codes: 0 polished; 1 a fault, no contact, or a plant that failed; 2 bad input.");
+      "a fault fault.txt and last_second.csv; several runs leave comparison.html. Ctrl-C (or\n"
+      "SIGTERM, or SIGHUP) ends the run and writes what there is. docs/polishing.md and "
+      "docs/run_page.md explain all of it.\n"
+      "Exit codes: 0 polished, as the task's `verdict` asks for; 1 not: a fault, no contact, a "
+      "figure\n"
+      "of the verdict, an interruption; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = polish(*arguments); });
 }
 

@@ -1,13 +1,13 @@
 // burnish solve: an optimal control problem from a file to a trajectory, gains and plots.
 #include <fmt/format.h>
 
-#include <csignal>
-#include <fstream>
-
 #include "burnish/ocp/check.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
+#include "polish_files.hpp"
 #include "robot_arguments.hpp"
+#include "run_folder.hpp"
+#include "signals.hpp"
 #include "solution.hpp"
 
 namespace burnish::app {
@@ -19,16 +19,8 @@ struct SolveArguments {
   std::string file, out;
   int iterations = -1, threads = -1;
   double tolerance = -1.0;
-  bool check = false, pin = false, quiet = false, json = false, strict = false;
+  bool check = false, pin = false, quiet = false, json = false, force = false, strict = false;
 };
-
-volatile std::sig_atomic_t solve_must_end = 0;
-
-/// The first Ctrl-C ends the solve after its iteration, the second one the program.
-extern "C" void stop_after_iteration(int signal) {
-  solve_must_end = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 DdpOptions options_of(const ProblemFile& problem, const SolveArguments& arguments) {
   DdpOptions options = problem.solver;
@@ -45,27 +37,9 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
                  p.seconds);
       std::fflush(stdout);
     }
-    return solve_must_end == 0;
+    return !StopRequest::asked();
   };
   return options;
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text << '\n';
-  stream.close();
-  if (!stream) throw Error(fmt::format("cannot write '{}'", file.string()));
-}
-
-fs::path make_folder(const SolveArguments& arguments) {
-  fs::path folder = arguments.out;
-  if (folder.empty()) folder = fs::path(arguments.file).stem().string() + "_solution";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
-                            error ? ": " + error.message() : ""));
-  return folder;
 }
 
 /// False where the derivatives are wrong.
@@ -75,45 +49,67 @@ bool check(Problem& problem, const SolveArguments& arguments) {
   return report.pass;
 }
 
+/// The names of the files.
+std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
+                                        const nlohmann::ordered_json& report,
+                                        const fs::path& folder) {
+  const Trace trace = solution_trace(problem, solver.xs(), solver.us());
+  trace.write_csv(folder / "trajectory.csv");
+  write_text(folder / "summary.json", json_text(report));
+  write_text(folder / "gains.json", json_text(gains_json(problem, solver)));
+  std::vector<std::string> names{"trajectory.csv", "gains.json", "summary.json"};
+  for (std::string& plot : write_plots(problem, trace, solver.summary(), folder))
+    names.push_back(std::move(plot));
+  return names;
+}
+
+void print_start(const Problem& problem, const std::string& file) {
+  fmt::print("{}: {}, {} knots, {} states, {} controls\n", file, problem.model().name,
+             problem.knots(), problem.state().ndx, problem.max_controls());
+  fmt::print("{:>5}  {:>14}  {:>11}  {:>11}  {:>7}  {:>9}  {:>9}\n", "iter", "cost", "expected",
+             "largest gap", "step", "regular.", "time [s]");
+}
+
 int solve(const SolveArguments& arguments) {
   const ProblemFile file = read_problem_file(arguments.file);
   print_warnings(file.robot, arguments.strict);
-  Problem problem(file.spec);
+  Problem problem = named_by(arguments.file, [&] { return Problem(file.spec); });
   for (const std::string& complaint : complaints(problem))
     fmt::print(stderr, "burnish: {}: note: {}\n", arguments.file, complaint);
   if (arguments.check && !check(problem, arguments)) return exit_failed;
-  DdpSolver solver(problem, options_of(file, arguments));
-  const TrajectoryGuess guess = make_guess(problem, file.guess);
+  DdpSolver solver =
+      named_by(arguments.file, [&] { return DdpSolver(problem, options_of(file, arguments)); });
+  const TrajectoryGuess guess =
+      named_by(arguments.file, [&] { return make_guess(problem, file.guess); });
   solver.set_guess(guess.xs, guess.us);
-  const fs::path folder = make_folder(arguments);
+  const StopRequest stop("it ends after this iteration, and what there is is written");
+  RunFolder folder({.out = arguments.out,
+                    .name = fs::path(arguments.file).stem().string() + "_solution",
+                    .force = arguments.force});
+  folder.claim({"trajectory.csv", "gains.json", "summary.json", "states.svg", "torques.svg",
+                "forces.svg", "path.svg", "cost.svg"});
 
   const bool talks = !arguments.quiet && !arguments.json;
-  if (talks) {
-    fmt::print("{}: {}, {} knots, {} states, {} controls\n", arguments.file, problem.model().name,
-               problem.knots(), problem.state().ndx, problem.max_controls());
-    fmt::print("{:>5}  {:>14}  {:>11}  {:>11}  {:>7}  {:>9}  {:>9}\n", "iter", "cost", "expected",
-               "largest gap", "step", "regular.", "time [s]");
-  }
-  solve_must_end = 0;
-  const auto before = std::signal(SIGINT, stop_after_iteration);
+  if (talks) print_start(problem, arguments.file);
   const DdpSummary& summary = solver.solve();
-  std::signal(SIGINT, before);
-
-  const Trace trace = solution_trace(problem, solver.xs(), solver.us());
-  trace.write_csv(folder / "trajectory.csv");
   const auto report = summary_json(arguments.file, problem, solver);
-  write_text(folder / "summary.json", json_text(report));
-  write_text(folder / "gains.json", json_text(gains_json(problem, solver)));
-  const std::vector<std::string> plots = write_plots(problem, trace, summary, folder);
+  std::vector<std::string> names;
+  std::string unwritten;  // why files are missing
+  try {
+    names = write_solution(problem, solver, report, folder.path());
+    folder.finish();
+  } catch (const Error& error) {
+    unwritten = error.what();
+  }
   if (arguments.json) {
     fmt::print("{}\n", json_text(report));
   } else {
     if (talks) fmt::print("\n{}\n", solver.cost_report().text());
     fmt::print("{}\n", solver.text());
-    if (talks)
-      fmt::print("in {}: trajectory.csv, gains.json, summary.json, {}\n", folder.string(),
-                 fmt::join(plots, ", "));
+    if (talks && unwritten.empty())
+      fmt::print("in {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   }
+  if (!unwritten.empty()) throw Error(unwritten);
   return summary.reason == StopReason::Converged ? exit_ok : exit_failed;
 }
 
@@ -123,8 +119,12 @@ void add_solve(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("solve", "An optimal control problem from a YAML file");
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("PROBLEM", arguments->file, "Problem file")->type_name("")->required();
-  command->add_option("--out", arguments->out, "Folder for what is written [PROBLEM_solution]")
+  command
+      ->add_option(
+          "--out", arguments->out,
+          "Folder for what is written [a new one: PROBLEM_solution, PROBLEM_solution_2, ...]")
       ->type_name("DIR");
+  command->add_flag("--force", arguments->force, "Replace the run that the folder of --out holds");
   command
       ->add_option("--iterations", arguments->iterations, "Iterations at most [the file's, or 100]")
       ->type_name("N")
@@ -148,8 +148,9 @@ void add_solve(CLI::App& app, int& exit_code) {
       "  burnish solve examples/problems/reaching.yaml\n"
       "  burnish solve examples/problems/polishing.yaml --out /tmp/polishing --threads 4\n"
       "\n"
-      "Writes trajectory.csv, gains.json, summary.json and plots. Ctrl-C stops after the\n"
-      "iteration and writes what there is. docs/optimal_control.md describes problem files.\n"
+      "Writes trajectory.csv, gains.json, summary.json and plots. Ctrl-C (or SIGTERM, or SIGHUP)\n"
+      "stops after the iteration and writes what there is. docs/optimal_control.md describes "
+      "problem files.\n"
       "Exit codes: 0 converged; 1 not converged; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <ostream>
+
+#include "base/whole_file.hpp"
 
 namespace burnish {
 namespace {
@@ -81,10 +82,9 @@ void Trace::write_csv(std::ostream& out) const {
 }
 
 void Trace::write_csv(const std::filesystem::path& file) const {
-  std::ofstream out(file);
-  if (out) write_csv(out);
-  out.close();
-  if (!out) throw Error("cannot write the trace to '" + file.string() + "'");
+  WholeFile whole(file);
+  write_csv(whole.stream());
+  whole.keep();
 }
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 
+#include "base/whole_file.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
@@ -95,15 +96,16 @@ std::uint32_t crc32(std::string_view bytes, std::uint32_t before) {
   return ~crc;
 }
 
-McapWriter::McapWriter(std::filesystem::path file, std::string_view library)
-    : file_(std::move(file)), stream_(file_, std::ios::binary) {
-  if (!stream_) throw Error("cannot write '" + file_.string() + "'");
+McapWriter::McapWriter(const std::filesystem::path& file, std::string_view library)
+    : file_(std::make_unique<WholeFile>(file)) {
   put(magic);
   put(Bytes().put(std::string_view()).put(library).record(Op::Header));
 }
 
+McapWriter::~McapWriter() = default;
+
 void McapWriter::put(std::string_view bytes) {
-  stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file_->stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   data_crc_ = crc32(bytes, data_crc_);
   position_ += bytes.size();
 }
@@ -244,8 +246,7 @@ void McapWriter::finish() {
   put(Bytes().put(data_crc_).record(Op::DataEnd));
   write_summary();
   put(magic);
-  stream_.close();
-  if (!stream_) throw Error("cannot write '" + file_.string() + "'");
+  file_->keep();
 }
 
 }  // namespace burnish

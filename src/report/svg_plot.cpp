@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 
+#include "base/whole_file.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish {
@@ -265,10 +265,7 @@ std::string svg_plot(const PlotSpec& spec) {
 }
 
 void write_svg_plot(const PlotSpec& spec, const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream << svg_plot(spec);
-  stream.close();
-  if (!stream) throw Error("cannot write '" + file.string() + "'");
+  write_whole_file(file, svg_plot(spec));
 }
 
 }  // namespace burnish

@@ -60,7 +60,7 @@ TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
   urdf.replace(urdf.find(joint), joint.size(), "\"joint_7\" type=\"continuous\"");
   const auto turning = scratch.write("turning.urdf", urdf);
   for (const std::string& robot :
-       {std::string("crane"), std::string("quadruped"), std::string("pendulum"), quoted(turning)}) {
+       {std::string("crane"), std::string("quadruped"), quoted(turning)}) {
     const Outcome outcome = run("bench " + robot + quick);
     EXPECT_EQ(outcome.exit_code, 0) << robot << outcome.err;
     EXPECT_NE(outcome.out.find("| tick "), std::string::npos) << robot << outcome.out;

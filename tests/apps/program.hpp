@@ -61,7 +61,7 @@ inline Outcome shell(const std::string& command, const std::string& input = "") 
   const auto file = [&](const char* name) { return (scratch.folder / name).string(); };
   scratch.write("in", input);
   const std::string redirected =
-      command + " <'" + file("in") + "' >'" + file("out") + "' 2>'" + file("err") + "'";
+      "(" + command + ") <'" + file("in") + "' >'" + file("out") + "' 2>'" + file("err") + "'";
   const int status = std::system(redirected.c_str());
   Outcome outcome;
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);

@@ -19,7 +19,7 @@ constexpr bool has_page = false;
 
 const std::string moment =
     " --surface table --plant ideal --duration 0.6 --set path.start_up=0.2"
-    " --set phases.reach_duration=0.2";
+    " --set phases.reach_duration=0.2 --set verdict.force_rmse=never";
 
 /// The data of a page.
 Json data_of(const fs::path& page) {
@@ -132,7 +132,7 @@ TEST(RunPages, NoPageLeavesThemOut) {
   EXPECT_EQ(fs::exists(out / "comparison.html"), has_page);
   EXPECT_TRUE(fs::exists(out / "table_baseline_seed1" / "run.json"));
   // What an earlier call left goes.
-  ASSERT_EQ(run(what + moment + " --no-page").exit_code, 0);
+  ASSERT_EQ(run(what + moment + " --force --no-page").exit_code, 0);
   for (const char* name : {"run.json", "run.html", "run.mcap"})
     EXPECT_FALSE(fs::exists(out / "table_baseline_seed1" / name)) << name;
   EXPECT_FALSE(fs::exists(out / "comparison.html"));

@@ -1,5 +1,6 @@
 // burnish solve from outside: files, exit codes, warm starts, Ctrl-C.
 #include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -116,6 +117,29 @@ TEST(Solve, BadInputIsOneSentence) {
   expect_refused(run("solve " + quoted(bad)), "did you mean 'solver'?");
 }
 
+TEST(Solve, WhatDoesNotFitIntoMemoryIsRefusedByName) {
+  const Scratch scratch;
+  const auto file = scratch.write(
+      "long.yaml",
+      "robot: talos\nstages: {wait: {costs: {torque: {type: control}}}}\nhorizon: [wait: 90000]\n");
+  const Outcome outcome = shell("ulimit -v 4000000; '" BURNISH_PROGRAM "' solve " + quoted(file));
+  expect_refused(outcome, file.string() + ": solver: 90000 knots of ");
+  EXPECT_NE(outcome.err.find("GB of memory; at most 4 GB are supported"), std::string::npos)
+      << outcome.err;
+}
+
+TEST(Solve, WhatThereIsNotIsAnEmptyCell) {
+  const Scratch scratch;
+  const auto file = scratch.write("press.yaml", problem);
+  ASSERT_EQ(
+      run("solve " + quoted(file) + " --quiet --out " + quoted(scratch.folder / "out")).exit_code,
+      0);
+  const std::string table = contents(scratch.folder / "out" / "trajectory.csv");
+  EXPECT_EQ(table.find("nan"), std::string::npos);
+  const std::string last = table.substr(table.rfind('\n', table.size() - 2) + 1);
+  EXPECT_NE(last.find(",,,,,,"), std::string::npos) << last;
+}
+
 TEST(Solve, InterruptStopsAfterTheIterationAndWrites) {
   const Scratch scratch;
   // Long enough that it cannot end between the first line and the signal.
@@ -137,6 +161,21 @@ TEST(Solve, InterruptStopsAfterTheIterationAndWrites) {
   EXPECT_EQ(summary["reason"], "interrupted");
   EXPECT_LE(summary["iterations"].get<int>(), 3);
   EXPECT_EQ(lines_of(contents(out / "trajectory.csv")), 1 + 601);
+}
+
+TEST(Solve, AnInterruptOfTheSetUpSaysSo) {
+  const Scratch scratch;
+  const auto file = std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() /
+                    "examples/problems/standing_wall.yaml";
+  const auto out = scratch.folder / "out";
+  // Its derivatives are checked for longer than it takes to find out that it takes signals.
+  const Outcome outcome = shell(
+      "'" BURNISH_PROGRAM "' solve " + quoted(file) + " --check --out " + quoted(out) +
+      " & pid=$!; until grep -q 'SigCgt:[[:space:]]*0*[1-9a-f]' /proc/$pid/status; do kill -0 $pid "
+      "|| exit 9; done; sleep 0.05; kill -INT $pid; wait $pid");
+  EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.out;
+  EXPECT_EQ(outcome.err, "burnish: Ctrl-C: interrupted, nothing was written\n");
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,14 +13,16 @@
 
 namespace burnish {
 
+class WholeFile;
+
 /// Writes one file: schemas, channels, then messages in the order of their times. Messages are
 /// gathered in uncompressed chunks with their checksums and indexes, so that readers can jump.
 class McapWriter {
  public:
   /// `library`: what wrote it. Throws Error if the file cannot be written.
-  McapWriter(std::filesystem::path file, std::string_view library);
-  /// Closes the file as it is: only finish() makes it whole.
-  ~McapWriter() = default;
+  McapWriter(const std::filesystem::path& file, std::string_view library);
+  /// Without finish() there is no file.
+  ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
@@ -48,8 +50,7 @@ class McapWriter {
   void close_chunk();
   void write_summary();
 
-  std::filesystem::path file_;
-  std::ofstream stream_;
+  std::unique_ptr<WholeFile> file_;
   std::uint64_t position_ = 0;  ///< bytes written
   std::uint32_t data_crc_ = 0;
   std::string chunk_;                              ///< records of the chunk that is being filled

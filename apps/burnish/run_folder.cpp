@@ -1,0 +1,206 @@
+#include "run_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "base/whole_file.hpp"
+#include "burnish/base/error.hpp"
+#include "polish_files.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* mark_name = ".burnish";
+constexpr const char* running = "running";
+constexpr const char* finished = "finished";
+constexpr int most_numbers = 100'000;
+
+/// What a folder's mark says: whether its run came to an end, and what of the folder is its own.
+struct Mark {
+  bool finished = false;
+  std::set<std::string> names;
+};
+
+void write_mark(const fs::path& folder, const char* state, const std::set<std::string>& names) {
+  std::string text = fmt::format("{}\n", state);
+  for (const std::string& name : names) text += name + '\n';
+  write_whole_file(folder / mark_name, text);
+}
+
+std::optional<Mark> read_mark(const fs::path& folder) {
+  std::ifstream stream(folder / mark_name);
+  std::string line;
+  if (!std::getline(stream, line)) return std::nullopt;
+  Mark mark{.finished = line == finished, .names = {}};
+  while (std::getline(stream, line)) mark.names.insert(line);
+  return mark;
+}
+
+/// Whether a run is there that another version left, which marked nothing.
+bool looks_like_a_run(const fs::path& folder) {
+  std::error_code ignored;
+  const auto has = [&](const fs::path& where, std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* name) { return fs::exists(where / name, ignored); });
+  };
+  if (has(folder, {"summary.json", "results.json", "metrics.json", "trajectory.csv"})) return true;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_directory(ignored) && has(entry.path(), {"metrics.json"})) return true;
+  return false;
+}
+
+/// Throws Error unless everything in the folder is of the run that its mark is about.
+void check_replaceable(const fs::path& folder) {
+  const std::optional<Mark> mark = read_mark(folder);
+  if (!mark)
+    throw Error(
+        fmt::format("'{}' holds a run that does not say which files are its own, as an older "
+                    "version left it; wanted one that --force can replace: remove it, or "
+                    "take another folder",
+                    folder.string()));
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool unfinished_file = name.starts_with('.') && name.ends_with(".part");
+    if (name == mark_name || unfinished_file || mark->names.contains(name) ||
+        mark->names.contains(name + '/'))
+      continue;
+    throw Error(
+        fmt::format("'{}' holds '{}', which no run left; wanted a folder that --force may "
+                    "replace: move that away, or take another folder",
+                    folder.string(), name));
+  }
+}
+
+/// Whether a path still leads to what was opened.
+bool leads_to(const fs::path& path, int descriptor) {
+  struct stat by_path {
+  }, by_descriptor{};
+  return stat(path.c_str(), &by_path) == 0 && fstat(descriptor, &by_descriptor) == 0 &&
+         by_path.st_dev == by_descriptor.st_dev && by_path.st_ino == by_descriptor.st_ino;
+}
+
+void lead_latest_to(const fs::path& folder) {
+  const fs::path link = folder.parent_path() / "latest";
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(link, ignored)) && !fs::is_symlink(link, ignored)) return;
+  const fs::path part = folder.parent_path() / fmt::format(".latest.{}.part", getpid());
+  fs::create_directory_symlink(folder.filename(), part, ignored);
+  if (ignored) return;
+  fs::rename(part, link, ignored);
+  if (ignored) fs::remove(part, ignored);
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const FolderChoice& choice) {
+  if (choice.out.empty())
+    make_new(choice.name);
+  else
+    take(choice.out, choice.force);
+}
+
+RunFolder::~RunFolder() {
+  std::error_code ignored;
+  if (!finished_) {
+    const auto written = [&](const std::string& name) { return fs::exists(path_ / name, ignored); };
+    if (std::none_of(claimed_.begin(), claimed_.end(), written))
+      fs::remove(path_ / mark_name, ignored);
+    if (made_) fs::remove(path_, ignored);  // unless there is something in it
+  }
+  if (lock_ >= 0) close(lock_);
+}
+
+void RunFolder::claim(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    std::error_code ignored;
+    if (name.ends_with('/') && fs::exists(path_ / name, ignored) &&
+        !fs::is_empty(path_ / name, ignored))
+      throw Error(fmt::format("'{}' holds files that no run left; wanted another folder",
+                              (path_ / name).string()));
+    claimed_.insert(name);
+  }
+  write_mark(path_, running, claimed_);
+}
+
+void RunFolder::make_new(const std::string& name) {
+  numbered_ = made_ = true;
+  for (int number = 1; number <= most_numbers; ++number) {
+    path_ = number == 1 ? name : fmt::format("{}_{}", name, number);
+    std::error_code error;
+    if (fs::create_directory(path_, error)) return lock();
+    if (error && error != std::errc::file_exists)
+      throw Error(fmt::format("cannot make the folder '{}': {}", path_.string(), error.message()));
+  }
+  throw Error(fmt::format("there are {} folders '{}' and so on; wanted --out", most_numbers, name));
+}
+
+void RunFolder::take(const fs::path& folder, bool force) {
+  std::error_code ignored;
+  made_ = !fs::exists(folder, ignored);
+  make_folder(folder);
+  path_ = folder;
+  lock();
+  const std::optional<Mark> mark = read_mark(folder);
+  if (!mark && !looks_like_a_run(folder)) return;
+  if (!force)
+    throw Error(fmt::format("'{}' holds a run{}; wanted another folder, or --force to replace it",
+                            folder.string(),
+                            mark && !mark->finished ? " that did not come to its end" : ""));
+  check_replaceable(folder);
+  replace();
+}
+
+/// The old folder goes aside in one step, and then from the disk.
+void RunFolder::replace() {
+  const fs::path whole = fs::absolute(path_).lexically_normal();
+  const fs::path plain = whole.has_filename() ? whole : whole.parent_path();
+  const fs::path aside =
+      plain.parent_path() / fmt::format(".{}.{}.replaced", plain.filename().string(), getpid());
+  std::error_code error;
+  fs::rename(plain, aside, error);
+  if (!error && !fs::create_directory(plain, error) && !error)
+    error = std::make_error_code(std::errc::file_exists);
+  if (error)
+    throw Error(fmt::format("cannot replace the folder '{}': {}", path_.string(), error.message()));
+  close(lock_);
+  lock();
+  fs::remove_all(aside, error);
+  made_ = true;
+}
+
+/// Two programs that come at the same time: one of them has it, and it is the one that is there.
+void RunFolder::lock() {
+  lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0)
+    throw Error(
+        fmt::format("cannot open the folder '{}': {}", path_.string(), std::strerror(errno)));
+  // Where files cannot be locked, as on some networks, there is no guard.
+  const bool taken = flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (!taken && leads_to(path_, lock_)) return;
+  close(lock_);
+  lock_ = -1;
+  made_ = false;
+  throw Error(
+      fmt::format("another run writes into '{}'; wanted another folder, or to wait for its "
+                  "end",
+                  path_.string()));
+}
+
+void RunFolder::finish() {
+  write_mark(path_, finished, claimed_);
+  finished_ = true;
+  if (numbered_) lead_latest_to(path_);
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,68 @@
+#include "base/whole_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Links are followed: it is their target that is replaced.
+fs::path behind_links(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_symlink(file, ignored)) return file;
+  const fs::path target = fs::canonical(file, ignored);
+  return ignored ? file : target;
+}
+
+/// Empty where there is something that cannot be replaced, such as /dev/stdout.
+fs::path part_of(const fs::path& target) {
+  std::error_code ignored;
+  if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) return {};
+  return target.parent_path() /
+         ("." + target.filename().string() + "." + std::to_string(getpid()) + ".part");
+}
+
+}  // namespace
+
+WholeFile::WholeFile(const fs::path& file)
+    : name_(file), target_(behind_links(file)), part_(part_of(target_)) {
+  errno = 0;
+  stream_.open(part_.empty() ? target_ : part_, std::ios::binary);
+  if (!stream_) refuse(errno);
+}
+
+WholeFile::~WholeFile() {
+  if (part_.empty()) return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(part_, ignored);
+}
+
+void WholeFile::keep() {
+  stream_.close();
+  if (!stream_) refuse(errno);
+  if (part_.empty()) return;
+  std::error_code error;
+  fs::rename(part_, target_, error);
+  if (error) refuse(error.value());
+  part_.clear();
+}
+
+void WholeFile::refuse(int reason) const {
+  throw Error("cannot write '" + name_.string() + "'" +
+              (reason != 0 ? std::string(": ") + std::strerror(reason) : std::string()));
+}
+
+void write_whole_file(const fs::path& file, std::string_view text) {
+  WholeFile whole(file);
+  whole.stream() << text;
+  whole.keep();
+}
+
+}  // namespace burnish

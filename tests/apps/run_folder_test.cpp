@@ -1,0 +1,150 @@
+// Where commands leave what they make: new folders, folders that hold runs, disks that are full.
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string quick_polish =
+    " --surface table --controller baseline --plant ideal --duration 0.4 --set path.start_up=0.2 "
+    "--set phases.reach_duration=0.2 --set verdict.force_rmse=never --no-page --quiet ";
+
+const std::string small_problem =
+    "robot: pendulum\n"
+    "stages: {swing: {costs: {state: {type: state}, torque: {type: control}}}}\n"
+    "horizon: [swing: 10]\n";
+
+/// burnish as typed in a shell that is in a folder.
+Outcome run_in(const fs::path& folder, const std::string& arguments) {
+  return shell("cd " + quoted(folder) + " && '" BURNISH_PROGRAM "' " + arguments);
+}
+
+TEST(RunFolder, IsANewOneForEveryRun) {
+  const Scratch scratch;
+  scratch.write("swing.yaml", small_problem);
+  for (const auto& [command, name] :
+       {std::pair("polish" + quick_polish, "polishing_run"),
+        std::pair(std::string("solve swing.yaml --quiet"), "swing_solution"),
+        std::pair(std::string("experiment tick --quick --quiet --plant ideal"), "experiment_tick")})
+    for (const char* number : {"", "_2", "_3"}) {
+      const std::string folder = name + std::string(number);
+      const Outcome outcome = run_in(scratch.folder, command);
+      ASSERT_EQ(outcome.exit_code, 0) << command << outcome.out << outcome.err;
+      EXPECT_TRUE(fs::is_directory(scratch.folder / folder)) << folder;
+      EXPECT_EQ(fs::read_symlink(scratch.folder / "latest"), folder);
+      EXPECT_EQ(contents(scratch.folder / folder / ".burnish").rfind("finished", 0), 0U);
+    }
+  // What is no link stays.
+  fs::remove(scratch.folder / "latest");
+  scratch.write("latest", "mine");
+  EXPECT_EQ(run_in(scratch.folder, "solve swing.yaml --quiet").exit_code, 0);
+  EXPECT_EQ(contents(scratch.folder / "latest"), "mine");
+}
+
+TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
+  const Scratch scratch;
+  const fs::path file = scratch.write("swing.yaml", small_problem), out = scratch.folder / "out";
+  const std::string to_out = " --out " + quoted(out), solve = "solve " + quoted(file) + " --quiet";
+  ASSERT_EQ(run("polish" + quick_polish + to_out).exit_code, 0);
+  const std::string words = "'" + out.string() + "' holds a run; wanted another folder, or --force";
+  expect_refused(run("polish" + quick_polish + to_out), words);
+  expect_refused(run(solve + to_out), words);
+  expect_refused(run("experiment tick --quick" + to_out), words);
+  EXPECT_TRUE(fs::exists(out / "table_baseline" / "trace.csv"));
+  // Nothing of the old run is left beside the new one.
+  ASSERT_EQ(run(solve + " --force" + to_out).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out / "table_baseline"));
+  EXPECT_TRUE(fs::exists(out / "trajectory.csv"));
+  // But what no run left is never taken away.
+  std::ofstream(out / "notes.txt") << "mine";
+  expect_refused(run(solve + " --force" + to_out), "holds 'notes.txt', which no run left");
+  EXPECT_EQ(contents(out / "notes.txt"), "mine");
+  EXPECT_TRUE(fs::exists(out / "trajectory.csv"));
+}
+
+TEST(RunFolder, OfAnotherVersionIsRefused) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  fs::create_directories(out / "table_mpc");
+  std::ofstream(out / "table_mpc" / "metrics.json") << "{}";
+  const std::string command = "polish" + quick_polish + "--out " + quoted(out);
+  expect_refused(run(command), "holds a run; wanted another folder");
+  expect_refused(run(command + " --force"), "does not say which files are its own");
+  EXPECT_TRUE(fs::exists(out / "table_mpc" / "metrics.json"));
+}
+
+TEST(RunFolder, WithOtherFilesIsTaken) {
+  const Scratch scratch;
+  std::ofstream(scratch.folder / "notes.txt") << "mine";
+  EXPECT_EQ(run("polish" + quick_polish + "--out " + quoted(scratch.folder)).exit_code, 0);
+  EXPECT_EQ(contents(scratch.folder / "notes.txt"), "mine");
+  EXPECT_TRUE(fs::exists(scratch.folder / "summary.json"));
+}
+
+TEST(RunFolder, IsNotThereWhereNothingWasRun) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  expect_refused(
+      run("polish --surface table --surface table" + quick_polish + "--out " + quoted(out)),
+      "table_baseline is asked for twice");
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(RunFolder, IsOneRunsAtATime) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  const std::string command =
+      "'" BURNISH_PROGRAM
+      "' polish --surface table --controller mpc --plant ideal --duration 60 "
+      "--force --no-page --quiet --out " +
+      quoted(out);
+  // The second one is refused; the first one, killed where it stands, leaves an unfinished run.
+  const Outcome outcome =
+      shell(command + " >/dev/null 2>&1 & pid=$!; until [ -e " + quoted(out / ".burnish") +
+            " ]; do kill -0 $pid || exit 9; done; " + command +
+            "; code=$?; kill -KILL $pid; { wait $pid; } 2>/dev/null; exit $code");
+  expect_refused(outcome, "another run writes into '" + out.string() + "'");
+  const std::string again = "polish" + quick_polish + "--out " + quoted(out);
+  expect_refused(run(again), "holds a run that did not come to its end; wanted another folder");
+  EXPECT_EQ(run(again + " --force").exit_code, 0);
+  EXPECT_FALSE(fs::exists(out / "table_mpc"));
+  EXPECT_TRUE(fs::exists(out / "table_baseline"));
+}
+
+/// In a shell where files cannot grow beyond so many blocks of 512 bytes, which a full disk is
+/// like.
+Outcome run_short_of_disk(int blocks, const std::string& arguments) {
+  return shell("trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; '" BURNISH_PROGRAM "' " +
+               arguments);
+}
+
+TEST(RunFolder, OnAFullDiskHoldsNothingHalfWrittenAndTheTableIsPrinted) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  const Outcome outcome = run_short_of_disk(
+      64, "polish" + quick_polish + "--seed 1 --seed 2 --record-every 1 --out " + quoted(out));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.out.find("table_baseline_seed1 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("table_baseline_seed2 "), std::string::npos) << outcome.out;
+  EXPECT_EQ(lines_of(outcome.err), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("trace.csv': File too large"), std::string::npos) << outcome.err;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    EXPECT_TRUE(entry.is_directory() || entry.path().filename() == ".burnish") << entry.path();
+  expect_refused(run("polish" + quick_polish + "--out " + quoted(out)), "did not come to its end");
+}
+
+TEST(RunFolder, OfASolutionOnAFullDisk) {
+  const Scratch scratch;
+  const fs::path file = scratch.write("swing.yaml", small_problem);
+  const Outcome outcome = run_short_of_disk(
+      2, "solve " + quoted(file) + " --quiet --out " + quoted(scratch.folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.out.find("converged"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("': File too large"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace burnish::testing
