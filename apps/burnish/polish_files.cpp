@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
+#include "base/whole_file.hpp"
 #include "json_text.hpp"
 #include "polishing/task_file.hpp"
 
@@ -17,6 +17,7 @@ Json metrics_json(const Metrics& m) {
   Json json{{"start_s", m.start},
             {"end_s", m.end},
             {"rows", m.rows},
+            {"average_s", m.average},
             {"force_mean_N", m.force_mean},
             {"force_mae_N", m.force_mae},
             {"force_rmse_N", m.force_rmse},
@@ -44,6 +45,19 @@ Json metrics_json(const Metrics& m) {
                       {"mean_iterations", m.solver->mean_iterations},
                       {"missed_deadlines", m.solver->missed_deadlines}};
   return json;
+}
+
+/// What came, and what was wanted of it; the force's error in N and as a share of the force.
+Json verdict_json(const polishing::Task& task, const polishing::VerdictFigures& figures) {
+  const polishing::Verdict& wanted = task.verdict;
+  return {{"contact_share",
+           {{"value", number_json(figures.contact_share)}, {"at_least", wanted.contact_share}}},
+          {"force_rmse",
+           {{"value", number_json(figures.force_rmse / task.force)},
+            {"at_most", number_json(wanted.force_rmse)},
+            {"value_N", number_json(figures.force_rmse)}}},
+          {"path_share",
+           {{"value", number_json(figures.path_share)}, {"at_least", wanted.path_share}}}};
 }
 
 Json ticks_json(const polishing::RunResult& result) {
@@ -81,10 +95,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text << '\n';
-  stream.close();
-  if (!stream) throw Error(fmt::format("cannot write '{}'", file.string()));
+  write_whole_file(file, text + '\n');
 }
 
 Json run_json(const PolishJob& job, const polishing::RunResult& result) {
@@ -100,6 +111,7 @@ Json run_json(const PolishJob& job, const polishing::RunResult& result) {
                      {"time_s", result.fault.time},
                      {"value", number_json(result.fault.value)},
                      {"limit", number_json(result.fault.limit)}};
+  json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);
   json["metrics"] = result.metrics ? metrics_json(*result.metrics) : Json(nullptr);
   json["ticks"] = ticks_json(result);
   json["reach"] = {{"points", result.reach.points},

@@ -792,6 +792,7 @@ from .polishing import (
     Setting,
     Task,
     TickTimes,
+    VerdictFigures,
 )
 from .report import Metrics
 from .sim import Disturbances, ImpedanceSpec, TaskPoint
@@ -828,6 +829,8 @@ class RunResult:
     def polished(self) -> bool: ...
     @property
     def metrics(self) -> Optional[Metrics]: ...
+    @property
+    def verdict(self) -> Optional[VerdictFigures]: ...
     @property
     def ticks(self) -> TickTimes: ...
     @property

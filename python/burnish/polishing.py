@@ -52,7 +52,8 @@ __all__ = [
     "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanRecord",
     "PlanarPoint", "PlantKind", "PostureOptions", "ReachOptions", "ReachProblem", "ReachReport",
     "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
-    "Setting", "SurfacePath", "Task", "TickTimes", "Weights", "check_reach", "check_task",
+    "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Weights",
+    "check_reach", "check_task",
     "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
     "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
     "perform_experiment", "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes",
@@ -150,6 +151,33 @@ class Weights(Spec):
 
 
 @dataclass(eq=False, repr=False)
+class Verdict(Spec):
+    """What "polished" asks for, of the plant's true force and place, from the end of the ramp to the
+    end of the path."""
+
+    contact_share: float = 0.99
+    """of that time in contact, at least; 0 to 1"""
+    force_rmse: float = 0.1
+    """of Task.force: the root mean square of the error of the force's mean over 10 ms, at most; inf:
+    any"""
+    path_share: float = 0.99
+    """of the path's length, at least; 0 to 1: what the tool went along, nearer to its target than its
+    tip's radius. A path without end is as long as Task.polish_duration makes it."""
+
+
+@dataclass(eq=False, repr=False)
+class VerdictFigures(Spec):
+    """What Verdict is about, as it was in a run."""
+
+    contact_share: float = 0.0
+    """of the time on the path"""
+    force_rmse: float = 0.0
+    """N"""
+    path_share: float = 0.0
+    """of the path's length"""
+
+
+@dataclass(eq=False, repr=False)
 class Task(Spec):
     """The polishing task: all that a task file may say, with its defaults."""
 
@@ -188,6 +216,7 @@ class Task(Spec):
     """s on the path"""
     retreat_duration: float = 0.5
     """s"""
+    verdict: Verdict = field(default_factory=Verdict)
 
     horizon: float = 1.0
     """s"""
@@ -392,7 +421,7 @@ class RunSpec(Spec):
     """before anything moves; a problem is then an Error"""
     reach: ReachOptions = field(default_factory=ReachOptions)
     plan_rate: float = 20.0
-    """Hz, at which plans of the MPC are recorded; 0: none"""
+    """Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none"""
     progress: Optional[Callable[[float, float], Optional[bool]]] = None
     """called now and then with the simulated time and about when it will be over, s; returning
     False stops the run"""
@@ -403,6 +432,7 @@ class TickTimes(Spec):
     """Wall clock of a controller's ticks, s."""
 
     ticks: int = 0
+    """that were timed: every nth of more than a million"""
     median: float = 0.0
     p99: float = 0.0
     maximum: float = 0.0
@@ -436,7 +466,7 @@ class ExperimentSpec(Spec):
     plant: PlantKind = field(default_factory=_default_plant)
     """MUJOCO where this build has it"""
     seeds: int = 0
-    """0: the experiment's own number"""
+    """at most 10 000; 0: the experiment's own number"""
     first_seed: int = 0
     threads: int = 0
     """runs at once; 0: as many as there are cores"""
@@ -529,7 +559,7 @@ class ExperimentReport(Spec):
     findings: List[str]
     """sentences"""
     failures: List[str]
-    """runs that did not come to their end, and why; empty: all did"""
+    """runs that did not polish, and why; empty: all did"""
     interrupted: bool
 
     def table(self, name: str) -> ResultTable:

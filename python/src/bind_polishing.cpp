@@ -136,8 +136,8 @@ std::string repr_of(const Run& run) {
 py::tuple state_of(const Run& run) {
   const RunResult& r = run.result;
   return py::make_tuple(run.spec, r.setting, r.reach, r.trace, arrays_of(r.plans), r.plant_status,
-                        r.fault, r.interrupted, r.polished, r.metrics, r.ticks, r.first_tick,
-                        r.wall_time, r.outcome);
+                        r.fault, r.interrupted, r.polished, r.metrics, r.verdict, r.ticks,
+                        r.first_tick, r.wall_time, r.outcome);
 }
 
 Run run_of(const py::tuple& state) {
@@ -159,6 +159,7 @@ Run run_of(const py::tuple& state) {
   take(r.interrupted);
   take(r.polished);
   take(r.metrics);
+  take(r.verdict);
   take(r.ticks);
   take(r.first_tick);
   take(r.wall_time);
@@ -216,14 +217,20 @@ void bind_result(py::module_& m) {
   add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
   add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
   add("interrupted", &RunResult::interrupted, "Whether the progress function ended the run.");
-  add("polished", &RunResult::polished, "Whether the whole path was followed without fault.");
+  add("polished", &RunResult::polished,
+      "Whether the path's end was reached without fault, as Task.verdict asks for.");
   add("metrics", &RunResult::metrics,
       "Metrics over the path after its start; None if it was never reached.");
+  add("verdict", &RunResult::verdict,
+      "VerdictFigures: what Task.verdict is about, over all of the path that there was; None if it "
+      "was never reached.");
   add("ticks", &RunResult::ticks,
       "TickTimes of the controller after its first tick, which solves to its end.");
   add("first_tick", &RunResult::first_tick, "s of wall clock.");
   add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
-  add("outcome", &RunResult::outcome, "One sentence: that it polished, or what came in between.");
+  add("outcome", &RunResult::outcome,
+      "One sentence: that it polished, what came in between, or which figures its verdict does not "
+      "bear (\"not polished: ...\", \"stopped early: ...\").");
 }
 
 void bind_task(py::module_& m) {

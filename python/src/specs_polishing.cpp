@@ -71,6 +71,22 @@ const SpecTable& AsDataclass<Weights>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<Verdict>::table() {
+  static const SpecTable fields = SpecTable("burnish.polishing", "Verdict")
+                                      .field("contact_share", &Verdict::contact_share)
+                                      .field("force_rmse", &Verdict::force_rmse)
+                                      .field("path_share", &Verdict::path_share);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<VerdictFigures>::table() {
+  static const SpecTable fields = SpecTable("burnish.polishing", "VerdictFigures")
+                                      .field("contact_share", &VerdictFigures::contact_share)
+                                      .field("force_rmse", &VerdictFigures::force_rmse)
+                                      .field("path_share", &VerdictFigures::path_share);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<Task>::table() {
   static const SpecTable fields = SpecTable("burnish.polishing", "Task")
                                       .field("robot", &Task::robot)
@@ -91,6 +107,7 @@ const SpecTable& AsDataclass<Task>::table() {
                                       .field("ramp_duration", &Task::ramp_duration)
                                       .field("polish_duration", &Task::polish_duration)
                                       .field("retreat_duration", &Task::retreat_duration)
+                                      .field("verdict", &Task::verdict)
                                       .field("horizon", &Task::horizon)
                                       .field("step", &Task::step)
                                       .field("update_rate", &Task::update_rate)

@@ -4,6 +4,7 @@
 #include "polishing/experiments/experiment.hpp"
 #include "polishing/posture.hpp"
 #include "polishing/task_file.hpp"
+#include "polishing/verdict.hpp"
 #include "specs_model.hpp"
 #include "specs_mpc.hpp"
 #include "specs_report.hpp"
@@ -47,6 +48,10 @@ template <>
 struct SpecOf<polishing::PlanarPoint> : AsDataclass<polishing::PlanarPoint> {};
 template <>
 struct SpecOf<polishing::Weights> : AsDataclass<polishing::Weights> {};
+template <>
+struct SpecOf<polishing::Verdict> : AsDataclass<polishing::Verdict> {};
+template <>
+struct SpecOf<polishing::VerdictFigures> : AsDataclass<polishing::VerdictFigures> {};
 template <>
 struct SpecOf<polishing::Task> : AsDataclass<polishing::Task> {};
 template <>

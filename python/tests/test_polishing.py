@@ -245,6 +245,17 @@ class TestRuns:
         assert result.metrics.solver is not None and baseline.metrics.solver is None
         assert repr(result).startswith("<RunResult: mpc on ideal; polished: ")
 
+    def test_polish_only_if_the_verdict_is_borne(self, baseline):
+        figures = baseline.verdict
+        assert figures.contact_share == 1.0 and figures.path_share > 0.99
+        assert 0.0 < figures.force_rmse < 0.1 * baseline.task.force
+        strict = polishing.Verdict(force_rmse=0.1 * figures.force_rmse / baseline.task.force)
+        run = short_run(controller="baseline", seed=3, verdict=strict)
+        assert not run.polished and run.fault.kind is burnish.FaultKind.NONE
+        assert "verdict.force_rmse allows" in run.outcome and run.verdict == figures
+        with pytest.raises(burnish.Error, match="verdict.path_share is 2"):
+            polishing.make_task(verdict=polishing.Verdict(path_share=2.0))
+
     def test_metrics_are_those_of_the_trace(self, result):
         rows, metrics = result.trace.array(), result.metrics
         inside = (rows["time"] >= metrics.start) & (rows["time"] <= metrics.end)

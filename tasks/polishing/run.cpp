@@ -21,25 +21,33 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Passes ticks through and notes how long they took.
+/// Passes ticks through and notes how long they took: every nth where `ticks` of them are many.
 class Stopwatch final : public Controller {
  public:
-  Stopwatch(Controller& timed, std::size_t ticks) : timed_(&timed) { times_.reserve(ticks); }
+  Stopwatch(Controller& timed, double ticks)
+      : timed_(&timed), every_(static_cast<long>(std::max(1.0, std::ceil(ticks / most)))) {
+    times_.reserve(static_cast<std::size_t>(ticks / static_cast<double>(every_)) + 2);
+  }
   int nv() const override { return timed_->nv(); }
   void reset() noexcept override {
     timed_->reset();
     times_.clear();
+    ticks_ = 0;
   }
   const Command& tick(const Measurement& measurement) noexcept override {
+    const bool noted = ticks_++ % every_ == 0 && times_.size() < times_.capacity();
     const Clock::time_point begin = Clock::now();
     const Command& command = timed_->tick(measurement);
-    if (times_.size() < times_.capacity()) times_.push_back(seconds_since(begin));
+    if (noted) times_.push_back(seconds_since(begin));
     return command;
   }
   const std::vector<double>& times() const { return times_; }
 
  private:
+  static constexpr double most = 1e6;  ///< times that are kept, about: 8 MB
+
   Controller* timed_;
+  long every_, ticks_ = 0;
   std::vector<double> times_;
 };
 
@@ -92,6 +100,9 @@ struct Pieces {
 /// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.
 constexpr double most_rows = 200e3;
 
+/// Plans of a record: 1000 s of the usual 20 Hz.
+constexpr double most_plans = 20e3;
+
 /// s that contact may come later than planned: longer than the controller waits, if it has a limit.
 double patience_of(const RunSpec& spec) {
   constexpr double usual = 3.0;
@@ -107,11 +118,11 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
   if (spec.controller == ControllerKind::Mpc) {
     auto mpc = std::make_unique<MpcController>(make_mpc(task, setting));
     pieces.mpc = mpc.get();
-    pieces.plans =
-        std::make_unique<PlanRecorder>(*mpc, task.step, task.solver_delay, spec.plan_rate);
+    pieces.planned_end = setting.track_end + task.retreat_duration;
+    const double rate = std::min(spec.plan_rate, most_plans / pieces.planned_end);
+    pieces.plans = std::make_unique<PlanRecorder>(*mpc, task.step, task.solver_delay, rate);
     pieces.controller = std::move(mpc);
     pieces.period = 1.0 / task.tick_rate;
-    pieces.planned_end = setting.track_end + task.retreat_duration;
   } else {
     const ImpedanceSpec baseline = make_baseline(task, setting);
     pieces.controller = make_impedance_controller(setting.robot.model, baseline);
@@ -166,6 +177,12 @@ void advance(const RunSpec& spec, const Pieces& pieces, ClosedLoop& loop, const 
   }
 }
 
+/// Whether a window holds a row: those of long runs are far apart.
+bool has_rows(const Trace& trace, double start, double end) {
+  const Trace::Column time = trace.column("time");
+  return (time.array() >= start && time.array() <= end).any();
+}
+
 /// From where the start of the path is over to a little before its end.
 void measure_path(const RunSpec& spec, const Plant& plant, const Watch& watch, RunResult& result) {
   if (watch.track_begin() < 0.0) return;
@@ -181,8 +198,17 @@ void measure_path(const RunSpec& spec, const Plant& plant, const Watch& watch, R
     metrics.start = watch.track_begin();
     metrics.end = std::min(plant.time(), path_end) - 0.02;
   }
-  if (metrics.end <= metrics.start) return;
+  if (!has_rows(result.trace, metrics.start, metrics.end)) return;
   result.metrics = measure(result.trace, result.setting.robot.model, metrics);
+}
+
+/// All of the path that there was, from the ramp's end on.
+void judge(const RunSpec& spec, const Plant& plant, const Watch& watch, RunResult& result) {
+  const double begin = watch.track_begin();
+  const double end = std::min(plant.time(), begin + spec.task.polish_duration);
+  if (begin < 0.0 || !has_rows(result.trace, begin, end)) return;
+  result.verdict = verdict_figures(spec.task, result.setting, result.trace,
+                                   plant.scene().surface.normal, begin, end);
 }
 
 std::string phase_name(Phase phase) {
@@ -190,7 +216,9 @@ std::string phase_name(Phase phase) {
   return names[static_cast<int>(phase)];
 }
 
-std::string outcome_of(const RunResult& result, const Watch& watch, double now, Phase phase) {
+/// `failure`: what the verdict says, empty if nothing.
+std::string outcome_of(const RunResult& result, const Watch& watch, double now, Phase phase,
+                       const std::string& failure) {
   const std::string when = " at " + number(now) + " s";
   if (result.plant_status > Status::NotConverged)
     return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
@@ -198,6 +226,8 @@ std::string outcome_of(const RunResult& result, const Watch& watch, double now, 
   if (result.interrupted) return "interrupted" + when + ", in phase " + phase_name(phase);
   if (watch.track_begin() < 0.0)
     return "no contact was made: the run was given up" + when + ", in phase " + phase_name(phase);
+  if (!failure.empty()) return failure;
+  if (!watch.tracked(now)) return "the path was not followed to its end: the run ended" + when;
   char text[80];
   std::snprintf(text, sizeof text, "polished: %.1f s, simulated in %.1f s", now, result.wall_time);
   return text;
@@ -236,8 +266,7 @@ RunResult run_task(const RunSpec& spec) {
   options.control_period = pieces.period;
   options.max_duration = pieces.planned_end + pieces.patience + 1.0;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
-  Stopwatch stopwatch(*pieces.controller,
-                      static_cast<std::size_t>(options.max_duration / pieces.period) + 2);
+  Stopwatch stopwatch(*pieces.controller, options.max_duration / pieces.period);
   ClosedLoop loop(*plant, stopwatch, disturbances, options);
   Watch watch(spec, pieces);
   const Clock::time_point begin = Clock::now();
@@ -250,11 +279,14 @@ RunResult run_task(const RunSpec& spec) {
   result.trace = loop.trace();
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), pieces.period);
-  result.outcome = outcome_of(result, watch, plant->time(), loop.command().phase);
+  measure_path(spec, *plant, watch, result);
+  judge(spec, *plant, watch, result);
+  const std::string failure =
+      result.verdict ? verdict_failure(spec.task, *result.verdict) : std::string();
+  result.outcome = outcome_of(result, watch, plant->time(), loop.command().phase, failure);
   result.polished = result.plant_status <= Status::NotConverged &&
                     result.fault.kind == FaultKind::None && !result.interrupted &&
-                    watch.tracked(plant->time());
-  measure_path(spec, *plant, watch, result);
+                    watch.tracked(plant->time()) && failure.empty();
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "burnish/report/metrics.hpp"
 #include "polishing/plan_record.hpp"
 #include "polishing/reach.hpp"
+#include "polishing/verdict.hpp"
 
 namespace burnish::polishing {
 
@@ -34,7 +35,8 @@ struct RunSpec {
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
   ReachOptions reach = {};
-  double plan_rate = 20.0;  ///< Hz, at which plans of the MPC are recorded; 0: none
+  /// Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none
+  double plan_rate = 20.0;
   /// Called now and then with the simulated time and about when it will be over, s. Returning false
   /// stops the run.
   std::function<bool(double time, double end)> progress = nullptr;
@@ -42,7 +44,7 @@ struct RunSpec {
 
 /// Wall clock of the controller's ticks, s.
 struct TickTimes {
-  int ticks = 0;
+  int ticks = 0;  ///< that were timed: every nth of more than a million
   double median = 0.0, p99 = 0.0, maximum = 0.0;
   double mean = 0.0;
   int late = 0;         ///< ticks that took longer than the period
@@ -57,12 +59,17 @@ struct RunResult {
   Status plant_status = Status::Ok;
   FaultReport fault;               ///< of the MPC; FaultKind::None without
   bool interrupted = false;        ///< by the progress function
-  bool polished = false;           ///< the whole path was followed without fault
+  bool polished = false;           ///< to the path's end without fault, as Task::verdict asks for
   std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
-  TickTimes ticks;                 ///< after the first, which solves to its end
-  double first_tick = 0.0;         ///< s of wall clock
-  double wall_time = 0.0;          ///< s, of the simulation
-  /// One sentence: that it polished, or what came in between.
+  /// What Task::verdict is about, over all of the path that there was; none if it was never
+  /// reached.
+  std::optional<VerdictFigures> verdict;
+  TickTimes ticks;          ///< after the first, which solves to its end
+  double first_tick = 0.0;  ///< s of wall clock
+  double wall_time = 0.0;   ///< s, of the simulation
+  /// One sentence: that it polished, what came in between, or which figures the verdict does not
+  /// bear, as "not polished: ..." or, where the time was too short for the path, "stopped early:
+  /// ...".
   std::string outcome;
 };
 

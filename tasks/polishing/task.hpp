@@ -35,6 +35,18 @@ struct Weights {
   double terminal = 0.1;         ///< s: terminal costs are the running ones times this
 };
 
+/// What "polished" asks for, of the plant's true force and place, from the end of the ramp to the
+/// end of the path.
+struct Verdict {
+  double contact_share = 0.99;  ///< of that time in contact, at least; 0 to 1
+  /// Of Task::force: the root mean square of the error of the force's mean over 10 ms, at most;
+  /// infinite: any.
+  double force_rmse = 0.1;
+  /// Of the path's length, at least; 0 to 1: what the tool went along, nearer to its target than
+  /// its tip's radius. A path without end is as long as Task::polish_duration makes it.
+  double path_share = 0.99;
+};
+
 struct Task {
   std::string robot = "talos:right_arm";
   /// Of the robot's settings: start and null space; empty: default; "search": find_posture().
@@ -59,6 +71,7 @@ struct Task {
   double ramp_duration = 0.5;     ///< s
   double polish_duration = 12.6;  ///< s on the path
   double retreat_duration = 0.5;  ///< s
+  Verdict verdict = {};
 
   double horizon = 1.0;         ///< s
   double step = 0.01;           ///< s

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
+#include "base/whole_file.hpp"
 #include "model/sentence.hpp"
 #include "model/text_file.hpp"
 #include "polishing/task_keys.hpp"
@@ -47,9 +47,51 @@ void apply_override(Task& task, const std::string& word) {
 
 [[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }
 
+void check_verdict(const Verdict& verdict) {
+  for (const auto& [name, share] : {std::pair("contact_share", verdict.contact_share),
+                                    std::pair("path_share", verdict.path_share)})
+    if (!(share >= 0.0 && share <= 1.0))
+      refuse_together("verdict." + std::string(name) + " is " + number(share) +
+                      "; wanted a share between 0 and 1");
+  if (!(verdict.force_rmse > 0.0))
+    refuse_together("verdict.force_rmse is " + number(verdict.force_rmse) +
+                    "; wanted a share of the force above 0");
+}
+
 bool is_multiple(double large, double small) {
   const double ratio = large / small;
   return ratio > 0.5 && std::abs(ratio - std::round(ratio)) < 1e-6 * ratio;
+}
+
+/// What a run is asked for has an end, and fits into memory.
+void check_times(const Task& task) {
+  constexpr double longest = 1e5;    // s
+  constexpr double most_rate = 1e5;  // Hz
+  constexpr double most_steps = 5e8;
+  if (task.tick_rate > most_rate)
+    refuse_together("controller.tick_rate is " + number(task.tick_rate) + " Hz; wanted at most " +
+                    number(most_rate) + " Hz");
+  const double approach = task.clearance / task.approach_speed;
+  const double late = task.limits.late_contact_time;
+  double sum = 0.0;
+  for (const auto& [name, time] :
+       {std::pair("phases.reach_duration", task.reach_duration),
+        std::pair("phases.clearance / approach_speed", approach),
+        std::pair("phases.ramp_duration", task.ramp_duration),
+        std::pair("phases.polish_duration", task.polish_duration),
+        std::pair("phases.retreat_duration", task.retreat_duration),
+        std::pair("limits.late_contact_time", std::isinf(late) ? 0.0 : late)}) {
+    if (!(time <= longest))
+      refuse_together(std::string(name) + " is " + number(time) + " s; wanted at most " +
+                      number(longest) + " s");
+    sum += time;
+  }
+  // Plants take steps of half a millisecond at the longest.
+  const double steps = sum * std::max(task.tick_rate, 2000.0);
+  if (steps > most_steps)
+    refuse_together("phases of " + number(sum) + " s at controller.tick_rate of " +
+                    number(task.tick_rate) + " Hz are " + number(steps) +
+                    " steps; wanted at most " + number(most_steps));
 }
 
 }  // namespace
@@ -131,6 +173,7 @@ void override_task(Task& task, const std::vector<std::string>& overrides) {
 }
 
 void check_task(const Task& task) {
+  check_times(task);
   if (!is_multiple(task.horizon, task.step))
     refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
                     number(task.step) + " s; wanted a whole number of steps");
@@ -148,13 +191,9 @@ void check_task(const Task& task) {
     refuse_together("the force of " + number(task.force) + " N reaches limits.force of " +
                     number(task.limits.force) + " N; wanted less");
   const Path path(task.path);
+  check_verdict(task.verdict);
 }
 
-void write_task(const Task& task, const fs::path& file) {
-  std::ofstream stream(file);
-  stream << task_text(task);
-  stream.close();
-  if (!stream) throw Error("cannot write " + in_quotes(file.string()));
-}
+void write_task(const Task& task, const fs::path& file) { write_whole_file(file, task_text(task)); }
 
 }  // namespace burnish::polishing

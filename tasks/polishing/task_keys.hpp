@@ -47,7 +47,7 @@ auto at(Members... members) {
   return [=](Task & task) -> auto& { return (task.*....*members); };
 }
 
-enum class Range { Any, NotNegative, Positive, PositiveOrNever };
+enum class Range { Any, NotNegative, Positive, PositiveOrNever, Share };
 
 TaskKey number_key(const char* name, const char* meaning, Range range,
                    const std::function<double&(Task&)>& entry);

@@ -55,7 +55,10 @@ TaskKey number_key(const char* name, const char* meaning, Range range,
             else if (range == Range::Any)
               entry(task) = reader.number();
             else
-              entry(task) = range == Range::NotNegative ? reader.not_negative() : reader.positive();
+              entry(task) = range == Range::Positive || may_be_never ? reader.positive()
+                                                                     : reader.not_negative();
+            if (range == Range::Share && entry(task) > 1.0)
+              reader.refuse("it is " + yaml(entry(task)) + "; wanted a share between 0 and 1");
           },
           [=](const Task& task) -> std::optional<std::string> {
             Task copy = task;

@@ -131,6 +131,21 @@ TaskSection phases_section() {
                   at(&Task::retreat_duration))}};
 }
 
+TaskSection verdict_section() {
+  const auto share = [](const char* name, const char* meaning, double Verdict::*member) {
+    return number_key(name, meaning, Range::Share, at(&Task::verdict, member));
+  };
+  return {
+      "verdict",
+      "What \"polished\" asks for, of the plant's true force and place, from the end of the ramp "
+      "on.",
+      {share("contact_share", "of the time in contact, at least; 0 to 1", &Verdict::contact_share),
+       number_key("force_rmse", "of the force: rms error of its mean over 10 ms, at most; or never",
+                  Range::PositiveOrNever, at(&Task::verdict, &Verdict::force_rmse)),
+       share("path_share", "of the path's length with the tip over its target, at least; 0 to 1",
+             &Verdict::path_share)}};
+}
+
 }  // namespace
 
 std::vector<TaskSection> where_sections() {
@@ -149,7 +164,8 @@ std::vector<TaskSection> where_sections() {
         number_key("tip_radius", "m", Range::Positive, at(&Task::tip_radius))}},
       surface_section(),
       path_section(),
-      phases_section()};
+      phases_section(),
+      verdict_section()};
 }
 
 }  // namespace burnish::polishing

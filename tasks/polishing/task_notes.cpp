@@ -56,6 +56,16 @@ void note_force_error(const Task& task, std::vector<std::string>& notes) {
                   " rad/s are well");
 }
 
+/// A path that ends, but not in the time that it is given.
+void note_short_time(const Task& task, std::vector<std::string>& notes) {
+  const double whole = path_time(task);
+  if (whole <= (1.0 + 1e-9) * task.polish_duration) return;
+  const std::string wanted = number(std::ceil(10.0 * whole) / 10.0);
+  notes.push_back("the path takes " + wanted + " s, and phases.polish_duration is " +
+                  number(task.polish_duration) + " s: the run will stop early; " + wanted +
+                  " s are the whole path");
+}
+
 }  // namespace
 
 std::vector<std::string> task_notes(const Task& task, PlantKind plant) {
@@ -63,6 +73,7 @@ std::vector<std::string> task_notes(const Task& task, PlantKind plant) {
   note_lift(task, plant, notes);
   note_lag(task, notes);
   note_force_error(task, notes);
+  note_short_time(task, notes);
   return notes;
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
@@ -16,7 +19,7 @@ RunSpec short_run(PlantKind plant, ControllerKind controller) {
   RunSpec spec;
   put_on(spec.task, "table");
   spec.task.polish_duration = 1.5;
-  spec.task.path.start_up = 0.5;
+  spec.task.path.start_up = 1.0;
   spec.plant = plant;
   spec.controller = controller;
   return spec;
@@ -126,6 +129,57 @@ TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
     spec.task.disturbances = disturbance_preset("mismatch");
     spec.task.disturbances.surface_height = height;
     expect_polished(run_task(spec));
+  }
+}
+
+TEST(PolishingRun, ANoisyForceIsNoTouch) {
+  for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+    RunSpec spec = short_run(PlantKind::Ideal, controller);
+    spec.task.polish_duration = 0.5;
+    spec.task.disturbances.force_noise = 2.0;
+    const RunResult result = run_task(spec);
+    EXPECT_TRUE(result.polished) << result.outcome;
+    const auto phase = result.trace.column("phase"), contact = result.trace.column("in_contact");
+    int touch = 0, ramp = 0;
+    while (contact[touch] == 0.0) ++touch;
+    while (phase[ramp] < static_cast<double>(Phase::Ramp)) ++ramp;
+    EXPECT_GE(ramp, touch);
+    EXPECT_LE(ramp - touch, 40) << "20 ms";
+  }
+}
+
+/// arm7 whose last joint turns without end.
+class TurningArm : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    namespace fs = std::filesystem;
+    std::string name = (fs::path(::testing::TempDir()) / "burnish_arm_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    const fs::path arm7 = fs::path(BURNISH_ROBOTS_DIR) / "arm7";
+    fs::copy_file(arm7 / "robot.yaml", folder_ / "robot.yaml");
+    std::ifstream from(arm7 / "arm7.urdf");
+    std::string urdf{std::istreambuf_iterator<char>(from), {}};
+    const std::string joint = "\"joint_7\" type=\"revolute\"";
+    ASSERT_NE(urdf.find(joint), std::string::npos);
+    urdf.replace(urdf.find(joint), joint.size(), "\"joint_7\" type=\"continuous\"");
+    std::ofstream(folder_ / "arm7.urdf") << urdf;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+TEST_F(TurningArm, Polishes) {
+  for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+    RunSpec spec = short_run(PlantKind::Ideal, controller);
+    spec.task.robot = folder_.string();
+    spec.task.posture = "ready";
+    spec.task.path.radius = 0.02;
+    spec.task.update_rate = 200.0;
+    const RunResult result = run_task(spec);
+    EXPECT_EQ(result.setting.robot.model.nq, 8);
+    expect_polished(result);
+    EXPECT_GT(result.metrics->joint_margin, 0.0);
   }
 }
 

@@ -78,6 +78,7 @@ Task unusual_task() {
   task.limits.late_contact_time = 7.5;
   task.limits.release = 0.25;
   task.fallback = {.stiffness = 0.0, .damping = 12.0, .give = 0.3};
+  task.verdict = {.contact_share = 0.5, .force_rmse = 0.25, .path_share = 0.0};
   task.weights.terminal = 1e-7;
   Disturbances& d = task.disturbances;
   d.seed = 41;
@@ -207,6 +208,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"force: .inf\n", {"force: '.inf' is no number"}},
         Refused{"path: circl\n", {"path: 'circl' is unknown; did you mean 'circle'?"}},
         Refused{"path: {radius: 0}\n", {"path.radius: it is 0"}},
+        Refused{"path: {radius: 1e300}\n", {"radius is 1e+300; wanted a number from 1e-06 to 100"}},
+        Refused{"path: {rate: 1e300}\n",
+                {"rate is 1e+300; wanted a finite number of at most 10000"}},
+        Refused{"path: {kind: zigzag, speed: 1e-300}\n", {"speed is 1e-300"}},
+        Refused{"path: {kind: points, points: [[1e9, 0]]}\n", {"a point is 1e+09 m"}},
         Refused{"path: {kind: points}\n", {"there are no points"}},
         Refused{"path: {kind: points, points: none.csv}\n", {"path.points", "none.csv"}},
         Refused{"path: {kind: points, points: [[1, 2, 3]]}\n",
@@ -228,6 +234,23 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"controller: {update_rate: 4000}\n", {"update_rate is 4000 Hz"}},
         Refused{"controller: {update_rate: 100, solver_delay: 0.02}\n", {"solver_delay is 0.02 s"}},
         Refused{"force: 120\n", {"force of 120 N reaches limits.force of 100 N"}},
+        Refused{"verdict: {contact_share: 1.5}\n",
+                {"verdict.contact_share: it is 1.5", "share between"}},
+        Refused{"verdict: {path_share: -0.1}\n", {"verdict.path_share: it is -0.1"}},
+        Refused{"verdict: {force_rmse: 0}\n", {"verdict.force_rmse: it is 0"}},
+        Refused{"phases: {polish_duration: 1e9}\n",
+                {"phases.polish_duration is 1e+09 s; wanted at most 100000 s"}},
+        Refused{"phases: {polish_duration: 1e300}\n", {"phases.polish_duration is 1e+300 s"}},
+        Refused{"phases: {reach_duration: 1e9}\n", {"phases.reach_duration is 1e+09 s"}},
+        Refused{"phases: {approach_speed: 1e-12}\n",
+                {"phases.clearance / approach_speed is 2e+10 s"}},
+        Refused{"limits: {late_contact_time: 1e300}\n", {"limits.late_contact_time is 1e+300 s"}},
+        Refused{"controller: {tick_rate: 1e9}\n",
+                {"controller.tick_rate is 1e+09 Hz; wanted at most 100000 Hz"}},
+        Refused{"phases: {polish_duration: 9e4}\ncontroller: {tick_rate: 1e4}\n",
+                {"steps; wanted at most 5e+08"}},
+        Refused{"controller: {horizon: 1e6}\n", {"more than 100000 steps of 0.01 s"}},
+        Refused{"controller: {step: 1e-9}\n", {"more than 100000 steps of 1e-09 s"}},
         Refused{"limits: {force: nevr}\n", {"limits.force: 'nevr' is no number"}},
         Refused{"model_error: {kind: torqe}\n", {"model_error.kind", "did you mean 'torque'?"}},
         Refused{"disturbances: mismach\n", {"'mismach' is unknown; did you mean 'mismatch'?"}},

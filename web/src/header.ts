@@ -58,7 +58,7 @@ function badge(run: Run): HTMLElement {
     ? ['bad', 'fault']
     : run.polished
       ? ['good', 'polished']
-      : ['bad', 'not polished'];
+      : ['bad', run.outcome.startsWith('stopped early') ? 'stopped early' : 'not polished'];
   const sign = kind === 'good' ? '✓' : '✕';
   return h('span', { class: `badge ${kind}` }, `${sign} ${text}`);
 }

@@ -118,7 +118,7 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
     if (run.fault != FaultKind::None)
       faults["fault: " + std::string(name_of(run.fault))] += 1.0;
     else if (!run.polished)
-      others[run.outcome] += 1.0;
+      others[run.outcome.substr(0, run.outcome.find(':'))] += 1.0;  // without its own figures
   }
   table.add({std::string("polished"), polished});
   for (const auto& [name, count] : faults) table.add({name, count});
@@ -217,7 +217,7 @@ void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchR
 
 ExperimentReport perform_seeds(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Every disturbance at once"};
-  const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 4 : 200;
+  const int seeds = seeds_of(spec, spec.quick ? 4 : 200);
   std::vector<BatchRun> runs;
   for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
     BatchRun run;

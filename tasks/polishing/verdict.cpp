@@ -1,0 +1,110 @@
+#include "polishing/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/report/metrics.hpp"
+#include "model/sentence.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+/// m along the path until `time`, by points `step` s apart.
+double path_length(const Path& path, double time, double step) {
+  double length = 0.0;
+  Eigen::Vector2d before = path.at(0.0).p;
+  constexpr double most_points = 1e6;
+  const long count = std::lround(std::clamp(time / step, 1.0, most_points));
+  for (long i = 1; i <= count; ++i) {
+    const Eigen::Vector2d p = path.at(time * static_cast<double>(i) / static_cast<double>(count)).p;
+    length += (p - before).norm();
+    before = p;
+  }
+  return length;
+}
+
+/// The three columns of a place, per row.
+Eigen::Vector3d place(const Trace& trace, int first_column, int row) {
+  return {trace.at(row, first_column), trace.at(row, first_column + 1),
+          trace.at(row, first_column + 2)};
+}
+
+/// m of the target's way along which the tool was nearer to it than its radius, across the normal.
+double covered_length(const Task& task, const Setting& setting, const Trace& trace, double begin,
+                      double end) {
+  const int tool = trace.index("tool_x_world"), target = trace.index("target_x_world");
+  const int phase = trace.index("phase"), time = trace.index("time");
+  const auto tangents = setting.surface_axes.leftCols<2>();
+  const auto counts = [&](int row) {
+    return trace.at(row, phase) == static_cast<double>(Phase::Track) &&
+           trace.at(row, time) >= begin - 1e-9 && trace.at(row, time) <= end + 1e-9;
+  };
+  double length = 0.0;
+  for (int row = 1; row < trace.rows(); ++row) {
+    if (!counts(row - 1) || !counts(row)) continue;
+    const Eigen::Vector3d p = place(trace, target, row);
+    const double off = (tangents.transpose() * (place(trace, tool, row) - p)).norm();
+    if (off <= task.tip_radius)
+      length += (tangents.transpose() * (p - place(trace, target, row - 1))).norm();
+  }
+  return length;
+}
+
+std::string percent(double share) { return number(std::round(1e4 * share) / 1e2) + " %"; }
+
+}  // namespace
+
+double path_time(const Task& task) {
+  const double duration = Path(task.path).duration();
+  return std::isfinite(duration) ? duration : task.polish_duration;
+}
+
+VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
+                               const Eigen::Vector3d& normal, double begin, double end) {
+  MetricsSpec spec;
+  spec.normal_world = normal;
+  spec.start = begin;
+  const Trace::Column time = trace.column("time");
+  const double whole = path_time(task);
+  const double step = trace.rows() > 1 ? time[1] - time[0] : whole;
+  // The last means reach into the retreat.
+  spec.end = std::max(std::min(begin + step, end), end - 0.5 * spec.average);
+  const Metrics metrics = measure(trace, setting.robot.model, spec);
+  VerdictFigures figures;
+  figures.contact_share = 1.0 - metrics.without_contact;
+  figures.force_rmse = metrics.force_rmse;
+  const double length = path_length(Path(task.path), whole, step);
+  // A path that stays where it begins is as far as its time.
+  figures.path_share = length > 0.0 ? covered_length(task, setting, trace, begin, end) / length
+                                    : (whole > 0.0 ? (end - begin) / whole : 1.0);
+  figures.path_share = std::clamp(figures.path_share, 0.0, 1.0);
+  return figures;
+}
+
+std::string verdict_failure(const Task& task, const VerdictFigures& figures) {
+  const Verdict& wanted = task.verdict;
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  const double whole = path_time(task);
+  const bool short_of_time = whole > task.polish_duration + 1e-9;
+  const bool early = short_of_time && !(figures.path_share >= wanted.path_share);
+  if (early)
+    add(percent(figures.path_share) + " of the path in " + number(task.polish_duration) +
+        " s, and all of it takes " + number(whole) + " s (verdict.path_share wants " +
+        percent(wanted.path_share) + ")");
+  if (!(figures.contact_share >= wanted.contact_share))
+    add("in contact for " + percent(figures.contact_share) +
+        " of the time on the path (verdict.contact_share wants " + percent(wanted.contact_share) +
+        ")");
+  if (!(figures.force_rmse <= wanted.force_rmse * task.force))
+    add("the force was off by " + number(std::round(1e3 * figures.force_rmse) / 1e3) + " N rms, " +
+        percent(figures.force_rmse / task.force) + " of " + number(task.force) +
+        " N (verdict.force_rmse allows " + percent(wanted.force_rmse) + ")");
+  if (!early && !(figures.path_share >= wanted.path_share))
+    add("the tool was over " + percent(figures.path_share) +
+        " of the path (verdict.path_share wants " + percent(wanted.path_share) + ")");
+  if (text.empty()) return text;
+  return (early ? "stopped early: " : "not polished: ") + text;
+}
+
+}  // namespace burnish::polishing

@@ -1,0 +1,31 @@
+// Whether a run did what its task is for: its figures beside those that the task asks for.
+#pragma once
+
+#include <string>
+
+#include "burnish/base/trace.hpp"
+#include "polishing/stages.hpp"
+
+namespace burnish::polishing {
+
+/// What Verdict is about, as it was.
+struct VerdictFigures {
+  double contact_share = 0.0;  ///< of the time on the path
+  double force_rmse = 0.0;     ///< N
+  double path_share = 0.0;     ///< of the path's length
+};
+
+/// s that the path takes: until its last point, or for as long as the task polishes where it has no
+/// end.
+double path_time(const Task& task);
+
+/// Of a trace of ClosedLoop, its rows from `begin` to `end` (s), which are of Phase::Track.
+/// `normal` is the surface's as it is. Throws Error where there are no rows.
+VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
+                               const Eigen::Vector3d& normal, double begin, double end);
+
+/// Empty where the figures are what the task asks for; otherwise a sentence that begins with "not
+/// polished: " or "stopped early: " and has every figure that is not.
+std::string verdict_failure(const Task& task, const VerdictFigures& figures);
+
+}  // namespace burnish::polishing

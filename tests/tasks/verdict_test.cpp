@@ -1,0 +1,119 @@
+// What "polished" asks for: runs that end without a fault and have not polished all the same.
+#include "polishing/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include "polishing/run.hpp"
+#include "polishing/task_file.hpp"
+#include "polishing/task_notes.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A second and a half on the ideal plant, with the baseline, which knows no faults.
+RunSpec faultless_run() {
+  RunSpec spec;
+  put_on(spec.task, "table");
+  spec.task.polish_duration = 1.5;
+  spec.task.path.start_up = 0.5;
+  spec.plant = PlantKind::Ideal;
+  spec.controller = ControllerKind::Baseline;
+  return spec;
+}
+
+/// A run that came to its end and did not polish, for what `words` say.
+void expect_failed(const RunResult& result, const std::vector<std::string>& words) {
+  EXPECT_FALSE(result.polished);
+  EXPECT_EQ(result.fault.kind, FaultKind::None);
+  EXPECT_EQ(result.plant_status, Status::Ok);
+  ASSERT_TRUE(result.verdict.has_value());
+  expect_words(result.outcome, words);
+}
+
+TEST(PolishingVerdict, IsBorneByAPlainRun) {
+  const RunResult result = run_task(faultless_run());
+  EXPECT_TRUE(result.polished) << result.outcome;
+  ASSERT_TRUE(result.verdict.has_value());
+  EXPECT_EQ(result.verdict->contact_share, 1.0);
+  EXPECT_LT(result.verdict->force_rmse, 1.0);
+  EXPECT_NEAR(result.verdict->path_share, 1.0, 2e-3);
+}
+
+TEST(PolishingVerdict, IsNotBorneWithoutContact) {
+  RunSpec spec = faultless_run();
+  spec.task.disturbances.pushes = {{1.6, 1.0, {0.0, 0.0, 100.0}}};
+  const RunResult result = run_task(spec);
+  expect_failed(result, {"not polished: in contact for ", "verdict.contact_share wants 99 %"});
+  EXPECT_LT(result.verdict->contact_share, 0.9);
+  // What is not asked for is not missed.
+  spec.task.verdict = {.contact_share = 0.0, .force_rmse = never, .path_share = 0.0};
+  EXPECT_TRUE(run_task(spec).polished);
+}
+
+TEST(PolishingVerdict, IsNotBorneWithAnotherForce) {
+  RunSpec spec = faultless_run();
+  spec.task.disturbances.pushes = {{1.5, 0.3, {0.0, 0.0, -12.0}}};
+  spec.task.verdict.force_rmse = 1e-3;
+  const RunResult result = run_task(spec);
+  expect_failed(result, {"not polished: the force was off by ", "of 30 N",
+                         "verdict.force_rmse allows 0.1 %"});
+  EXPECT_GT(result.verdict->force_rmse, 0.03);
+}
+
+TEST(PolishingVerdict, IsNotBorneBesideThePath) {
+  RunSpec spec = faultless_run();
+  spec.task.disturbances.pushes = {{0.0, 100.0, {60.0, 0.0, 0.0}}};
+  spec.task.tip_radius = 0.005;
+  spec.task.verdict = {.contact_share = 0.0, .force_rmse = never};
+  const RunResult result = run_task(spec);
+  expect_failed(result, {"not polished: the tool was over ", "verdict.path_share wants 99 %"});
+  EXPECT_LT(result.verdict->path_share, 0.5);
+}
+
+TEST(PolishingVerdict, OfAPathThatWasTooLongForItsTimeIsStoppedEarly) {
+  RunSpec spec = faultless_run();
+  spec.task.path.kind = PathKind::Points;
+  spec.task.path.points = {{0.05, 0.0}, {0.05, 0.5}, {-0.05, 0.5}, {-0.05, 0.0}};
+  spec.check_reach = false;
+  EXPECT_NEAR(path_time(spec.task), (0.05 + 0.5 + 0.1 + 0.5) / 0.07 * 1.875, 1e-9);
+  const RunResult result = run_task(spec);
+  expect_failed(result, {"stopped early: ", "of the path in 1.5 s", "all of it takes 30.8",
+                         "verdict.path_share wants 99 %"});
+  EXPECT_NEAR(result.verdict->path_share, 0.05 / 1.15, 0.02);
+  // It is said before, too.
+  const std::vector<std::string> notes = task_notes(spec.task, PlantKind::Ideal);
+  ASSERT_EQ(notes.size(), 1U);
+  expect_words(notes[0],
+               {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "stop early"});
+}
+
+TEST(PolishingVerdict, NamesEveryFigureThatIsOff) {
+  const Task task;
+  EXPECT_EQ(verdict_failure(task, {.contact_share = 0.99, .force_rmse = 3.0, .path_share = 0.99}),
+            "");
+  EXPECT_EQ(
+      verdict_failure(task, {.contact_share = 0.32, .force_rmse = 22.9, .path_share = 0.5}),
+      "not polished: in contact for 32 % of the time on the path (verdict.contact_share wants "
+      "99 %); the force was off by 22.9 N rms, 76.33 % of 30 N (verdict.force_rmse allows 10 "
+      "%); the tool was over 50 % of the path (verdict.path_share wants 99 %)");
+  const double nan = std::nan("");
+  expect_words(verdict_failure(task, {.contact_share = nan, .force_rmse = nan, .path_share = nan}),
+               {"verdict.contact_share", "verdict.force_rmse", "verdict.path_share"});
+}
+
+TEST(PolishingVerdict, OfAPathThatStaysIsItsTime) {
+  RunSpec spec = faultless_run();
+  spec.task.path.kind = PathKind::Points;
+  spec.task.path.points = {{0.0, 0.0}};
+  const RunResult result = run_task(spec);
+  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_EQ(result.verdict->path_share, 1.0);
+}
+
+}  // namespace
+}  // namespace burnish::testing
