@@ -54,8 +54,10 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
 /// Expected improvement at a length: dV = length (d1 + length d2 / 2). Where it is negative, the
 /// cost may rise by a multiple of it while gaps close.
 bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) const {
-  const double d1 = direction.slope + gap_improvement;
-  const double d2 = direction.curvature - 2.0 * gap_improvement;
+  // The trial moved by `length` of the whole step, to which d1 and d2 belong.
+  const double whole = gap_improvement / length;
+  const double d1 = direction.slope + whole;
+  const double d2 = direction.curvature - 2.0 * whole;
   const double expected = length * (d1 + 0.5 * length * d2);
   const LineSearch& rule = options.line_search;
   const double saved =

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "burnish/solver/ddp.hpp"
 #include "solver/test_problem.hpp"
@@ -142,6 +143,118 @@ TEST(Lq, structured_form_equals_dense_form) {
       EXPECT_LT((a.gain(k) - b.gain(k)).cwiseAbs().maxCoeff(), 1e-11 * scale)
           << c.name << " knot " << k;
     }
+  }
+}
+
+/// Trials of a line search, counted from 0: those before `which` fail, and that one reports a cost
+/// that is higher by `more` than it is.
+struct Trials {
+  int which = 0;
+  double more = 0.0;
+  int next = -1;
+};
+
+/// Knot 0 tells what is a trial: what is rolled after it was expanded.
+void spy(TestKnot& knot, Trials& trials) {
+  knot.expand = [expand = knot.expand, &trials](const double* x, const double* u,
+                                                KnotExpansion& out) {
+    trials.next = 0;
+    expand(x, u, out);
+  };
+  knot.roll = [roll = knot.roll, &trials](const double* x, const double* u, double* next) {
+    const double cost = roll(x, u, next);
+    if (trials.next < 0) return cost;
+    const int trial = trials.next++;
+    return trial < trials.which ? std::nan("") : cost + (trial == trials.which ? trials.more : 0.0);
+  };
+}
+
+double cost_of(const LqProblem& lq, const RowMatrix& xs, const RowMatrix& us) {
+  double cost = 0.0;
+  for (int k = 0; k <= lq.problem.knots(); ++k) {
+    const double* u = k < lq.problem.knots() ? us.row(k).data() : nullptr;
+    cost += lq.problem.stages[k].roll(xs.row(k).data(), u, nullptr);
+  }
+  return cost;
+}
+
+/// A guess with random controls, and states that follow from them or are random as well.
+Solution random_guess(const LqProblem& lq, bool feasible) {
+  const int N = lq.problem.knots(), ndx = lq.problem.shape.ndx;
+  std::srand(23);
+  Solution guess{RowMatrix::Random(N + 1, ndx), RowMatrix::Random(N, lq.problem.most_controls)};
+  if (!feasible) return guess;
+  std::copy(lq.problem.start.begin(), lq.problem.start.end(), guess.xs.row(0).data());
+  for (int k = 0; k < N; ++k)
+    lq.problem.stages[k].roll(guess.xs.row(k).data(), guess.us.row(k).data(),
+                              guess.xs.row(k + 1).data());
+  return guess;
+}
+
+class ExpectedImprovement : public ::testing::TestWithParam<std::tuple<Case, bool>> {};
+
+TEST_P(ExpectedImprovement, is_exact_at_every_step_length) {
+  // Along a step of an LQ problem states and controls move on straight lines, so that the cost at
+  // every length is known. A trial that reports a cost just below what the rule allows is taken,
+  // and one just above it is not: that brackets what the solver expected.
+  const auto& [which, feasible] = GetParam();
+  const LineSearch rule;
+  for (int halvings = 0; halvings <= 5; ++halvings) {
+    const double length = std::pow(0.5, halvings);
+    for (const bool taken : {true, false}) {
+      LqProblem lq = random_lq(which.spec);
+      const Solution best = solve_kkt(lq), guess = random_guess(lq, feasible);
+      const double before = cost_of(lq, guess.xs, guess.us);
+      const double saved = before - cost_of(lq, guess.xs + length * (best.xs - guess.xs),
+                                            guess.us + length * (best.us - guess.us));
+      const double least = (saved > 0.0 ? rule.sufficient_decrease : rule.allowed_increase) * saved;
+      const bool always = saved > 0.0 && !feasible;  // gaps are closed at any price
+      Trials trials{halvings, saved - least + (taken ? -1e-6 : 1e-6) * std::abs(saved)};
+      spy(lq.problem.stages[0], trials);
+      DdpSolver solver(lq.problem, {.update = StepUpdate::Rollout, .max_iterations = 1});
+      solver.set_guess(guess.xs, guess.us);
+      const DdpSummary& summary = solver.solve();
+      ASSERT_EQ(summary.log.size(), 1U) << solver.text();
+      if (taken || always) {
+        EXPECT_EQ(summary.log[0].step_length, length) << "saved " << saved;
+      } else {
+        EXPECT_LT(summary.log[0].step_length, length) << "saved " << saved;
+      }
+      if (feasible && halvings == 0) {
+        EXPECT_NEAR(summary.log[0].expected_improvement, saved, 1e-9 * std::abs(saved));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExpectedImprovement,
+                         ::testing::Combine(::testing::ValuesIn(cases()), ::testing::Bool()),
+                         [](const auto& param) {
+                           return std::string(std::get<0>(param.param).name) +
+                                  (std::get<1>(param.param) ? "_feasible" : "_with_gaps");
+                         });
+
+TEST(Lq, value_function_predicts_the_cost_between_bounds) {
+  for (const std::size_t which : {0U, 4U, 8U}) {
+    LqProblem lq = random_lq(cases()[which].spec);
+    const auto nu = static_cast<std::size_t>(lq.problem.most_controls);
+    const auto knots = static_cast<std::size_t>(lq.problem.knots());
+    const double bound = 0.5 * solve_kkt(lq).us.cwiseAbs().maxCoeff();
+    lq.problem.lower.assign(knots, std::vector<double>(nu, -bound));
+    lq.problem.upper.assign(knots, std::vector<double>(nu, bound));
+    DdpSolver solver(lq.problem, {.stop_tolerance = 1e-15});
+    const double cost = solver.solve().cost;
+    const RowMatrix us = solver.us();
+    EXPECT_EQ(us.cwiseAbs().maxCoeff(), bound) << "the case holds nothing at its bounds";
+    EXPECT_LT(us.cwiseAbs().minCoeff(), bound) << "the case holds everything at its bounds";
+    // So little that no control comes to its bound or leaves it.
+    const Eigen::VectorXd dx = Eigen::VectorXd::LinSpaced(lq.problem.shape.ndx, -3e-4, 4e-4);
+    const double change =
+        solver.value_gradient(0).dot(dx) + 0.5 * dx.dot(solver.value_hessian(0) * dx);
+    const double linear = solver.value_gradient(0).dot(dx);
+    for (int i = 0; i < dx.size(); ++i) lq.problem.start[i] += dx[i];
+    const double found = solver.solve().cost - cost;
+    EXPECT_NEAR(found, change, 1e-3 * std::abs(change - linear) + 1e-12 * std::abs(cost)) << which;
   }
 }
 

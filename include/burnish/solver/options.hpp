@@ -9,8 +9,7 @@ namespace burnish {
 /// How a direction becomes the next iterate.
 enum class StepUpdate {
   /// The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After a
-  /// step
-  /// of length 1 the trajectory is feasible and stays so (feasibility-driven DDP).
+  /// step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP).
   Rollout,
   /// States and controls move along the solution of the linear-quadratic problem; every knot is
   /// evaluated on its own, in packs and threads. Gaps vanish with convergence.
@@ -31,8 +30,8 @@ struct Regularization {
 /// The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken.
 struct LineSearch {
   int halvings = 9;  ///< the smallest length is 2^-halvings
-  /// Rollout, expected improvement dV(alpha) >= 0: taken if
-  /// cost - trial > sufficient_decrease * dV(alpha).
+  /// Rollout, expected improvement dV(alpha) >= 0: taken if the iterate is not feasible, since
+  /// closing its gaps may cost, or cost - trial > sufficient_decrease * dV(alpha).
   double sufficient_decrease = 0.1;
   /// Rollout, dV(alpha) < 0 (closing gaps costs): taken if
   /// cost - trial > allowed_increase * dV(alpha).
