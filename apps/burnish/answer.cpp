@@ -42,6 +42,7 @@ class Evaluation {
 
   Json state(const EvalState& x) {
     status_ = Status::Ok;
+    sentence_ = describe(status_);
     Json result{{"status", nullptr}, {"sentence", nullptr}};
     add_acceleration(x, result);
     add_inverse(x, result);
@@ -49,7 +50,7 @@ class Evaluation {
     if (wants("frames")) result["frames"] = frames(x);
     if (wants("diagnosis")) result["diagnosis"] = diagnosis(x);
     result["status"] = status_name(status_);
-    result["sentence"] = std::string(describe(status_));
+    result["sentence"] = sentence_;
     good = good && status_ == Status::Ok;
     return result;
   }
@@ -68,6 +69,7 @@ class Evaluation {
 
   /// Notes the status; false where it leaves no numbers.
   bool usable(Status status) {
+    if (worst(status_, status) != status_) sentence_ = dynamics_.explanation();
     status_ = worst(status_, status);
     return status <= Status::NotConverged;
   }
@@ -171,7 +173,11 @@ class Evaluation {
     return result;
   }
 
-  Json diagnosis(const EvalState& x) const {
+  Json diagnosis(const EvalState& x) {
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.nv);
+    // Contacts that depend on each other are its subject; a singular M leaves it no metric.
+    const Status status = dynamics_.forward(x.q, rest, rest);
+    if (status > Status::SingularContacts && !usable(status)) return nullptr;
     const ContactDiagnosis found = diagnose(model_, dynamics_.contacts(), x.q);
     Json rows = Json::array();
     for (const RedundantRow& row : found.redundant) {
@@ -191,6 +197,7 @@ class Evaluation {
   const Model& model_;
   ContactDynamics dynamics_;
   Status status_ = Status::Ok;
+  std::string sentence_;
 };
 
 }  // namespace

@@ -287,6 +287,7 @@ class ContactDynamicsBatch:
     def status(self) -> Status: ...
     @property
     def statuses(self) -> NDArray[np.uint8]: ...  # (n,)
+    def explanation(self, state: int) -> str: ...
     # Read-only views, written over by the next call.
     @property
     def a(self) -> Array: ...  # (n, nv)
@@ -377,7 +378,7 @@ def diagnose(
     contacts: Sequence[ContactSpec],
     q: ArrayLike,
     active: Sequence[Union[int, str]] = (),
-    tolerance: float = 1e-8,
+    tolerance: float = 1e-06,
 ) -> ContactDiagnosis: ...
 def redundant_row_text(row: RedundantRow) -> str: ...
 def contact_diagnosis_text(diagnosis: ContactDiagnosis) -> str: ...

@@ -19,7 +19,8 @@ struct Dynamics {
       names.push_back(contact.spec.name);
   }
 
-  /// Runs `evaluate` with the interpreter's lock released.
+  /// Runs `evaluate` with the interpreter's lock released. Throws for all but Ok and NotConverged,
+  /// which forward dynamics alone may answer.
   Status run(unsigned what, const char* name, const auto& evaluate) {
     const Busy::Lock lock(busy, name);
     if ((what & derivatives) == 0) evaluated = 0;
@@ -28,6 +29,8 @@ struct Dynamics {
       const py::gil_scoped_release unlocked;
       status = evaluate(machine);
     }
+    if (status == Status::SingularMass || status == Status::SingularContacts)
+      throw EvaluationError(std::string(name) + ": " + machine.explanation());
     require(status, name);
     evaluated |= what;
     return status;
@@ -85,8 +88,9 @@ void bind_forward(DynamicsClass& of) {
         },
         py::arg("q"), py::arg("v"), py::arg("tau"),
         "Fills a, lambda_, mass_matrix, bias, jacobian. q: (nq,), v: (nv,), tau: (nv,), Nm or N. "
-        "Returns OK or NOT_CONVERGED; raises EvaluationError for singular contacts and for a state "
-        "that is not finite or not normalized, Error for wrong sizes.")
+        "Returns OK or NOT_CONVERGED; raises EvaluationError for singular contacts and joints that "
+        "move no mass, which it names, and for a state that is not finite or not normalized, Error "
+        "for wrong sizes.")
       .def(
           "forward_derivatives",
           [](Dynamics& self) {
@@ -106,7 +110,8 @@ void bind_inverse(DynamicsClass& of) {
           self.require_state_sizes(name, q, v);
           require_size(name, "a", a.size(), self.machine.nv());
           require_size(name, "lambda_", lambda.size(), self.machine.rows());
-          self.run(inverse, name, [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
+          (void)self.run(inverse, name,
+                         [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
         },
         py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
         "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
@@ -114,8 +119,8 @@ void bind_inverse(DynamicsClass& of) {
       .def(
           "inverse_derivatives",
           [](Dynamics& self) {
-            self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
-                     [](auto& machine) { return machine.inverse_derivatives(); });
+            (void)self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
+                           [](auto& machine) { return machine.inverse_derivatives(); });
           },
           "Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix, dtau/dlambda "
           "is -jacobian.T.")
@@ -125,8 +130,8 @@ void bind_inverse(DynamicsClass& of) {
             constexpr const char* name = "ContactDynamics.acceleration";
             self.require_state_sizes(name, q, v);
             require_size(name, "a", a.size(), self.machine.nv());
-            self.run(acceleration, name,
-                     [&](auto& machine) { return machine.acceleration(q, v, a); });
+            (void)self.run(acceleration, name,
+                           [&](auto& machine) { return machine.acceleration(q, v, a); });
           },
           py::arg("q"), py::arg("v"), py::arg("a"),
           "Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. q: (nq,), v: "
@@ -134,8 +139,8 @@ void bind_inverse(DynamicsClass& of) {
       .def(
           "acceleration_derivatives",
           [](Dynamics& self) {
-            self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
-                     [](auto& machine) { return machine.acceleration_derivatives(); });
+            (void)self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
+                           [](auto& machine) { return machine.acceleration_derivatives(); });
           },
           "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian.");
 }

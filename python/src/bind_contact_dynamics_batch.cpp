@@ -121,7 +121,20 @@ void bind_results(BatchClass& of) {
             self.require_result("status", false);
             return self.most_severe;
           },
-          "The most severe of them.");
+          "The most severe of them.")
+      .def(
+          "explanation",
+          [](const Batch& self, int state) {
+            self.require_result("explanation", false);
+            if (state < 0 || state >= self.states)
+              throw Error("ContactDynamicsBatch.explanation: there is no state " +
+                          std::to_string(state) + "; the last call had " +
+                          std::to_string(self.states));
+            return self.machine.explanation(state);
+          },
+          py::arg("state"),
+          "The status of a state in one sentence that names what is to blame: the joints that move "
+          "no mass, the contact rows that cannot be held.");
 }
 
 std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactSpec>& contacts,

@@ -69,11 +69,15 @@ void bind_derivatives(py::module_& m) {
         "Gains that check_derivatives() tries: none; SPLIT; LOG6, unequal by direction.");
   m.def("check_report_text", &CheckReport::text, py::arg("report"));
 
-  m.def("diagnose", &diagnosis, py::arg("model"), py::arg("contacts"), py::arg("q"),
-        py::arg("active") = std::vector<NumberOrName>{}, py::arg("tolerance") = 1e-8,
-        "Which rows of the contacts (of the `active` ones, by name or number; all if empty) depend "
-        "on rows before them at q (nq,): less than `tolerance` of their length in the metric M^-1 "
-        "is left beside those. Raises Error for a bad q and unknown names.");
+  m.def(
+      "diagnose", &diagnosis, py::arg("model"), py::arg("contacts"), py::arg("q"),
+      py::arg("active") = std::vector<NumberOrName>{},
+      py::arg("tolerance") = independence_tolerance,
+      "Which rows of the contacts (of the `active` ones, by name or number; all if empty) depend "
+      "on rows before them at q (nq,): no more than `tolerance` of their length in the metric "
+      "M^-1, "
+      "or of what the joints could move along them, is left beside those. Raises Error for a bad q "
+      "and unknown names.");
   m.def("redundant_row_text", &RedundantRow::text, py::arg("row"));
   m.def("contact_diagnosis_text", &ContactDiagnosis::text, py::arg("diagnosis"));
 }

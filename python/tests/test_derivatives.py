@@ -193,6 +193,19 @@ class TestContactDynamics:
         with pytest.raises(burnish.EvaluationError):
             dynamics.a
 
+    def test_singular_contacts_are_named(self) -> None:
+        dynamics = ContactDynamics(MODEL, [TIP, TIP.replace(name="again", directions="z")])
+        with pytest.raises(burnish.EvaluationError, match="contact row 'again/z' is redundant"):
+            dynamics.forward(*state())
+        q, v, tau = state()
+        batch = burnish.ContactDynamicsBatch(
+            MODEL, [TIP, TIP.replace(name="again", directions="z")], 2)
+        assert batch.forward(np.tile(q, (2, 1)), np.tile(v, (2, 1)),
+                             np.tile(tau, (2, 1))) is Status.SINGULAR_CONTACTS
+        assert "'again/z' is redundant" in batch.explanation(1)
+        with pytest.raises(burnish.Error, match="no state 2"):
+            batch.explanation(2)
+
     def test_not_converged_is_returned_and_not_raised(self) -> None:
         contacts = [TIP, TIP.replace(name="again")]
         solver = burnish.ContactSolver(mu=1e-4, max_proximal_iterations=30,

@@ -21,6 +21,7 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       alpha(static_cast<std::size_t>(set.rows()), S(0.0)),
       velocity_after(static_cast<std::size_t>(model.nv), S(0.0)),
       contact_states(static_cast<std::size_t>(set.size())),
+      lane_iterations(1, S(0.0)),
       proximal_residual(1, S(0.0)),
       tree_(model),
       set_(set),
@@ -163,7 +164,7 @@ void ConstrainedDynamics<S>::solve_lambda() {
   for (int r = 0; r < m; ++r) lambda[r] = rho_[r];
   solve_delassus(delassus_, m, one_column_, lambda.data(), 1);
   proximal_iterations = 0;
-  proximal_residual[0] = S(0.0);
+  lane_iterations[0] = proximal_residual[0] = S(0.0);
   if (!(solver_.mu > 0.0) || solver_.max_proximal_iterations == 0) return;
   const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
   auto open = less(S(0.0), S(1.0));
@@ -182,6 +183,7 @@ void ConstrainedDynamics<S>::solve_lambda() {
       lambda[r] = select(open, lambda[r], lambda_before_[r]);
     }
     proximal_residual[0] = select(open, largest, proximal_residual[0]);
+    lane_iterations[0] += select(open, S(1.0), S(0.0));
     open = mask_and(open, less(tolerance, largest));
   }
   mark(open, Status::NotConverged, status_);
@@ -191,7 +193,7 @@ template <class S>
 void ConstrainedDynamics<S>::factorize_once() {
   if (factorized_) return;
   mark(factorize(tree_, kinematics_, mass_), Status::SingularMass, state_status_);
-  mark(update_delassus(tree_, set_, active_, mass_, solver_.mu, delassus_),
+  mark(update_delassus(tree_, set_, active_, contact_states, mass_, solver_.mu, delassus_),
        Status::SingularContacts, state_status_);
   factorized_ = true;
 }

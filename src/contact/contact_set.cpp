@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "burnish/base/error.hpp"
+#include "burnish/contact/row_size.hpp"
 
 namespace burnish {
 namespace {
@@ -27,14 +28,7 @@ void check(const ContactSpec& spec) {
   const std::string who = "contact '" + spec.name + "': ";
   if (spec.directions.bits == 0 || spec.directions.bits > 63)
     throw Error(who + "the set of directions is empty; wanted at least one of x,y,z,rx,ry,rz");
-  const Eigen::Matrix3d& R = spec.reference.rotation;
-  if (!R.allFinite() || (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
-      R.determinant() < 0.0)
-    throw Error(who + "the reference's rotation is not a rotation matrix");
-  if (spec.reference.origin == Reference::Origin::World &&
-      spec.reference.axes != Reference::Axes::World)
-    throw Error(who +
-                "a reference at the world's origin has axes that move; wanted world axes there");
+  spec.reference.check("contact '" + spec.name + "'");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||
       (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6 || T.determinant() < 0.0)
@@ -84,6 +78,7 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
     c.holds_rotation = c.holds_rotation || d >= 3;
   }
   c.support = supports(model, tool.body, base.body);
+  set_reaches(model, c);
   return c;
 }
 

@@ -5,6 +5,7 @@
 
 #include "burnish/contact/delassus.hpp"
 #include "burnish/math/gram.hpp"
+#include "burnish/math/reciprocal_root.hpp"
 
 namespace burnish {
 
@@ -14,6 +15,8 @@ Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
       T(static_cast<std::size_t>(tree.nv * set.rows()), S(0.0)),
       factor(static_cast<std::size_t>(set.rows() * set.rows()), S(0.0)),
       inverse_diagonal(static_cast<std::size_t>(set.rows()), S(0.0)),
+      least_pivot(static_cast<std::size_t>(set.rows()), S(0.0)),
+      pivot_rounding(static_cast<std::size_t>(set.rows()), S(0.0)),
       stride(set.rows()) {
   for (const CompiledContact& a : set.contacts())
     for (const CompiledContact& b : set.contacts()) {
@@ -48,19 +51,40 @@ void transform_jacobian(const Tree& tree, const CompiledContact& contact, const 
   }
 }
 
+/// What the pivots of a contact's rows must exceed: the part of them that is as long, in the metric
+/// of M^-1, as the row would be if the joints moved as much along it as they could. A row of zeros
+/// asks for more than any pivot.
+template <class S>
+void demand_of_rows(const CompiledContact& contact, const ContactState<S>& state, int first,
+                    Delassus<S>& d) {
+  constexpr double least_part = independence_tolerance * independence_tolerance;
+  for (std::size_t i = 0; i < contact.directions.size(); ++i) {
+    const int r = first + static_cast<int>(i), direction = contact.directions[i];
+    const S size = row_size(contact, direction, d.jacobian_by_v.data() + r, d.stride);
+    const S demand = S(1.0) + could_have_been(contact, direction, state.p) / size;
+    d.least_pivot[r] = d.factor[r * d.stride + r] * demand * S(least_part);
+    d.pivot_rounding[r] = d.factor[r * d.stride + r] * S(burnish::pivot_rounding);
+  }
+}
+
 /// G = C C^T in place, lower triangle.
 template <class S>
 auto cholesky(int rows, Delassus<S>& d) {
   auto bad = less(S(0.0), S(0.0));
   const int m = d.stride;
   S* const c = d.factor.data();
-  for (int r = 0; r < rows; ++r) d.inverse_diagonal[r] = c[r * m + r];
   for (int k = 0; k < rows; ++k) {
-    const auto weak = mask_not(less(S(d.inverse_diagonal[k] * S(1e-12)), c[k * m + k]));
+    const S least = d.least_pivot[k] + d.pivot_rounding[k];
+    const auto weak = mask_not(less(least, c[k * m + k]));
     bad = mask_or(bad, weak);
-    const S reciprocal = S(1.0) / square_root(select(weak, S(1.0), c[k * m + k]));
+    const S reciprocal = reciprocal_root(c[k * m + k], weak);
     d.inverse_diagonal[k] = reciprocal;
-    for (int i = k + 1; i < rows; ++i) c[i * m + k] = c[i * m + k] * reciprocal;
+    const S uncertain = d.pivot_rounding[k] * reciprocal * reciprocal;
+    for (int i = k + 1; i < rows; ++i) {
+      const S x = c[i * m + k] * reciprocal;
+      c[i * m + k] = x;
+      d.pivot_rounding[i] += x * x * uncertain;
+    }
     for (int i = k + 1; i < rows; ++i) {
       const S x = c[i * m + k];
       for (int j = k + 1; j <= i; ++j) c[i * m + j] -= x * c[j * m + k];
@@ -73,7 +97,8 @@ auto cholesky(int rows, Delassus<S>& d) {
 
 template <class S>
 auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
-                     const MassMatrix<S>& mass, double mu, Delassus<S>& d) {
+                     const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
+                     double mu, Delassus<S>& d) {
   using namespace delassus_detail;
   const auto rows_of = [&](int c) { return static_cast<int>(set.contacts()[c].directions.size()); };
   for (const int c : active.contacts)
@@ -86,7 +111,16 @@ auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContac
       gram<Gram::Set>(t, t, d.shared_support[a * set.size() + b], i, i + rows_of(a), j,
                       j + rows_of(b), Strided<S>{d.factor.data(), d.stride});
     }
-  for (int r = 0; r < active.rows; ++r) d.factor[r * d.stride + r] += S(mu);
+  if (mu > 0.0) {
+    for (int r = 0; r < active.rows; ++r) {
+      d.factor[r * d.stride + r] += S(mu);
+      d.least_pivot[r] = d.factor[r * d.stride + r] * S(1e-12);
+      d.pivot_rounding[r] = S(0.0);
+    }
+  } else {
+    for (const int c : active.contacts)
+      demand_of_rows(set.contacts()[c], states[c], active.first_row[c], d);
+  }
   return cholesky(active.rows, d);
 }
 

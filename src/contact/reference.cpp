@@ -54,4 +54,14 @@ Reference Reference::parse(const std::string& name) {
               did_you_mean(name, {"local", "centered", "surface", "world"}));
 }
 
+void Reference::check(const std::string& who) const {
+  if (!rotation.allFinite() ||
+      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
+      rotation.determinant() < 0.0)
+    throw Error(who + ": the reference's rotation is not a rotation matrix");
+  if (origin == Origin::World && axes != Axes::World)
+    throw Error(who +
+                ": a reference at the world's origin has axes that move; wanted world axes there");
+}
+
 }  // namespace burnish

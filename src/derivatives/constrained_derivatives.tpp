@@ -62,7 +62,7 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
   for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
   if (!tree.deep) factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
   const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
-  for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_})
+  for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_, &frozen_})
     matrix->assign(contact_entries, S(0.0));
   for (int k = 0; k < n_; ++k) all_columns_.push_back(k);
   for (const auto& [first, end] : tree.chains()) {
@@ -220,9 +220,21 @@ void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dyn
   solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
   const S mu(dynamics.solver().mu);
   for (int iteration = 0; iteration < dynamics.proximal_iterations; ++iteration) {
+    // A lane takes as many as its values took, so that it does not depend on the others.
+    const auto closed =
+        mask_not(less(S(static_cast<double>(iteration)), dynamics.lane_iterations[0]));
+    const bool some_closed = any(closed);
     for (int r = 0; r < m; ++r)
-      for (const int j : columns) x[r * n_ + j] = before_[r * n_ + j] + x[r * n_ + j] * mu;
+      for (const int j : columns) {
+        S& entry = x[r * n_ + j];
+        frozen_[r * n_ + j] = entry;
+        entry = before_[r * n_ + j] + entry * mu;
+      }
     solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
+    if (!some_closed) continue;
+    for (int r = 0; r < m; ++r)
+      for (const int j : columns)
+        x[r * n_ + j] = select(closed, frozen_[r * n_ + j], x[r * n_ + j]);
   }
 }
 

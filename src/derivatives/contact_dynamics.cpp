@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "burnish/derivatives/constrained_derivatives.hpp"
+#include "derivatives/explanation.hpp"
 #include "derivatives/wrench_transport.tpp"
 
 namespace burnish {
@@ -30,7 +31,9 @@ struct ContactDynamics::Impl {
         negated_q(RowMatrix::Zero(set.rows(), nv)),
         negated_v(RowMatrix::Zero(set.rows(), nv)),
         velocity(Eigen::VectorXd::Zero(set.rows())),
-        error(Eigen::VectorXd::Zero(set.rows())) {}
+        error(Eigen::VectorXd::Zero(set.rows())) {
+    for (const int joint : model.joint_of_v) joint_names.push_back(model.joints[joint].name);
+  }
 
   MatrixView rows_of_a(const std::vector<double>& stacked) const {
     return {stacked.data(), nv, nv};
@@ -98,6 +101,7 @@ struct ContactDynamics::Impl {
   RowMatrix negated_q, negated_v;  ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error;
   Evaluated evaluated = Evaluated::Nothing;
+  std::vector<std::string> joint_names;  ///< per entry of v
 };
 
 ContactDynamics::ContactDynamics(const Model& model, const std::vector<ContactSpec>& contacts,
@@ -130,6 +134,16 @@ std::vector<std::string> ContactDynamics::row_names() const {
       names.push_back(contact.spec.name + "/" + std::string(direction_names[d]));
   }
   return names;
+}
+
+std::string ContactDynamics::explanation() const {
+  std::vector<std::string> joints, rows;
+  const std::vector<std::string> names = row_names();
+  for (int k = 0; k < impl_->nv; ++k)
+    if (impl_->dynamics.moves_no_mass(k, 0)) joints.push_back(impl_->joint_names[k]);
+  for (std::size_t r = 0; r < names.size(); ++r)
+    if (impl_->dynamics.is_dependent(static_cast<int>(r), 0)) rows.push_back(names[r]);
+  return explain(impl_->dynamics.status(), joints, rows);
 }
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,

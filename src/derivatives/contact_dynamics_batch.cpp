@@ -1,10 +1,10 @@
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/math/pack.hpp"
+#include "derivatives/explanation.hpp"
 
 namespace burnish {
 
@@ -26,19 +26,23 @@ void gather(const Eigen::Ref<const Eigen::MatrixXd>& from, int first, std::vecto
   }
 }
 
-/// One contiguous block per state: lane l of `count` packs goes to out + l * stride.
-void scatter(const NativePack* from, int count, double* out, int stride, int lanes) {
-  constexpr int block = native_lanes;
+/// What scatter does, for a number of lanes that the compiler may know.
+BURNISH_INLINE void scatter_lanes(const NativePack* from, int count, double* out, int stride,
+                                  int lanes) {
   int i = 0;
-  for (; i + block <= count; i += block) {
-    NativePack rows[block];
-    std::copy_n(from + i, block, rows);
-    transpose(rows);
-    for (int l = 0; l < lanes; ++l)
-      std::memcpy(out + l * stride + i, &rows[l], block * sizeof(double));
-  }
+  for (; i + native_lanes <= count; i += native_lanes)
+    unpack(from + i, lanes, [&](int l) { return out + l * stride + i; });
   for (; i < count; ++i)
     for (int l = 0; l < lanes; ++l) out[l * stride + i] = from[i].v[l];
+}
+
+/// One contiguous block per state: lane l of `count` packs goes to out + l * stride.
+void scatter(const NativePack* from, int count, double* out, int stride, int lanes) {
+  if (lanes == native_lanes) {
+    scatter_lanes(from, count, out, stride, native_lanes);
+  } else {
+    scatter_lanes(from, count, out, stride, lanes);
+  }
 }
 
 }  // namespace
@@ -68,6 +72,8 @@ struct ContactDynamicsBatch::Impl {
     for (int w = 0; w < threads; ++w) workers.emplace_back(model, set, solver);
     const auto states = static_cast<std::size_t>(room);
     status.assign(states, Status::Ok);
+    blamed.assign(states * (nv + set.rows()), 0);
+    for (const int joint : model.joint_of_v) joint_names.push_back(model.joints[joint].name);
     a.assign(states * nv, 0.0);
     lambda.assign(states * set.rows(), 0.0);
     for (auto* matrix : {&d_dq, &d_dv, &d_dtau})
@@ -103,7 +109,17 @@ struct ContactDynamicsBatch::Impl {
     if (with_derivatives) with.derivatives.forward(with.dynamics);
     const int lanes = std::min(native_lanes, static_cast<int>(q_in.cols()) - first);
     store(with, first, lanes, with_derivatives);
-    for (int l = 0; l < lanes; ++l) status[first + l] = with.dynamics.status(l);
+    for (int l = 0; l < lanes; ++l) {
+      status[first + l] = with.dynamics.status(l);
+      if (status[first + l] != Status::Ok) [[unlikely]]
+        blame(with.dynamics, l, blamed.data() + (first + l) * (nv + set.rows()));
+    }
+  }
+
+  /// Notes the entries of v that move no mass and, behind them, the rows that cannot be held.
+  void blame(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
+    for (int k = 0; k < nv; ++k) out[k] = dynamics.moves_no_mass(k, lane) ? 1 : 0;
+    for (int r = 0; r < dynamics.rows(); ++r) out[nv + r] = dynamics.is_dependent(r, lane) ? 1 : 0;
   }
 
   void store(const Worker& from, std::ptrdiff_t first, int lanes, bool with_derivatives) {
@@ -133,6 +149,8 @@ struct ContactDynamicsBatch::Impl {
   ThreadPool pool;
   std::vector<Worker> workers;  ///< one per thread
   std::vector<Status> status;
+  std::vector<char> blamed;                ///< per state: nv and rows; of those that failed
+  std::vector<std::string> joint_names;    ///< per entry of v
   std::vector<double> a, lambda;           ///< per state: nv and rows
   std::vector<double> d_dq, d_dv, d_dtau;  ///< per state: (nv + rows) x nv, row-major
 };
@@ -167,6 +185,21 @@ Status ContactDynamicsBatch::forward_with_derivatives(const ConstMatrixRef& q,
 }
 
 Status ContactDynamicsBatch::status(int state) const { return impl_->status.at(state); }
+std::string ContactDynamicsBatch::explanation(int state) const {
+  const Status status = impl_->status.at(state);
+  const char* const blamed =
+      impl_->blamed.data() + static_cast<std::ptrdiff_t>(state) * (impl_->nv + impl_->set.rows());
+  std::vector<std::string> joints, rows;
+  if (status == Status::Ok) return explain(status, joints, rows);
+  for (int k = 0; k < impl_->nv; ++k)
+    if (blamed[k] != 0) joints.push_back(impl_->joint_names[k]);
+  int row = 0;
+  for (const int c : impl_->workers.front().dynamics.active().contacts)
+    for (const int d : impl_->set.contacts()[c].directions)
+      if (blamed[impl_->nv + row++] != 0)
+        rows.push_back(impl_->set.contacts()[c].spec.name + "/" + std::string(direction_names[d]));
+  return explain(status, joints, rows);
+}
 VectorView ContactDynamicsBatch::a(int state) const {
   return {impl_->a.data() + static_cast<std::ptrdiff_t>(state) * impl_->nv, impl_->nv};
 }

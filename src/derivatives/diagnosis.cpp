@@ -2,34 +2,67 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
+#include "derivatives/contact_rows.hpp"
 
 namespace burnish {
-namespace {
-
-/// Rows of J in the metric of M^-1: J L^-1 with M = L L^T, so that Y Y^T = J M^-1 J^T.
-Eigen::MatrixXd weighted_rows(ContactDynamics& dynamics, const Model& model,
-                              const Eigen::Ref<const Eigen::VectorXd>& q) {
+ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
+                         const Eigen::Ref<const Eigen::VectorXd>& q) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
-  const Status status = dynamics.acceleration(q, rest, rest);
-  if (status != Status::Ok) throw Error("diagnose: " + std::string(describe(status)));
+  const Status status = dynamics.forward(q, rest, rest);
+  if (status > Status::SingularContacts) throw Error("diagnose: " + dynamics.explanation());
   const Eigen::LLT<Eigen::MatrixXd> mass(dynamics.mass_matrix());
-  if (mass.info() != Eigen::Success)
-    throw Error("diagnose: " + std::string(describe(Status::SingularMass)));
-  return mass.matrixL().solve(Eigen::MatrixXd(dynamics.jacobian().transpose())).transpose();
+  const RowMatrix J = dynamics.jacobian();
+  ContactRows rows{mass.matrixL().solve(Eigen::MatrixXd(J.transpose())).transpose(),
+                   Eigen::VectorXd(J.rows())};
+  Eigen::Index r = 0;
+  for (const CompiledContact& contact : dynamics.contacts().contacts()) {
+    const Vec3<double> p =
+        from_eigen(Eigen::Vector3d(frame_placement(model, q, contact.spec.tool).translation()));
+    for (const int d : contact.directions) {
+      rows.part[r] = row_size(contact, d, J.row(r).data(), 1) / could_have_been(contact, d, p);
+      ++r;
+    }
+  }
+  return rows;
 }
+
+namespace {
 
 /// Gram-Schmidt row by row; rows kept so far are written as combinations of the rows of Y, so that
 /// a redundant row can name the ones that imply it.
 struct Orthogonalized {
   std::vector<Eigen::VectorXd> basis;         ///< orthonormal
   std::vector<Eigen::VectorXd> combinations;  ///< of rows of Y, per basis vector
+  std::vector<double> uncertain;  ///< of the squared length that each was left with, relative
+
+  /// Takes from a row what the basis holds of it. Returns what rounding makes of the squared length
+  /// of the rest where it is the pivot of a factorisation (delassus.hpp).
+  double reduce(Eigen::VectorXd& row, Eigen::VectorXd& combination) const {
+    double rounding = pivot_rounding * row.squaredNorm();
+    // Twice is enough for orthogonality to rounding.
+    for (int pass = 0; pass < 2; ++pass)
+      for (std::size_t b = 0; b < basis.size(); ++b) {
+        const double part = basis[b].dot(row);
+        if (pass == 0) rounding += part * part * uncertain[b];
+        row -= part * basis[b];
+        combination -= part * combinations[b];
+      }
+    return rounding;
+  }
 };
+
+/// Of Y Y^T, whose rows are scaled already; at least that of a row of length 1.
+double condition_of(const Eigen::MatrixXd& Y) {
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Y * Y.transpose()).eigenvalues();
+  return std::max(1.0, values.maxCoeff()) / values.minCoeff();
+}
 
 }  // namespace
 
@@ -40,45 +73,41 @@ ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
   std::vector<ContactSpec> specs;
   for (const CompiledContact& contact : set.contacts()) specs.push_back(contact.spec);
   ContactDynamics dynamics(model, specs);
-  std::vector<int> wanted = active;
-  if (wanted.empty()) {
-    wanted.resize(static_cast<std::size_t>(set.size()));
-    std::iota(wanted.begin(), wanted.end(), 0);
-  }
-  const Eigen::MatrixXd Y = weighted_rows(dynamics, model, q);
-  double longest = 0.0;
-  for (Eigen::Index r = 0; r < Y.rows(); ++r) longest = std::max(longest, Y.row(r).norm());
+  return diagnose_rows(set, contact_rows(model, dynamics, q), active, tolerance);
+}
+
+ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
+                               const std::vector<int>& active, double tolerance) {
+  const RowMatrix& Y = rows.Y;
+  const std::vector<std::string> names = set.row_names();
+  const double least_part = tolerance * tolerance;
   ContactDiagnosis result{{}, 1.0};
   Orthogonalized done;
-  const std::vector<std::string> names = set.row_names();
   std::vector<int> examined;
   int row = 0;
   for (int c = 0; c < set.size(); ++c) {
     const CompiledContact& contact = set.contacts()[c];
-    const bool is_wanted = std::find(wanted.begin(), wanted.end(), c) != wanted.end();
+    const bool is_wanted =
+        active.empty() || std::find(active.begin(), active.end(), c) != active.end();
     for (const int d : contact.directions) {
       const int r = row++;
       if (!is_wanted) continue;
       examined.push_back(r);
-      const Eigen::VectorXd y = Y.row(r).transpose();
-      const bool immovable = y.norm() <= tolerance * longest;
-      Eigen::VectorXd rest = y;
+      const double square = Y.row(r).squaredNorm();
+      const double least = least_part * square * (1.0 + 1.0 / rows.part[r]);
+      const bool immovable = !(square > least + pivot_rounding * square);
+      Eigen::VectorXd rest = Y.row(r).transpose();
       Eigen::VectorXd combination = Eigen::VectorXd::Unit(Y.rows(), r);
-      // Twice is enough for orthogonality to rounding.
-      for (int pass = 0; pass < 2; ++pass)
-        for (std::size_t b = 0; b < done.basis.size(); ++b) {
-          const double part = done.basis[b].dot(rest);
-          rest -= part * done.basis[b];
-          combination -= part * done.combinations[b];
-        }
-      if (!immovable && rest.norm() > tolerance * y.norm()) {
+      const double rounding = done.reduce(rest, combination);
+      if (!immovable && rest.squaredNorm() > least + rounding) {
         done.basis.emplace_back(rest / rest.norm());
+        done.uncertain.push_back(rounding / rest.squaredNorm());
         done.combinations.emplace_back(combination / rest.norm());
         continue;
       }
       RedundantRow found{contact.spec.name, std::string(direction_names[d]), r, immovable, {}};
       for (int other = 0; !immovable && other < r; ++other)
-        if (std::abs(combination[other]) * Y.row(other).norm() > 1e-6 * y.norm())
+        if (std::abs(combination[other]) * Y.row(other).norm() > 1e-6 * std::sqrt(square))
           found.implied_by.push_back(names[other]);
       result.redundant.push_back(found);
     }
@@ -89,11 +118,19 @@ ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
     Eigen::MatrixXd unit(static_cast<Eigen::Index>(examined.size()), Y.cols());
     for (std::size_t i = 0; i < examined.size(); ++i)
       unit.row(static_cast<Eigen::Index>(i)) = Y.row(examined[i]).normalized();
-    const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(unit * unit.transpose()).eigenvalues();
-    result.condition = values.maxCoeff() / values.minCoeff();
+    result.condition = condition_of(unit);
   }
   return result;
+}
+
+double condition_by_reach(const ContactSet& set, const ContactRows& rows) {
+  if (rows.Y.rows() == 0) return 1.0;
+  if (!diagnose_rows(set, rows, {}, independence_tolerance).redundant.empty())
+    return std::numeric_limits<double>::infinity();
+  Eigen::MatrixXd scaled = rows.Y;
+  for (Eigen::Index r = 0; r < scaled.rows(); ++r)
+    scaled.row(r) *= std::sqrt(std::min(1.0, rows.part[r])) / scaled.row(r).norm();
+  return condition_of(scaled);
 }
 
 std::string RedundantRow::text() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "burnish/dynamics/articulated.hpp"
+#include "burnish/math/reciprocal_root.hpp"
 
 namespace burnish {
 namespace articulated_detail {
@@ -16,6 +17,19 @@ inline constexpr int block = 2;
 #endif
 
 }  // namespace articulated_detail
+
+/// What the pivot of entry k of v, which moves body `i`, must exceed to be more than rounding:
+/// 1e-13 of the diagonal entry that it is left of, and ten roundings of the sums about the world's
+/// origin that the entry is made of.
+template <class S>
+BURNISH_INLINE S least_mass_pivot(const Tree& tree, const Kinematics<S>& kinematics,
+                                  const MassMatrix<S>& m, int i, int k) {
+  const Inertia<S>& carried = m.composite[i];
+  const Vec3<S>& linear = kinematics.axes[k].axis.linear;
+  const S turned = carried.second.xx + carried.second.yy + carried.second.zz;
+  const S added = turned + dot(linear, linear) * carried.mass;
+  return m.mass[k * tree.nv + k] * S(1e-13) + added * S(2e-15);
+}
 
 template <class S>
 auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m) {
@@ -31,9 +45,9 @@ auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, Ma
       const Motion<S>& axis = kinematics.axes[k].axis;
       const Force<S> force = inertia * axis;
       const S pivot = dot(axis, force) + S(tree.armature[k]);
-      const auto weak = mask_not(less(S(m.mass[k * n + k] * S(1e-13)), pivot));
+      const auto weak = mask_not(less(least_mass_pivot(tree, kinematics, m, i, k), pivot));
       bad = mask_or(bad, weak);
-      const S reciprocal = S(1.0) / square_root(select(weak, S(1.0), pivot));
+      const S reciprocal = reciprocal_root(pivot, weak);
       const Force<S> row = force * reciprocal;
       m.inverse_diagonal[k] = reciprocal;
       m.row_force[k] = row;

@@ -52,11 +52,10 @@ auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>&
   auto bad = less(S(0.0), S(0.0));
   for (int k = n - 1; k >= 0; --k) {
     S* row = &m.factor[k * n];
-    const S least = m.mass[k * n + k] * S(1e-13);
-    const auto weak = mask_not(less(least, row[k]));
+    const int body = tree.joint_of_v[k];
+    const auto weak = mask_not(less(least_mass_pivot(tree, kinematics, m, body, k), row[k]));
     bad = mask_or(bad, weak);
-    const S pivot = select(weak, S(1.0), row[k]);
-    const S reciprocal = S(1.0) / square_root(pivot);
+    const S reciprocal = reciprocal_root(row[k], weak);
     m.inverse_diagonal[k] = reciprocal;
     for (int i = parent[k]; i >= 0; i = parent[i]) row[i] = row[i] * reciprocal;
     for (int i = parent[k]; i >= 0; i = parent[i]) {

@@ -20,22 +20,26 @@ Worker::Worker(const CompiledProblem& problem)
 
 namespace {
 
-/// Lane l of rows x columns packs (row-major, `stride` between rows) to rows of out[l].
-void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
-                  double* const* out, int out_stride) {
-  constexpr int block = native_lanes;
+/// What scatter_rows does, for a number of lanes that the compiler may know.
+BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns, int stride,
+                                  int lanes, double* const* out, int out_stride) {
   for (int r = 0; r < rows; ++r) {
     const NativePack* const row = from + r * stride;
     int c = 0;
-    for (; c + block <= columns; c += block) {
-      NativePack tile[block];
-      std::copy_n(row + c, block, tile);
-      transpose(tile);
-      for (int l = 0; l < lanes; ++l)
-        for (int i = 0; i < block; ++i) out[l][r * out_stride + c + i] = tile[l].v[i];
-    }
+    for (; c + native_lanes <= columns; c += native_lanes)
+      unpack(row + c, lanes, [&](int l) { return out[l] + r * out_stride + c; });
     for (; c < columns; ++c)
       for (int l = 0; l < lanes; ++l) out[l][r * out_stride + c] = row[c].v[l];
+  }
+}
+
+/// Lane l of rows x columns packs (row-major, `stride` between rows) to rows of out[l].
+void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
+                  double* const* out, int out_stride) {
+  if (lanes == native_lanes) {
+    scatter_lanes(from, rows, columns, stride, native_lanes, out, out_stride);
+  } else {
+    scatter_lanes(from, rows, columns, stride, lanes, out, out_stride);
   }
 }
 
@@ -189,6 +193,17 @@ void Problem::Impl::cut_ranges() {
     ranges.push_back({begin, end});
     begin = end;
   }
+}
+
+const ocp::CompiledTerm& Problem::Impl::term(const char* call, int knot, int term) const {
+  if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(stage_of.size() - 1));
+  const std::vector<ocp::CompiledTerm>& terms = stage(knot).terms;
+  if (term < 0 || term >= static_cast<int>(terms.size()))
+    throw Error(std::string(call) + ": there is no term " + std::to_string(term) + " at knot " +
+                std::to_string(knot) + ", which has " + std::to_string(terms.size()));
+  return terms[static_cast<std::size_t>(term)];
 }
 
 void Problem::Impl::check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const {

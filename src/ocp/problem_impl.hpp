@@ -44,6 +44,8 @@ struct Problem::Impl {
   void cut_ranges();
   void prepare(int count);
   void check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const;
+  /// Throws Error("<call>: ...") for a knot or a term that there is not.
+  const ocp::CompiledTerm& term(const char* call, int knot, int term) const;
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
                                                  const ConstVectorRef& u);
   KnotValue roll(int index, int knot, const double* x, const double* u, double* next);

@@ -1,7 +1,9 @@
 // Packed states equal single ones; a bad state is flagged in its own lane and disturbs no other.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <set>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "support/contact_states.hpp"
@@ -111,6 +113,39 @@ TEST_P(BatchOf, does_not_depend_on_how_it_is_cut) {
     EXPECT_EQ(whole.a(i), cut.a(0));
     EXPECT_EQ(whole.da_dq(i), cut.da_dq(0));
     EXPECT_EQ(whole.dlambda_dtau(i), cut.dlambda_dtau(0));
+  }
+}
+
+TEST_P(BatchOf, with_proximal_iterations_equals_each_of_its_lanes_alone) {
+  std::vector<ContactSpec> twice = contacts(Reference::centered());
+  twice.push_back(twice[0]);
+  twice.back().name = "third";
+  const ContactSolver solver{
+      .mu = 1e-2, .max_proximal_iterations = 200, .proximal_tolerance = 1e-9};
+  const int count = pack_width();
+  ContactDynamics single(model_, contacts(Reference::centered())), soft(model_, twice, solver);
+  ContactDynamicsBatch whole(model_, twice, count, solver), alone(model_, twice, 1, solver);
+  Batch batch = states(count, single);
+  // Forces of many sizes, so that every lane takes a number of iterations of its own.
+  for (int i = 0; i < count; ++i) batch.tau.col(i) *= std::pow(10.0, i % 4);
+  whole.forward_with_derivatives(batch.q, batch.v, batch.tau);
+  std::set<int> iterations;
+  for (int i = 0; i < count; ++i) {
+    soft.forward(batch.q.col(i), batch.v.col(i), batch.tau.col(i));
+    iterations.insert(soft.proximal_iterations());
+    alone.forward_with_derivatives(batch.q.col(i), batch.v.col(i), batch.tau.col(i));
+    EXPECT_EQ(whole.status(i), alone.status(0));
+    EXPECT_EQ(whole.a(i), alone.a(0));
+    EXPECT_EQ(whole.lambda(i), alone.lambda(0));
+    EXPECT_EQ(whole.da_dq(i), alone.da_dq(0));
+    EXPECT_EQ(whole.da_dv(i), alone.da_dv(0));
+    EXPECT_EQ(whole.da_dtau(i), alone.da_dtau(0));
+    EXPECT_EQ(whole.dlambda_dq(i), alone.dlambda_dq(0));
+    EXPECT_EQ(whole.dlambda_dv(i), alone.dlambda_dv(0));
+    EXPECT_EQ(whole.dlambda_dtau(i), alone.dlambda_dtau(0));
+  }
+  if (count > 1) {
+    EXPECT_GT(iterations.size(), 1U) << "the lanes are not told apart";
   }
 }
 

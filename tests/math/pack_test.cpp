@@ -97,6 +97,19 @@ TYPED_TEST(PackLaw, sine_and_cosine_beyond_the_polynomials_range_are_those_of_th
   }
 }
 
+TYPED_TEST(PackLaw, sine_and_cosine_of_a_lane_are_the_same_beside_an_angle_beyond_the_range) {
+  constexpr int n = Lanes<TypeParam>::count;
+  auto x = numbered<TypeParam>(0.1, 0.7);
+  TypeParam s, c, far_s, far_c;
+  sine_cosine(x, s, c);
+  Lanes<TypeParam>::set(x, n - 1, 3e7);
+  sine_cosine(x, far_s, far_c);
+  for (int l = 0; l + 1 < n; ++l) {
+    EXPECT_EQ(s.lane(l), far_s.lane(l));
+    EXPECT_EQ(c.lane(l), far_c.lane(l));
+  }
+}
+
 TEST(NativePack, has_the_width_of_the_target) {
 #if defined(__AVX512F__)
   EXPECT_EQ(native_lanes, 8);

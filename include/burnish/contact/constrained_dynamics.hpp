@@ -47,6 +47,15 @@ class ConstrainedDynamics {
   /// The most severe status of all lanes.
   Status status() const;
 
+  /// What a SingularMass is to blame on in a lane: entry k of v moves no mass of its own.
+  bool moves_no_mass(int k, int lane) const {
+    return factorized_ && Lanes<S>::get(mass_.inverse_diagonal[k], lane) == 0.0;
+  }
+  /// What a SingularContacts is to blame on: the active row depends on those before it.
+  bool is_dependent(int row, int lane) const {
+    return factorized_ && Lanes<S>::get(delassus_.inverse_diagonal[row], lane) == 0.0;
+  }
+
   int nv() const { return tree_.nv; }
   int rows() const { return active_.rows; }
 
@@ -57,7 +66,8 @@ class ConstrainedDynamics {
   std::vector<S> alpha;                         ///< rows, by acceleration
   std::vector<S> velocity_after;                ///< nv, by impact
   std::vector<ContactState<S>> contact_states;  ///< per contact of the set
-  int proximal_iterations = 0;                  ///< by forward or impact
+  int proximal_iterations = 0;                  ///< by forward or impact, most of all lanes
+  std::vector<S> lane_iterations;    ///< 1 entry: those of each lane, which is frozen after them
   std::vector<S> proximal_residual;  ///< 1 entry: largest |mu (lambda - previous)|, m/s^2
 
   // Stages, for the derivatives that build on them.

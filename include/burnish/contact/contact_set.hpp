@@ -13,6 +13,9 @@ namespace burnish {
 struct ContactSupport {
   int v;
   bool moves_tool, moves_base;
+  /// 1/m: what a linear row of the Jacobian is multiplied by at this entry to say which part it is
+  /// of what the entry could do, lengths of the robot being what they are; 1 for a sliding joint.
+  double per_reach = 1.0;
 };
 
 /// Constants of one contact, as the kernels read them.
@@ -28,6 +31,7 @@ struct CompiledContact {
   bool proportional, damped;            ///< some held direction has kp or kd
   bool holds_rotation;                  ///< some held direction is angular
   std::vector<ContactSupport> support;  ///< ascending in v
+  double offset_weight = 0.0;  ///< 1/m^2, of the tool's squared distance from the world's origin
 };
 
 /// Of one model: memory and time grow with the square and the cube of their rows.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "burnish/contact/contact_kinematics.hpp"
+#include "burnish/contact/row_size.hpp"
 #include "burnish/contact/solver_options.hpp"
 #include "burnish/dynamics/mass_matrix.hpp"
 
@@ -28,15 +28,21 @@ struct Delassus {
   std::vector<S> T;              ///< L^-T J^T: nv x stride
   std::vector<S> factor;         ///< Cholesky factor C of G = C C^T, stride x stride, lower
   std::vector<S> inverse_diagonal;
+  std::vector<S> least_pivot;                    ///< per row: what a pivot of G must exceed
+  std::vector<S> pivot_rounding;                 ///< and what rounding may have made of it
   int stride;                                    ///< rows with every contact active
   std::vector<std::vector<int>> shared_support;  ///< entries of v that move both of two contacts
 };
 
-/// T and the factor of G. Returns the lanes in which a pivot is not above 1e-12 of its diagonal
-/// entry; there the factor is finite but meaningless.
+/// T and the factor of G. Returns the lanes in which some row is not independent of those before
+/// it; there the factor is finite but meaningless, and inverse_diagonal is zero at those rows. With
+/// mu = 0 that is a row of which no more than independence_tolerance of what could have been is
+/// left beside those before it (row_size.hpp); with mu > 0 one whose pivot is not above 1e-12 of
+/// its diagonal entry.
 template <class S>
 auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
-                     const MassMatrix<S>& mass, double mu, Delassus<S>& d);
+                     const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
+                     double mu, Delassus<S>& d);
 
 /// X <- G^-1 X for X of `rows` rows, its columns listed.
 template <class S>

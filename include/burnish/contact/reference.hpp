@@ -34,6 +34,9 @@ struct Reference {
   std::string name() const;
   /// Reads those names ("surface" gets the identity). Throws Error with the nearest known name.
   static Reference parse(const std::string& name);
+  /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6, and axes at the
+  /// world's origin are the world's.
+  void check(const std::string& who) const;
 };
 
 }  // namespace burnish

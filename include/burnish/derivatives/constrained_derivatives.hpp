@@ -72,7 +72,7 @@ class ConstrainedDerivatives {
   std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
   std::vector<S> Z_;               ///< J M^-1, rows x nv
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
-  std::vector<S> solved_, before_;
+  std::vector<S> solved_, before_, frozen_;
 };
 
 }  // namespace burnish

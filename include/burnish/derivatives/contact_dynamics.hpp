@@ -90,6 +90,10 @@ class ContactDynamics {
   VectorView contact_velocity() const;
   VectorView contact_error() const;
 
+  /// The status of the last evaluation in one sentence that names what is to blame: the joints that
+  /// move no mass, the contact rows that cannot be held. Allocates.
+  std::string explanation() const;
+
   /// Proximal iterations of the last forward() and the contact acceleration they left, m/s^2.
   int proximal_iterations() const;
   double proximal_residual() const;

@@ -41,6 +41,8 @@ class ContactDynamicsBatch {
                                   const ConstMatrixRef& tau);
 
   Status status(int state) const;
+  /// The same in one sentence that names what is to blame, as ContactDynamics::explanation does.
+  std::string explanation(int state) const;
   VectorView a(int state) const;       ///< nv
   VectorView lambda(int state) const;  ///< rows
   MatrixView da_dq(int state) const;   ///< nv x nv

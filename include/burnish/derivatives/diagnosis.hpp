@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "burnish/contact/contact_set.hpp"
+#include "burnish/contact/row_size.hpp"
 
 namespace burnish {
 
 /// A row of the contact Jacobian that depends on rows before it.
 struct RedundantRow {
-  std::string contact;    ///< name of the contact
-  std::string direction;  ///< "x" ... "rz" in its reference
-  int row;                ///< index among all rows of the set
-  bool immovable;         ///< no joint moves it at this posture: its Jacobian row is zero
+  std::string contact;                  ///< name of the contact
+  std::string direction;                ///< "x" ... "rz" in its reference
+  int row;                              ///< index among all rows of the set
+  bool immovable;                       ///< no joint moves it at this posture, but for rounding
   std::vector<std::string> implied_by;  ///< "contact/direction" of the rows that already hold it
   /// "contact 'pad_b', direction z: already held by pad_a/z", or that no joint moves it.
   std::string text() const;
@@ -27,10 +27,14 @@ struct ContactDiagnosis {
 };
 
 /// Examines the contacts of `set` that `active` names (all if empty) at the configuration q (nq).
-/// A row counts as redundant when less than `tolerance` of it, relative to its own length in the
-/// metric M^-1, is left beside the rows before it. Throws Error for a bad q.
+/// A row counts as redundant when no more than `tolerance` of it is left beside the rows before it:
+/// of its own length in the metric M^-1, or of what the joints could move along it, the lengths of
+/// the robot being what they are (row_size.hpp). With the default tolerance the contacts are
+/// independent exactly where rigid ones (mu = 0) are no Status::SingularContacts. Throws Error for
+/// a bad q.
 ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
                           const Eigen::Ref<const Eigen::VectorXd>& q,
-                          const std::vector<int>& active = {}, double tolerance = 1e-8);
+                          const std::vector<int>& active = {},
+                          double tolerance = independence_tolerance);
 
 }  // namespace burnish

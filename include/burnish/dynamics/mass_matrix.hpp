@@ -30,8 +30,8 @@ template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 
 /// M = L^T L, after update_mass_and_bias with the same kinematics. Returns the lanes whose M is not
-/// positive definite (a pivot not above 1e-13 of its diagonal entry); there the factor is finite
-/// but meaningless.
+/// positive definite (a pivot not above least_mass_pivot); there the factor is finite but
+/// meaningless, and inverse_diagonal is zero at the entries to blame.
 template <class S>
 auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m);
 

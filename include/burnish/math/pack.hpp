@@ -135,13 +135,6 @@ template <int N>
 BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& cosine) {
   using Vector = typename detail::Vector<N>::Value;
   using Integer = typename detail::Vector<N>::Mask;
-  if (any(less(Pack<N>(1e5), absolute(angle)))) [[unlikely]] {
-    for (int i = 0; i < N; ++i) {
-      sine.v[i] = std::sin(angle.v[i]);
-      cosine.v[i] = std::cos(angle.v[i]);
-    }
-    return;
-  }
   // Adding 1.5 * 2^52 rounds to an integer that stands in the low bits of the sum.
   constexpr double shift = 6755399441055744.0;
   const Vector shifted = angle.v * 0.63661977236758134308 + shift;
@@ -172,6 +165,13 @@ BURNISH_INLINE void sine_cosine(const Pack<N>& angle, Pack<N>& sine, Pack<N>& co
   const Integer c_bits = std::bit_cast<Integer>(c_abs) ^ c_sign;
   sine.v = std::bit_cast<Vector>(s_bits);
   cosine.v = std::bit_cast<Vector>(c_bits);
+  const PackMask<N> far = less(Pack<N>(1e5), absolute(angle));
+  if (any(far)) [[unlikely]]
+    for (int i = 0; i < N; ++i) {
+      if (!lane_of(far, i)) continue;
+      sine.v[i] = std::sin(angle.v[i]);
+      cosine.v[i] = std::cos(angle.v[i]);
+    }
 }
 
 namespace detail {
@@ -198,6 +198,35 @@ BURNISH_INLINE void transpose(Pack<N>* rows) {
   if constexpr (N >= 2) detail::exchange_rows<N, 1>(rows);
   if constexpr (N >= 4) detail::exchange_rows<N, 2>(rows);
   if constexpr (N >= 8) detail::exchange_rows<N, 4>(rows);
+}
+
+namespace detail {
+template <int N>
+struct LooseVector {
+  using Value
+      [[gnu::vector_size(sizeof(double) * N), gnu::aligned(alignof(double)), gnu::may_alias]] =
+          double;
+};
+}  // namespace detail
+
+/// Stores all lanes at any address.
+template <int N>
+BURNISH_INLINE void store_lanes(const Pack<N>& pack, double* out) {
+  *reinterpret_cast<typename detail::LooseVector<N>::Value*>(out) = pack.v;
+}
+
+/// Lane l of N packs in a row to N numbers in a row, at out_of(l), for the first `lanes` lanes.
+/// Each pack is loaded whole and stays in its register: copied by pieces, it could not be read
+/// again before the pieces are written.
+template <int N>
+BURNISH_INLINE void unpack(const Pack<N>* from, int lanes, const auto& out_of) {
+  Pack<N> rows[N];
+#pragma GCC unroll 8
+  for (int i = 0; i < N; ++i) rows[i] = from[i];
+  transpose(rows);
+#pragma GCC unroll 8
+  for (int l = 0; l < N; ++l)
+    if (l < lanes) store_lanes(rows[l], out_of(l));
 }
 
 /// The scalar with which a horizon is evaluated on this target.

@@ -1,0 +1,40 @@
+// Whether a row of a contact's Jacobian is a motion or rounding: its size, before any
+// normalisation, beside what the joints could do with these lengths at some other posture.
+#pragma once
+
+#include "burnish/contact/contact_kinematics.hpp"
+
+namespace burnish {
+
+/// A row counts as held where more than this part of what could have been moves along it that the
+/// rows before it do not hold: angles of a file with six decimals are right to 5e-7.
+inline constexpr double independence_tolerance = 1e-6;
+
+/// Of a pivot's rounding, relative to the diagonal entry that it is what is left of; where the row
+/// leans on rows that hardly differ from those before them, theirs comes on top.
+inline constexpr double pivot_rounding = 2e-15;
+
+/// Fills reach of the contact's support and offset_weight.
+void set_reaches(const Model& model, CompiledContact& contact);
+
+/// Square of a row of the Jacobian, entry by entry in units of what that entry could do; `row`
+/// holds entry k of v at k * stride.
+template <class S>
+BURNISH_INLINE S row_size(const CompiledContact& contact, int direction, const S* row, int stride) {
+  S sum(0.0);
+  for (const ContactSupport& entry : contact.support) {
+    const S x = row[entry.v * stride] * S(direction < 3 ? entry.per_reach : 1.0);
+    sum += x * x;
+  }
+  return sum;
+}
+
+/// What row_size is judged beside: one, and more the further the tool's origin p (m) is from the
+/// world's.
+template <class S>
+BURNISH_INLINE S could_have_been(const CompiledContact& contact, int direction, const Vec3<S>& p) {
+  if (direction >= 3) return S(1.0);
+  return S(1.0) + dot(p, p) * S(contact.offset_weight);
+}
+
+}  // namespace burnish

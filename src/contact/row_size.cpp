@@ -1,0 +1,94 @@
+// Lengths of the robot, from the placements of its joints: how far an entry of v is from the tool
+// by the way through the tree, which no posture exceeds but by what sliding joints add.
+#include "burnish/contact/row_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr double usual_travel = 1.0;  // m, where a joint states none or a huge one
+
+/// What a joint adds to the way through it.
+double travel(const Model& model, const Joint& joint) {
+  switch (joint.kind) {
+    case JointKind::Revolute:
+    case JointKind::Continuous:
+      return 0.0;
+    case JointKind::Prismatic:
+      return std::min(usual_travel, std::max(std::abs(model.q_lower[joint.q_index]),
+                                             std::abs(model.q_upper[joint.q_index])));
+    case JointKind::Planar:
+    case JointKind::FreeFlyer:
+      break;
+  }
+  return usual_travel;
+}
+
+/// From the axis of joint `from` to a point of a body that it carries, itself or further out; m.
+double way(const Model& model, int from, int body, double offset) {
+  double length = offset;
+  for (int j = body; j != from; j = model.joints[j].parent)
+    length += model.joints[j].placement.translation().norm() + travel(model, model.joints[j]);
+  return length;
+}
+
+/// The longest way from a joint that hangs on the world to the centre of a body's mass.
+double robot_size(const Model& model) {
+  std::vector<double> from_first(model.joints.size(), 0.0);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (joint.parent >= 0)
+      from_first[i] = from_first[joint.parent] + joint.placement.translation().norm();
+    longest = std::max(longest, from_first[i] + joint.com.norm());
+  }
+  return longest;
+}
+
+bool turns(const Model& model, int k) {
+  const Joint& joint = model.joints[model.joint_of_v[k]];
+  const int entry = k - joint.v_index;
+  switch (joint.kind) {
+    case JointKind::Revolute:
+    case JointKind::Continuous:
+      return true;
+    case JointKind::Prismatic:
+      return false;
+    case JointKind::Planar:
+      return entry == 2;
+    case JointKind::FreeFlyer:
+      break;
+  }
+  return entry >= 3;
+}
+
+}  // namespace
+
+void set_reaches(const Model& model, CompiledContact& contact) {
+  const auto length = [](const Vec3<double>& p) { return std::sqrt(dot(p, p)); };
+  const double tool_offset = length(contact.tool_p), base_offset = length(contact.base_p);
+  std::vector<double> reach;
+  double longest = robot_size(model);
+  for (const ContactSupport& entry : contact.support) {
+    const int joint = model.joint_of_v[entry.v];
+    reach.push_back(entry.moves_tool ? way(model, joint, contact.tool_body, tool_offset)
+                                     : way(model, joint, contact.base_body, base_offset));
+    longest = std::max(longest, reach.back());
+  }
+  if (!(longest > 0.0)) longest = usual_travel;
+  // A lever that a drawing made 1e-17 m long is none.
+  const double shortest = 0.01 * longest;
+  const bool about_world = contact.spec.reference.origin == Reference::Origin::World;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    ContactSupport& entry = contact.support[i];
+    const double arm = about_world ? longest : std::max(reach[i], shortest);
+    entry.per_reach = turns(model, entry.v) ? 1.0 / arm : 1.0;
+  }
+  // Levers about the world's origin grow with the distance from it; others gain rounding alone.
+  const double per_distance = about_world ? 1.0 / longest : 1e-8 / shortest;
+  contact.offset_weight = per_distance * per_distance;
+}
+
+}  // namespace burnish

@@ -1,0 +1,16 @@
+// A status in one sentence, with the names of what is to blame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/base/status.hpp"
+
+namespace burnish {
+
+/// describe(status), which for a SingularMass names the joints that move no mass, each once, and
+/// for SingularContacts the rows ("pad/z") that depend on those before them.
+std::string explain(Status status, const std::vector<std::string>& joints,
+                    const std::vector<std::string>& rows);
+
+}  // namespace burnish

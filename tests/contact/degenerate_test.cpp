@@ -1,0 +1,224 @@
+// A direction that no joint can move is never held by rounding: status and diagnosis say so,
+// however long the levers and wherever the robot stands; a little away from there it is held as
+// ever.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <numbers>
+
+#include "burnish/contact/row_size.hpp"
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+#include "support/contact_states.hpp"
+
+namespace burnish::test {
+namespace {
+
+/// Two links in the xz plane whose base is turned about x, so that they move in xy at a quarter
+/// turn.
+Model turned_arm(double about_x, double scale = 1.0, const Eigen::Vector3d& at = {0, 0, 0}) {
+  TreeSpec tree;
+  tree.name = "turned arm";
+  for (const char* name : {"root", "upper", "lower", "tip"})
+    tree.links.push_back(testing::link(name));
+  const auto add = [&](const char* name, JointType type, const char* parent, const char* child) {
+    tree.joints.push_back(testing::joint(name, type, parent, child));
+    tree.joints.back().placement.translation() = Eigen::Vector3d(scale, 0.0, 0.0);
+  };
+  add("shoulder", JointType::Revolute, "root", "upper");
+  add("elbow", JointType::Revolute, "upper", "lower");
+  add("wrist", JointType::Fixed, "lower", "tip");
+  ModelOptions options;
+  options.base_placement.linear() =
+      Eigen::AngleAxisd(about_x, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  options.base_placement.translation() = at;
+  return build_model(tree, options);
+}
+
+/// What holding the tip along y comes to.
+struct Held {
+  Status status;
+  bool independent, immovable;
+  double lambda;
+};
+Held held_along_y(const Model& model, const Reference& reference) {
+  const ContactSpec tip = contact("tip", "world", reference, Directions::y());
+  ContactDynamics dynamics(model, {tip});
+  const Eigen::Vector2d q(0.3, 0.8), v(0.5, -1.0), tau(3.0, -2.0);
+  const Status status = dynamics.forward(q, v, tau);
+  ContactDynamicsBatch batch(model, {tip}, 1);
+  EXPECT_EQ(batch.forward_with_derivatives(q, v, tau), status);
+  EXPECT_EQ(batch.explanation(0), dynamics.explanation());
+  EXPECT_EQ(dynamics.forward_derivatives(), status);
+  EXPECT_TRUE(dynamics.dlambda_dq().allFinite());
+  const ContactDiagnosis found = diagnose(model, dynamics.contacts(), q);
+  return {status, found.redundant.empty(),
+          !found.redundant.empty() && found.redundant.front().immovable, dynamics.lambda()[0]};
+}
+
+TEST(ADirectionThatNoJointMoves, is_no_direction_because_of_rounding) {
+  for (const double quarter : {std::numbers::pi / 2.0, 1.5707963, 1.570796327, 1.570796})
+    for (const double scale : {1e-3, 1.0, 1e3})
+      for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, -70, 8)})
+        for (const Reference& reference : {Reference::centered(), Reference::world()}) {
+          const Held held = held_along_y(turned_arm(quarter, scale, at), reference);
+          EXPECT_EQ(held.status, Status::SingularContacts) << quarter << " " << scale;
+          EXPECT_EQ(held.lambda, 0.0);
+          EXPECT_FALSE(held.independent) << quarter << " " << scale;
+          EXPECT_TRUE(held.immovable);
+        }
+}
+
+TEST(ADirectionThatNoJointMoves, is_held_a_little_away_from_there) {
+  const double quarter = std::numbers::pi / 2.0;
+  const double far = held_along_y(turned_arm(quarter - 1e-2), Reference::centered()).lambda;
+  for (const double away : {1e-3, 1e-4, 1e-5}) {
+    const Held held = held_along_y(turned_arm(quarter - away), Reference::centered());
+    EXPECT_EQ(held.status, Status::Ok) << away;
+    EXPECT_TRUE(held.independent);
+    // Forces grow as the lever shrinks: J by sin(away), what it accelerates along y as well.
+    EXPECT_NEAR(held.lambda * std::sin(away), far * std::sin(1e-2), 1e-2 * std::abs(far) * 1e-2);
+  }
+}
+
+/// A robot, and two of its frames of which some joints move one against the other.
+struct Pair {
+  std::string tool, base;
+};
+std::vector<Pair> pairs_of(const Model& model) {
+  std::vector<Pair> pairs;
+  const auto frame_on = [&](int body) {
+    for (const Frame& frame : model.frames)
+      if (frame.body == body && model.frame_index(frame.name) == &frame - model.frames.data())
+        return frame.name;
+    return std::string(body < 0 ? "world" : "");
+  };
+  for (int tool = 0; tool < static_cast<int>(model.joints.size()); ++tool) {
+    int base = model.joints[tool].parent;
+    for (int joints = 1; joints <= 2; ++joints) {
+      if (!frame_on(tool).empty() && !frame_on(base).empty())
+        pairs.push_back({frame_on(tool), frame_on(base)});
+      if (base < 0) break;
+      base = model.joints[base].parent;
+    }
+  }
+  return pairs;
+}
+
+/// Axes of which number `d` is `n`, turned by `away` towards `towards`.
+Eigen::Matrix3d axes_with(int d, const Eigen::Vector3d& n, const Eigen::Vector3d& towards,
+                          double away) {
+  Eigen::Matrix3d axes;
+  axes.col(d) = std::cos(away) * n + std::sin(away) * towards;
+  axes.col((d + 1) % 3) = std::cos(away) * towards - std::sin(away) * n;
+  axes.col((d + 2) % 3) = axes.col(d).cross(axes.col((d + 1) % 3));
+  return axes;
+}
+
+class Degenerate : public ::testing::TestWithParam<TestRobot> {
+ protected:
+  /// What moves the tool of a pair along and about the axes of the base.
+  Eigen::MatrixXd motions(const Pair& pair, const RobotState& state) {
+    ContactDynamics all(model_, {contact(pair.tool, pair.base, Reference::surface(identity_))});
+    all.acceleration(state.q, state.v, state.v);
+    return all.jacobian();
+  }
+
+  /// Holds direction `d` of axes whose d-th is `away` from one that nothing moves.
+  void expect_law(const Pair& pair, const RobotState& state, int d, const Eigen::Vector3d& n,
+                  const Eigen::Vector3d& towards, double away) {
+    Directions one;
+    one.bits = static_cast<std::uint8_t>(1U << static_cast<unsigned>(d));
+    ContactSpec spec =
+        contact(pair.tool, pair.base, Reference::surface(axes_with(d % 3, n, towards, away)), one);
+    ContactDynamics dynamics(model_, {spec});
+    const Status status = dynamics.forward(state.q, state.v, state.tau);
+    const ContactDiagnosis found = diagnose(model_, dynamics.contacts(), state.q);
+    const bool movable = away > 1e-6;
+    EXPECT_EQ(status, movable ? Status::Ok : Status::SingularContacts)
+        << pair.tool << " on " << pair.base << ", " << one.text() << ", " << away;
+    EXPECT_EQ(found.redundant.empty(), movable) << pair.tool << " on " << pair.base;
+    EXPECT_EQ(dynamics.forward_derivatives(), status);
+    EXPECT_TRUE(dynamics.dlambda_dq().allFinite());
+    if (movable) {
+      const Eigen::VectorXd a = dynamics.a();
+      const double lambda = std::abs(dynamics.lambda()[0]);
+      dynamics.acceleration(state.q, state.v, a);
+      EXPECT_LE(std::abs(dynamics.alpha()[0]), 1e-9 * (1.0 + a.norm() + lambda));
+    } else {
+      EXPECT_EQ(dynamics.lambda()[0], 0.0);
+      EXPECT_NE(dynamics.explanation().find(dynamics.row_names()[0]), std::string::npos);
+    }
+    ++tried_;
+  }
+
+  Model model_ = GetParam().model();
+  std::mt19937_64 generator_{91};
+  const Eigen::Matrix3d identity_ = Eigen::Matrix3d::Identity();
+  int tried_ = 0;
+};
+
+TEST_P(Degenerate, postures_leave_no_direction_to_rounding_and_take_none_that_is_small) {
+  for (const Pair& pair : pairs_of(model_)) {
+    const RobotState state = random_state(model_, generator_);
+    const Eigen::MatrixXd J = motions(pair, state);
+    for (const int first : {0, 3}) {
+      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J.middleRows(first, 3), Eigen::ComputeFullU);
+      const double most = svd.singularValues()[0];
+      // Nothing moves the last of three axes, and something the first, well.
+      const bool last = svd.singularValues().size() == 3 && svd.singularValues()[2] > 1e-9 * most;
+      if (last || most < 0.05) continue;
+      const Eigen::Vector3d n = svd.matrixU().col(2), towards = svd.matrixU().col(0);
+      for (int d = first; d < first + 3; ++d)
+        for (const double away : {0.0, 1e-15, 2.7e-9, 1e-3, 0.1})
+          expect_law(pair, state, d, n, towards, away);
+    }
+  }
+  EXPECT_GT(tried_, 0);
+}
+
+TEST_P(Degenerate, rows_of_any_set_are_independent_for_the_status_exactly_where_diagnosed) {
+  const std::vector<Pair> pairs = pairs_of(model_);
+  for (int i = 0; i < 60; ++i) {
+    const Pair& pair = pairs[generator_() % pairs.size()];
+    const RobotState state = random_state(model_, generator_);
+    Directions some;
+    some.bits = static_cast<std::uint8_t>(1 + generator_() % 63);
+    for (const Reference& reference : all_references()) {
+      ContactDynamics dynamics(model_, {contact(pair.tool, pair.base, reference, some)});
+      const Status status = dynamics.forward(state.q, state.v, state.tau);
+      const ContactDiagnosis found = diagnose(model_, dynamics.contacts(), state.q);
+      EXPECT_EQ(status == Status::Ok, found.redundant.empty())
+          << pair.tool << " on " << pair.base << ", " << some.text() << ": " << found.text();
+      for (const RedundantRow& row : found.redundant)
+        EXPECT_TRUE(row.immovable || !row.implied_by.empty()) << found.text();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryRobot, Degenerate, ::testing::ValuesIn(available(test_robots())),
+                         [](const auto& info) { return info.param.label(); });
+
+/// One link on a hinge; the tool is on its axis, but for what a drawing left of it.
+TEST(ADirectionThatNoJointMoves, is_none_through_a_lever_of_rounding) {
+  for (const double lever : {0.0, 2.8e-17, 1e-12, 1e-9}) {
+    TreeSpec tree;
+    tree.name = "spinner";
+    for (const char* name : {"root", "disc", "tip"}) tree.links.push_back(testing::link(name));
+    tree.links[1].inertia.com = Eigen::Vector3d(0.2, 0.0, 0.0);
+    tree.joints.push_back(testing::joint("spin", JointType::Revolute, "root", "disc"));
+    tree.joints.push_back(testing::joint("end", JointType::Fixed, "disc", "tip"));
+    tree.joints.back().placement.translation() = Eigen::Vector3d(lever, 0.0, 0.4);
+    const Model model = build_model(tree);
+    const Eigen::VectorXd q = Eigen::VectorXd::Constant(1, 0.4), v = q, tau = q;
+    for (const Directions& d : {Directions::x(), Directions::y(), Directions::z()}) {
+      ContactDynamics dynamics(model, {contact("tip", "world", Reference::centered(), d)});
+      EXPECT_EQ(dynamics.forward(q, v, tau), Status::SingularContacts) << lever;
+      EXPECT_FALSE(diagnose(model, dynamics.contacts(), q).redundant.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace burnish::test

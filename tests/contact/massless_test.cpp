@@ -1,0 +1,110 @@
+// A joint that moves no mass makes M singular: forward dynamics answers with a status that names
+// the joint, in values and derivatives, one state at a time and in packs; what needs no M^-1 goes
+// on.
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+#include "support/contact_states.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+using testing::expect_words;
+using testing::refusal;
+
+/// The joints that carry no other.
+std::vector<int> leaves(const Model& model) {
+  std::vector<char> carries(model.joints.size(), 0);
+  for (const Joint& joint : model.joints)
+    if (joint.parent >= 0) carries[joint.parent] = 1;
+  std::vector<int> result;
+  for (int i = 0; i < static_cast<int>(carries.size()); ++i)
+    if (carries[i] == 0) result.push_back(i);
+  return result;
+}
+
+/// Compiled robots are plain data, so that one may become what a file would not.
+void empty(Model& model, int joint) {
+  Joint& body = model.joints[joint];
+  body.mass = 0.0;
+  body.com.setZero();
+  body.inertia_at_com.setZero();
+  model.armature.segment(body.v_index, body.nv).setZero();
+}
+
+class Massless : public ::testing::TestWithParam<TestRobot> {
+ protected:
+  /// Every answer at a state at which `joint` moves no mass.
+  void expect_named(const Model& model, const std::string& joint, const RobotState& state) {
+    const std::vector<ContactSpec> contacts{
+        contact(GetParam().tool, "world", Reference::local(), Directions::z())};
+    ContactDynamics dynamics(model, contacts);
+    EXPECT_EQ(dynamics.inverse(state.q, state.v, state.v, Eigen::VectorXd::Ones(1)), Status::Ok);
+    EXPECT_EQ(dynamics.inverse_derivatives(), Status::Ok);
+    EXPECT_EQ(dynamics.acceleration(state.q, state.v, state.v), Status::Ok);
+    EXPECT_EQ(dynamics.acceleration_derivatives(), Status::Ok);
+    ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::SingularMass) << joint;
+    EXPECT_EQ(dynamics.forward_derivatives(), Status::SingularMass);
+    EXPECT_EQ(dynamics.a(), Eigen::VectorXd::Zero(model.nv));
+    EXPECT_EQ(dynamics.da_dq(), RowMatrix::Zero(model.nv, model.nv));
+    EXPECT_EQ(dynamics.dlambda_dtau(), RowMatrix::Zero(1, model.nv));
+    expect_words(dynamics.explanation(), {"'" + joint + "'", "no mass"});
+    expect_words(refusal([&] { diagnose(model, dynamics.contacts(), state.q); }), {joint});
+    const int count = pack_width() + 1;
+    ContactDynamicsBatch batch(model, contacts, count);
+    EXPECT_EQ(
+        batch.forward_with_derivatives(state.q.replicate(1, count), state.v.replicate(1, count),
+                                       state.tau.replicate(1, count)),
+        Status::SingularMass);
+    for (int i = 0; i < count; ++i) {
+      EXPECT_EQ(batch.explanation(i), dynamics.explanation());
+      EXPECT_EQ(batch.da_dq(i), RowMatrix::Zero(model.nv, model.nv));
+    }
+  }
+
+  Model model_ = GetParam().model();
+  std::mt19937_64 generator_{92};
+};
+
+TEST_P(Massless, joints_are_named_by_the_status_of_forward_dynamics) {
+  for (const int joint : leaves(model_)) {
+    Model model = model_;
+    empty(model, joint);
+    expect_named(model, model.joints[joint].name, random_state(model, generator_));
+  }
+}
+
+TEST_P(Massless, joints_of_point_masses_on_their_axes_are_named_as_well) {
+  // Their inertia about the axis is zero but for rounding.
+  for (const int joint : leaves(model_)) {
+    Model model = model_;
+    Joint& body = model.joints[joint];
+    if (body.kind != JointKind::Revolute && body.kind != JointKind::Continuous) continue;
+    body.mass = 2.0;
+    body.com = Eigen::Vector3d(0.0, 0.0, 0.3);
+    body.inertia_at_com.setZero();
+    model.armature[body.v_index] = 0.0;
+    expect_named(model, body.name, random_state(model, generator_));
+  }
+}
+
+TEST_P(Massless, joints_with_an_armature_are_as_good_as_any) {
+  for (const int joint : leaves(model_)) {
+    Model model = model_;
+    empty(model, joint);
+    const Joint& body = model.joints[joint];
+    model.armature.segment(body.v_index, body.nv).setConstant(0.01);
+    const RobotState state = random_state(model, generator_);
+    ContactDynamics dynamics(model);
+    EXPECT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
+    EXPECT_EQ(dynamics.explanation(), "ok");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryRobot, Massless, ::testing::ValuesIn(available(test_robots())),
+                         [](const auto& info) { return info.param.label(); });
+
+}  // namespace
+}  // namespace burnish::test
