@@ -42,10 +42,12 @@ Json row_json(const CheckRow& row) {
 }
 
 Json report_json(const CheckReport& report) {
-  Json json{{"robot", report.robot},
-            {"pass", report.pass},
-            {"tolerance", report.tolerance},
-            {"rows", Json::array()}};
+  Json json{
+      {"robot", report.robot},
+      {"pass", report.pass},
+      {"tolerance", report.tolerance},
+      {"singular_mass", report.singular_mass.empty() ? Json(nullptr) : Json(report.singular_mass)},
+      {"rows", Json::array()}};
   for (const CheckRow& row : report.rows) json["rows"].push_back(row_json(row));
   return json;
 }

@@ -158,8 +158,11 @@ class CheckReport(Spec):
     robot: str = ""
     rows: List[CheckRow] = items()
     tolerance: float = 0.0
+    singular_mass: str = ""
+    """why there is no forward dynamics to check, naming the joints that move no mass; empty: there
+    is"""
     pass_: bool = False
-    """there are rows, and all of them pass"""
+    """there are rows, all of them pass, and the mass matrix is not singular"""
 
     def text(self) -> str:
         """A table of all rows, the worst entries of those that fail, and the verdict."""

@@ -86,6 +86,7 @@ const SpecTable& AsDataclass<CheckReport>::table() {
                                       .field("robot", &CheckReport::robot)
                                       .field("rows", &CheckReport::rows)
                                       .field("tolerance", &CheckReport::tolerance)
+                                      .field("singular_mass", &CheckReport::singular_mass)
                                       .field("pass_", &CheckReport::pass);
   return fields;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/model/state.hpp"
 #include "derivatives/check_run.hpp"
 #include "model/sentence.hpp"
 
@@ -95,15 +96,27 @@ CheckRow describe_row(const std::vector<ContactSpec>& contacts) {
   return row;
 }
 
+/// Whether M is singular, in a sentence that names the joints; empty: it is not.
+std::string singular_mass(const Model& model, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
+  ContactDynamics dynamics(model);
+  if (dynamics.forward(q, rest, rest) != Status::SingularMass) return "";
+  return dynamics.explanation();
+}
+
 CheckRow check_row(const Model& model, const CheckOptions& options,
-                   const std::vector<ContactSpec>& contacts, const TamperWithBlocks& tamper) {
+                   const std::vector<ContactSpec>& contacts, bool forward,
+                   const TamperWithBlocks& tamper) {
   CheckRow row = describe_row(contacts);
-  const ContactSet set(model, contacts);
+  ContactDynamics dynamics(model, contacts);
   CheckStates source(model, options.seed);
-  std::optional<std::vector<CheckState>> states = source.draw(set, options.states, true);
-  if (!states) {
-    row.mu = source.compliance(contacts);
-    states = source.draw(set, options.states, false);
+  std::optional<std::vector<CheckState>> states = source.draw(dynamics, options.states, forward);
+  if (!states && forward) {
+    row.mu = source.compliance(dynamics);
+    states = source.draw(dynamics, options.states, false);
+    dynamics = ContactDynamics(model, contacts, {.mu = row.mu});
   }
   if (!states) {
     throw Error(
@@ -111,12 +124,13 @@ CheckRow check_row(const Model& model, const CheckOptions& options,
         "': the tool stays within 0.1 rad of "
         "half a turn from its target, where the rotation error jumps; give a closer target");
   }
+  CheckValues values(model, dynamics.contacts(), {.mu = row.mu});
   row.states = options.states;
   for (int i = 0; i < options.states; ++i) {
-    std::vector<DerivativeBlock> blocks = derivative_blocks(model, contacts, row.mu, (*states)[i]);
+    std::vector<DerivativeBlock> blocks = derivative_blocks(model, dynamics, values, (*states)[i]);
     if (tamper) tamper(blocks);
     for (const DerivativeBlock& block : blocks) {
-      const BlockMismatch mismatch = compare(block);
+      const BlockMismatch mismatch = compare(block, options.tolerance);
       if (!row.worst.block.empty() && !(mismatch.error > row.worst_error)) continue;
       row.worst_error = mismatch.error;
       row.worst = mismatch.entry;
@@ -172,9 +186,11 @@ CheckReport run_check(const Model& model, const CheckOptions& options,
   CheckReport report;
   report.robot = model.name;
   report.tolerance = options.tolerance;
-  report.pass = true;
+  report.singular_mass = singular_mass(model, options.seed);
+  report.pass = report.singular_mass.empty();
   for (const std::vector<ContactSpec>& contacts : rows) {
-    report.rows.push_back(check_row(model, options, contacts, tamper));
+    report.rows.push_back(
+        check_row(model, options, contacts, report.singular_mass.empty(), tamper));
     report.pass = report.pass && report.rows.back().pass;
     if (options.progress) {
       options.progress(static_cast<int>(report.rows.size()), static_cast<int>(rows.size()));

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-BlockMismatch compare(const DerivativeBlock& block) {
+BlockMismatch compare(const DerivativeBlock& block, double tolerance) {
   const auto rows = static_cast<Eigen::Index>(block.rows.size());
   const auto columns = static_cast<Eigen::Index>(block.columns.size());
   if (block.value.rows() != rows || block.value.cols() != columns ||
@@ -16,6 +16,7 @@ BlockMismatch compare(const DerivativeBlock& block) {
   for (const double x : block.expected.reshaped()) {
     if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
   }
+  scale = std::max(scale, block.noise / tolerance);
   BlockMismatch worst;
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index i = 0; i < rows; ++i) {

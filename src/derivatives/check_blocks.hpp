@@ -11,6 +11,7 @@ struct DerivativeBlock {
   Eigen::MatrixXd value;     ///< analytic
   Eigen::MatrixXd expected;  ///< from differences
   double floor = 0.0;        ///< what the error is relative to where the block itself is smaller
+  double noise = 0.0;        ///< by how much `expected` is uncertain through rounding
 };
 
 struct BlockMismatch {
@@ -18,7 +19,8 @@ struct BlockMismatch {
   CheckEntry entry;    ///< the worst one; its state is not set
 };
 
-/// Throws Error when the two sides or the names differ in size.
-BlockMismatch compare(const DerivativeBlock& block);
+/// Where the noise is more than `tolerance` of the largest entry, the error is relative to as much
+/// more, so that noise passes. Throws Error when the two sides or the names differ in size.
+BlockMismatch compare(const DerivativeBlock& block, double tolerance);
 
 }  // namespace burnish

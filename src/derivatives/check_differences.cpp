@@ -7,17 +7,17 @@
 namespace burnish {
 namespace {
 
-constexpr std::array<double, 3> first_steps{0.02, 0.002, 0.0002};  // rad or m
+constexpr std::array<double, 3> first_steps{0.02, 0.002, 4.0 * smallest_difference};  // rad or m
 
 struct Estimate {
   Eigen::MatrixXd value, uncertainty;
 };
 
 /// Of sixth order in h, from h, h/2 and h/4.
-Estimate extrapolate(const MovedValues& values, int n, double h) {
-  const Eigen::MatrixXd d1 = central_differences(values, n, h);
-  const Eigen::MatrixXd d2 = central_differences(values, n, h / 2.0);
-  const Eigen::MatrixXd d3 = central_differences(values, n, h / 4.0);
+Estimate extrapolate(const AllMovedValues& values, double h) {
+  const Eigen::MatrixXd d1 = central_differences(values, h);
+  const Eigen::MatrixXd d2 = central_differences(values, h / 2.0);
+  const Eigen::MatrixXd d3 = central_differences(values, h / 4.0);
   const Eigen::MatrixXd coarse = (4.0 * d2 - d1) / 3.0;
   const Eigen::MatrixXd fine = (4.0 * d3 - d2) / 3.0;
   const Eigen::MatrixXd value = (16.0 * fine - coarse) / 15.0;
@@ -34,46 +34,71 @@ double largest(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   return result;
 }
 
-bool settled(const Estimate& best, Eigen::Index split, double wanted) {
-  const Eigen::Index rest = best.value.rows() - split;
-  return largest(best.uncertainty.topRows(split)) <= wanted * largest(best.value.topRows(split)) &&
-         largest(best.uncertainty.bottomRows(rest)) <=
-             wanted * largest(best.value.bottomRows(rest));
+bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, double wanted) {
+  Eigen::Index first = 0;
+  const auto is_settled = [&](Eigen::Index rows, double noise) {
+    const double uncertain = largest(best.uncertainty.middleRows(first, rows));
+    const double value = largest(best.value.middleRows(first, rows));
+    first += rows;
+    return uncertain <= std::max(wanted * value, noise);
+  };
+  for (const DifferenceGroup& group : groups)
+    if (!is_settled(group.rows, group.noise)) return false;
+  return is_settled(best.value.rows() - first, 0.0);
+}
+
+/// Takes the entries of `next` that are the surer ones.
+void improve(Estimate& best, const Estimate& next) {
+  for (Eigen::Index j = 0; j < best.value.cols(); ++j)
+    for (Eigen::Index i = 0; i < best.value.rows(); ++i) {
+      // A NaN is never better, and everything is better than a NaN.
+      if (best.uncertainty(i, j) <= next.uncertainty(i, j)) continue;
+      if (std::isnan(next.uncertainty(i, j))) continue;
+      best.value(i, j) = next.value(i, j);
+      best.uncertainty(i, j) = next.uncertainty(i, j);
+    }
+}
+
+/// All entries moved, one after the other.
+AllMovedValues one_by_one(const MovedValues& values, int n) {
+  return [&values, n](double h) {
+    Eigen::MatrixXd result;
+    for (int k = 0; k < n; ++k) {
+      const Eigen::VectorXd column = values(k, h);
+      if (k == 0) result.resize(column.size(), n);
+      result.col(k) = column;
+    }
+    return result;
+  };
 }
 
 }  // namespace
 
+Eigen::MatrixXd central_differences(const AllMovedValues& values, double step) {
+  return (values(step) - values(-step)) / (2.0 * step);
+}
 Eigen::MatrixXd central_differences(const MovedValues& values, int n, double step) {
-  Eigen::MatrixXd result;
-  for (int k = 0; k < n; ++k) {
-    const Eigen::VectorXd column = (values(k, step) - values(k, -step)) / (2.0 * step);
-    if (k == 0) result.resize(column.size(), n);
-    result.col(k) = column;
-  }
-  return result;
+  return central_differences(one_by_one(values, n), step);
 }
 
-Eigen::MatrixXd extrapolated_differences(const MovedValues& values, int n, int split,
+Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,
+                                         const std::vector<DifferenceGroup>& groups,
                                          double wanted) {
   Estimate best;
   for (const double step : first_steps) {
-    const Estimate next = extrapolate(values, n, step);
+    const Estimate next = extrapolate(values, step);
     if (best.value.size() == 0) {
       best = next;
     } else {
-      for (Eigen::Index j = 0; j < n; ++j) {
-        for (Eigen::Index i = 0; i < best.value.rows(); ++i) {
-          // A NaN is never better, and everything is better than a NaN.
-          if (best.uncertainty(i, j) <= next.uncertainty(i, j)) continue;
-          if (std::isnan(next.uncertainty(i, j))) continue;
-          best.value(i, j) = next.value(i, j);
-          best.uncertainty(i, j) = next.uncertainty(i, j);
-        }
-      }
+      improve(best, next);
     }
-    if (settled(best, split, wanted)) break;
+    if (settled(best, groups, wanted)) break;
   }
   return best.value;
+}
+Eigen::MatrixXd extrapolated_differences(const MovedValues& values, int n, int split,
+                                         double wanted) {
+  return extrapolated_differences(one_by_one(values, n), {{split}}, wanted);
 }
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 
 #include "derivatives/check_blocks.hpp"
 #include "derivatives/check_states.hpp"
+#include "derivatives/check_values.hpp"
 
 namespace burnish {
 
@@ -13,9 +14,9 @@ using TamperWithBlocks = std::function<void(std::vector<DerivativeBlock>&)>;
 CheckReport run_check(const Model& model, const CheckOptions& options,
                       const TamperWithBlocks& tamper = {});
 
-/// All blocks of these contacts at one state: analytic and from differences.
-std::vector<DerivativeBlock> derivative_blocks(const Model& model,
-                                               const std::vector<ContactSpec>& contacts, double mu,
-                                               const CheckState& state);
+/// All blocks at one state: from the derivatives of `dynamics`, and from differences of `values`,
+/// which are of the same contacts. Those of forward dynamics are left out where M is singular.
+std::vector<DerivativeBlock> derivative_blocks(const Model& model, ContactDynamics& dynamics,
+                                               CheckValues& values, const CheckState& state);
 
 }  // namespace burnish

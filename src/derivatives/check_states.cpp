@@ -1,18 +1,17 @@
 #include "derivatives/check_states.hpp"
 
-#include <Eigen/Cholesky>
+#include <algorithm>
 #include <numbers>
 
-#include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
+#include "derivatives/contact_rows.hpp"
 
 namespace burnish {
 namespace {
 
 constexpr double largest_angle = std::numbers::pi - 0.1;  // rad, to the target
-constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, unit diagonal
+constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, rows by their reach
 constexpr int tries_per_state = 20;
 
 }  // namespace
@@ -39,8 +38,9 @@ bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q
   return true;
 }
 
-std::optional<std::vector<CheckState>> CheckStates::draw(const ContactSet& set, int count,
+std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynamics, int count,
                                                          bool rigid) {
+  const ContactSet& set = dynamics.contacts();
   const double weight = model_.total_mass() * model_.gravity.norm();
   const double push = weight > 0.0 ? 0.1 * weight : 1.0;
   ContactDynamics free(model_);
@@ -50,7 +50,9 @@ std::optional<std::vector<CheckState>> CheckStates::draw(const ContactSet& set, 
     CheckState state;
     state.q = random_configuration(model_, generator_);
     if (!far_from_jumps(set, state.q)) continue;
-    if (rigid && !(diagnose(model_, set, state.q).condition < largest_condition)) continue;
+    if (rigid &&
+        !(condition_by_reach(set, contact_rows(model_, dynamics, state.q)) < largest_condition))
+      continue;
     state.v = uniform(model_.nv, 1.0);
     state.a = uniform(model_.nv, 5.0);
     state.lambda = uniform(set.rows(), push);
@@ -65,16 +67,14 @@ std::optional<std::vector<CheckState>> CheckStates::draw(const ContactSet& set, 
   return states;
 }
 
-double CheckStates::compliance(const std::vector<ContactSpec>& contacts) {
-  ContactDynamics dynamics(model_, contacts);
+double CheckStates::compliance(ContactDynamics& dynamics) {
   const Eigen::VectorXd q = random_configuration(model_, generator_);
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.nv);
-  dynamics.acceleration(q, rest, rest);
-  const Eigen::MatrixXd J = dynamics.jacobian();
-  const Eigen::LLT<Eigen::MatrixXd> mass(dynamics.mass_matrix());
-  const double mean = (J * mass.solve(J.transpose())).trace() / static_cast<double>(J.rows());
+  const ContactRows rows = contact_rows(model_, dynamics, q);
+  double sum = 0.0;
+  for (Eigen::Index r = 0; r < rows.part.size(); ++r)
+    if (rows.part[r] > 0.0) sum += rows.Y.row(r).squaredNorm() / std::min(1.0, rows.part[r]);
   // Rows that nothing moves need no softness of their own, but some.
-  return mean > 0.0 ? 1e-2 * mean : 1e-2;
+  return sum > 0.0 ? 1e-2 * sum / static_cast<double>(rows.part.size()) : 1e-2;
 }
 
 }  // namespace burnish

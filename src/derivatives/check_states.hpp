@@ -4,7 +4,7 @@
 #include <optional>
 #include <random>
 
-#include "burnish/contact/contact_set.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -19,15 +19,16 @@ class CheckStates {
  public:
   CheckStates(const Model& model, std::uint64_t seed) : model_(model), generator_(seed) {}
 
-  /// `count` states for these contacts: q within limits, away from jumps of the pose error and,
-  /// for a rigid contact, from singular postures; v and a up to 1 and 5 rad/s^2 (m), lambda up to a
-  /// tenth of the weight, tau up to what gravity and motion ask for. Empty when the robot can hold
-  /// the contacts rigidly at too few of the postures that were tried.
-  std::optional<std::vector<CheckState>> draw(const ContactSet& set, int count, bool rigid);
+  /// `count` states for the contacts of `dynamics`: q within limits, away from jumps of the pose
+  /// error and, for a rigid contact, from singular postures; v and a up to 1 and 5 rad/s^2 (m),
+  /// lambda up to a tenth of the weight, tau up to what gravity and motion ask for. Empty when the
+  /// robot can hold the contacts rigidly at too few of the postures that were tried.
+  std::optional<std::vector<CheckState>> draw(ContactDynamics& dynamics, int count, bool rigid);
 
   /// A compliance that leaves the contacts soft enough to solve, m/s^2 per N: a hundredth of the
-  /// mean diagonal of J M^-1 J^T.
-  double compliance(const std::vector<ContactSpec>& contacts);
+  /// mean diagonal of J M^-1 J^T, in which rows that the joints hardly move count as they would at
+  /// postures where they do.
+  double compliance(ContactDynamics& dynamics);
 
  private:
   Eigen::VectorXd uniform(Eigen::Index size, double reach);

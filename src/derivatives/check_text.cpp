@@ -1,4 +1,5 @@
 // The report of a check as a table.
+#include <algorithm>
 #include <array>
 
 #include "burnish/derivatives/check.hpp"
@@ -53,7 +54,12 @@ std::string CheckReport::text() const {
   }
   for (const CheckRow& row : rows)
     if (!row.pass) text += failure_text(row);
-  return text + verdict(rows);
+  if (singular_mass.empty()) return text + verdict(rows);
+  const bool others =
+      std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.pass; });
+  return text + (others ? "" : verdict(rows)) +
+         "FAIL: there is no forward dynamics: " + singular_mass +
+         (others ? "; inverse dynamics and contact accelerations pass\n" : "\n");
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "burnish/model/state.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "burnish/base/error.hpp"
@@ -199,6 +200,10 @@ double uniform(std::mt19937_64& generator) {
 }
 
 double random_coordinate(double lower, double upper, double reach, std::mt19937_64& generator) {
+  // Limits that no joint reaches stand for none: at 1e16 rad a number is an angle no more.
+  constexpr double furthest = 1e4;  // rad or m
+  if (lower < -furthest) lower = -std::numeric_limits<double>::infinity();
+  if (upper > furthest) upper = std::numeric_limits<double>::infinity();
   if (std::isinf(lower) && std::isinf(upper)) {
     lower = -reach;
     upper = reach;

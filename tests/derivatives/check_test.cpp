@@ -103,6 +103,90 @@ TEST(Check, TooFewJointsAreCheckedWithComplianceAndSaySo) {
   EXPECT_NE(report.text().find("1 row checked with compliance mu"), std::string::npos);
 }
 
+/// A box on two wheels that are turned about their axles by rounding and by a file's decimals.
+TreeSpec wheels() {
+  TreeSpec tree;
+  tree.name = "wheels";
+  tree.links = {testing::link("box", 300.0), testing::link("left", 2.0), testing::link("right")};
+  const double signs[] = {1.0, -1.0};
+  for (const int i : {0, 1}) {
+    JointSpec joint = testing::joint("spin " + tree.links[i + 1].name, JointType::Continuous, "box",
+                                     tree.links[i + 1].name);
+    joint.placement.translation() = Eigen::Vector3d(40.0, signs[i] * 0.3, 0.1);
+    joint.placement.linear() =
+        Eigen::AngleAxisd(signs[i] * (i == 0 ? 1.5707963267948966 : 1.5707963),
+                          Eigen::Vector3d::UnitX())
+            .toRotationMatrix();
+    tree.joints.push_back(joint);
+  }
+  return tree;
+}
+
+TEST(Check, NoiseAgainstNoiseIsNoError) {
+  // Nothing but rounding moves the hub of a wheel, and no torque is more than rounding.
+  for (const char* tool : {"left", "right"}) {
+    CheckOptions options;
+    options.tool = tool;
+    options.states = 5;
+    const CheckReport report = check_derivatives(build_model(wheels()), options);
+    EXPECT_TRUE(report.pass) << report.text();
+    for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
+  }
+}
+
+TEST(Check, LimitsThatNoJointReachesAreNone) {
+  TreeSpec tree = wheels();
+  for (JointSpec& joint : tree.joints) {
+    joint.type = JointType::Revolute;
+    joint.lower = -1e16;
+    joint.upper = 1e16;
+  }
+  CheckOptions options;
+  options.states = 3;
+  const CheckReport report = check_derivatives(build_model(tree), options);
+  EXPECT_TRUE(report.pass) << report.text();
+}
+
+TEST(Check, DirectionsThatOnlyRoundingMovesAreCheckedWithCompliance) {
+  // Turned about x by a quarter, its links in the plane of x and z.
+  TreeSpec tree;
+  tree.name = "turned";
+  for (const char* name : {"root", "upper", "tip"}) tree.links.push_back(testing::link(name));
+  for (const int i : {0, 1}) {
+    tree.joints.push_back(testing::joint("hinge " + std::to_string(i), JointType::Revolute,
+                                         tree.links[i].name, tree.links[i + 1].name));
+    tree.joints.back().placement.translation() = Eigen::Vector3d(1.0, 0.0, 0.0);
+  }
+  ModelOptions turned;
+  turned.base_placement.linear() =
+      Eigen::AngleAxisd(1.5707963267948966, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  turned.frames = {{"tool", "tip", Eigen::Isometry3d(Eigen::Translation3d(1.0, 0.0, 0.0))}};
+  CheckOptions options;
+  options.references = {Reference::centered()};
+  options.directions = {Directions::y(), Directions::x()};
+  const CheckReport report = check_derivatives(build_model(tree, turned), options);
+  EXPECT_TRUE(report.pass) << report.text();
+  for (const CheckRow& row : report.rows) EXPECT_EQ(row.mu > 1e-6, row.directions == "y");
+}
+
+TEST(Check, JointsThatMoveNoMassAreNamedAndTheRestIsChecked) {
+  Model model = model_of("arm7");
+  Joint& last = model.joints.back();
+  last.mass = 0.0;
+  last.inertia_at_com.setZero();
+  model.armature[last.v_index] = 0.0;
+  std::vector<std::string> seen;
+  const CheckReport report = run_check(model, quick(), [&](std::vector<DerivativeBlock>& blocks) {
+    for (const DerivativeBlock& block : blocks) seen.push_back(block.name);
+  });
+  EXPECT_FALSE(report.pass);
+  EXPECT_TRUE(report.rows[0].pass) << report.text();
+  EXPECT_EQ(seen.front(), "dtau_dq");
+  EXPECT_EQ(seen.size(), 2U * 7U);
+  testing::expect_words(report.singular_mass, {"'" + last.name + "'", "no mass"});
+  EXPECT_NE(report.text().find("FAIL: there is no forward dynamics: joint"), std::string::npos);
+}
+
 class CorruptedBlock : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CorruptedBlock, IsReportedWithItsRowAndColumn) {

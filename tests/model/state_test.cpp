@@ -149,6 +149,18 @@ TEST_P(StateLaws, RandomIsWithinLimitsAndRepeats) {
   EXPECT_NO_THROW(check_configuration(model(), q));
 }
 
+TEST(RandomConfiguration, takes_limits_that_no_joint_reaches_for_none) {
+  TreeSpec tree = branching_tree();
+  for (JointSpec& joint : tree.joints) {
+    joint.lower = -1e16;
+    joint.upper = 1e16;
+  }
+  const Model model = build_model(tree);
+  std::mt19937_64 generator(5);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_LE(random_configuration(model, generator).cwiseAbs().maxCoeff(), 3.15);
+}
+
 TEST_P(StateLaws, ChecksNameArgumentAndEntry) {
   const Eigen::VectorXd q = random_q(), v = random_v(1.0);
   EXPECT_NO_THROW(check_tangent(model(), v));

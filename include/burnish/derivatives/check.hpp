@@ -71,7 +71,9 @@ struct CheckRow {
   /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the
   /// joints cannot hold the contact rigidly at most postures (too few joints, redundant rows).
   double mu = 0.0;
-  double worst_error = 0.0;  ///< relative to the block's largest entry; infinite after a NaN
+  /// Relative to the block's largest entry, or to what makes its rounding pass where that is more;
+  /// infinite after a NaN.
+  double worst_error = 0.0;
   CheckEntry worst;
   bool pass = false;  ///< worst_error <= tolerance
 };
@@ -80,7 +82,10 @@ struct CheckReport {
   std::string robot;
   std::vector<CheckRow> rows;
   double tolerance = 0.0;
-  bool pass = false;  ///< there are rows, and all of them pass
+  /// Why there is no forward dynamics to check, naming the joints that move no mass: rows then are
+  /// of inverse dynamics and contact accelerations alone. Empty: there is.
+  std::string singular_mass = {};
+  bool pass = false;  ///< there are rows, all of them pass, and M is not singular
 
   /// A table of all rows, the worst entries of those that fail, and the verdict.
   std::string text() const;
@@ -94,9 +99,13 @@ struct CheckReport {
 /// are extrapolated (Richardson), again at smaller steps where the three disagree. By v the values
 /// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
 ///
+/// What the rounding of large sums can do to a difference of their values is no error: with torques
+/// that cancel, or where the values are zero.
+///
 /// States are passed over where the contact is close to singular (condition of J M^-1 J^T above
-/// 1e5) or, with a proportional gain on rotations, within 0.1 rad of half a turn from the target,
-/// where the logarithm jumps. Targets of the sweep are at the neutral configuration.
+/// 1e5, rows that the joints hardly move counting as the short ones that they are) or, with a
+/// proportional gain on rotations, within 0.1 rad of half a turn from the target, where the
+/// logarithm jumps. Targets of the sweep are at the neutral configuration.
 ///
 /// Throws Error with one sentence for options that cannot be used.
 CheckReport check_derivatives(const Model& model, const CheckOptions& options = {});

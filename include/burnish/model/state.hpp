@@ -23,7 +23,7 @@ Eigen::MatrixXd tangent_map(const Model& model, const Eigen::Ref<const Eigen::Ve
 Eigen::VectorXd normalized(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
 /// A random configuration: uniform within position limits (within +-pi or +-1 m where there are
-/// none), uniform rotations.
+/// none, or limits beyond 1e4 rad or m, which no joint reaches), uniform rotations.
 Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator);
 
 /// Throws Error with a sentence naming the argument and the entry if q or v has the wrong size,

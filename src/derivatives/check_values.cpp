@@ -1,0 +1,146 @@
+#include "derivatives/check_values.hpp"
+
+#include <Eigen/Cholesky>
+#include <limits>
+#include <numbers>
+
+namespace burnish {
+
+extern template class ConstrainedDynamics<NativePack>;
+
+namespace {
+
+double size_of(const Vec3<NativePack>& v) {
+  return Eigen::Vector3d(v.x.v[0], v.y.v[0], v.z.v[0]).norm();
+}
+
+}  // namespace
+
+CheckValues::CheckValues(const Model& model, const ContactSet& set, const ContactSolver& solver)
+    : dynamics_(model, set, solver),
+      q_(static_cast<std::size_t>(model.nq)),
+      v_(static_cast<std::size_t>(model.nv)),
+      tau_(v_),
+      a_(v_),
+      lambda_(static_cast<std::size_t>(set.rows())) {}
+
+void CheckValues::load(const Eigen::MatrixXd& from, int first, int n,
+                       std::vector<NativePack>& to) const {
+  for (int l = 0; l < native_lanes; ++l) {
+    const int column = from.cols() == 1 ? 0 : std::min(first + l, n - 1);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      to[i].v[l] = from(static_cast<Eigen::Index>(i), column);
+  }
+}
+
+void CheckValues::store(const std::vector<NativePack>& from, int count, int row, int first,
+                        Eigen::MatrixXd& to) const {
+  const int end = std::min(native_lanes, static_cast<int>(to.cols()) - first);
+  for (int l = 0; l < end; ++l) {
+    const bool good = dynamics_.status(l) == Status::Ok;
+    for (int i = 0; i < count; ++i)
+      to(row + i, first + l) =
+          good ? from[static_cast<std::size_t>(i)].v[l] : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluations& wanted) {
+  const int m = rows();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * (nv() + m), n);
+  for (int first = 0; first < n; first += native_lanes) {
+    load(states.q, first, n, q_);
+    load(states.v, first, n, v_);
+    load(states.tau, first, n, tau_);
+    load(states.a, first, n, a_);
+    load(states.lambda, first, n, lambda_);
+    dynamics_.set_state(q_.data(), v_.data());
+    // Forward dynamics last: its status stays with the state.
+    if (wanted.inverse) {
+      dynamics_.inverse(a_.data(), lambda_.data());
+      store(dynamics_.tau, nv(), nv() + m, first, result);
+    }
+    if (wanted.acceleration) {
+      dynamics_.acceleration(a_.data());
+      store(dynamics_.alpha, m, 2 * nv() + m, first, result);
+    }
+    if (wanted.forward) {
+      dynamics_.forward(tau_.data());
+      store(dynamics_.a, nv(), 0, first, result);
+      store(dynamics_.lambda, m, nv(), first, result);
+    }
+  }
+  return result;
+}
+
+/// Of the bias: along every axis the product of the lengths that its scalar product is made of.
+Eigen::VectorXd CheckValues::bias_sizes() const {
+  Eigen::VectorXd sizes(nv());
+  for (int k = 0; k < nv(); ++k) {
+    const auto& axis = dynamics_.kinematics().axes[k].axis;
+    const auto& force = dynamics_.mass().composite_bias[dynamics_.tree().joint_of_v[k]];
+    sizes[k] = size_of(axis.linear) * size_of(force.linear) +
+               size_of(axis.angular) * size_of(force.angular);
+  }
+  return sizes;
+}
+
+/// Of the contact acceleration at joint accelerations of zero: gravity that is added and taken away
+/// again, accelerations moved from the world's origin to the tool, and the gains' terms.
+Eigen::VectorXd CheckValues::drift_sizes() const {
+  Eigen::VectorXd sizes(rows());
+  int row = 0;
+  for (int c = 0; c < dynamics_.set().size(); ++c) {
+    const CompiledContact& contact = dynamics_.set().contacts()[c];
+    const ContactState<NativePack>& state = dynamics_.contact_states[c];
+    const double lever = size_of(state.p);
+    double linear = to_eigen(dynamics_.tree().gravity).norm(), angular = 0.0;
+    for (const int body : {contact.tool_body, contact.base_body}) {
+      if (body < 0) continue;
+      const auto& bias = dynamics_.kinematics().bodies[body].a_bias;
+      linear += size_of(bias.linear) + size_of(bias.angular) * lever;
+      angular += size_of(bias.angular);
+    }
+    const double speed = size_of(state.nu.linear) + size_of(state.nu.angular) * lever;
+    for (const int d : contact.directions) {
+      sizes[row] = d < 3 ? linear : angular;
+      sizes[row] += contact.spec.kd[d] * (d < 3 ? speed : size_of(state.nu.angular));
+      sizes[row] += contact.spec.kp[d] * (d < 3 ? 2.0 * lever + 1.0 : std::numbers::pi);
+      ++row;
+    }
+  }
+  return sizes;
+}
+
+CheckSizes CheckValues::sizes(const CheckState& state) {
+  at(CheckColumns(state), 1, {.forward = true});
+  const auto& delassus = dynamics_.delassus();
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(nv(), nv()), J(rows(), nv());
+  for (int i = 0; i < nv(); ++i)
+    for (int j = i; j >= 0; j = dynamics_.tree().parent_of_v[j])
+      M(i, j) = M(j, i) = dynamics_.mass().mass[i * nv() + j].v[0];
+  for (int k = 0; k < nv(); ++k)
+    for (int r = 0; r < rows(); ++r) J(r, k) = delassus.jacobian_by_v[k * delassus.stride + r].v[0];
+  const Eigen::MatrixXd moved = J.cwiseAbs();
+  const Eigen::VectorXd bias = bias_sizes(), drift = drift_sizes();
+  const auto largest = [](const Eigen::VectorXd& x) { return x.size() > 0 ? x.maxCoeff() : 0.0; };
+  CheckSizes sizes;
+  sizes.tau = largest(M.cwiseAbs() * state.a.cwiseAbs() + bias +
+                      moved.transpose() * state.lambda.cwiseAbs());
+  sizes.alpha = largest(moved * state.a.cwiseAbs() + drift);
+  if (dynamics_.status(0) >= Status::SingularMass) return sizes;
+  const Eigen::LLT<Eigen::MatrixXd> mass(M);
+  const Eigen::MatrixXd inverse = mass.solve(Eigen::MatrixXd::Identity(nv(), nv())).cwiseAbs();
+  Eigen::VectorXd a = inverse * (state.tau.cwiseAbs() + bias);
+  if (rows() > 0) {
+    Eigen::MatrixXd G = J * mass.solve(J.transpose());
+    G.diagonal().array() += dynamics_.solver().mu;
+    const Eigen::VectorXd lambda =
+        G.llt().solve(Eigen::MatrixXd::Identity(rows(), rows())).cwiseAbs() * (moved * a + drift);
+    sizes.lambda = largest(lambda);
+    a += inverse * (moved.transpose() * lambda);
+  }
+  sizes.a = largest(a);
+  return sizes;
+}
+
+}  // namespace burnish
