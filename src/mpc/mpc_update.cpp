@@ -28,7 +28,7 @@ void MpcController::Impl::place_knot(int knot, double schedule_time) {
   for (std::size_t t = 0; t < terms.size(); ++t) {
     force_targets_[static_cast<std::size_t>(stage)][t].at(schedule_time, one_);
     one_[0] -= force_error;
-    problem.set_target(knot, terms[t], one_);
+    (void)problem.set_target(knot, terms[t], one_);  // one_ has the term's size
   }
 }
 
@@ -93,8 +93,9 @@ void MpcController::Impl::shift_guess(double schedule_time) noexcept {
 bool MpcController::Impl::replan(double now) {
   const double delay = solved_ ? spec.solver_delay : 0.0;
   measured_state();
-  if (spec.model_error.kind == ModelErrorKind::Torque)
-    problem.set_torque_bias(observer.torque_error());
+  if (spec.model_error.kind == ModelErrorKind::Torque &&
+      problem.set_torque_bias(observer.torque_error()) != Status::Ok)
+    return false;
   if (delay > 0.0) predict(now, delay);
   const double schedule_time = schedule.time() + delay;
   place_horizon(schedule_time);

@@ -83,8 +83,9 @@ void MpcController::Impl::estimate(double dt) noexcept {
   const double share = -std::expm1(-spec.model_error.bandwidth * dt);
   follow_command(dt);
   if (kind == ModelErrorKind::Torque) {
-    observer.update(q_, v_, acted_, normal_force() * spec.normal_world, dt);
-    torque_offset_ += share * (tau_ - acted_ - torque_offset_);
+    // What cannot be evaluated changes nothing, of either estimate.
+    const Status seen = observer.update(q_, v_, acted_, normal_force() * spec.normal_world, dt);
+    if (seen <= Status::NotConverged) torque_offset_ += share * (tau_ - acted_ - torque_offset_);
   }
   if (kind == ModelErrorKind::Force) estimate_force_error(share);
   // Section IV-C: at the measured torques. What the torque error knows of them counts once.

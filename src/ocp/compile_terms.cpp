@@ -257,7 +257,7 @@ struct TermBuilder {
     term.rows = 6;
     zero_target(r.target, 6);
     const int f = frame(r.frame);
-    if (!(r.rotation * r.rotation.transpose()).isIdentity(1e-6))
+    if (!(r.rotation * r.rotation.transpose()).isIdentity(1e-6) || r.rotation.determinant() < 0.0)
       refuse("rotation is not a rotation");
     term.residual =
         FrameVelocityError{f, r.axes, from_eigen(r.rotation), !r.rotation.isIdentity(0.0)};
@@ -267,6 +267,7 @@ struct TermBuilder {
   void operator()(const residual::ContactForce& r) {
     const int c = contact(r.contact);
     if (r.reference) {
+      r.reference->check(where);
       term.rows = 6;
       term.residual = WrenchError{c, *r.reference};
     } else {
@@ -287,6 +288,7 @@ struct TermBuilder {
     needs(c, Directions::linear());
     if (!(r.friction > 0.0) || !std::isfinite(r.friction))
       refuse("friction is " + number(r.friction) + "; wanted a number above 0");
+    if (r.reference) r.reference->check(where);
     if (r.normal < 0 || r.normal > 2)
       refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
     term.rows = 2;

@@ -130,7 +130,8 @@ Balance balance_of(const Problem& problem, const ocp::CompiledStage& stage,
   for (int c = 0; c < impl.compiled.contacts.size(); ++c)
     dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nv);
-  dynamics.acceleration(q, rest, rest);
+  if (dynamics.acceleration(q, rest, rest) != Status::Ok)
+    return {Eigen::MatrixXd(0, l.nu), Eigen::VectorXd(0)};  // nothing can be said there
   Eigen::MatrixXd N = Eigen::MatrixXd::Identity(l.nv, l.nv);
   if (dynamics.rows() > 0) {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(dynamics.jacobian().transpose());

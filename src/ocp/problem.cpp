@@ -71,7 +71,7 @@ void Problem::advance(int stage) {
 }
 
 Status Problem::set_target(int knot, int term, const ConstVectorRef& target) {
-  const ocp::CompiledTerm& compiled = impl_->stage(knot).terms.at(static_cast<std::size_t>(term));
+  const ocp::CompiledTerm& compiled = impl_->term("set_target", knot, term);
   if (target.size() != compiled.signal_size) return Status::WrongSize;
   ocp::store_target(compiled, target, impl_->targets_of(knot) + compiled.target);
   return Status::Ok;
@@ -87,7 +87,7 @@ Status Problem::set_torque_bias(const ConstVectorRef& torque) {
 
 Eigen::VectorXd Problem::residual(int knot, int term, const ConstVectorRef& x,
                                   const ConstVectorRef& u) {
-  const ocp::CompiledTerm& compiled = impl_->stage(knot).terms.at(static_cast<std::size_t>(term));
+  const ocp::CompiledTerm& compiled = impl_->term("residual", knot, term);
   Eigen::VectorXd r(compiled.rows);
   impl_->check_point(knot, x, u);
   impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, x.data(), u.data(),
@@ -97,8 +97,8 @@ Eigen::VectorXd Problem::residual(int knot, int term, const ConstVectorRef& x,
 
 RowMatrix Problem::residual_derivative(int knot, int term, const ConstVectorRef& x,
                                        const ConstVectorRef& u) {
+  const ocp::CompiledTerm& compiled = impl_->term("residual_derivative", knot, term);
   const ocp::CompiledStage& stage = impl_->stage(knot);
-  const ocp::CompiledTerm& compiled = stage.terms.at(static_cast<std::size_t>(term));
   impl_->check_point(knot, x, u);
   std::vector<double> r(static_cast<std::size_t>(compiled.rows));
   std::vector<double> blocks(static_cast<std::size_t>(compiled.jacobian_size) + 1);

@@ -14,13 +14,13 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   if (x.size() < l.nq)
     throw Error("quasi_static: x has " + std::to_string(x.size()) + " entries; wanted at least " +
                 std::to_string(l.nq));
-  // The system is not solved by forward(), which may be singular here, but read from it.
+  // Nothing is solved: contacts and the mass matrix may be singular here.
   ContactDynamics dynamics(compiled.model, impl_->spec.contacts, {.mu = 1e-6});
   for (int c = 0; c < compiled.contacts.size(); ++c)
     dynamics.set_active(c, at.active[static_cast<std::size_t>(c)] != 0);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
-  if (dynamics.forward(x.head(l.nq), zero, zero) > Status::NotConverged)
-    throw Error("quasi_static: the state cannot be evaluated");
+  const Status status = dynamics.acceleration(x.head(l.nq), zero, zero);
+  if (status != Status::Ok) throw Error("quasi_static: " + std::string(describe(status)));
   const int rows = dynamics.rows();
   if (force.size() != 0 && force.size() != rows)
     throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +

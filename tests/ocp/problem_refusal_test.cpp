@@ -82,6 +82,9 @@ std::vector<BadSpec> bad_residuals() {
       custom.value = [](const NodeView&, Eigen::Ref<Eigen::VectorXd> out) { out.setZero(); };
     return custom;
   };
+  const Reference stretched = Reference::surface(2.0 * Eigen::Matrix3d::Identity());
+  const Reference moving{Reference::Origin::World, Reference::Axes::Tool};
+  const Eigen::Matrix3d mirrored = Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
   const auto at_the_end = [](const Residual& residual) {
     return
         [residual](ProblemSpec& spec) { spec.terminal = {{.name = "last", .residual = residual}}; };
@@ -113,6 +116,18 @@ std::vector<BadSpec> bad_residuals() {
       {"friction_infinite", with(R::FrictionCone{"pad", infinity}), {"friction is inf"}},
       {"normal", with(R::FrictionCone{"pad", 0.5, 3}), {"normal is 3", "0, 1 or 2"}},
       {"half_length", with(R::CenterOfPressure{"pad", 0.0, 0.1}), {"half lengths", "positive"}},
+      {"force_in_a_stretched_reference",
+       with(R::ContactForce{"pad", stretched}),
+       {"'position'", "reference's rotation is not a rotation"}},
+      {"force_in_a_moving_reference_at_the_origin",
+       with(R::ContactForce{"pad", moving}),
+       {"'position'", "world's origin"}},
+      {"cone_in_a_stretched_reference",
+       with(R::FrictionCone{.contact = "pad", .friction = 0.5, .reference = stretched}),
+       {"'position'", "reference's rotation is not a rotation"}},
+      {"velocity_in_mirrored_axes",
+       with(R::FrameVelocity{.frame = "tool", .rotation = mirrored}),
+       {"'position'", "rotation is not a rotation"}},
       {"own_rows", with(own(0, true)), {"0 rows", "at least 1"}},
       {"own_value", with(own(2, false)), {"no value function"}},
       {"control_at_the_end", at_the_end(R::Control{}), {"terminal", "'last'", "no control"}},
@@ -264,6 +279,11 @@ TEST(Refusal, OfNamesKnotsAndStatesThatAreNot) {
   words([&] { problem.advance(1); }, {"advance", "stage 1", "0 to 0"});
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(3), u = Eigen::VectorXd::Zero(7);
   words([&] { problem.residual(0, 0, x, u); }, {"x has 3 entries", "wanted 14"});
+  words([&] { problem.set_target(-1, 0, x); }, {"set_target", "knot -1", "0 to 3"});
+  words([&] { problem.set_target(4, 0, x); }, {"set_target", "knot 4", "0 to 3"});
+  words([&] { problem.set_target(0, 1, x); }, {"set_target", "no term 1", "knot 0", "has 1"});
+  words([&] { problem.residual(0, -1, x, u); }, {"residual", "no term -1"});
+  words([&] { problem.residual_derivative(-2, 0, x, u); }, {"residual_derivative", "knot -2"});
   words([&] { problem.forces(0, Eigen::VectorXd::Zero(14), x); }, {"u has 3 entries", "wanted 7"});
   words([&] { problem.quasi_static(0, x); }, {"quasi_static", "3 entries"});
   words([&] { problem.quasi_static(0, Eigen::VectorXd::Zero(14), x); },

@@ -156,6 +156,15 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::FrameVelocity{s.tool, FrameAxes::World, 0.1};
        }},
+      {"turned local velocity",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, FrameAxes::Local, s.random(6), tilt()};
+       }},
+      {"turned world velocity",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, FrameAxes::World, 0.1, tilt()};
+       },
+       abs},
       {"velocity", [](Setup s) { return R::FrameVelocity{s.tool}; }, abs},
       {"force",
        [](Setup s) {

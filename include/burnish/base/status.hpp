@@ -6,6 +6,9 @@
 
 namespace burnish {
 
+/// One that nobody looks at is a warning of the compiler.
+enum class [[nodiscard]] Status : std::uint8_t;
+
 /// Outcome of an evaluation, ordered by severity: of two that apply the larger is reported.
 enum class Status : std::uint8_t {
   Ok = 0,

@@ -50,7 +50,7 @@ class Problem final : public ShootingProblem {
   /// last one; the terminal knot follows. Throws Error for a stage that there is not.
   void advance(int stage);
   /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
-  /// the residual says. Returns WrongSize or Ok.
+  /// the residual says. Returns WrongSize or Ok. Throws Error for a knot or term that there is not.
   Status set_target(int knot, int term, const ConstVectorRef& target);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
@@ -67,7 +67,8 @@ class Problem final : public ShootingProblem {
   QuasiStatic quasi_static(int stage, const ConstVectorRef& x,
                            const Eigen::VectorXd& force = {}) const;
 
-  /// One term at a knot: r (rows) and dr/dz (rows x nz), z = (u, dq, dv, dtau).
+  /// One term at a knot: r (rows) and dr/dz (rows x nz), z = (u, dq, dv, dtau). Throws Error for a
+  /// knot or term that there is not and for wrong sizes.
   Eigen::VectorXd residual(int knot, int term, const ConstVectorRef& x, const ConstVectorRef& u);
   RowMatrix residual_derivative(int knot, int term, const ConstVectorRef& x,
                                 const ConstVectorRef& u);
