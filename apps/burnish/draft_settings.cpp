@@ -58,7 +58,8 @@ std::string posture_text(const Robot& robot) {
   if (!stated.empty()) return fmt::format("default_posture: {}\n", yaml_word(stated));
   std::string text =
       "default_posture: start\npostures:\n"
-      "  # Zero, or a tenth of the range off the limits. Put in where the tool works.\n"
+      "  # Zero, or a tenth of the range off the limits. Put in where the tool works;\n"
+      "  # a polishing task with posture: search finds such a place.\n"
       "  start: {";
   bool first = true;
   for (const Joint& joint : robot.model.joints) {

@@ -24,6 +24,8 @@ void parse_xml(tinyxml2::XMLDocument& document, const std::string& xml, const st
              document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ELEMENT ||
              document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE) {
     reason = "an element is cut off or misspelt";
+  } else if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT) {
+    reason = "text stands where an element belongs";
   }
   refuse(source, "line " + std::to_string(document.ErrorLineNum()) +
                      ": the XML is not well formed: " + reason);

@@ -40,7 +40,10 @@ std::vector<double> read_numbers(const tinyxml2::XMLElement& element, const char
   for (const std::string_view word : words(element.Attribute(attribute))) {
     const std::optional<double> value = parse_number(word);
     if (!value) {
-      refuse_attribute(element, attribute, place, in_quotes(word) + " is not a number");
+      const bool of_xacro = word.find("${") != std::string_view::npos;
+      refuse_attribute(element, attribute, place,
+                       in_quotes(word) + " is not a number" +
+                           (of_xacro ? "; expand the file with xacro first" : ""));
     }
     const bool allowed = std::isfinite(*value) || (may_be_infinite && !std::isnan(*value));
     if (!allowed) refuse_attribute(element, attribute, place, "it must be finite");

@@ -104,6 +104,26 @@ TEST(Show, WarnsOfWhatIsOdd) {
   EXPECT_EQ(lines_of(strict.err), 2) << strict.err;
 }
 
+TEST(Strict, HoldsForEveryCommandWithARobot) {
+  const Scratch scratch;
+  const std::string robot = scratch.write("odd.urdf", odd_robot).string();
+  const std::string file = quoted(robot), out = " --out " + quoted(scratch.folder / "out");
+  const std::string problem =
+      quoted(scratch.write("problem.yaml",
+                           "robot: odd.urdf\nstages: {s: {costs: {r: {type: joint_velocity}}}}\n"
+                           "horizon: [s: 2]\n"));
+  const std::string request = quoted(scratch.write("request.json", R"({"robot": "odd.urdf"})"));
+  for (const std::string& command :
+       {"show " + file, "check " + file, "bench " + file, "eval " + request,
+        "solve " + problem + out, "polish --plant ideal --set robot=" + file + out,
+        "experiment tick --quick --plant ideal --set robot=" + file + out}) {
+    const Outcome outcome = run(command + " --strict");
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_NE(outcome.err.find("joint 'grip' moves no mass"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("strict reading refuses"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST(Show, ReadsPipes) {
   const std::string program = "'" BURNISH_PROGRAM "' ";
   for (const std::string& command : {"cat | " + program + "show /dev/stdin",

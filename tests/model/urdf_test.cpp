@@ -229,7 +229,7 @@ const std::vector<BadFile>& bad_files() {
       // Not XML, or not a robot.
       {"Empty", "", {"empty"}},
       {"Blank", " \n\t ", {"empty"}},
-      {"NoXml", "solid ascii stl", {"line 1", "not well formed"}},
+      {"NoXml", "solid ascii stl", {"line 1", "not well formed", "text"}},
       {"Binary",
        std::string("\x7f"
                    "ELF\0\0\1",
@@ -329,6 +329,7 @@ const std::vector<BadFile>& bad_files() {
       // Links.
       {"Mass", with_link(inertial("-1.2", "1", "1")), {"link 'b'", "-1.2", "negative"}},
       {"MassNan", with_link(inertial("nan", "1", "1")), {"link 'b'", "nan", "finite"}},
+      {"MassOfXacro", with_link(inertial("${m}", "1", "1")), {"link 'b'", "'${m}'", "xacro first"}},
       {"MassUnit", with_link(inertial("1.2kg", "1", "1")), {"link 'b'", "'1.2kg'"}},
       {"InertiaSign", with_link(inertial("1", "-1", "1")), {"link 'b'", "-1", "negative"}},
       {"TwoInertials",
