@@ -6,7 +6,6 @@
 
 #include "burnish/base/error.hpp"
 #include "model/findings.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::app {
 
@@ -55,7 +54,7 @@ void print_warnings_of(const std::string& robot, bool strict) {
 }
 
 void print_warnings(const Robot& robot, bool strict) {
-  if (strict) refuse_warnings("robot " + in_quotes(robot.model.name), robot.warnings);
+  if (strict) refuse_warnings("", robot.warnings);
   constexpr std::size_t most = 10;
   const std::size_t count = robot.warnings.size();
   for (std::size_t i = 0; i < std::min(count, most); ++i)

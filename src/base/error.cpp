@@ -46,20 +46,21 @@ constexpr std::size_t most_problems = 50;
 /// What Error::sentences() gives.
 std::vector<std::string> listed(const std::string& origin,
                                 const std::vector<std::string>& problems) {
+  const std::string start = origin.empty() ? "" : origin + ": ";
   std::vector<std::string> sentences;
   for (const std::string& problem : problems) {
     if (sentences.size() == most_problems) {
       sentences.push_back(
-          one_line(origin + ": and " + std::to_string(problems.size() - most_problems) + " more"));
+          one_line(start + "and " + std::to_string(problems.size() - most_problems) + " more"));
       break;
     }
-    sentences.push_back(one_line(origin + ": " + problem));
+    sentences.push_back(one_line(start + problem));
   }
   return sentences;
 }
 
 std::string numbered(const std::string& origin, const std::vector<std::string>& problems) {
-  std::string text = one_line(origin) + ": ";
+  std::string text = origin.empty() ? "" : one_line(origin) + ": ";
   if (problems.size() == 1) return text + one_line(problems.front());
   text += std::to_string(problems.size()) + " problems:";
   for (std::size_t i = 0; i < std::min(problems.size(), most_problems); ++i) {

@@ -62,7 +62,8 @@ class Findings {
   std::vector<std::string> problems_, warnings_;
 };
 
-/// Throws an Error that lists the warnings, if there are any: for who wants nothing odd.
+/// Throws an Error that lists the warnings, if there are any: for who wants nothing odd. `origin`
+/// is what they are about, or empty.
 void refuse_warnings(const std::string& origin, const std::vector<std::string>& warnings);
 
 }  // namespace burnish

@@ -56,5 +56,19 @@ TEST(Status, every_value_has_a_sentence_of_its_own_and_worst_is_the_larger) {
   EXPECT_EQ(worst(Status::SingularMass, Status::NotConverged), Status::SingularMass);
 }
 
+TEST(Error, lists_several_problems) {
+  const Error one("r.urdf", std::vector<std::string>{"no links"});
+  EXPECT_STREQ(one.what(), "r.urdf: no links");
+  EXPECT_EQ(one.sentences(), std::vector<std::string>{"r.urdf: no links"});
+  const Error two("r.urdf", {"no\nlinks", "no name"});
+  EXPECT_STREQ(two.what(), "r.urdf: 2 problems: (1) no links (2) no name");
+  EXPECT_EQ(two.sentences(), (std::vector<std::string>{"r.urdf: no links", "r.urdf: no name"}));
+  EXPECT_STREQ(Error("", {"a: b", "c: d"}).what(), "2 problems: (1) a: b (2) c: d");
+  EXPECT_EQ(Error("one").sentences(), std::vector<std::string>{"one"});
+  const Error many("r", std::vector<std::string>(73, "bad"));
+  EXPECT_EQ(many.sentences().size(), 51u);
+  EXPECT_EQ(many.sentences().back(), "r: and 23 more");
+}
+
 }  // namespace
 }  // namespace burnish

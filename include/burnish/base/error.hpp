@@ -19,7 +19,7 @@ class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
   /// All that is wrong with one thing: what() is "origin: problem", or where there are several
-  /// "origin: 3 problems: (1) problem (2) ...". Of more than 50 the rest is counted.
+  /// "origin: 3 problems: (1) problem (2) ...", without "origin: " if empty; of 50 at most.
   Error(const std::string& origin, const std::vector<std::string>& problems);
 
   /// One sentence for each problem, to be printed one a line; what() alone where there is one.
