@@ -27,7 +27,7 @@ DdpOptions options_of(const ProblemFile& problem, const SolveArguments& argument
   if (arguments.iterations >= 0) options.max_iterations = arguments.iterations;
   if (arguments.threads >= 0) options.threads = arguments.threads;
   if (arguments.pin) options.pin_threads = true;
-  if (arguments.tolerance >= 0.0) options.stop_tolerance = arguments.tolerance;
+  if (!(arguments.tolerance < 0.0)) options.stop_tolerance = arguments.tolerance;  // NaN as well
   options.check();
   const bool talks = !arguments.quiet && !arguments.json;
   options.callback = [talks](const DdpProgress& p) {

@@ -130,7 +130,7 @@ CheckRow check_row(const Model& model, const CheckOptions& options,
     std::vector<DerivativeBlock> blocks = derivative_blocks(model, dynamics, values, (*states)[i]);
     if (tamper) tamper(blocks);
     for (const DerivativeBlock& block : blocks) {
-      const BlockMismatch mismatch = compare(block, options.tolerance);
+      const BlockMismatch mismatch = compare(block);
       if (!row.worst.block.empty() && !(mismatch.error > row.worst_error)) continue;
       row.worst_error = mismatch.error;
       row.worst = mismatch.entry;

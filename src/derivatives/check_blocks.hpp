@@ -19,8 +19,9 @@ struct BlockMismatch {
   CheckEntry entry;    ///< the worst one; its state is not set
 };
 
-/// Where the noise is more than `tolerance` of the largest entry, the error is relative to as much
-/// more, so that noise passes. Throws Error when the two sides or the names differ in size.
-BlockMismatch compare(const DerivativeBlock& block, double tolerance);
+/// Where the noise is more than 1e-6 of the largest entry, the error is relative to as much more,
+/// so that noise passes with the default tolerance. Throws Error when the two sides or the names
+/// differ in size.
+BlockMismatch compare(const DerivativeBlock& block);
 
 }  // namespace burnish

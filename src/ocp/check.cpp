@@ -137,7 +137,7 @@ class ProblemCheck {
     ProblemCheckRow& row = rows_[place];
     if (!blocks.empty()) ++row.states;
     for (const DerivativeBlock& block : blocks) {
-      const BlockMismatch mismatch = compare(block, options_.tolerance);
+      const BlockMismatch mismatch = compare(block);
       if (!row.worst.block.empty() && !(mismatch.error > row.worst_error)) continue;
       row.worst_error = mismatch.error;
       row.worst = mismatch.entry;

@@ -112,6 +112,7 @@ TEST(Solve, BadInputIsOneSentence) {
   const auto file = scratch.write("press.yaml", problem);
   expect_refused(run("solve " + quoted(file) + " --iteration 3"), "did you mean '--iterations'?");
   expect_refused(run("solve " + quoted(file) + " --threads 0"), "--threads");
+  expect_refused(run("solve " + quoted(file) + " --tolerance nan"), "stop_tolerance is nan");
   expect_refused(run("solve " + quoted(file) + " --out " + quoted(file)), "cannot make the folder");
   const auto bad = scratch.write("bad.yaml", problem + "solvr: {}\n");
   expect_refused(run("solve " + quoted(bad)), "did you mean 'solver'?");

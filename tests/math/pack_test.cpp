@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -62,6 +63,22 @@ TYPED_TEST(PackLaw, transposing_exchanges_packs_and_lanes) {
   transpose(rows);
   for (int i = 0; i < n; ++i)
     for (int l = 0; l < n; ++l) EXPECT_EQ(rows[i].lane(l), 100.0 * l + i);
+}
+
+TYPED_TEST(PackLaw, unpacking_writes_the_wanted_lanes_anywhere_and_nothing_else) {
+  constexpr int n = Lanes<TypeParam>::count;
+  TypeParam rows[n];
+  for (int i = 0; i < n; ++i) rows[i] = numbered<TypeParam>(100.0 * i, 1.0);
+  for (int lanes = 0; lanes <= n; ++lanes) {
+    double out[n][n + 2];
+    std::fill(&out[0][0], &out[0][0] + n * (n + 2), -1.0);
+    unpack(rows, lanes, [&](int l) { return &out[l][1]; });
+    for (int l = 0; l < n; ++l) {
+      EXPECT_EQ(out[l][0], -1.0);
+      EXPECT_EQ(out[l][n + 1], -1.0);
+      for (int i = 0; i < n; ++i) EXPECT_EQ(out[l][1 + i], l < lanes ? 100.0 * i + l : -1.0);
+    }
+  }
 }
 
 TYPED_TEST(PackLaw, sine_and_cosine_are_within_two_units_in_the_last_place) {

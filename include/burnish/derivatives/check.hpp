@@ -71,7 +71,7 @@ struct CheckRow {
   /// Compliance that the row was checked with, m/s^2 per N: zero, or positive where the
   /// joints cannot hold the contact rigidly at most postures (too few joints, redundant rows).
   double mu = 0.0;
-  /// Relative to the block's largest entry, or to what makes its rounding pass where that is more;
+  /// Relative to the block's largest entry, or to what makes its rounding 1e-6 where that is more;
   /// infinite after a NaN.
   double worst_error = 0.0;
   CheckEntry worst;
