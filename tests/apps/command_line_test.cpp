@@ -175,6 +175,13 @@ TEST(Check, PassesWithExitCodeZero) {
   EXPECT_NE(outcome.out.find("pass: all 96 rows, worst error "), std::string::npos) << outcome.out;
 }
 
+TEST(Check, NeedsAUrdfFileAndNoMore) {
+  const Outcome outcome =
+      run("check '" BURNISH_ROBOTS_DIR "/arm7/arm7.urdf' --tool flange --states 1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
 TEST(Check, FailsWithExitCodeOne) {
   const Outcome outcome = run("check arm7 --states 1 --tolerance 1e-18");
   EXPECT_EQ(outcome.exit_code, 1);
