@@ -65,7 +65,7 @@ bool is_multiple(double large, double small) {
 
 /// What a run is asked for has an end, and fits into memory.
 void check_times(const Task& task) {
-  constexpr double longest = 1e5;    // s
+  constexpr double most_time = 1e5;  // s
   constexpr double most_rate = 1e5;  // Hz
   constexpr double most_steps = 5e8;
   if (task.tick_rate > most_rate)
@@ -81,12 +81,12 @@ void check_times(const Task& task) {
         std::pair("phases.polish_duration", task.polish_duration),
         std::pair("phases.retreat_duration", task.retreat_duration),
         std::pair("limits.late_contact_time", std::isinf(late) ? 0.0 : late)}) {
-    if (!(time <= longest))
+    if (!(time <= most_time))
       refuse_together(std::string(name) + " is " + number(time) + " s; wanted at most " +
-                      number(longest) + " s");
+                      number(most_time) + " s");
     sum += time;
   }
-  // Plants take steps of half a millisecond at the longest.
+  // Plants take steps of half a millisecond at the most_time.
   const double steps = sum * std::max(task.tick_rate, 2000.0);
   if (steps > most_steps)
     refuse_together("phases of " + number(sum) + " s at controller.tick_rate of " +
