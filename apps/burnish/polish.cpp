@@ -245,10 +245,12 @@ int polish(const PolishArguments& arguments) {
     polishing::write_task(jobs.front().spec.task, arguments.write_task);
     return exit_ok;
   }
-  std::set<std::string> robots;
-  for (const PolishJob& job : jobs) robots.insert(job.spec.task.robot);
-  for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
-  named_by(arguments.file, [&] { check(jobs, arguments); });
+  named_by(arguments.file, [&] {
+    std::set<std::string> robots;
+    for (const PolishJob& job : jobs) robots.insert(job.spec.task.robot);
+    for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
+    check(jobs, arguments);
+  });
   const StopRequest stop("the run ends, and what there is of it is written");
   const std::string task =
       arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string();

@@ -162,6 +162,11 @@ TEST(Polish, BadInputIsOneSentence) {
   refused("--plant gazebo", "--plant");
   refused("--duration 0", "phases.polish_duration: it is 0");
   refused("--surfaces table", "did you mean '--surface'?");
+  for (const char* line : {"robot: nosuch", "robot: arm7\nposture: nowhere",
+                           "robot: arm7\nposture: ready\nsurface: {point: [0, 0, 1]}"}) {
+    const auto task = scratch.write("mine.yaml", std::string(line) + "\n");
+    refused(quoted(task), task.string() + ": ");
+  }
   EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
   const auto file = scratch.write("taken", "");
   expect_refused(run("polish --surface table --quiet --out " + quoted(file) + short_run),
