@@ -50,10 +50,11 @@ class BoundLoop {
   const py::object& controller() const { return controller_.object(); }
 
   void reset(const Vector& q, const std::optional<Eigen::VectorXd>& v) {
-    drive("ClosedLoop.reset", [&] {
-      if (v) return loop_.reset(q, *v);
-      return loop_.reset(q, Eigen::VectorXd(Eigen::VectorXd::Zero(plant_.plant().model().nv)));
-    });
+    const Eigen::Index nv = plant_.plant().model().nv;
+    require(
+        drive("ClosedLoop.reset",
+              [&] { return loop_.reset(q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(nv))); }),
+        "ClosedLoop.reset");
   }
 
   Status step() {

@@ -86,7 +86,7 @@ void check_times(const Task& task) {
                       number(most_time) + " s");
     sum += time;
   }
-  // Plants take steps of half a millisecond at the most_time.
+  // Plants take steps of half a millisecond at the longest.
   const double steps = sum * std::max(task.tick_rate, 2000.0);
   if (steps > most_steps)
     refuse_together("phases of " + number(sum) + " s at controller.tick_rate of " +
