@@ -247,7 +247,7 @@ class TestRuns:
 
     def test_polish_only_if_the_verdict_is_borne(self, baseline):
         figures = baseline.verdict
-        assert figures.contact_share == 1.0 and figures.path_share > 0.99
+        assert figures.contact_share > 0.99 and figures.path_share > 0.99
         assert 0.0 < figures.force_rmse < 0.1 * baseline.task.force
         strict = polishing.Verdict(force_rmse=0.1 * figures.force_rmse / baseline.task.force)
         run = short_run(controller="baseline", seed=3, verdict=strict)
