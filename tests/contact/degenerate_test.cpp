@@ -198,7 +198,7 @@ TEST_P(Degenerate, rows_of_any_set_are_independent_for_the_status_exactly_where_
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryRobot, Degenerate, ::testing::ValuesIn(available(test_robots())),
-                         [](const auto& info) { return info.param.label(); });
+                         [](const auto& of) { return of.param.label(); });
 
 /// One link on a hinge; the tool is on its axis, but for what a drawing left of it.
 TEST(ADirectionThatNoJointMoves, is_none_through_a_lever_of_rounding) {

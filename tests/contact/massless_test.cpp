@@ -104,7 +104,7 @@ TEST_P(Massless, joints_with_an_armature_are_as_good_as_any) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryRobot, Massless, ::testing::ValuesIn(available(test_robots())),
-                         [](const auto& info) { return info.param.label(); });
+                         [](const auto& of) { return of.param.label(); });
 
 }  // namespace
 }  // namespace burnish::test
