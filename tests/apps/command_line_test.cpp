@@ -106,8 +106,8 @@ TEST(Show, WarnsOfWhatIsOdd) {
 
 TEST(Strict, HoldsForEveryCommandWithARobot) {
   const Scratch scratch;
-  const std::string robot = scratch.write("odd.urdf", odd_robot).string();
-  const std::string file = quoted(robot), out = " --out " + quoted(scratch.folder / "out");
+  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string out = " --out " + quoted(scratch.folder / "out");
   const std::string problem =
       quoted(scratch.write("problem.yaml",
                            "robot: odd.urdf\nstages: {s: {costs: {r: {type: joint_velocity}}}}\n"

@@ -82,7 +82,7 @@ TEST(ContactDetector, finds_touch_and_loss_within_a_window) {
       // Pressed it is not lost, and let go it is.
       for (int i = 0; i < 2000; ++i) {
         detector.add(30.0 + noise(), false);
-        if (i > window) ASSERT_FALSE(detector.is_lost(30.0)) << seed;
+        ASSERT_FALSE(i > window && detector.is_lost(30.0)) << seed;
       }
       const int gone = samples_until(detector, noise, 0.0, 50, lost);
       EXPECT_GT(gone, 0) << seed;
