@@ -127,8 +127,7 @@ class MpcRun {
     return status_;
   }
   Status polish_and_retreat() {
-    polish();
-    return run(0.5);
+    return polish() <= Status::NotConverged ? run(0.5) : status_;
   }
 
   /// From 0.1 s after the ramp until shortly before the retreat.
