@@ -167,14 +167,35 @@ Run run_of(const py::tuple& state) {
   return run;
 }
 
-void bind_result(py::module_& m) {
-  py::class_<Run> run_class(m, "RunResult",
-                            "What came out of a run. Its trace stays where it is: views of its "
-                            "columns keep the result alive.");
+void bind_figures(py::class_<Run>& run_class) {
   const auto add = [&](const char* name, auto RunResult::*member, const char* text) {
     run_class.def_property_readonly(
         name, [member](const Run& self) { return self.result.*member; }, text);
   };
+  add("setting", &RunResult::setting, "Setting: the task with everything resolved; a copy.");
+  add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
+  add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
+  add("interrupted", &RunResult::interrupted, "Whether the progress function ended the run.");
+  add("polished", &RunResult::polished,
+      "Whether the path's end was reached without fault, as Task.verdict asks for.");
+  add("metrics", &RunResult::metrics,
+      "Metrics over the path after its start; None if it was never reached.");
+  add("verdict", &RunResult::verdict,
+      "VerdictFigures: what Task.verdict is about, over all of the path that there was; None if it "
+      "was never reached.");
+  add("ticks", &RunResult::ticks,
+      "TickTimes of the controller after its first tick, which solves to its end.");
+  add("first_tick", &RunResult::first_tick, "s of wall clock.");
+  add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
+  add("outcome", &RunResult::outcome,
+      "One sentence: that it polished, what came in between, or which figures its verdict does not "
+      "bear (\"not polished: ...\", \"stopped early: ...\").");
+}
+
+void bind_result(py::module_& m) {
+  py::class_<Run> run_class(m, "RunResult",
+                            "What came out of a run. Its trace stays where it is: views of its "
+                            "columns keep the result alive.");
   run_class
       .def_property_readonly(
           "task", [](const Run& self) { return self.spec.task; }, "The Task, a copy.")
@@ -213,24 +234,7 @@ void bind_result(py::module_& m) {
           "the command line.")
       .def("__repr__", &repr_of)
       .def(py::pickle(&state_of, &run_of));
-  add("setting", &RunResult::setting, "Setting: the task with everything resolved; a copy.");
-  add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
-  add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
-  add("interrupted", &RunResult::interrupted, "Whether the progress function ended the run.");
-  add("polished", &RunResult::polished,
-      "Whether the path's end was reached without fault, as Task.verdict asks for.");
-  add("metrics", &RunResult::metrics,
-      "Metrics over the path after its start; None if it was never reached.");
-  add("verdict", &RunResult::verdict,
-      "VerdictFigures: what Task.verdict is about, over all of the path that there was; None if it "
-      "was never reached.");
-  add("ticks", &RunResult::ticks,
-      "TickTimes of the controller after its first tick, which solves to its end.");
-  add("first_tick", &RunResult::first_tick, "s of wall clock.");
-  add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
-  add("outcome", &RunResult::outcome,
-      "One sentence: that it polished, what came in between, or which figures its verdict does not "
-      "bear (\"not polished: ...\", \"stopped early: ...\").");
+  bind_figures(run_class);
 }
 
 void bind_task(py::module_& m) {

@@ -14,6 +14,15 @@ double size_of(const Vec3<NativePack>& v) {
   return Eigen::Vector3d(v.x.v[0], v.y.v[0], v.z.v[0]).norm();
 }
 
+/// States first to first + lanes of n, the last one again where they end; one stands for all.
+void load(const Eigen::MatrixXd& from, int first, int n, std::vector<NativePack>& to) {
+  for (int l = 0; l < native_lanes; ++l) {
+    const int column = from.cols() == 1 ? 0 : std::min(first + l, n - 1);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      to[i].v[l] = from(static_cast<Eigen::Index>(i), column);
+  }
+}
+
 }  // namespace
 
 CheckValues::CheckValues(const Model& model, const ContactSet& set, const ContactSolver& solver)
@@ -23,15 +32,6 @@ CheckValues::CheckValues(const Model& model, const ContactSet& set, const Contac
       tau_(v_),
       a_(v_),
       lambda_(static_cast<std::size_t>(set.rows())) {}
-
-void CheckValues::load(const Eigen::MatrixXd& from, int first, int n,
-                       std::vector<NativePack>& to) const {
-  for (int l = 0; l < native_lanes; ++l) {
-    const int column = from.cols() == 1 ? 0 : std::min(first + l, n - 1);
-    for (std::size_t i = 0; i < to.size(); ++i)
-      to[i].v[l] = from(static_cast<Eigen::Index>(i), column);
-  }
-}
 
 void CheckValues::store(const std::vector<NativePack>& from, int count, int row, int first,
                         Eigen::MatrixXd& to) const {

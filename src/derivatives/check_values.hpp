@@ -40,7 +40,6 @@ class CheckValues {
   int rows() const { return dynamics_.rows(); }
 
  private:
-  void load(const Eigen::MatrixXd& from, int first, int n, std::vector<NativePack>& to) const;
   void store(const std::vector<NativePack>& from, int count, int row, int first,
              Eigen::MatrixXd& to) const;
   Eigen::VectorXd bias_sizes() const;
