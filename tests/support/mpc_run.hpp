@@ -126,9 +126,7 @@ class MpcRun {
     }
     return status_;
   }
-  Status polish_and_retreat() {
-    return polish() <= Status::NotConverged ? run(0.5) : status_;
-  }
+  Status polish_and_retreat() { return polish() <= Status::NotConverged ? run(0.5) : status_; }
 
   /// From 0.1 s after the ramp until shortly before the retreat.
   Metrics metrics() const {
