@@ -3,28 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "base/whole_file.hpp"
 #include "burnish/base/error.hpp"
 #include "model/srdf.hpp"
+#include "model/yaml_word.hpp"
 
 namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A name or a path as YAML reads it back.
-std::string yaml_word(const std::string& word) {
-  constexpr const char* plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
-  const bool is_plain = word.find_first_not_of(plain) == std::string::npos &&
-                        (word.starts_with("../") || word.starts_with("/") ||
-                         std::isalpha(static_cast<unsigned char>(word.c_str()[0])) != 0);
-  return is_plain ? word : nlohmann::json(word).dump();
-}
 
 /// Four digits are enough to edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
@@ -151,9 +140,8 @@ std::string draft_settings(const Robot& robot, const std::string& urdf, const st
       "# docs/robots.md describes every key.\n";
   text += fmt::format("urdf: {}\n", yaml_word(urdf));
   if (!srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(srdf));
-  text += fmt::format(
-      "description: {}\n",
-      nlohmann::json(fmt::format("{}, {} joints", model.name, model.joints.size())).dump());
+  text += fmt::format("description: {}\n",
+                      yaml_word(fmt::format("{}, {} joints", model.name, model.joints.size())));
   text += fmt::format("base: {}\n",
                       floats ? "free_flyer" : "fixed  # or free_flyer, for what walks or flies");
   text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
@@ -187,10 +175,7 @@ fs::path write_settings(const Robot& robot, const std::string& from, const std::
   };
   const std::string text =
       draft_settings(robot, beside(from), beside(srdf.empty() ? srdf_of(from) : fs::path(srdf)));
-  std::ofstream stream(file);
-  stream << text;
-  stream.close();
-  if (!stream) throw Error(fmt::format("cannot write '{}'", file.string()));
+  write_whole_file(file, text);
   return file;
 }
 

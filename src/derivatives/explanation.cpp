@@ -5,34 +5,21 @@
 #include "model/sentence.hpp"
 
 namespace burnish {
-namespace {
-
-/// 'a', 'b' and 'c'
-std::string listed(const std::vector<std::string>& names) {
-  std::string text = in_quotes(names.front());
-  for (std::size_t i = 1; i < names.size(); ++i)
-    text += (i + 1 < names.size() ? ", " : " and ") + in_quotes(names[i]);
-  return text;
-}
-
-}  // namespace
-
 std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<std::string>& rows) {
   if (status == Status::SingularMass && !joints.empty()) {
     std::vector<std::string> once = joints;
     once.erase(std::unique(once.begin(), once.end()), once.end());
     const bool one = once.size() == 1;
-    return (one ? "joint " : "joints ") + listed(once) + (one ? " moves" : " move") +
-           " no mass of " + (one ? "its" : "their") +
+    return listed("joint", once) + (one ? " moves" : " move") + " no mass of " +
+           (one ? "its" : "their") +
            " own at this posture, so that the mass matrix is not positive definite: give the " +
            (one ? "link a mass or the joint" : "links a mass or the joints") +
            " an armature, or lock " + (one ? "it" : "them");
   }
   if (status == Status::SingularContacts && !rows.empty()) {
     const std::string them = rows.size() == 1 ? "it" : "them";
-    return "contact " + std::string(rows.size() == 1 ? "row " : "rows ") + listed(rows) +
-           (rows.size() == 1 ? " is" : " are") +
+    return listed("contact row", rows) + (rows.size() == 1 ? " is" : " are") +
            " redundant or cannot be held: at this posture no " + "joint moves along " + them +
            ", or the rows before hold " + them +
            " already; call diagnose() for which, or set mu > 0";

@@ -101,16 +101,6 @@ struct Met {
 /// Names of the joints that one sentence is about.
 using Names = std::vector<std::string>;
 
-std::string listed(const Names& names) {
-  constexpr std::size_t most = 10;
-  std::string text = names.size() == 1 ? "joint " : "joints ";
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
-    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
-  }
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
-}
-
 /// What is found at one joint after the other.
 struct Oddities {
   Names massless, twins, negative;
@@ -129,7 +119,7 @@ struct Oddities {
   }
   void warn(Findings& findings) const {
     const auto say = [&](const Names& names, const std::string& what) {
-      if (!names.empty()) findings.warn(listed(names) + what);
+      if (!names.empty()) findings.warn(listed("joint", names) + what);
     };
     const auto verb = [](const Names& names, const char* one, const char* several) {
       return std::string(names.size() == 1 ? one : several);

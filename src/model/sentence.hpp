@@ -1,6 +1,7 @@
 // Pieces of the sentences that bad descriptions are answered with.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -24,6 +25,18 @@ inline std::string in_quotes(std::string_view name) {
   std::string result(1, '\'');
   result.append(name.substr(0, longest)).append(name.size() > longest ? "..." : "");
   return result.append(1, '\'');
+}
+
+/// "joint 'a'", "joints 'a', 'b' and 'c'"; of more than ten "joints 'a', ... and 5 more".
+inline std::string listed(const std::string& kind, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  std::string text = kind + (names.size() == 1 ? " " : "s ");
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    const bool is_last = i > 0 && i + 1 == names.size();
+    text += (i == 0 ? "" : is_last ? " and " : ", ") + in_quotes(names[i]);
+  }
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                             : text;
 }
 
 /// What a sentence starts with: the file that was read, or else the robot's name.

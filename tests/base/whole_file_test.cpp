@@ -3,33 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::contents;
 using testing::expect_words;
 using testing::refusal;
 
 class Whole : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::path(::testing::TempDir()) / "burnish_whole_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  static std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
   int count() const { return static_cast<int>(std::distance(fs::directory_iterator(folder_), {})); }
-  fs::path folder_;
+  testing::Scratch scratch_;
+  const fs::path& folder_ = scratch_.folder;
 };
 
 TEST_F(Whole, files_get_their_names_when_they_are_kept) {
@@ -39,12 +28,12 @@ TEST_F(Whole, files_get_their_names_when_they_are_kept) {
     WholeFile whole(file);
     whole.stream() << "half";
     whole.stream().flush();
-    EXPECT_EQ(text_of(file), "before");
+    EXPECT_EQ(contents(file), "before");
   }
-  EXPECT_EQ(text_of(file), "before");
+  EXPECT_EQ(contents(file), "before");
   EXPECT_EQ(count(), 1) << "what was not kept is gone";
   write_whole_file(file, "after");
-  EXPECT_EQ(text_of(file), "after");
+  EXPECT_EQ(contents(file), "after");
   EXPECT_EQ(count(), 1);
 }
 
@@ -54,7 +43,7 @@ TEST_F(Whole, files_behind_links_are_replaced_and_the_links_stay) {
   fs::create_symlink("real/a.txt", folder_ / "link");
   write_whole_file(folder_ / "link", "after");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(text_of(folder_ / "real" / "a.txt"), "after");
+  EXPECT_EQ(contents(folder_ / "real" / "a.txt"), "after");
 }
 
 TEST_F(Whole, what_cannot_be_written_is_refused_with_the_reason) {

@@ -208,21 +208,7 @@ TEST(RedundantContacts, say_when_the_iterations_do_not_suffice) {
   EXPECT_GT(dynamics.a().norm(), 0.0);
 }
 
-/// Two links of 1 m that turn about z; stretched along x at zero.
-Model two_links() {
-  TreeSpec tree;
-  tree.name = "two links";
-  for (const char* name : {"root", "upper", "lower", "tip"})
-    tree.links.push_back(testing::link(name));
-  const auto add = [&](const char* name, JointType type, const char* parent, const char* child) {
-    tree.joints.push_back(testing::joint(name, type, parent, child));
-    tree.joints.back().placement.translation() = Eigen::Vector3d(1.0, 0.0, 0.0);
-  };
-  add("shoulder", JointType::Revolute, "root", "upper");
-  add("elbow", JointType::Revolute, "upper", "lower");
-  add("wrist", JointType::Fixed, "lower", "tip");
-  return build_model(tree);
-}
+Model two_links() { return build_model(testing::two_links()); }
 
 TEST(StretchedArm, is_reported_without_a_nan) {
   const Model model = two_links();

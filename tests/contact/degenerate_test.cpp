@@ -18,22 +18,11 @@ namespace {
 /// Two links in the xz plane whose base is turned about x, so that they move in xy at a quarter
 /// turn.
 Model turned_arm(double about_x, double scale = 1.0, const Eigen::Vector3d& at = {0, 0, 0}) {
-  TreeSpec tree;
-  tree.name = "turned arm";
-  for (const char* name : {"root", "upper", "lower", "tip"})
-    tree.links.push_back(testing::link(name));
-  const auto add = [&](const char* name, JointType type, const char* parent, const char* child) {
-    tree.joints.push_back(testing::joint(name, type, parent, child));
-    tree.joints.back().placement.translation() = Eigen::Vector3d(scale, 0.0, 0.0);
-  };
-  add("shoulder", JointType::Revolute, "root", "upper");
-  add("elbow", JointType::Revolute, "upper", "lower");
-  add("wrist", JointType::Fixed, "lower", "tip");
   ModelOptions options;
   options.base_placement.linear() =
       Eigen::AngleAxisd(about_x, Eigen::Vector3d::UnitX()).toRotationMatrix();
   options.base_placement.translation() = at;
-  return build_model(tree, options);
+  return build_model(testing::two_links(scale), options);
 }
 
 /// What holding the tip along y comes to.

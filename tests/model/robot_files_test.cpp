@@ -2,12 +2,15 @@
 // settings.
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <fstream>
 
 #include "burnish/model/robot.hpp"
+#include "model/yaml_word.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -35,17 +38,11 @@ const std::string& two_joints() {
 /// A folder of its own, gone at the end.
 class RobotFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("burnish_files_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string write(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
+    return scratch_.write(name, text).string();
   }
-  fs::path folder_;
+  testing::Scratch scratch_;
+  const fs::path& folder_ = scratch_.folder;
 };
 
 TEST_F(RobotFiles, NeedNoEnding) {
@@ -171,6 +168,18 @@ TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   expect_words(sentence("{hinge: {lower: 2}}"), {"'hinge'", "2", "above", "1"});
   expect_words(sentence("{hinge: {lowr: 2}}"), {"limits.hinge", "'lowr'", "'lower'?"});
   expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
+}
+
+TEST(YamlWord, IsReadBackAsItWasWhateverStandsInIt) {
+  for (const std::string& word :
+       {std::string("plain"), std::string("../a b/c.urdf"), std::string("null"), std::string(""),
+        std::string("a: b"), std::string("talos:right_arm"), std::string("- x"), std::string("#1"),
+        std::string("it's \"so\" \\ \n\t"), std::string("r\xc3\xbc"), std::string("{a, b}"),
+        std::string("ends:")}) {
+    EXPECT_EQ(YAML::Load(yaml_word(word)).as<std::string>(), word);
+    EXPECT_EQ(YAML::Load("key: " + yaml_word(word) + "\n")["key"].as<std::string>(), word);
+    EXPECT_EQ(YAML::Load(yaml_word(word) + ": 1\n").begin()->first.as<std::string>(), word);
+  }
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST(Warnings, OfARobotWithoutMassAreOne) {
 TEST(Warnings, AJointWithoutMassHidesNoOther) {
   TreeSpec tree = branching_tree();
   for (const std::size_t tip : {3u, 4u}) tree.links[tip].inertia = {};
-  expect_warnings(tree, {}, 1, {"joints 'd', 'c' move no mass"});
+  expect_warnings(tree, {}, 1, {"joints 'd' and 'c' move no mass"});
 }
 
 TEST(Warnings, OfANegativeInertiaNameTheJoint) {

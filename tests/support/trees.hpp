@@ -85,6 +85,19 @@ inline TreeSpec branching_tree() {
   return tree;
 }
 
+/// Two links of the same length in metres that turn about z; stretched along x at zero.
+inline TreeSpec two_links(double length = 1.0) {
+  TreeSpec tree;
+  tree.name = "two links";
+  for (const char* name : {"root", "upper", "lower", "tip"}) tree.links.push_back(link(name));
+  tree.joints = {joint("shoulder", JointType::Revolute, "root", "upper"),
+                 joint("elbow", JointType::Revolute, "upper", "lower"),
+                 joint("wrist", JointType::Fixed, "lower", "tip")};
+  for (JointSpec& spec : tree.joints)
+    spec.placement.translation() = Eigen::Vector3d(length, 0.0, 0.0);
+  return tree;
+}
+
 inline const std::vector<JointType>& all_joint_types() {
   static const std::vector<JointType> types = {JointType::Fixed,      JointType::Revolute,
                                                JointType::Continuous, JointType::Prismatic,

@@ -8,6 +8,7 @@
 
 #include "polishing/task_file.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -153,20 +154,16 @@ class TurningArm : public ::testing::Test {
  protected:
   void SetUp() override {
     namespace fs = std::filesystem;
-    std::string name = (fs::path(::testing::TempDir()) / "burnish_arm_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     const fs::path arm7 = fs::path(BURNISH_ROBOTS_DIR) / "arm7";
     fs::copy_file(arm7 / "robot.yaml", folder_ / "robot.yaml");
-    std::ifstream from(arm7 / "arm7.urdf");
-    std::string urdf{std::istreambuf_iterator<char>(from), {}};
+    std::string urdf = testing::contents(arm7 / "arm7.urdf");
     const std::string joint = "\"joint_7\" type=\"revolute\"";
     ASSERT_NE(urdf.find(joint), std::string::npos);
     urdf.replace(urdf.find(joint), joint.size(), "\"joint_7\" type=\"continuous\"");
-    std::ofstream(folder_ / "arm7.urdf") << urdf;
+    scratch_.write("arm7.urdf", urdf);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
+  testing::Scratch scratch_;
+  const std::filesystem::path& folder_ = scratch_.folder;
 };
 
 TEST_F(TurningArm, Polishes) {

@@ -11,6 +11,7 @@
 #include "polishing/stages.hpp"
 #include "polishing/task_notes.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -20,27 +21,14 @@ using namespace burnish::polishing;
 
 const fs::path shipped = fs::path(BURNISH_ROBOTS_DIR).parent_path() / "tasks" / "polishing";
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// A folder for the files of one test.
 class TaskFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::path(::testing::TempDir()) / "burnish_task_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   fs::path write(const std::string& text, const std::string& name = "task.yaml") const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    return scratch_.write(name, text);
   }
-  fs::path folder_;
+  testing::Scratch scratch_;
+  const fs::path& folder_ = scratch_.folder;
 };
 
 TEST_F(TaskFile, TheShippedTableStatesTheDefaults) {

@@ -14,7 +14,8 @@ inline constexpr double independence_tolerance = 1e-6;
 /// leans on rows that hardly differ from those before them, theirs comes on top.
 inline constexpr double pivot_rounding = 2e-15;
 
-/// Fills reach of the contact's support and offset_weight.
+/// Fills per_reach of the contact's support, and offset_weight. Where a contact is about the
+/// world's origin, all levers are judged beside the longest way of the robot.
 void set_reaches(const Model& model, CompiledContact& contact);
 
 /// Square of a row of the Jacobian, entry by entry in units of what that entry could do; `row`
