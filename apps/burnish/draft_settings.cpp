@@ -18,9 +18,13 @@ namespace fs = std::filesystem;
 /// Four digits are enough to edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 
-bool one_coordinate(const Joint& joint) {
-  return joint.kind == JointKind::Revolute || joint.kind == JointKind::Continuous ||
-         joint.kind == JointKind::Prismatic;
+bool one_coordinate(const Joint& joint) { return joint.nv == 1; }
+
+/// Whether others follow the joint, so that its effort limit is theirs too.
+bool leads(const Model& model, const Joint& joint) {
+  return std::any_of(model.joints.begin(), model.joints.end(), [&](const Joint& other) {
+    return other.follows && other.v_index == joint.v_index;
+  });
 }
 
 /// Zero, or as near to it as a tenth of the range from its ends allows.
@@ -92,7 +96,7 @@ std::string limits_text(const Model& model) {
       add("upper", model.q_upper[joint.q_index]);
     }
     add("velocity", model.velocity_limit[joint.v_index]);
-    add("effort", model.effort_limit[joint.v_index]);
+    if (!leads(model, joint)) add("effort", model.effort_limit[joint.v_index]);
     text += fmt::format("  {}: {{{}}}\n", yaml_word(joint.name), entries);
   }
   if (text.empty()) return "";

@@ -68,6 +68,7 @@ class Table {
 };
 
 std::string entries(int first, int count) {
+  if (count == 0) return "-";
   return count == 1 ? std::to_string(first) : fmt::format("{}-{}", first, first + count - 1);
 }
 
@@ -88,6 +89,11 @@ void print_joints(const Model& model) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     const bool limited = joint.nq == 1;
+    if (joint.follows) {
+      table.add({drawing[i], std::string(name_of(joint.kind)), "-", "-", "-", "-", "-", "-",
+                 brief(joint.mass)});
+      continue;
+    }
     table.add({drawing[i], std::string(name_of(joint.kind)), entries(joint.q_index, joint.nq),
                entries(joint.v_index, joint.nv),
                limited ? brief(model.q_lower[joint.q_index]) : "-",
@@ -95,6 +101,30 @@ void print_joints(const Model& model) {
                brief(model.velocity_limit[joint.v_index]), brief(model.effort_limit[joint.v_index]),
                brief(joint.mass)});
   }
+  table.print();
+}
+
+/// "0.5 joint + 0.1"
+std::string course_of(const Model& model, const Following& follows) {
+  const std::string& leader = model.joints[static_cast<std::size_t>(follows.leader)].name;
+  const std::string factor =
+      follows.multiplier == 1.0 ? "" : fmt::format("{} ", brief(follows.multiplier));
+  if (follows.offset == 0.0) return factor + leader;
+  return fmt::format("{}{} {} {}", factor, leader, follows.offset < 0.0 ? "-" : "+",
+                     brief(std::abs(follows.offset)));
+}
+
+void print_followers(const Model& model) {
+  Table table(2);
+  table.add({"joint", "position"});
+  bool any = false;
+  for (const Joint& joint : model.joints) {
+    if (!joint.follows) continue;
+    table.add({joint.name, course_of(model, *joint.follows)});
+    any = true;
+  }
+  if (!any) return;
+  fmt::print("\nJoints that follow others (rad, m)\n");
   table.print();
 }
 
@@ -174,6 +204,7 @@ void show(const ShowArguments& arguments) {
   }
   print_heading(robot);
   print_joints(robot.model);
+  print_followers(robot.model);
   print_held(robot.model);
   print_frames(robot.model, q, posture.empty() ? "the neutral posture" : "'" + posture + "'",
                arguments.all_frames);

@@ -8,6 +8,14 @@
 namespace burnish::app {
 namespace {
 
+Json follows_json(const Model& model, const Joint& joint) {
+  if (!joint.follows) return nullptr;
+  const Following& follows = *joint.follows;
+  return {{"leader", model.joints[static_cast<std::size_t>(follows.leader)].name},
+          {"multiplier", follows.multiplier},
+          {"offset", follows.offset}};
+}
+
 Json joint_json(const Model& model, const Joint& joint) {
   const int q = joint.q_index, v = joint.v_index;
   return {{"name", joint.name},
@@ -19,6 +27,7 @@ Json joint_json(const Model& model, const Joint& joint) {
           {"nq", joint.nq},
           {"v_index", v},
           {"nv", joint.nv},
+          {"follows", follows_json(model, joint)},
           {"lower", numbers_json(model.q_lower.segment(q, joint.nq))},
           {"upper", numbers_json(model.q_upper.segment(q, joint.nq))},
           {"velocity_limit", numbers_json(model.velocity_limit.segment(v, joint.nv))},

@@ -30,7 +30,7 @@ from ._core import (
 from ._spec import Spec, identity, items, vector, zeros
 
 __all__ = [
-    "Base", "BoxShape", "CylinderShape", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
+    "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
     "JointKind", "JointSpec", "JointType", "LinkSpec", "MeshShape", "MimicSpec", "Model",
     "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "TreeSpec",
     "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
@@ -248,17 +248,28 @@ class ModelOptions(Spec):
 
 
 @dataclass(eq=False, repr=False)
+class Following(Spec):
+    """How a joint moves with another one: multiplier * value of the leader + offset, rad or m."""
+
+    leader: int = 0
+    """index of a joint that follows no other"""
+    multiplier: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(eq=False, repr=False)
 class Joint(Spec):
-    """A moving joint of a Model and the rigid body that it carries."""
+    """A moving joint of a Model and the rigid body that it carries. One that follows another has no
+    entries of its own in q and v: its leader's move both."""
 
     name: str
     kind: JointKind
     parent: int
     """index of the joint that carries this one, -1 for the world"""
     q_index: int
-    """first entry in q"""
+    """first entry in q; of a follower that of its leader"""
     v_index: int
-    """first entry in v"""
+    """first entry in v; of a follower that of its leader"""
     nq: int
     nv: int
     placement: NDArray[np.float64]
@@ -269,6 +280,8 @@ class Joint(Spec):
     """of the body, in the joint frame, m"""
     inertia_at_com: NDArray[np.float64]
     """3 x 3, of the body, about com, joint axes, kg m^2"""
+    follows: Optional[Following] = None
+    """the joint that it mimics, directly or through others"""
 
 
 @dataclass(eq=False, repr=False)

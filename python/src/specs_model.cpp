@@ -136,6 +136,14 @@ const SpecTable& AsDataclass<ModelOptions>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<Following>::table() {
+  static const SpecTable fields = SpecTable("burnish.model", "Following")
+                                      .field("leader", &Following::leader)
+                                      .field("multiplier", &Following::multiplier)
+                                      .field("offset", &Following::offset);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<Joint>::table() {
   static const SpecTable fields = SpecTable("burnish.model", "Joint")
                                       .field("name", &Joint::name)
@@ -148,7 +156,8 @@ const SpecTable& AsDataclass<Joint>::table() {
                                       .field("placement", &Joint::placement)
                                       .field("mass", &Joint::mass)
                                       .field("com", &Joint::com)
-                                      .field("inertia_at_com", &Joint::inertia_at_com);
+                                      .field("inertia_at_com", &Joint::inertia_at_com)
+                                      .field("follows", &Joint::follows);
   return fields;
 }
 template <>

@@ -32,6 +32,8 @@ struct SpecOf<LinkSpec> : AsDataclass<LinkSpec> {};
 template <>
 struct SpecOf<MimicSpec> : AsDataclass<MimicSpec> {};
 template <>
+struct SpecOf<Following> : AsDataclass<Following> {};
+template <>
 struct SpecOf<JointSpec> : AsDataclass<JointSpec> {};
 template <>
 struct SpecOf<TreeSpec> : AsDataclass<TreeSpec> {};

@@ -158,6 +158,24 @@ class TestDescriptions:
         # com 0.5 m from the axis and level with it
         assert dynamics.a[0] == pytest.approx(2.0 * 10.0 * 0.5 / (0.1 + 2.0 * 0.25 + 0.25))
 
+    def test_with_mimic_joints_compile_to_followers(self) -> None:
+        tree = two_links(joint(JointType.REVOLUTE))
+        tree.links.append(LinkSpec("third", tree.links[1].inertia))
+        second = joint(JointType.REVOLUTE)
+        second.name, second.parent_link, second.child_link = "follower", "body", "third"
+        second.mimic = burnish.MimicSpec(tree.joints[0].name, -2.0, 0.5)
+        tree.joints.append(second)
+        model = burnish.build_model(tree)
+        assert (model.nq, model.nv, len(model.joints)) == (1, 1, 2)
+        assert model.joints[0].follows is None
+        follows = model.joints[1].follows
+        assert follows is not None
+        assert (follows.leader, follows.multiplier, follows.offset) == (0, -2.0, 0.5)
+        assert pickle.loads(pickle.dumps(model)) == model
+        dynamics = burnish.ContactDynamics(model)
+        dynamics.forward([0.3], [0.1], [1.0])
+        assert dynamics.mass_matrix.shape == (1, 1)
+
     def test_take_names_of_kinds_and_refuse_others(self) -> None:
         assert burnish.build_model(two_links(joint("continuous"))).nq == 2  # type: ignore[arg-type]
         with pytest.raises(burnish.Error, match="JointType: there is no 'revolut'; did you mean"):

@@ -149,12 +149,12 @@ void ConstrainedDynamics<S>::drift(S* out) {
 }
 
 template <class S>
-void ConstrainedDynamics<S>::for_each_supported(const auto& visit) const {
+void ConstrainedDynamics<S>::for_each_coupled(const auto& visit) const {
   for (const int c : active_.contacts) {
     const int first = active_.first_row[c];
     const int end = first + static_cast<int>(set_.contacts()[c].directions.size());
-    for (const ContactSupport& entry : set_.contacts()[c].support)
-      for (int r = first; r < end; ++r) visit(entry.v, r);
+    for (const int k : set_.contacts()[c].coupled)
+      for (int r = first; r < end; ++r) visit(k, r);
   }
 }
 
@@ -212,9 +212,9 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
     for (int r = 0; r < m; ++r) rho_[r] = -rho_[r];
     const S* const T = delassus_.T.data();
     const int stride = delassus_.stride;
-    for_each_supported([&](int k, int r) { rho_[r] -= T[k * stride + r] * a[k]; });
+    for_each_coupled([&](int k, int r) { rho_[r] -= T[k * stride + r] * a[k]; });
     solve_lambda();
-    for_each_supported([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
+    for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   }
   solve_factor(tree_, mass_, a.data());
   // Finite inputs can still overflow on the way.
@@ -237,9 +237,9 @@ void ConstrainedDynamics<S>::impact(const S* q, const S* v_before) {
   const S* const J = delassus_.jacobian_by_v.data();
   const S* const T = delassus_.T.data();
   const int stride = delassus_.stride;
-  for_each_supported([&](int k, int r) { rho_[r] -= J[k * stride + r] * velocity_after[k]; });
+  for_each_coupled([&](int k, int r) { rho_[r] -= J[k * stride + r] * velocity_after[k]; });
   solve_lambda();
-  for_each_supported([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
+  for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   solve_factor(tree_, mass_, a.data());
   for (int k = 0; k < n; ++k) velocity_after[k] += a[k];
   load_finite(a.data(), n, a.data());
@@ -279,7 +279,7 @@ void ConstrainedDynamics<S>::acceleration(const S* a_in) {
   load_finite(a_in, tree_.nv, a.data());
   drift(alpha.data());
   const S* const J = delassus_.jacobian_by_v.data();
-  for_each_supported([&](int k, int r) { alpha[r] += J[k * delassus_.stride + r] * a[k]; });
+  for_each_coupled([&](int k, int r) { alpha[r] += J[k * delassus_.stride + r] * a[k]; });
   load_finite(alpha.data(), active_.rows, alpha.data());
   clear_failed(alpha);
 }

@@ -67,6 +67,16 @@ BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact, con
   return turning_at(p, tool.angular - axes_rate(contact, tool.angular, base.angular));
 }
 
+/// The rate of the tool's twist against the base's per unit rate of an entry that does not carry
+/// both.
+template <class S>
+BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
+                                       const Kinematics<S>& kinematics) {
+  if (!entry.moves_base()) return kinematics.axes[entry.tool_axis].axis;
+  const Motion<S> base = -kinematics.axes[entry.base_axis].axis;
+  return entry.moves_tool() ? kinematics.axes[entry.tool_axis].axis + base : base;
+}
+
 template <class S>
 void update_error(const CompiledContact& contact, const Pose<S>& base, ContactState<S>& state) {
   const Mat3<S> target_R = base.R * lift<S>(contact.target_R);
@@ -131,12 +141,11 @@ void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinem
                       const ContactState<S>& state, S* out_by_v, int stride) {
   for (const ContactSupport& entry : contact.support) {
     S* out = out_by_v + entry.v * stride;
-    if (entry.moves_tool && entry.moves_base) {
+    if (entry.carries_both()) {
       for (std::size_t r = 0; r < contact.directions.size(); ++r) out[r] = S(0.0);
       continue;
     }
-    Motion<S> axis = at_point(kinematics.axes[entry.v].axis, state.origin);
-    if (entry.moves_base) axis = -axis;
+    const Motion<S> axis = at_point(contact_detail::relative_axis(entry, kinematics), state.origin);
     int r = 0;
     for (const int d : contact.directions)
       out[r++] = contact_detail::component(state.axes, axis, d);

@@ -1,6 +1,7 @@
 #include "burnish/contact/contact_set.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "burnish/base/error.hpp"
 #include "burnish/contact/row_size.hpp"
@@ -40,15 +41,28 @@ void check(const ContactSpec& spec) {
 
 std::vector<ContactSupport> supports(const Model& model, int tool_body, int base_body) {
   std::vector<ContactSupport> result;
-  const auto moves = [](std::span<const int> entries, int k) {
-    return std::find(entries.begin(), entries.end(), k) != entries.end();
+  const std::vector<MovingAxis> tool = moving_axes(model, tool_body);
+  const std::vector<MovingAxis> base = moving_axes(model, base_body);
+  const auto axis_of = [](const std::vector<MovingAxis>& axes, int k) {
+    const auto same = [k](const MovingAxis& entry) { return entry.v == k; };
+    const auto found = std::find_if(axes.begin(), axes.end(), same);
+    return found == axes.end() ? -1 : found->axis;
   };
   for (int k = 0; k < model.nv; ++k) {
-    const bool tool = moves(model.support(tool_body), k);
-    const bool base = moves(model.support(base_body), k);
-    if (tool || base) result.push_back({k, tool, base});
+    const ContactSupport entry{k, axis_of(tool, k), axis_of(base, k)};
+    if (entry.moves_tool() || entry.moves_base()) result.push_back(entry);
   }
   return result;
+}
+
+std::vector<int> with_ways_to_the_root(const Model& model,
+                                       const std::vector<ContactSupport>& support) {
+  std::set<int> entries;
+  for (const ContactSupport& entry : support) {
+    for (int k = entry.v; k >= 0 && entries.insert(k).second;)
+      k = model.parent_of_v[static_cast<std::size_t>(k)];
+  }
+  return {entries.begin(), entries.end()};
 }
 
 CompiledContact compile(const Model& model, const ContactSpec& spec) {
@@ -78,6 +92,7 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
     c.holds_rotation = c.holds_rotation || d >= 3;
   }
   c.support = supports(model, tool.body, base.body);
+  c.coupled = with_ways_to_the_root(model, c.support);
   set_reaches(model, c);
   return c;
 }

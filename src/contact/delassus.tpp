@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 
 #include "burnish/contact/delassus.hpp"
 #include "burnish/math/gram.hpp"
@@ -21,26 +22,26 @@ Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
   for (const CompiledContact& a : set.contacts())
     for (const CompiledContact& b : set.contacts()) {
       std::vector<int> shared;
-      for (const ContactSupport& x : a.support)
-        for (const ContactSupport& y : b.support)
-          if (x.v == y.v) shared.push_back(x.v);
+      std::set_intersection(a.coupled.begin(), a.coupled.end(), b.coupled.begin(), b.coupled.end(),
+                            std::back_inserter(shared));
       shared_support.push_back(shared);
     }
 }
 
 namespace delassus_detail {
 
-/// Block of T = L^-T J^T for one contact: J^T's rows outside the support are zero and stay so.
+/// Block of T = L^-T J^T for one contact: its rows outside the coupled entries are zero and stay
+/// so.
 template <class S>
 void transform_jacobian(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
                         int first, Delassus<S>& d) {
   const int rows = static_cast<int>(contact.directions.size());
   const int n = tree.nv;
-  for (const ContactSupport& entry : contact.support)
+  for (const int k : contact.coupled)
     for (int r = first; r < first + rows; ++r)
-      d.T[entry.v * d.stride + r] = d.jacobian_by_v[entry.v * d.stride + r];
-  for (std::size_t s = contact.support.size(); s-- > 0;) {
-    const int i = contact.support[s].v;
+      d.T[k * d.stride + r] = d.jacobian_by_v[k * d.stride + r];
+  for (std::size_t s = contact.coupled.size(); s-- > 0;) {
+    const int i = contact.coupled[s];
     S* ti = &d.T[i * d.stride + first];
     for (int r = 0; r < rows; ++r) ti[r] = ti[r] * mass.inverse_diagonal[i];
     for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j]) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/followers.hpp"
+
 namespace burnish {
 namespace {
 
@@ -16,9 +18,10 @@ double travel(const Model& model, const Joint& joint) {
     case JointKind::Revolute:
     case JointKind::Continuous:
       return 0.0;
-    case JointKind::Prismatic:
-      return std::min(usual_travel, std::max(std::abs(model.q_lower[joint.q_index]),
-                                             std::abs(model.q_upper[joint.q_index])));
+    case JointKind::Prismatic: {
+      const auto [lower, upper] = position_range(model, joint);
+      return std::min(usual_travel, std::max(std::abs(lower), std::abs(upper)));
+    }
     case JointKind::Planar:
     case JointKind::FreeFlyer:
       break;
@@ -47,9 +50,7 @@ double robot_size(const Model& model) {
   return longest;
 }
 
-bool turns(const Model& model, int k) {
-  const Joint& joint = model.joints[model.joint_of_v[k]];
-  const int entry = k - joint.v_index;
+bool turns(const Joint& joint, int entry) {
   switch (joint.kind) {
     case JointKind::Revolute:
     case JointKind::Continuous:
@@ -64,27 +65,48 @@ bool turns(const Model& model, int k) {
   return entry >= 3;
 }
 
+/// A joint by which an entry of v moves a body: several where others follow it.
+struct Lever {
+  double multiplier;  ///< absolute
+  double arm;         ///< m, from its axis to the body's point
+  bool turns;
+};
+
+std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
+  std::vector<Lever> result;
+  for (int j = body; j >= 0; j = model.joints[j].parent) {
+    const Joint& joint = model.joints[j];
+    const int entry = v - joint.v_index;
+    if (entry < 0 || entry >= std::max(joint.nv, 1)) continue;
+    const double multiplier = joint.follows ? std::abs(joint.follows->multiplier) : 1.0;
+    result.push_back({multiplier, way(model, j, body, offset), turns(joint, entry)});
+  }
+  return result;
+}
+
 }  // namespace
 
 void set_reaches(const Model& model, CompiledContact& contact) {
   const auto length = [](const Vec3<double>& p) { return std::sqrt(dot(p, p)); };
   const double tool_offset = length(contact.tool_p), base_offset = length(contact.base_p);
-  std::vector<double> reach;
+  std::vector<std::vector<Lever>> reach;
   double longest = robot_size(model);
   for (const ContactSupport& entry : contact.support) {
-    const int joint = model.joint_of_v[entry.v];
-    reach.push_back(entry.moves_tool ? way(model, joint, contact.tool_body, tool_offset)
-                                     : way(model, joint, contact.base_body, base_offset));
-    longest = std::max(longest, reach.back());
+    reach.push_back(entry.moves_tool() ? levers(model, entry.v, contact.tool_body, tool_offset)
+                                       : levers(model, entry.v, contact.base_body, base_offset));
+    for (const Lever& lever : reach.back()) longest = std::max(longest, lever.arm);
   }
   if (!(longest > 0.0)) longest = usual_travel;
   // A lever that a drawing made 1e-17 m long is none.
   const double shortest = 0.01 * longest;
   const bool about_world = contact.spec.reference.origin == Reference::Origin::World;
   for (std::size_t i = 0; i < reach.size(); ++i) {
-    ContactSupport& entry = contact.support[i];
-    const double arm = about_world ? longest : std::max(reach[i], shortest);
-    entry.per_reach = turns(model, entry.v) ? 1.0 / arm : 1.0;
+    double could = 0.0;  // m per unit of the entry
+    for (const Lever& lever : reach[i]) {
+      const double arm = about_world ? longest : std::max(lever.arm, shortest);
+      could += lever.multiplier * (lever.turns ? arm : 1.0);
+    }
+    contact.support[i].per_reach = could > 0.0 ? 1.0 / could : 1.0;
   }
   // Levers about the world's origin grow with the distance from it; others gain rounding alone.
   const double per_distance = about_world ? 1.0 / longest : 1e-8 / shortest;

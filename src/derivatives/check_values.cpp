@@ -74,12 +74,13 @@ Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluat
 
 /// Of the bias: along every axis the product of the lengths that its scalar product is made of.
 Eigen::VectorXd CheckValues::bias_sizes() const {
-  Eigen::VectorXd sizes(nv());
-  for (int k = 0; k < nv(); ++k) {
+  const Tree& tree = dynamics_.tree();
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(nv());
+  for (int k = 0; k < tree.axes; ++k) {
     const auto& axis = dynamics_.kinematics().axes[k].axis;
-    const auto& force = dynamics_.mass().composite_bias[dynamics_.tree().joint_of_v[k]];
-    sizes[k] = size_of(axis.linear) * size_of(force.linear) +
-               size_of(axis.angular) * size_of(force.angular);
+    const auto& force = dynamics_.mass().composite_bias[tree.joint_of_axis[k]];
+    sizes[tree.v_of_axis[k]] += size_of(axis.linear) * size_of(force.linear) +
+                                size_of(axis.angular) * size_of(force.angular);
   }
   return sizes;
 }

@@ -24,9 +24,8 @@ inline bool contains(const std::vector<int>& sorted, int k) {
   return std::binary_search(sorted.begin(), sorted.end(), k);
 }
 
-inline bool supports(const CompiledContact& contact, int k) {
-  return std::any_of(contact.support.begin(), contact.support.end(),
-                     [k](const ContactSupport& entry) { return entry.v == k; });
+inline bool is_coupled(const CompiledContact& contact, int k) {
+  return contains(contact.coupled, k);
 }
 
 /// Entries related to a chain: above it, in it, below it, or tied to it by a contact between two
@@ -37,8 +36,8 @@ inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
   for (int k = 0; k < tree.nv; ++k) {
     bool is_related = contains(above, k) || contains(ancestors(tree, k), first);
     for (const CompiledContact& contact : set.contacts())
-      is_related = is_related || (transport_couples_branches(contact) && supports(contact, k) &&
-                                  supports(contact, first));
+      is_related = is_related || (transport_couples_branches(contact) && is_coupled(contact, k) &&
+                                  is_coupled(contact, first));
     if (is_related) result.push_back(k);
   }
   return result;
@@ -98,7 +97,7 @@ void ConstrainedDerivatives<S>::adapt_to_active(const ConstrainedDynamics<S>& dy
     for (const int c : active.contacts) {
       const CompiledContact& contact = dynamics.set().contacts()[c];
       for (const ContactSupport& entry : contact.support) supported_[entry.v] = 1;
-      if (!derivatives_detail::supports(contact, segments_[s].first)) continue;
+      if (!derivatives_detail::is_coupled(contact, segments_[s].first)) continue;
       for (std::size_t r = 0; r < contact.directions.size(); ++r)
         segment_rows_[s].push_back(n_ + active.first_row[c] + static_cast<int>(r));
     }
@@ -174,7 +173,8 @@ void ConstrainedDerivatives<S>::fill_impact_rows(ConstrainedDynamics<S>& dynamic
   // axes and bodies leaves M a, and M dv - J^T Lambda with the velocity change that `a` holds.
   dynamics.apply_forces();
   const Motion<S> gravity{lift<S>(dynamics.tree().gravity), Vec3<S>::zero()};
-  for (int k = 0; k < n_; ++k) id.axis_acc[k] += cross(gravity, dynamics.kinematics().axes[k].axis);
+  for (std::size_t k = 0; k < id.axis_acc.size(); ++k)
+    id.axis_acc[k] += cross(gravity, dynamics.kinematics().axes[k].axis);
   for (int i = 0; i < dynamics.tree().bodies(); ++i)
     id.force[i] += dynamics.kinematics().bodies[i].inertia * gravity;
   fill_joint_rows(dynamics);

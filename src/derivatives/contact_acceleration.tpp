@@ -24,22 +24,32 @@ template <bool two_bodies, class S>
 BURNISH_INLINE EntryMotion<S> entry_motion(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
     const InverseDynamics<S>& id, const ContactState<S>& state, const ContactAccelerations<S>& at) {
-  const AxisState<S>& axis = kinematics.axes[entry.v];
+  const bool tool_moves = !two_bodies || entry.moves_tool();
+  const int k = tool_moves ? entry.tool_axis : entry.base_axis;
+  AxisState<S> axis = kinematics.axes[k];
+  Motion<S> axis_acc = id.axis_acc[k];
   const Motion<S> zero = Motion<S>::zero();
   EntryMotion<S> m;
-  m.tool = !two_bodies || entry.moves_tool ? axis.axis : zero;
-  m.base = two_bodies && entry.moves_base ? axis.axis : zero;
-  m.tool_rate = !two_bodies || entry.moves_tool ? axis.parent_rate : zero;
+  m.tool = tool_moves ? axis.axis : zero;
+  m.base = two_bodies && entry.moves_base() ? kinematics.axes[entry.base_axis].axis : zero;
+  m.tool_rate = tool_moves ? axis.parent_rate : zero;
   m.xi = seen_from_reference(contact, state.p, m.tool, m.base);
-  if (two_bodies && entry.moves_tool && entry.moves_base) {
+  if (two_bodies && entry.carries_both()) {
     // Tool and base move as one: nothing changes seen from the tool.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
     return m;
   }
+  if (two_bodies && tool_moves && entry.moves_base()) {
+    // An entry with an axis for each: all that follows is linear in both.
+    const AxisState<S>& of_base = kinematics.axes[entry.base_axis];
+    axis = {axis.axis - of_base.axis, axis.parent_rate - of_base.parent_rate,
+            axis.rate_sum - of_base.rate_sum};
+    axis_acc = axis_acc - id.axis_acc[entry.base_axis];
+  }
   m.relative = axis.axis;
   m.dnu_dq = axis.parent_rate;
   // psi''_k with gravity taken out again
-  m.dalpha_dq = id.axis_acc[entry.v];
+  m.dalpha_dq = axis_acc;
   m.dalpha_dq.linear += cross(at.gravity, axis.axis.angular);
   m.dalpha_dv = axis.rate_sum - cross(state.v_tool, axis.axis);
   if constexpr (two_bodies) {
@@ -49,7 +59,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
     m.dalpha_dv += carried;
   }
   m.dalpha_dq = m.dalpha_dq - cross(state.v_tool, m.dnu_dq);
-  if (two_bodies && entry.moves_base) {
+  if (two_bodies && !tool_moves) {
     m.relative = -m.relative;
     m.dnu_dq = -m.dnu_dq;
     m.dalpha_dq = -m.dalpha_dq;
@@ -251,10 +261,11 @@ void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& 
                            const ContactState<S>& state, S* dtau_dq, int stride) {
   const Force<S> force = at_point(state.force_world, state.p);
   for (const ContactSupport& row : contact.support) {
-    const Motion<S> axis = at_point(kinematics.axes[row.v].axis, state.p);
+    const Motion<S> axis = at_point(kinematics.axes[row.tool_axis].axis, state.p);
     const Vec3<S> arm = cross(force.linear, axis.linear) + cross(force.angular, axis.angular);
     for (const ContactSupport& column : contact.support)
-      dtau_dq[row.v * stride + column.v] += dot(kinematics.axes[column.v].axis.angular, arm);
+      dtau_dq[row.v * stride + column.v] +=
+          dot(kinematics.axes[column.tool_axis].axis.angular, arm);
   }
 }
 
@@ -265,10 +276,9 @@ void subtract_general_transport(const CompiledContact& contact, const Kinematics
   const Force<S>& W = state.force_world;
   const Force<S> at_p = at_point(W, state.p);
   for (const ContactSupport& column : contact.support) {
-    const Motion<S>& axis = kinematics.axes[column.v].axis;
     const Motion<S> zero = Motion<S>::zero();
-    const Motion<S> tool = column.moves_tool ? axis : zero;
-    const Motion<S> base = column.moves_base ? axis : zero;
+    const Motion<S> tool = column.moves_tool() ? kinematics.axes[column.tool_axis].axis : zero;
+    const Motion<S> base = column.moves_base() ? kinematics.axes[column.base_axis].axis : zero;
     Force<S> dW = Force<S>::zero();
     if (!at_world_origin(contact)) {
       const Vec3<S> w = axes_rate(contact, tool.angular, base.angular);
@@ -280,8 +290,8 @@ void subtract_general_transport(const CompiledContact& contact, const Kinematics
     const Force<S> on_base = dW - cross(base, W);
     for (const ContactSupport& row : contact.support) {
       S& out = dtau_dq[row.v * stride + column.v];
-      if (row.moves_tool) out -= dot(kinematics.axes[row.v].axis, on_tool);
-      if (row.moves_base) out += dot(kinematics.axes[row.v].axis, on_base);
+      if (row.moves_tool()) out -= dot(kinematics.axes[row.tool_axis].axis, on_tool);
+      if (row.moves_base()) out += dot(kinematics.axes[row.base_axis].axis, on_base);
     }
   }
 }

@@ -282,8 +282,8 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
     Motion<double> tool = zero, base = zero;
     if (next < compiled.support.size() && compiled.support[next].v == k) {
       const ContactSupport& entry = compiled.support[next++];
-      if (entry.moves_tool) tool = kinematics.axes[k].axis;
-      if (entry.moves_base) base = kinematics.axes[k].axis;
+      if (entry.moves_tool()) tool = kinematics.axes[entry.tool_axis].axis;
+      if (entry.moves_base()) base = kinematics.axes[entry.base_axis].axis;
     }
     store(out.dq, k,
           wrench_rate(reference, pose, compiled, state, tool, base,

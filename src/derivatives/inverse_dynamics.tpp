@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/derivatives/inverse_dynamics.hpp"
+#include "dynamics/add_up.hpp"
 
 namespace burnish {
 
@@ -9,8 +10,10 @@ template <class S>
 void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& mass, InverseDynamics<S>& id,
                                   std::vector<Coriolis<S>>& coriolis_of, S* dtau_dq, S* dtau_dv) {
-  const int n = tree.nv;
-  const auto& parent = tree.parent_of_v;
+  const int n = tree.axes;
+  const auto& parent = tree.parent_of_axis;
+  S* const dq = tree.shares_entries() ? id.dq_by_axis.data() : dtau_dq;
+  S* const dv = tree.shares_entries() ? id.dv_by_axis.data() : dtau_dv;
   const S two(2.0);
   for (int i = 0; i < tree.bodies(); ++i) {
     const BodyState<S>& body = kinematics.bodies[i];
@@ -21,7 +24,7 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
     const Inertia<S>& I = mass.composite[i];
     const Coriolis<S> B = coriolis_of[i];
     const Force<S> f = id.force[i] + mass.composite_bias[i];
-    for (int k = joint.v; k < joint.v + joint.nv; ++k) {
+    for (int k = joint.axis; k < joint.axis + joint.nv; ++k) {
       const AxisState<S>& axis = kinematics.axes[k];
       const Motion<S>& psi_ddot = id.axis_acc[k];
       // Column k, rows j above: S_j . (I psi'' + 2 B psi' [+ S_k x* f]) and
@@ -32,16 +35,15 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
       const Vec3<S> turning = B.transpose_times_angular(axis.axis) * two;
       const auto pair = [&](int j) {
         const AxisState<S>& above = kinematics.axes[j];
-        dtau_dq[j * n + k] = dot(above.axis, by_q);
-        dtau_dv[j * n + k] = dot(above.axis, by_v);
+        dq[j * n + k] = dot(above.axis, by_q);
+        dv[j * n + k] = dot(above.axis, by_v);
         if (j == k) return;
-        dtau_dq[k * n + j] =
-            dot(turning, above.parent_rate.angular) + dot(id.axis_acc[j], momentum);
-        dtau_dv[k * n + j] = dot(turning, above.axis.angular) + dot(above.rate_sum, momentum);
+        dq[k * n + j] = dot(turning, above.parent_rate.angular) + dot(id.axis_acc[j], momentum);
+        dv[k * n + j] = dot(turning, above.axis.angular) + dot(above.rate_sum, momentum);
       };
       int j = k;
       // Entries of the same joint turn the axis and the force alike: no S_k x* f among them.
-      for (; j >= joint.v; j = parent[j]) pair(j);
+      for (; j >= joint.axis; j = parent[j]) pair(j);
       by_q += cross(axis.axis, f);
       for (; j >= 0; j = parent[j]) pair(j);
     }
@@ -50,6 +52,9 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
       id.force[joint.parent] += id.force[i];
     }
   }
+  if (!tree.shares_entries()) return;
+  add_up_square(tree, dq, dtau_dq);
+  add_up_square(tree, dv, dtau_dv);
 }
 
 }  // namespace burnish

@@ -18,16 +18,24 @@ inline constexpr int block = 2;
 
 }  // namespace articulated_detail
 
+/// The sums about the world's origin that axis k, which moves body `i`, adds to the diagonal of M.
+template <class S>
+BURNISH_INLINE S added_about_origin(const Kinematics<S>& kinematics, const MassMatrix<S>& m, int i,
+                                    int k) {
+  const Inertia<S>& carried = m.composite[i];
+  const Vec3<S>& linear = kinematics.axes[k].axis.linear;
+  const S turned = carried.second.xx + carried.second.yy + carried.second.zz;
+  return turned + dot(linear, linear) * carried.mass;
+}
+
 /// What the pivot of entry k of v, which moves body `i`, must exceed to be more than rounding:
 /// 1e-13 of the diagonal entry that it is left of, and ten roundings of the sums about the world's
 /// origin that the entry is made of.
 template <class S>
 BURNISH_INLINE S least_mass_pivot(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& m, int i, int k) {
-  const Inertia<S>& carried = m.composite[i];
-  const Vec3<S>& linear = kinematics.axes[k].axis.linear;
-  const S turned = carried.second.xx + carried.second.yy + carried.second.zz;
-  const S added = turned + dot(linear, linear) * carried.mass;
+  S added = added_about_origin(kinematics, m, i, k);
+  if (tree.shares_entries()) added = m.added[k];
   return m.mass[k * tree.nv + k] * S(1e-13) + added * S(2e-15);
 }
 
@@ -41,7 +49,7 @@ auto factorize_articulated(const Tree& tree, const Kinematics<S>& kinematics, Ma
   for (int i = tree.bodies() - 1; i >= 0; --i) {
     const TreeJoint& joint = tree.joints[i];
     ArticulatedInertia<S> inertia = m.articulated[i];
-    for (int k = joint.v + joint.nv - 1; k >= joint.v; --k) {
+    for (int k = joint.axis + joint.nv - 1; k >= joint.axis; --k) {
       const Motion<S>& axis = kinematics.axes[k].axis;
       const Force<S> force = inertia * axis;
       const S pivot = dot(axis, force) + S(tree.armature[k]);

@@ -25,4 +25,17 @@ BURNISH_INLINE void store_column(const Force<S>& f, S* out, int stride) {
   store_column(f.angular, out + 3 * stride, stride);
 }
 
+/// Adds to a column of as many rows.
+template <class S>
+BURNISH_INLINE void add_column(const Vec3<S>& x, S* out, int stride) {
+  out[0] += x.x;
+  out[stride] += x.y;
+  out[2 * stride] += x.z;
+}
+template <class S>
+BURNISH_INLINE void add_column(const Force<S>& f, S* out, int stride) {
+  add_column(f.linear, out, stride);
+  add_column(f.angular, out + 3 * stride, stride);
+}
+
 }  // namespace burnish

@@ -25,11 +25,9 @@ FrameAxes parse_frame_axes(const std::string& name) {
 }
 
 CompiledFrame compile_frame(const Model& model, const Frame& frame) {
-  const auto support = model.support(frame.body);
-  return {frame.body,
-          from_eigen(Eigen::Matrix3d(frame.placement.linear())),
+  return {frame.body, from_eigen(Eigen::Matrix3d(frame.placement.linear())),
           from_eigen(Eigen::Vector3d(frame.placement.translation())),
-          {support.begin(), support.end()}};
+          moving_axes(model, frame.body)};
 }
 
 CompiledFrame compile_frame(const Model& model, std::string_view name) {

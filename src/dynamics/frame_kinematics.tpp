@@ -42,8 +42,8 @@ Motion<S> frame_acceleration(FrameAxes axes, const FrameState<S>& state) {
 template <class S>
 void frame_jacobian(const CompiledFrame& frame, FrameAxes axes, const Kinematics<S>& kinematics,
                     const FrameState<S>& state, S* out, int stride) {
-  for (const int k : frame.support)
-    store_column(in_axes(axes, state, kinematics.axes[k].axis), out + k, stride);
+  for (const MovingAxis& k : frame.support)
+    store_column(in_axes(axes, state, kinematics.axes[k.axis].axis), out + k.v, stride);
 }
 
 template <class S>

@@ -168,6 +168,7 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out) 
   if (out != q)
     for (int i = 0; i < tree.nq; ++i) out[i] = q[i];
   for (const TreeJoint& joint : tree.joints) {
+    if (joint.follower >= 0) continue;
     const S* const step = dq + joint.v;
     S* const x = out + joint.q;
     switch (joint.kind) {
@@ -195,6 +196,7 @@ template <class S>
 void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq) {
   using namespace integration_detail;
   for (const TreeJoint& joint : tree.joints) {
+    if (joint.follower >= 0) continue;
     const S* const from = q0 + joint.q;
     const S* const to = q1 + joint.q;
     S* const x = dq + joint.v;

@@ -123,6 +123,31 @@ BURNISH_INLINE void move(const TreeJoint& joint, const Motion<S>& v_parent,
   }
 }
 
+/// Where a follower is when its leader is at q, in coordinates of its own kind: the multiple of an
+/// angle as a power of (cos, sin).
+template <class S>
+void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
+  if (kind != JointKind::Continuous) {
+    own[0] = S(follower.multiplier) * q[0] + S(follower.offset);
+    return;
+  }
+  const bool back = follower.multiplier < 0.0;
+  own[0] = S(follower.cosine);
+  own[1] = S(follower.sine);
+  S c = q[0], s = back ? S(-q[1]) : q[1];
+  for (auto left = static_cast<long>(back ? -follower.multiplier : follower.multiplier); left > 0;
+       left /= 2) {
+    if (left % 2 == 1) {
+      const S x = own[0] * c - own[1] * s;
+      own[1] = own[1] * c + own[0] * s;
+      own[0] = x;
+    }
+    const S cosine = c * c - s * s;
+    s = S(2.0) * c * s;
+    c = cosine;
+  }
+}
+
 }  // namespace kinematics_detail
 
 template <class S>
@@ -133,14 +158,28 @@ void update_kinematics(const Tree& tree, const S* q, const S* v, Kinematics<S>& 
   for (int i = 0; i < tree.bodies(); ++i) {
     const TreeJoint& joint = tree.joints[i];
     BodyState<S>& body = kinematics.bodies[i];
-    AxisState<S>* axes = &kinematics.axes[joint.v];
+    AxisState<S>* axes = &kinematics.axes[joint.axis];
     const BodyState<S>* parent = joint.parent < 0 ? nullptr : &kinematics.bodies[joint.parent];
-    place(joint, parent, q + joint.q, body, axes);
+    const S* own_q = q + joint.q;
+    S followed[2];
+    if (joint.follower >= 0) {
+      follow(tree.followers[joint.follower], joint.kind, own_q, followed);
+      own_q = followed;
+    }
+    place(joint, parent, own_q, body, axes);
+    if (joint.follower >= 0)
+      axes[0].axis = axes[0].axis * S(tree.followers[joint.follower].multiplier);
     move(joint, parent == nullptr ? still : parent->v,
          parent == nullptr ? minus_gravity : parent->a_bias, v + joint.v, body, axes);
     body.inertia = world_inertia(joint, body);
     body.momentum = body.inertia * body.v;
     body.force_bias = body.inertia * body.a_bias + cross(body.v, body.momentum);
+  }
+  for (std::size_t i = 0; i < tree.sums.size(); ++i) {
+    const AxisState<S>& own = kinematics.axes[tree.sums[i].own];
+    const AxisState<S>& above = kinematics.axes[tree.sums[i].above];
+    kinematics.axes[tree.axes + i] = {own.axis + above.axis, own.parent_rate + above.parent_rate,
+                                      own.rate_sum + above.rate_sum};
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/mass_matrix.hpp"
+#include "dynamics/add_up.hpp"
 #include "dynamics/articulated.tpp"
 
 namespace burnish {
@@ -14,6 +15,11 @@ MassMatrix<S>::MassMatrix(const Tree& tree)
       bias(static_cast<std::size_t>(tree.nv), S(0.0)),
       factor(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0)),
       inverse_diagonal(static_cast<std::size_t>(tree.nv), S(0.0)) {
+  if (tree.shares_entries()) {
+    mass_by_axis.assign(static_cast<std::size_t>(tree.axes * tree.axes), S(0.0));
+    bias_by_axis.assign(static_cast<std::size_t>(tree.axes), S(0.0));
+    added.assign(static_cast<std::size_t>(tree.nv), S(0.0));
+  }
   if (!tree.deep) return;
   row_force.assign(static_cast<std::size_t>(tree.nv), Force<S>::zero());
   articulated.resize(tree.joints.size());
@@ -21,18 +27,21 @@ MassMatrix<S>::MassMatrix(const Tree& tree)
 
 template <class S>
 void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>& m) {
-  const int n = tree.nv;
+  const int n = tree.axes;
+  S* const mass = tree.shares_entries() ? m.mass_by_axis.data() : m.mass.data();
+  S* const bias = tree.shares_entries() ? m.bias_by_axis.data() : m.bias.data();
   for (int i = 0; i < tree.bodies(); ++i) {
     m.composite[i] = kinematics.bodies[i].inertia;
     m.composite_bias[i] = kinematics.bodies[i].force_bias;
   }
   for (int i = tree.bodies() - 1; i >= 0; --i) {
     const TreeJoint& joint = tree.joints[i];
-    for (int r = joint.v; r < joint.v + joint.nv; ++r) {
+    for (int r = joint.axis; r < joint.axis + joint.nv; ++r) {
       const Force<S> force = m.composite[i] * kinematics.axes[r].axis;
-      m.bias[r] = dot(kinematics.axes[r].axis, m.composite_bias[i]);
-      S* row = &m.mass[r * n];
-      for (int c = r; c >= 0; c = tree.parent_of_v[c]) row[c] = dot(kinematics.axes[c].axis, force);
+      bias[r] = dot(kinematics.axes[r].axis, m.composite_bias[i]);
+      S* row = mass + r * n;
+      for (int c = r; c >= 0; c = tree.parent_of_axis[c])
+        row[c] = dot(kinematics.axes[c].axis, force);
       row[r] += S(tree.armature[r]);
     }
     if (joint.parent >= 0) {
@@ -40,6 +49,15 @@ void update_mass_and_bias(const Tree& tree, const Kinematics<S>& kinematics, Mas
       m.composite_bias[joint.parent] += m.composite_bias[i];
     }
   }
+  if (!tree.shares_entries()) return;
+  add_up_symmetric(tree, mass, m.mass.data());
+  add_up(tree, bias, m.bias.data());
+  for (int k = 0; k < tree.axes; ++k) {
+    const int body = tree.joint_of_axis[k], follower = tree.joints[body].follower;
+    const double factor = follower < 0 ? 1.0 : tree.followers[follower].multiplier;
+    bias[k] = added_about_origin(kinematics, m, body, k) * S(std::max(1.0, factor * factor));
+  }
+  add_up(tree, bias, m.added.data());
 }
 
 template <class S>
@@ -52,7 +70,7 @@ auto factorize(const Tree& tree, const Kinematics<S>& kinematics, MassMatrix<S>&
   auto bad = less(S(0.0), S(0.0));
   for (int k = n - 1; k >= 0; --k) {
     S* row = &m.factor[k * n];
-    const int body = tree.joint_of_v[k];
+    const int body = tree.joint_of_axis[k];
     const auto weak = mask_not(less(least_mass_pivot(tree, kinematics, m, body, k), row[k]));
     bad = mask_or(bad, weak);
     const S reciprocal = reciprocal_root(row[k], weak);

@@ -22,7 +22,10 @@ void update_momentum(const Tree& tree, const Kinematics<S>& kinematics, const S*
     m.composite_momentum[i] = body.momentum;
     m.kinetic += dot(body.v, body.momentum);
   }
-  for (int k = 0; k < tree.nv; ++k) m.kinetic += S(tree.armature[k]) * v[k] * v[k];
+  for (int k = 0; k < tree.axes; ++k) {
+    const S& rate = v[tree.v_of_axis[k]];
+    m.kinetic += S(tree.armature[k]) * rate * rate;
+  }
   m.kinetic = m.kinetic * S(0.5);
   m.first_moment = Vec3<S>::zero();
   m.total = Force<S>::zero();

@@ -1,5 +1,8 @@
 #include "burnish/dynamics/tree.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace burnish {
 namespace {
 
@@ -14,30 +17,108 @@ double mean_relatives(const std::vector<int>& parent_of_v) {
   return 1.0 + pairs / static_cast<double>(parent_of_v.size());
 }
 
+/// How the axes of a model are numbered.
+struct AxisNumbers {
+  std::vector<int> first;       ///< of each joint
+  std::vector<int> up_to_root;  ///< of each joint: its axis, or the sum of those of its entry
+  std::vector<AxisSum> sums;
+};
+
+/// The nearest joint above that moves by the same entry of v, -1 for none.
+int same_entry_above(const Model& model, const Joint& joint) {
+  int above = joint.parent;
+  while (above >= 0 && model.joints[static_cast<std::size_t>(above)].v_index != joint.v_index)
+    above = model.joints[static_cast<std::size_t>(above)].parent;
+  return above;
+}
+
+AxisNumbers number_axes(const Model& model) {
+  AxisNumbers result;
+  int count = 0;
+  bool any_follower = false;
+  for (const Joint& joint : model.joints) {
+    result.first.push_back(count);
+    count += joint_nv(joint.kind);
+    any_follower = any_follower || joint.follows;
+  }
+  result.up_to_root = result.first;
+  if (!any_follower) return result;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const int above = same_entry_above(model, model.joints[i]);
+    if (above < 0) continue;
+    result.up_to_root[i] = count + static_cast<int>(result.sums.size());
+    result.sums.push_back({result.first[i], result.up_to_root[static_cast<std::size_t>(above)]});
+  }
+  return result;
+}
+
+TreeFollower follower_of(const Following& follows) {
+  return {follows.multiplier, follows.offset, std::cos(follows.offset), std::sin(follows.offset)};
+}
+
+/// A turning follower counts its angle as its leader does.
+JointKind kind_in_tree(const Model& model, const Joint& joint) {
+  if (!joint.follows || joint.kind == JointKind::Prismatic) return joint.kind;
+  const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+  return leader.kind == JointKind::Continuous ? JointKind::Continuous : JointKind::Revolute;
+}
+
 }  // namespace
+
+std::vector<MovingAxis> moving_axes(const Model& model, int body) {
+  const AxisNumbers numbers = number_axes(model);
+  std::vector<MovingAxis> result;
+  for (; body >= 0; body = model.joints[static_cast<std::size_t>(body)].parent) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(body)];
+    const auto same = [&](const MovingAxis& entry) { return entry.v == joint.v_index; };
+    if (std::any_of(result.begin(), result.end(), same)) continue;
+    for (int k = 0; k < joint_nv(joint.kind); ++k)
+      result.push_back({joint.v_index + k, numbers.up_to_root[static_cast<std::size_t>(body)] + k});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const MovingAxis& a, const MovingAxis& b) { return a.v < b.v; });
+  return result;
+}
 
 Tree::Tree(const Model& model)
     : parent_of_v(model.parent_of_v),
-      joint_of_v(model.joint_of_v),
-      armature(model.armature.data(), model.armature.data() + model.armature.size()),
       gravity(from_eigen(model.gravity)),
       nq(model.nq),
       nv(model.nv) {
+  AxisNumbers numbers = number_axes(model);
+  sums = std::move(numbers.sums);
   joints.reserve(model.joints.size());
-  for (const Joint& joint : model.joints) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
     const Eigen::Matrix3d& I = joint.inertia_at_com;
-    joints.push_back({joint.kind,
+    const int count = joint_nv(joint.kind);
+    joints.push_back({kind_in_tree(model, joint),
                       joint.parent,
                       joint.q_index,
                       joint.v_index,
-                      joint.nv,
+                      count,
+                      numbers.first[i],
+                      joint.follows ? static_cast<int>(followers.size()) : -1,
                       from_eigen(Eigen::Matrix3d(joint.placement.linear())),
                       from_eigen(Eigen::Vector3d(joint.placement.translation())),
                       joint.mass,
                       from_eigen(joint.com),
                       {I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2)}});
+    if (joint.follows) followers.push_back(follower_of(*joint.follows));
+    int previous = -1;
+    if (joint.parent >= 0) {
+      const TreeJoint& parent = joints[static_cast<std::size_t>(joint.parent)];
+      previous = parent.axis + parent.nv - 1;
+    }
+    for (int k = 0; k < count; ++k) {
+      parent_of_axis.push_back(previous);
+      v_of_axis.push_back(joint.v_index + k);
+      joint_of_axis.push_back(static_cast<int>(i));
+      armature.push_back(joint.follows ? 0.0 : model.armature[joint.v_index + k]);
+      previous = axes++;
+    }
   }
-  deep = nv > 0 && mean_relatives(parent_of_v) >= relatives_of_deep_trees;
+  deep = nv > 0 && !shares_entries() && mean_relatives(parent_of_v) >= relatives_of_deep_trees;
 }
 
 std::vector<std::pair<int, int>> Tree::chains() const {

@@ -70,9 +70,8 @@ void read_start(const YamlReader& reader, const Robot& robot, ProblemSpec& spec)
     if (const auto q = reader.find(key))
       spec.initial_state.head(spec.model.nq) = read_configuration(robot, *q);
   if (const auto v = reader.find("velocity")) {
-    std::vector<RowGroup> groups;
-    for (const Joint& joint : spec.model.joints) groups.push_back({joint.name, joint.nv});
-    spec.initial_state.segment(spec.model.nq, spec.model.nv) = read_rows(*v, groups, 0.0);
+    spec.initial_state.segment(spec.model.nq, spec.model.nv) =
+        read_rows(*v, velocity_rows(spec.model), 0.0);
   }
   if (const auto time = reader.find("time")) spec.start_time = time->number();
 }

@@ -5,6 +5,7 @@
 
 #include "files/here.hpp"
 #include "files/read_penalty.hpp"
+#include "model/followers.hpp"
 
 namespace burnish::files {
 namespace {
@@ -51,13 +52,16 @@ struct CostReader {
   std::vector<const Joint*> joints(const std::function<bool(const Joint&)>& otherwise) const {
     std::vector<const Joint*> result;
     if (const auto names = reader.find("joints")) {
-      for (const std::string& name : names->texts())
-        result.push_back(&model().joints[static_cast<std::size_t>(
-            names->named([&] { return model().joint_index(name); }))]);
+      for (const std::string& name : names->texts()) {
+        const Joint& joint = model().joints[static_cast<std::size_t>(
+            names->named([&] { return model().joint_index(name); }))];
+        if (joint.follows) names->refuse(that_it_follows(model(), joint));
+        result.push_back(&joint);
+      }
       return result;
     }
     for (const Joint& joint : model().joints)
-      if (otherwise(joint)) result.push_back(&joint);
+      if (!joint.follows && otherwise(joint)) result.push_back(&joint);
     return result;
   }
   std::vector<std::string> joint_names() const {
@@ -89,9 +93,7 @@ struct CostReader {
     if (const auto posture = given->find("posture")) set_q(*posture);
     if (const auto q = given->find("q")) set_q(*q);
     if (const auto v = given->find("velocity")) {
-      std::vector<RowGroup> groups;
-      for (const Joint& joint : model().joints) groups.push_back({joint.name, joint.nv});
-      x.segment(model().nq, model().nv) = read_rows(*v, groups, 0.0);
+      x.segment(model().nq, model().nv) = read_rows(*v, velocity_rows(model()), 0.0);
     }
     return residual::State{x};
   }
@@ -234,8 +236,8 @@ struct CostReader {
 
   /// {q: ..., v: ..., tau: ...}, each as read_rows has it.
   Eigen::VectorXd state_weights(const YamlReader& given) const {
-    std::vector<RowGroup> v, tau;
-    for (const Joint& joint : model().joints) v.push_back({joint.name, joint.nv});
+    const std::vector<RowGroup> v = velocity_rows(model());
+    std::vector<RowGroup> tau;
     if (scene.spec.torque_model)
       for (const Joint* joint : scene.driven()) tau.push_back({joint->name, joint->nv});
     const int nv = model().nv, nu = rows_of(tau);

@@ -1,5 +1,6 @@
 #include "files/read_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "burnish/model/state.hpp"
@@ -29,6 +30,17 @@ Eigen::Quaterniond rotation_in(const YamlReader& reader) {
   if (reader.has("rpy")) return from_rpy(reader["rpy"].vector3());
   if (reader.has("quaternion")) return quaternion_of(reader["quaternion"]);
   return Eigen::Quaterniond::Identity();
+}
+
+/// A new value of a joint puts those that move with it elsewhere.
+void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
+  const auto& joints = model.joints;
+  const auto found = std::find_if(joints.begin(), joints.end(),
+                                  [&](const Joint& joint) { return joint.name == name; });
+  if (found == joints.end()) return;
+  for (const Joint& joint : joints)
+    if (joint.v_index == found->v_index && (joint.follows || found->follows))
+      posture.erase(joint.name);
 }
 
 }  // namespace
@@ -86,6 +98,7 @@ Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader)
   } else if (!robot.default_posture.empty()) {
     posture = robot.postures.at(robot.default_posture);
   }
+  for (const auto& item : reader.items()) forget_coupled(robot.model, item.first, posture);
   for (const auto& [joint, value] : reader.items()) {
     if (joint == "from") continue;
     if (value.is_list()) {
@@ -96,6 +109,13 @@ Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader)
     }
   }
   return reader.named([&] { return configuration(robot.model, posture); });
+}
+
+std::vector<RowGroup> velocity_rows(const Model& model) {
+  std::vector<RowGroup> rows;
+  for (const Joint& joint : model.joints)
+    if (!joint.follows) rows.push_back({joint.name, joint.nv});
+  return rows;
 }
 
 int rows_of(const std::vector<RowGroup>& groups) {

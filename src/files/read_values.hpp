@@ -19,6 +19,8 @@ Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader)
 Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
                           double otherwise);
 int rows_of(const std::vector<RowGroup>& groups);
+/// The entries of v by the joints that have some.
+std::vector<RowGroup> velocity_rows(const Model& model);
 
 /// The file that a name in a problem file means.
 std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name);

@@ -20,7 +20,7 @@ std::vector<const Joint*> driven_joints(const ProblemSpec& spec) {
     result.push_back(&spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))]);
   if (spec.actuation.joints.empty())
     for (const Joint& joint : spec.model.joints)
-      if (joint.kind != JointKind::FreeFlyer) result.push_back(&joint);
+      if (joint.kind != JointKind::FreeFlyer && !joint.follows) result.push_back(&joint);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "burnish/model/model.hpp"
+#include "model/followers.hpp"
 #include "model/lock.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
@@ -69,8 +70,9 @@ const LinkSpec& root_of(const Walk& walk) {
 }
 
 int add_joint(Walk& walk, Model& model, const JointSpec* spec, Joint joint) {
-  joint.nq = joint_nq(joint.kind);
-  joint.nv = joint_nv(joint.kind);
+  const bool follows = spec != nullptr && spec->mimic;
+  joint.nq = follows ? 0 : joint_nq(joint.kind);
+  joint.nv = follows ? 0 : joint_nv(joint.kind);
   joint.q_index = model.nq;
   joint.v_index = model.nv;
   model.nq += joint.nq;
@@ -164,7 +166,7 @@ void fill_limits(const Walk& walk, Model& model) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     const JointSpec* spec = walk.spec_of_joint[i];
-    if (spec == nullptr) continue;
+    if (spec == nullptr || joint.follows) continue;
     if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic) {
       model.q_lower[joint.q_index] = spec->lower;
       model.q_upper[joint.q_index] = spec->upper;
@@ -181,6 +183,7 @@ void fill_neutral(const Walk& walk, Model& model) {
   model.q_neutral = Eigen::VectorXd::Zero(model.nq);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
+    if (joint.follows) continue;
     auto q = model.q_neutral.segment(joint.q_index, joint.nq);
     if (joint.kind == JointKind::Continuous) q[0] = 1.0;
     if (joint.kind == JointKind::Planar) q[2] = 1.0;
@@ -192,27 +195,32 @@ void fill_neutral(const Walk& walk, Model& model) {
   }
 }
 
+/// Adds an entry to ascending ones, once.
+void add_entry(int k, std::vector<int>& support) {
+  const auto at = std::lower_bound(support.begin(), support.end(), k);
+  if (at == support.end() || *at != k) support.insert(at, k);
+}
+
 void fill_support(Model& model) {
+  bool any_follower = false;
   model.support_begin.push_back(0);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
-    int previous = -1;
-    if (joint.parent >= 0) {
-      const auto parent = static_cast<std::size_t>(joint.parent);
-      previous = model.joints[parent].v_index + model.joints[parent].nv - 1;
-      for (int k = model.support_begin[parent]; k < model.support_begin[parent + 1]; ++k) {
-        const int entry = model.support_entries[static_cast<std::size_t>(k)];
-        model.support_entries.push_back(entry);
-      }
-    }
+    const auto of_parent = model.support(joint.parent);
+    std::vector<int> support(of_parent.begin(), of_parent.end());
+    int previous = support.empty() ? -1 : support.back();
     for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
       model.joint_of_v.push_back(static_cast<int>(i));
       model.parent_of_v.push_back(previous);
-      model.support_entries.push_back(k);
+      add_entry(k, support);
       previous = k;
     }
+    if (joint.follows) add_entry(joint.v_index, support);
+    any_follower = any_follower || joint.follows;
+    model.support_entries.insert(model.support_entries.end(), support.begin(), support.end());
     model.support_begin.push_back(static_cast<int>(model.support_entries.size()));
   }
+  if (any_follower) chain_coupled_entries(model);
 }
 
 void check_isometry(const std::string& origin, const std::string& what,
@@ -281,7 +289,9 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
     stack.pop_back();
     place_child(walk, model, next, stack);
   }
+  couple_followers(walk.spec_of_joint, model);
   fill_limits(walk, model);
+  take_over_limits(walk.spec_of_joint, origin_of(tree), model);
   fill_neutral(walk, model);
   fill_support(model);
   check_inertia_along_joints(model, findings);

@@ -1,9 +1,8 @@
 #include "model/lock.hpp"
 
-#include <algorithm>
 #include <set>
-#include <unordered_map>
 
+#include "model/mimic.hpp"
 #include "model/posture.hpp"
 #include "model/sentence.hpp"
 
@@ -14,24 +13,28 @@ namespace {
 struct Locking {
   const TreeSpec& tree;
   const ModelOptions& options;
-  std::unordered_map<std::string, const JointSpec*> joint_by_name;
+  JointByName joint_by_name;
   std::set<std::string> locked;
 };
 
 bool moves(const JointSpec& joint) { return joint.type != JointType::Fixed; }
 
-std::vector<std::string> joint_names(const TreeSpec& tree) {
-  std::vector<std::string> names;
-  for (const JointSpec& joint : tree.joints) names.push_back(joint.name);
-  return names;
-}
-
 const JointSpec& find_joint(const Locking& locking, const std::string& name,
                             const std::string& what) {
-  const auto found = locking.joint_by_name.find(name);
-  if (found != locking.joint_by_name.end()) return *found->second;
-  refuse(locking.tree, what + " " + in_quotes(name) + " does not exist" +
-                           did_you_mean(name, joint_names(locking.tree)));
+  return find_joint(locking.tree, locking.joint_by_name, name, what);
+}
+
+/// Whether the joint follows one of those named, directly or through others.
+bool follows_one_of(const Locking& locking, const JointSpec& joint,
+                    const std::set<std::string>& leaders) {
+  const JointSpec* at = &joint;
+  // Whoever follows itself is refused later.
+  for (std::size_t steps = 0; steps < locking.tree.joints.size(); ++steps) {
+    if (!moves(*at) || !at->mimic) return false;
+    at = &named_leader(locking.tree, locking.joint_by_name, *at);
+    if (leaders.contains(at->name)) return true;
+  }
+  return false;
 }
 
 void choose_locked(Locking& locking) {
@@ -59,7 +62,14 @@ void choose_locked(Locking& locking) {
     free.insert(name);
   }
   for (const JointSpec& joint : locking.tree.joints) {
-    if (moves(joint) && !free.contains(joint.name)) locking.locked.insert(joint.name);
+    if (!moves(joint)) continue;
+    const bool follows = follows_one_of(locking, joint, free);
+    if (free.contains(joint.name) && joint.mimic && !follows) {
+      refuse(locking.tree, "joint to leave free " + in_quotes(joint.name) + " follows joint " +
+                               in_quotes(joint.mimic->leader) +
+                               ", which is locked; leave that one free");
+    }
+    if (!free.contains(joint.name) && !follows) locking.locked.insert(joint.name);
   }
 }
 
@@ -78,63 +88,11 @@ void check_posture(const Locking& locking) {
   }
 }
 
-const JointSpec& leader_of(const Locking& locking, const JointSpec& joint) {
-  const JointSpec& leader = find_joint(locking, joint.mimic->leader,
-                                       "mimic joint " + in_quotes(joint.name) + ": its leader");
-  if (posture_size(leader.type) != 1) {
-    refuse(locking.tree, "joint " + in_quotes(joint.name) + " copies joint " +
-                             in_quotes(leader.name) +
-                             ", which has not one coordinate; only revolute, continuous and "
-                             "prismatic joints can be copied");
-  }
-  return leader;
-}
-
-void check_mimics(const Locking& locking) {
-  for (const JointSpec& joint : locking.tree.joints) {
-    if (!joint.mimic) continue;
-    if (posture_size(joint.type) != 1) {
-      refuse(locking.tree, "joint " + in_quotes(joint.name) +
-                               " has not one coordinate but copies another joint; only revolute, "
-                               "continuous and prismatic joints can");
-    }
-    leader_of(locking, joint);
-    if (!locking.locked.contains(joint.name)) {
-      refuse(locking.tree, "joint " + in_quotes(joint.name) + " copies joint " +
-                               in_quotes(joint.mimic->leader) +
-                               " and mimic joints are not simulated; lock it");
-    }
-  }
-}
-
-/// Follows leaders until one has a value of its own, then comes back through the chain.
-double mimic_value(const Locking& locking, const JointSpec& first) {
-  double scale = 1.0;
-  double shift = 0.0;
-  const JointSpec* joint = &first;
-  for (std::size_t steps = 0; steps <= locking.tree.joints.size(); ++steps) {
-    const auto stated = locking.options.posture.find(joint->name);
-    if (stated != locking.options.posture.end()) return scale * stated->second[0] + shift;
-    if (!joint->mimic) return shift;
-    const JointSpec& leader = leader_of(locking, *joint);
-    if (!locking.locked.contains(leader.name)) {
-      refuse(locking.tree, "joint " + in_quotes(joint->name) + " is locked but copies joint " +
-                               in_quotes(leader.name) + ", which moves; lock " +
-                               in_quotes(leader.name) + " too or give " + in_quotes(joint->name) +
-                               " a value in the posture");
-    }
-    shift += scale * joint->mimic->offset;
-    scale *= joint->mimic->multiplier;
-    joint = &leader;
-  }
-  refuse(locking.tree, "joint " + in_quotes(first.name) +
-                           " copies itself through its leaders; one of them must not copy");
-}
-
-std::vector<double> locked_value(const Locking& locking, const JointSpec& joint) {
+/// Where a joint of any number of coordinates is locked.
+std::vector<double> locked_value(const Locking& locking, const JointSpec& joint, Courses& courses) {
+  if (posture_size(joint.type) == 1) return {courses.of(joint).offset};
   const auto stated = locking.options.posture.find(joint.name);
   if (stated != locking.options.posture.end()) return stated->second;
-  if (joint.mimic) return {mimic_value(locking, joint)};
   std::vector<double> zero(posture_size(joint.type), 0.0);
   if (joint.type == JointType::Floating) zero.back() = 1.0;
   return zero;
@@ -147,13 +105,23 @@ LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options) {
   for (const JointSpec& joint : tree.joints) locking.joint_by_name.emplace(joint.name, &joint);
   choose_locked(locking);
   check_posture(locking);
-  check_mimics(locking);
+  Courses courses(tree, locking.joint_by_name, locking.locked, options.posture);
   LockedTree result{tree, {}};
-  for (JointSpec& joint : result.tree.joints) {
-    if (!locking.locked.contains(joint.name)) continue;
-    joint.placement = joint.placement * displacement(joint, locked_value(locking, joint));
-    joint.type = JointType::Fixed;
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const JointSpec& stated = tree.joints[i];
+    JointSpec& joint = result.tree.joints[i];
     joint.mimic.reset();
+    if (!moves(stated)) continue;
+    bool is_locked = locking.locked.contains(stated.name);
+    if (stated.mimic && !is_locked) {
+      const Course course = courses.of(stated);
+      is_locked = course.leader == nullptr;
+      if (!is_locked)
+        joint.mimic = MimicSpec{course.leader->name, course.multiplier, course.offset};
+    }
+    if (!is_locked) continue;
+    joint.placement = joint.placement * displacement(joint, locked_value(locking, stated, courses));
+    joint.type = JointType::Fixed;
     result.locked.push_back(joint.name);
   }
   return result;

@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// A tree in which the locked joints are fixed, and their names in the order of the tree.
+/// A tree in which the locked joints are fixed, and their names in the order of the tree; a joint
+/// that still mimics another names one that mimics none.
 struct LockedTree {
   TreeSpec tree;
   std::vector<std::string> locked;
 };
 
-/// Locks what the options ask for. Assumes that the tree passed its checks. A mimic joint must end
-/// up locked: at the posture's value, or else at the one that its locked leader gives.
+/// Locks what the options ask for, and what follows it. Assumes that the tree passed its checks.
 LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options);
 
 }  // namespace burnish

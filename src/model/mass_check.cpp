@@ -138,6 +138,25 @@ struct Oddities {
   }
 };
 
+/// What the followers of each joint meet, times multiplier^2, all joints beyond them being rigid;
+/// `subtree` holds the bodies' own inertias.
+std::vector<double> inertia_of_followers(const Model& model, std::vector<Matrix6d> subtree) {
+  std::vector<double> result(model.joints.size(), 0.0);
+  for (std::size_t i = model.joints.size(); i-- > 0;) {
+    const Joint& joint = model.joints[i];
+    if (joint.follows) {
+      const Directions along = directions_of(joint.kind);
+      const double factor = joint.follows->multiplier;
+      result[static_cast<std::size_t>(joint.follows->leader)] +=
+          factor * factor * (along.transpose() * subtree[i] * along)(0, 0);
+    }
+    if (joint.parent < 0) continue;
+    const Matrix6d to_body = motion_transform(generic_placement(joint, i));
+    subtree[static_cast<std::size_t>(joint.parent)] += to_body.transpose() * subtree[i] * to_body;
+  }
+  return result;
+}
+
 }  // namespace
 
 void check_inertia_along_joints(const Model& model, Findings& findings) {
@@ -146,24 +165,31 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
     articulated.push_back(spatial_inertia(joint));
     composite.push_back(articulated.back());
   }
+  const std::vector<double> followers = inertia_of_followers(model, composite);
   Oddities oddities;
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
-    const Directions along = directions_of(joint.kind);
-    const Square armature = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
-    const Met met(along.transpose() * articulated[i] * along + armature,
-                  along.transpose() * composite[i] * along + armature);
-    if (!articulated[i].allFinite() || !composite[i].allFinite() || !met.inertia.allFinite()) {
+    Matrix6d given = articulated[i];
+    bool finite = articulated[i].allFinite() && composite[i].allFinite();
+    if (!joint.follows) {  // a follower does not give way by itself
+      const Directions along = directions_of(joint.kind);
+      Square added = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
+      added(0, 0) += followers[i];
+      const Met met(along.transpose() * articulated[i] * along + added,
+                    along.transpose() * composite[i] * along + added);
+      finite = finite && met.inertia.allFinite();
+      if (finite) oddities.look(joint, met);
+      const Directions pushed = articulated[i] * along;
+      given -= pushed * met.inverse() * pushed.transpose();
+    }
+    if (!finite) {
       findings.problem("joint " + in_quotes(joint.name) +
                        ": the inertia that it moves is too large for a number");
       return;
     }
-    oddities.look(joint, met);
     if (joint.parent < 0) continue;
     const auto parent = static_cast<std::size_t>(joint.parent);
     const Matrix6d to_body = motion_transform(generic_placement(joint, i));
-    const Directions pushed = articulated[i] * along;
-    const Matrix6d given = articulated[i] - pushed * met.inverse() * pushed.transpose();
     articulated[parent] += to_body.transpose() * given * to_body;
     composite[parent] += to_body.transpose() * composite[i] * to_body;
   }

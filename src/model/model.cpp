@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "burnish/base/error.hpp"
+#include "model/followers.hpp"
 #include "model/posture.hpp"
 #include "model/sentence.hpp"
 
@@ -61,6 +63,28 @@ void write_coordinates(const Joint& joint, std::span<const double> values, Eigen
       entries.tail<4>().normalize();
       break;
   }
+}
+
+/// What a posture says of a follower: it gives a leader that is plain and not named its value, and
+/// must be what the leader's value gives.
+void agree_with_leader(const Model& model, const Joint& joint, double stated,
+                       const Posture& posture, Eigen::VectorXd& q) {
+  const Following& follows = *joint.follows;
+  const Joint& leader = model.joints[static_cast<std::size_t>(follows.leader)];
+  const bool has_value = posture.contains(leader.name);
+  if (!has_value && leader.kind != JointKind::Continuous && follows.multiplier != 0.0 &&
+      q[leader.q_index] == model.q_neutral[leader.q_index])
+    q[leader.q_index] = (stated - follows.offset) / follows.multiplier;
+  const double given = joint_value(model, joint, q);
+  double miss = stated - given;
+  if (joint.kind == JointKind::Continuous || leader.kind == JointKind::Continuous)
+    miss = std::remainder(miss, 2.0 * std::numbers::pi);
+  if (std::abs(miss) <= posture_tolerance) return;
+  refuse(label_of(model), "posture of joint " + in_quotes(joint.name) + ": its value is " +
+                              number(stated) + ", but it follows joint " + in_quotes(leader.name) +
+                              ", which " + (has_value ? "is" : "without a value of its own is") +
+                              " at " + number(joint_value(model, leader, q)) + " and puts it at " +
+                              number(given) + "; correct one of them, or leave it out");
 }
 
 }  // namespace
@@ -119,7 +143,7 @@ std::string Model::v_name(int k) const {
 std::string Model::q_name(int k) const {
   check_entry(*this, k, nq, "q");
   std::size_t owner = 0;
-  while (joints[owner].q_index + joints[owner].nq <= k) ++owner;
+  while (joints[owner].q_index > k || joints[owner].q_index + joints[owner].nq <= k) ++owner;
   const Joint& joint = joints[owner];
   return joint.name + std::string(suffix_of_q(joint.kind, k - joint.q_index));
 }
@@ -176,7 +200,7 @@ Eigen::VectorXd configuration(const Model& model, const Posture& posture) {
     if (const auto found = moving.find(name); found != moving.end()) {
       const Joint& joint = *found->second;
       check_posture_values(label_of(model), name, values, posture_size(joint.kind));
-      write_coordinates(joint, values, q);
+      if (!joint.follows) write_coordinates(joint, values, q);
       continue;
     }
     const bool passed_over =
@@ -186,6 +210,11 @@ Eigen::VectorXd configuration(const Model& model, const Posture& posture) {
       refuse(label_of(model), "joint of the posture " + in_quotes(name) + " does not exist" +
                                   did_you_mean(name, known));
     }
+  }
+  for (const auto& [name, values] : posture) {
+    const auto found = moving.find(name);
+    if (found != moving.end() && found->second->follows)
+      agree_with_leader(model, *found->second, values[0], posture, q);
   }
   return q;
 }

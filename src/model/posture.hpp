@@ -11,6 +11,10 @@ namespace burnish {
 /// Name of the joint that carries a free-flying root link.
 inline constexpr std::string_view root_joint_name = "root_joint";
 
+/// By how much the value of a follower may miss the one that its leader gives, rad or m: files are
+/// rounded.
+inline constexpr double posture_tolerance = 1e-3;
+
 /// Rotation that takes z to the unit vector `axis`; the identity for z itself.
 Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis);
 

@@ -180,6 +180,7 @@ void tangent_joint(JointKind kind, const Entries& q, Block map) {
 
 /// First entry in q of the joint's rotation and how many it has (0 for none).
 std::pair<int, int> unit_entries(const Joint& joint) {
+  if (joint.follows) return {joint.q_index, 0};
   switch (joint.kind) {
     case JointKind::Revolute:
     case JointKind::Prismatic:
@@ -239,6 +240,7 @@ Eigen::VectorXd integrate(const Model& model, const ConstVector& q, const ConstV
   check_size(dq.size(), model.nv, "dq");
   Eigen::VectorXd result = q;
   for (const Joint& joint : model.joints) {
+    if (joint.follows) continue;
     integrate_joint(joint.kind, result.segment(joint.q_index, joint.nq),
                     dq.segment(joint.v_index, joint.nv));
   }
@@ -250,6 +252,7 @@ Eigen::VectorXd difference(const Model& model, const ConstVector& q0, const Cons
   check_size(q1.size(), model.nq, "q1");
   Eigen::VectorXd dq(model.nv);
   for (const Joint& joint : model.joints) {
+    if (joint.follows) continue;
     difference_joint(joint.kind, q0.segment(joint.q_index, joint.nq),
                      q1.segment(joint.q_index, joint.nq), dq.segment(joint.v_index, joint.nv));
   }
@@ -260,6 +263,7 @@ Eigen::MatrixXd tangent_map(const Model& model, const ConstVector& q) {
   check_size(q.size(), model.nq, "q");
   Eigen::MatrixXd map = Eigen::MatrixXd::Zero(model.nq, model.nv);
   for (const Joint& joint : model.joints) {
+    if (joint.follows) continue;
     tangent_joint(joint.kind, q.segment(joint.q_index, joint.nq),
                   map.block(joint.q_index, joint.v_index, joint.nq, joint.nv));
   }
@@ -285,6 +289,7 @@ Eigen::VectorXd normalized(const Model& model, const ConstVector& q) {
 Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator) {
   Eigen::VectorXd q(model.nq);
   for (const Joint& joint : model.joints) {
+    if (joint.follows) continue;
     auto entries = q.segment(joint.q_index, joint.nq);
     if (joint.kind == JointKind::Continuous) {
       entries.head<2>() = pair_of(2.0 * std::numbers::pi * uniform(generator));

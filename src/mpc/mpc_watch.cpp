@@ -175,7 +175,7 @@ void MpcController::Impl::watch_motion() noexcept {
       const double fastest = limits.joint_speed_ratio * model.velocity_limit[k];
       if (std::abs(v_[k]) > fastest) raise(FaultKind::SpeedLimit, std::abs(v_[k]), fastest, k);
     }
-    if (joint.kind != JointKind::Revolute && joint.kind != JointKind::Prismatic) continue;
+    if (joint.nq != 1) continue;
     const double q = q_[joint.q_index];
     const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
     if (q < lower - limits.joint_margin) raise(FaultKind::OutOfRange, q, lower, joint.v_index);

@@ -4,6 +4,7 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
+#include "model/followers.hpp"
 #include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
 
@@ -19,6 +20,7 @@ StateLayout make_layout(const ProblemSpec& spec) {
   };
   for (const std::string& name : spec.actuation.joints) {
     const Joint& joint = spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))];
+    if (joint.follows) throw Error("actuation: " + that_it_follows(spec.model, joint));
     if (std::find(layout.actuated.begin(), layout.actuated.end(), joint.v_index) !=
         layout.actuated.end())
       throw Error("actuation: joint " + in_quotes(name) + " is named twice");

@@ -7,6 +7,7 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
+#include "model/followers.hpp"
 #include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
@@ -67,9 +68,10 @@ struct TermBuilder {
   }
   std::vector<int> support_columns(int frame, bool with_velocity) const {
     std::vector<int> columns;
-    for (const int k : stage.frames[frame].support) columns.push_back(layout().column_q() + k);
+    const std::vector<MovingAxis>& support = stage.frames[frame].support;
+    for (const MovingAxis& k : support) columns.push_back(layout().column_q() + k.v);
     if (with_velocity)
-      for (const int k : stage.frames[frame].support) columns.push_back(layout().column_v() + k);
+      for (const MovingAxis& k : support) columns.push_back(layout().column_v() + k.v);
     return columns;
   }
 
@@ -168,9 +170,12 @@ struct TermBuilder {
     std::iota(entries.begin(), entries.end(), 0);
     select(Selection::Source::U, entries, 0, entries, r.target);
   }
-  int joint(const std::string& name) const {
+  const Joint& joint(const std::string& name) const {
     try {
-      return problem.model.joint_index(name);
+      const Model& model = problem.model;
+      const Joint& found = model.joints[static_cast<std::size_t>(model.joint_index(name))];
+      if (found.follows) refuse(that_it_follows(model, found));
+      return found;
     } catch (const Error& error) {
       refuse(error.what());
     }
@@ -181,11 +186,9 @@ struct TermBuilder {
       entries.push_back(j.q_index);
       columns.push_back(j.v_index);
     };
-    const auto plain = [](const Joint& j) {
-      return j.kind == JointKind::Revolute || j.kind == JointKind::Prismatic;
-    };
+    const auto plain = [](const Joint& j) { return j.nq == 1; };
     for (const std::string& name : r.joints) {
-      const Joint& j = problem.model.joints[static_cast<std::size_t>(joint(name))];
+      const Joint& j = joint(name);
       if (!plain(j))
         refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
                "; wanted a revolute or prismatic one");
@@ -201,8 +204,7 @@ struct TermBuilder {
     const auto add = [&](const Joint& j) {
       for (int k = 0; k < j.nv; ++k) entries.push_back(j.v_index + k);
     };
-    for (const std::string& name : joints)
-      add(problem.model.joints[static_cast<std::size_t>(joint(name))]);
+    for (const std::string& name : joints) add(joint(name));
     if (joints.empty())
       for (const Joint& j : problem.model.joints)
         if (j.kind != JointKind::FreeFlyer) add(j);

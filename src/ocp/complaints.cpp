@@ -103,7 +103,7 @@ void about_initial_state(const Problem& problem, std::vector<std::string>& sente
                         number(lower) + " and " + number(upper));
   };
   for (const Joint& joint : model.joints)
-    if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic)
+    if (joint.nq == 1)
       compare("joint " + in_quotes(joint.name), x[joint.q_index], model.q_lower[joint.q_index],
               model.q_upper[joint.q_index]);
   for (int k = 0; k < l.nv; ++k)

@@ -10,9 +10,8 @@ namespace burnish::ocp {
 
 /// Whether the joint is a row of residual::JointPosition{}: one coordinate with a limit.
 inline bool has_position_limit(const Model& model, const Joint& joint) {
-  const bool plain = joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic;
-  return plain && (std::isfinite(model.q_lower[joint.q_index]) ||
-                   std::isfinite(model.q_upper[joint.q_index]));
+  return joint.nq == 1 && (std::isfinite(model.q_lower[joint.q_index]) ||
+                           std::isfinite(model.q_upper[joint.q_index]));
 }
 
 /// A lower and an upper limit per row of residual::JointPosition{}, rad (m); empty where no joint

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/followers.hpp"
+
 namespace burnish::ocp {
 
 Reach reach_of(const Model& model, const std::string& frame) {
@@ -12,9 +14,10 @@ Reach reach_of(const Model& model, const std::string& frame) {
   for (int j = found.body; j >= 0;) {
     const Joint& joint = model.joints[static_cast<std::size_t>(j)];
     if (joint.kind == JointKind::FreeFlyer || joint.kind == JointKind::Planar) return {};
-    if (joint.kind == JointKind::Prismatic)
-      reach.distance +=
-          std::max(std::abs(model.q_lower[joint.q_index]), std::abs(model.q_upper[joint.q_index]));
+    if (joint.kind == JointKind::Prismatic) {
+      const auto [lower, upper] = position_range(model, joint);
+      reach.distance += std::max(std::abs(lower), std::abs(upper));
+    }
     if (joint.parent < 0) {
       reach.origin = joint.placement.translation();
       reach.joint = joint.name;

@@ -50,10 +50,11 @@ void wrench_in_reference(const Scene<S>& scene, int index, const Reference& refe
     }
   const auto zero = Motion<S>::zero();
   for (const ContactSupport& entry : contact.support) {
-    const Motion<S>& axis = dynamics.kinematics().axes[entry.v].axis;
+    const auto& axes = dynamics.kinematics().axes;
     S transport[6];
-    store(wrench_rate(reference, pose, contact, state, entry.moves_tool ? axis : zero,
-                      entry.moves_base ? axis : zero, Force<S>::zero()),
+    store(wrench_rate(reference, pose, contact, state,
+                      entry.moves_tool() ? axes[entry.tool_axis].axis : zero,
+                      entry.moves_base() ? axes[entry.base_axis].axis : zero, Force<S>::zero()),
           transport, 1);
     for (int d = 0; d < 6; ++d) J[d * nz + layout.column_q() + entry.v] += transport[d];
   }

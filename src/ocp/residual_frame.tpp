@@ -29,11 +29,11 @@ void store(const Motion<S>& m, S* out) {
 /// The columns of the support, of a matrix with nv columns, into one that has only those; `first`
 /// is the place of the first one.
 template <class S>
-void keep_support(const S* full, int rows, int nv, const std::vector<int>& support, S* J,
+void keep_support(const S* full, int rows, int nv, const std::vector<MovingAxis>& support, S* J,
                   int columns, int first) {
   for (int i = 0; i < rows; ++i)
     for (std::size_t k = 0; k < support.size(); ++k)
-      J[i * columns + first + static_cast<int>(k)] = full[i * nv + support[k]];
+      J[i * columns + first + static_cast<int>(k)] = full[i * nv + support[k].v];
 }
 
 }  // namespace frame_detail
@@ -50,7 +50,7 @@ void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, 
   const int columns = static_cast<int>(compiled.support.size());
   frame_position_derivative(compiled, scene.dynamics->kinematics(), state, scene.scratch, nv);
   for (int k = 0; k < columns; ++k) {
-    const S* const dp = scene.scratch + compiled.support[k];
+    const S* const dp = scene.scratch + compiled.support[k].v;
     const Vec3<S> turned = transpose_times(A, Vec3<S>{dp[0], dp[nv], dp[2 * nv]});
     J[k] = turned.x;
     J[columns + k] = turned.y;

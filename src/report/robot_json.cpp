@@ -26,6 +26,16 @@ void write_joint(JsonWriter& json, const Model& model, const Joint& joint) {
   limit("upper", bounded, model.q_upper, joint.q_index);
   limit("effort", single, model.effort_limit, joint.v_index);
   limit("velocity", single, model.velocity_limit, joint.v_index);
+  json.key("follows");
+  if (joint.follows) {
+    json.begin_object();
+    json.field("leader", joint.follows->leader);
+    json.field("multiplier", joint.follows->multiplier);
+    json.field("offset", joint.follows->offset);
+    json.end_object();
+  } else {
+    json.null();
+  }
   json.end_object();
 }
 
@@ -121,7 +131,9 @@ std::string robot_json(const RobotDrawing& robot) {
   JsonWriter json;
   json.begin_object();
   json.field("name", model.name);
-  write_list(json, "moving", model.joints, [&](const Joint& joint) { json.value(joint.name); });
+  write_list(json, "moving", model.joints, [&](const Joint& joint) {
+    if (!joint.follows) json.value(joint.name);
+  });
   write_list(json, "bodies", model.joints,
              [&](const Joint& joint) { write_body(json, model, joint); });
   json.field("nq", model.nq);

@@ -124,7 +124,8 @@ void write_limits(JsonWriter& json, const Model& model) {
   const auto list = [&](const char* name, const auto& limit_of) {
     json.key(name);
     json.begin_array();
-    for (const Joint& joint : model.joints) json.value(limit_of(joint));
+    for (const Joint& joint : model.joints)
+      if (!joint.follows) json.value(limit_of(joint));
     json.end_array();
   };
   const double none = std::numeric_limits<double>::infinity();

@@ -203,16 +203,26 @@ class Recorder {
     json_.begin_array();
     for (const Joint& joint : model_.joints) json_.value(joint.name);
     json_.end_array();
-    const auto entries = [&](const char* name, const auto& columns, auto index_of) {
+    const auto entries = [&](const char* name, const auto& value_of) {
       json_.key(name);
       json_.begin_array();
-      for (const Joint& joint : model_.joints)
-        json_.value((*columns[static_cast<std::size_t>(index_of(joint))])[row]);
+      for (const Joint& joint : model_.joints) json_.value(value_of(joint));
       json_.end_array();
     };
-    entries("position", q_, [](const Joint& joint) { return joint.q_index; });
-    entries("velocity", v_, [](const Joint& joint) { return joint.v_index; });
-    entries("effort", tau_, [](const Joint& joint) { return joint.v_index; });
+    const auto at = [row](const auto& columns, int index) {
+      return (*columns[static_cast<std::size_t>(index)])[row];
+    };
+    // A follower moves with its leader, whose motor drives it.
+    const Following itself;
+    const auto following = [&](const Joint& joint) { return joint.follows.value_or(itself); };
+    entries("position", [&](const Joint& joint) {
+      return following(joint).multiplier * at(q_, joint.q_index) + following(joint).offset;
+    });
+    entries("velocity", [&](const Joint& joint) {
+      return following(joint).multiplier * at(v_, joint.v_index);
+    });
+    entries("effort",
+            [&](const Joint& joint) { return joint.follows ? 0.0 : at(tau_, joint.v_index); });
     json_.end_object();
     out_.write(joints_, time, json_.take());
   }

@@ -28,7 +28,7 @@ void increment_rate(const Model& model, const ConstVectorRef& u, const ConstVect
                     Eigen::VectorXd& out) noexcept {
   out = v;
   for (const Joint& joint : model.joints) {
-    if (joint.nv == 1) continue;
+    if (joint.nv <= 1) continue;
     const int first = joint.v_index;
     const Vector6 increment = twist_of(joint.kind, u.data() + first);
     const Vector6 once = bracket(increment, twist_of(joint.kind, v.data() + first));

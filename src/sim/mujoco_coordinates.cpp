@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/base/error.hpp"
+#include "model/followers.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish::mujoco {
@@ -69,28 +70,44 @@ Eigen::Matrix3d load_joint(JointKind kind, const mjtNum* qpos, double* x) {
 }
 
 int linear_entries(const Joint& joint) {
-  if (joint.nv == 1) return 0;
+  if (joint.nv <= 1) return 0;
   return joint.kind == JointKind::Planar ? 2 : 3;
 }
 
 }  // namespace
 
 Coordinates::Coordinates(const Model& model, const mjModel& theirs)
-    : joints_(model.joints),
-      T_(Eigen::MatrixXd::Identity(model.nv, model.nv)),
+    : model_(model),
+      entry_(static_cast<std::size_t>(model.nv)),
+      T_(Eigen::MatrixXd::Zero(model.nv, theirs.nv)),
       correction_(Eigen::VectorXd::Zero(model.nv)) {
-  if (theirs.nv != model.nv) throw Error("MuJoCo counts other degrees of freedom");
+  int first = 0;
+  for (const Joint& joint : model.joints) {
+    for (int k = 0; k < joint.nv; ++k) {
+      entry_[static_cast<std::size_t>(joint.v_index + k)] = first + k;
+      if (first + k < theirs.nv) T_(joint.v_index + k, first + k) = 1.0;
+    }
+    first += joint_nv(joint.kind);
+  }
+  if (theirs.nv != first) throw Error("MuJoCo counts other degrees of freedom");
+  T_own_ = T_;
+  first = 0;
+  for (const Joint& joint : model.joints) {
+    if (joint.follows) T_(joint.v_index, first) = joint.follows->multiplier;
+    first += joint_nv(joint.kind);
+  }
 }
 
-void Coordinates::turn(const Joint& joint, const Eigen::Matrix3d& rotation) {
+void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rotation) {
   const int n = linear_entries(joint);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) T_(joint.v_index + i, joint.v_index + j) = rotation(j, i);
+  for (Eigen::MatrixXd* matrix : {&T_, &T_own_})
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) (*matrix)(joint.v_index + i, first + j) = rotation(j, i);
 }
 
 /// Rates of translation along turning axes change by v x w.
 void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
-  if (joint.nv == 1) return;
+  if (joint.nv <= 1) return;
   const bool planar = joint.kind == JointKind::Planar;
   const int first = joint.v_index;
   const Vector3 u(v[first], v[first + 1], planar ? 0.0 : v[first + 2]);
@@ -102,31 +119,41 @@ void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
 
 void Coordinates::store(const ConstVectorRef& q, const ConstVectorRef& v, mjData& data) {
   mjtNum* qpos = data.qpos;
-  for (const Joint& joint : joints_) {
-    turn(joint, store_joint(joint.kind, q.data() + joint.q_index, qpos));
-    correct(joint, v);
+  int first = 0;
+  for (const Joint& joint : model_.joints) {
+    if (joint.follows) {
+      qpos[0] = joint_value(model_, joint, q);
+    } else {
+      turn(joint, first, store_joint(joint.kind, q.data() + joint.q_index, qpos));
+      correct(joint, v);
+    }
     qpos += count(joint.kind);
+    first += joint_nv(joint.kind);
   }
-  torque_to(v, data.qvel);  // T is orthogonal: qvel = T^T v
+  Eigen::Map<Eigen::VectorXd> qvel(data.qvel, T_.cols());
+  multiply(T_.transpose(), v, qvel);
 }
 
 void Coordinates::load(const mjData& data, Eigen::VectorXd& q, Eigen::VectorXd& v) {
   const mjtNum* qpos = data.qpos;
-  for (const Joint& joint : joints_) {
-    turn(joint, load_joint(joint.kind, qpos, q.data() + joint.q_index));
+  int first = 0;
+  for (const Joint& joint : model_.joints) {
+    if (!joint.follows) turn(joint, first, load_joint(joint.kind, qpos, q.data() + joint.q_index));
     qpos += count(joint.kind);
+    first += joint_nv(joint.kind);
   }
-  torque_from(data.qvel, v);
+  v.resize(T_.rows());
+  multiply(T_own_, Eigen::Map<const Eigen::VectorXd>(data.qvel, T_.cols()), v);
 }
 
 void Coordinates::torque_to(const ConstVectorRef& tau, mjtNum* theirs) const {
-  Eigen::Map<Eigen::VectorXd> mapped(theirs, T_.rows());
-  multiply(T_.transpose(), tau, mapped);
+  Eigen::Map<Eigen::VectorXd> mapped(theirs, T_.cols());
+  multiply(T_own_.transpose(), tau, mapped);
 }
 
 void Coordinates::torque_from(const mjtNum* theirs, Eigen::VectorXd& tau) const {
   tau.resize(T_.rows());
-  multiply(T_, Eigen::Map<const Eigen::VectorXd>(theirs, T_.rows()), tau);
+  multiply(T_, Eigen::Map<const Eigen::VectorXd>(theirs, T_.cols()), tau);
 }
 
 Eigen::MatrixXd mass_matrix(const mjModel& model, const mjData& data, const Coordinates& at) {

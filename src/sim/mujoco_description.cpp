@@ -30,17 +30,20 @@ std::string stops_of(const Model& model, const Joint& joint) {
 }
 
 /// The joints of a body: hinges and slides, and a ball where a floating joint is not at the root.
-std::string joints_of(const Model& model, const Joint& joint, bool stops) {
+std::string joints_of(const Model& model, int body, bool stops) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(body)];
   const auto moving = [](const char* type, const char* axis, const std::string& more) {
     return "<joint type=\"" + std::string(type) + "\" axis=\"" + axis + "\"" + more + "/>";
   };
+  const std::string name = " name=\"" + joint_name(body) + "\"";
+  const std::string ends = stops && !joint.follows ? stops_of(model, joint) : "";
   switch (joint.kind) {
     case JointKind::Revolute:
-      return moving("hinge", "0 0 1", stops ? stops_of(model, joint) : "");
+      return moving("hinge", "0 0 1", name + ends);
     case JointKind::Continuous:
-      return moving("hinge", "0 0 1", "");
+      return moving("hinge", "0 0 1", name);
     case JointKind::Prismatic:
-      return moving("slide", "0 0 1", stops ? stops_of(model, joint) : "");
+      return moving("slide", "0 0 1", name + ends);
     case JointKind::Planar:
       return moving("slide", "1 0 0", "") + moving("slide", "0 1 0", "") +
              moving("hinge", "0 0 1", "");
@@ -71,7 +74,7 @@ std::string body_text(const Model& model, int body, const Additions& additions) 
   at.linear() = inertia.axes;
   const double moment = std::max(inertia.moments.maxCoeff(), 1e-12);
   std::string text = "<body name=\"" + body_name(body) + "\"" + pose_attributes(joint.placement) +
-                     ">" + joints_of(model, joint, additions.joint_stops) + "\n<inertial" +
+                     ">" + joints_of(model, body, additions.joint_stops) + "\n<inertial" +
                      pose_attributes(at) + " mass=\"" + numbers(std::max(joint.mass, 1e-12)) +
                      "\" diaginertia=\"" + numbers(moment, moment, moment) + "\"/>\n" +
                      sites_of(model, body);
@@ -100,6 +103,7 @@ std::string pose_attributes(const Eigen::Isometry3d& placement) {
 }
 
 std::string body_name(int body) { return body < 0 ? "world" : "b" + std::to_string(body); }
+std::string joint_name(int joint) { return "j" + std::to_string(joint); }
 std::string site_name(int frame) { return "f" + std::to_string(frame); }
 
 std::string describe(const Model& model, const Additions& additions) {
@@ -140,7 +144,13 @@ void load_figures(const Model& model, mjModel& theirs, mjData& data) {
     store(joint.com, theirs.body_ipos + 3 * body);
     store(inertia.axes, theirs.body_iquat + 4 * body);
   }
-  for (int k = 0; k < model.nv; ++k) theirs.dof_armature[k] = model.armature[k];
+  // A follower's is its leader's already.
+  int entry = 0;
+  for (const Joint& joint : model.joints) {
+    for (int k = 0; k < joint.nv; ++k)
+      theirs.dof_armature[entry + k] = model.armature[joint.v_index + k];
+    entry += joint_nv(joint.kind);
+  }
   mj_setConst(&theirs, &data);
 }
 

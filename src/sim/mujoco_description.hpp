@@ -40,12 +40,15 @@ std::string numbers(Values... values) {
 /// The attributes pos and quat.
 std::string pose_attributes(const Eigen::Isometry3d& placement);
 
-/// Names in the text: of the body that joint `body` carries ("world" for -1), of a frame's site.
+/// Names in the text: of the body that joint `body` carries ("world" for -1), of a joint of one
+/// entry, of a frame's site.
 std::string body_name(int body);
+std::string joint_name(int joint);
 std::string site_name(int frame);
 
-/// The robot with one site per frame. MuJoCo refuses moments that published figures round past the
-/// triangle inequality, so the text has a ball's, and load_figures() puts in the true ones.
+/// The robot with one site per frame; followers move by themselves. MuJoCo refuses moments that
+/// published figures round past the triangle inequality, so the text has a ball's, and
+/// load_figures() puts in the true ones.
 std::string describe(const Model& model, const Additions& additions = {});
 
 /// Compiles a text. Throws Error with MuJoCo's sentence.

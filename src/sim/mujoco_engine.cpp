@@ -48,8 +48,17 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
-  // Room for friction and limits of every entry, and for contacts.
-  result.sections = "<size njmax=\"" + std::to_string(4 * model.nv + 40) + "\" nconmax=\"8\"/>\n";
+  // Room for friction and limits of every entry, for followers and for contacts.
+  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 40;
+  result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"8\"/>\n<equality>\n";
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const auto& follows = model.joints[i].follows;
+    if (!follows) continue;
+    result.sections += "<joint joint1=\"" + joint_name(static_cast<int>(i)) + "\" joint2=\"" +
+                       joint_name(follows->leader) + "\" polycoef=\"" +
+                       numbers(follows->offset, follows->multiplier, 0.0, 0.0, 0.0) + "\"/>\n";
+  }
+  result.sections += "</equality>\n";
   return result;
 }
 
@@ -71,15 +80,26 @@ void load_contact(const SurfaceSpec& surface, const MujocoPlantOptions& options,
 /// Damping and Coulomb friction of the joints. MuJoCo lets a joint creep under friction by R/B per
 /// unit of torque: an impedance close to one and a rate that halves the creep in a step keep a
 /// light joint below 1e-3 rad/s per Nm.
-void load_joint_friction(const Model& model, mjModel& m) {
+void load_joint_friction(const Model& model, const Coordinates& coordinates, mjModel& m) {
   constexpr mjtNum d = 0.999;
   for (int k = 0; k < model.nv; ++k) {
-    m.dof_damping[k] = model.damping[k];
-    m.dof_frictionloss[k] = model.friction[k];
-    m.dof_solref[mjNREF * k] = 0.0;
-    m.dof_solref[mjNREF * k + 1] = -0.5 * d / m.opt.timestep;
+    const int theirs = coordinates.entry(k);
+    m.dof_damping[theirs] = model.damping[k];
+    m.dof_frictionloss[theirs] = model.friction[k];
+    m.dof_solref[mjNREF * theirs] = 0.0;
+    m.dof_solref[mjNREF * theirs + 1] = -0.5 * d / m.opt.timestep;
     const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
-    mju_copy(m.dof_solimp + mjNIMP * k, constant, mjNIMP);
+    mju_copy(m.dof_solimp + mjNIMP * theirs, constant, mjNIMP);
+  }
+}
+
+/// Followers accelerate as their leaders do; the plant puts them back after each step.
+void load_followers(mjModel& m) {
+  constexpr mjtNum d = mjMAXIMP;
+  for (int i = 0; i < m.neq; ++i) {
+    mju_zero(m.eq_solref + mjNREF * i, mjNREF);
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.eq_solimp + mjNIMP * i, constant, mjNIMP);
   }
 }
 
@@ -97,8 +117,19 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
           mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
       tip_body(m->geom_bodyid[tip_geom]) {
   load_figures(model, *m, *d);
-  load_joint_friction(model, *m);
+  load_joint_friction(model, coordinates, *m);
+  load_followers(*m);
   load_contact(scene.surface, options, *m, surface_geom, tip_geom);
+}
+
+void Engine::stiffen_followers() const {
+  // MuJoCo's own bound on the impedance would let them lag by 1e-4 of the acceleration.
+  constexpr mjtNum softer = 1e-4;
+  for (int row = 0; row < d->nefc; ++row) {
+    if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;
+    d->efc_R[row] *= softer;
+    d->efc_D[row] /= softer;
+  }
 }
 
 Eigen::Vector3d Engine::contact_force_world() const {

@@ -18,6 +18,9 @@ struct Engine {
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
 
+  /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders to 1e-8.
+  void stiffen_followers() const;
+
   /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
   /// the two geoms by their types, so the ids say which way it points.
   Eigen::Vector3d contact_force_world() const;

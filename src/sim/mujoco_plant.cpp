@@ -25,8 +25,8 @@ class MujocoPlant final : public Plant {
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),
         friction_(Eigen::VectorXd::Zero(model.nv)),
-        theirs_(Eigen::VectorXd::Zero(model.nv)),
-        before_(Eigen::VectorXd::Zero(engine_.m->nq + 2 * model.nv)) {
+        theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
+        before_(Eigen::VectorXd::Zero(engine_.m->nq + 2 * engine_.m->nv)) {
     start(q_, v_);
   }
 
@@ -52,7 +52,7 @@ class MujocoPlant final : public Plant {
   void store_moment(double* to) const;
   void load_moment(const double* from) const;
   int moment_size() const { return engine_.m->nq + 2 * engine_.m->nv; }
-  int readings_size() const { return 5 + engine_.m->nv; }
+  int readings_size() const { return 5 + engine_.model.nv; }
 
   Engine engine_;
   long steps_ = 0;
@@ -89,10 +89,12 @@ Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noex
 Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
   mjModel* m = engine_.m.get();
   mjData* d = engine_.d.get();
-  if (tau.size() != m->nv) return Status::WrongSize;
-  if (!usable(tau.data(), m->nv) || !usable(push_world.data(), 3)) return Status::NotFinite;
+  if (tau.size() != engine_.model.nv) return Status::WrongSize;
+  if (!usable(tau.data(), engine_.model.nv) || !usable(push_world.data(), 3))
+    return Status::NotFinite;
   store_moment(before_.data());
   mj_fwdPosition(m, d);
+  engine_.stiffen_followers();
   mj_fwdVelocity(m, d);
   load_forces(tau, push_world);
   mj_fwdActuation(m, d);
@@ -105,6 +107,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   read();
   mj_Euler(m, d);
   engine_.coordinates.load(*d, q_, v_);
+  if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // followers, to the last digit
   ++steps_;
   return Status::Ok;
 }

@@ -72,7 +72,8 @@ void Sensing::measure_position(const Plant& plant) noexcept {
   }
   if (disturbances_.encoder_bits == 0) return;
   const double step = std::ldexp(2.0 * std::numbers::pi, -disturbances_.encoder_bits);
-  for (const Joint& joint : joints_) quantize(joint, step, q.data() + joint.q_index);
+  for (const Joint& joint : joints_)
+    if (!joint.follows) quantize(joint, step, q.data() + joint.q_index);
 }
 
 void Sensing::measure_velocity(const Plant& plant) noexcept {

@@ -17,6 +17,7 @@ Status check_state(const Model& model, const ConstVectorRef& q, const ConstVecto
   if (q.size() != model.nq || v.size() != model.nv) return Status::WrongSize;
   if (!q.allFinite() || !v.allFinite()) return Status::NotFinite;
   for (const Joint& joint : model.joints) {
+    if (joint.follows) continue;
     const bool quaternion = joint.kind == JointKind::FreeFlyer;
     const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
     if (!quaternion && !angle) continue;

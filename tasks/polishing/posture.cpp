@@ -16,8 +16,8 @@ namespace burnish::polishing {
 namespace {
 
 bool is_limited(const Model& model, const Joint& joint) {
-  return (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic) &&
-         std::isfinite(model.q_lower[joint.q_index]) && std::isfinite(model.q_upper[joint.q_index]);
+  return joint.nq == 1 && std::isfinite(model.q_lower[joint.q_index]) &&
+         std::isfinite(model.q_upper[joint.q_index]);
 }
 
 struct Candidate {

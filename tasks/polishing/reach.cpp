@@ -21,9 +21,7 @@ struct Stop {
   double force;  ///< N
 };
 
-bool is_limited(const Joint& joint) {
-  return joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic;
-}
+bool is_limited(const Joint& joint) { return joint.nq == 1; }
 
 /// The walk: a posture that is carried from stop to stop.
 class Walk {

@@ -14,11 +14,14 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-/// The joints that carry no other.
+/// The joints that carry no other, follow none and lead none.
 std::vector<int> leaves(const Model& model) {
   std::vector<char> carries(model.joints.size(), 0);
-  for (const Joint& joint : model.joints)
+  for (std::size_t i = 0; i < carries.size(); ++i) {
+    const Joint& joint = model.joints[i];
     if (joint.parent >= 0) carries[joint.parent] = 1;
+    if (joint.follows) carries[i] = carries[joint.follows->leader] = 1;
+  }
   std::vector<int> result;
   for (int i = 0; i < static_cast<int>(carries.size()); ++i)
     if (carries[i] == 0) result.push_back(i);
@@ -101,6 +104,26 @@ TEST_P(Massless, joints_with_an_armature_are_as_good_as_any) {
     EXPECT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
     EXPECT_EQ(dynamics.explanation(), "ok");
   }
+}
+
+TEST(MasslessFollowers, leave_their_leader_singular_only_where_none_of_them_has_a_mass) {
+  TreeSpec tree;
+  tree.name = "gripper";
+  for (const char* name : {"base", "hand", "left", "right"})
+    tree.links.push_back(testing::link(name));
+  tree.joints = {testing::joint("wrist", JointType::Revolute, "base", "hand"),
+                 testing::joint("left", JointType::Prismatic, "hand", "left"),
+                 testing::joint("right", JointType::Prismatic, "hand", "right")};
+  tree.joints[1].mimic = MimicSpec{"right", -1.0, 0.0};
+  Model model = build_model(tree);
+  std::mt19937_64 generator(4);
+  const RobotState state = random_state(model, generator);
+  empty(model, model.joint_index("right"));
+  EXPECT_EQ(ContactDynamics(model).forward(state.q, state.v, state.tau), Status::Ok);
+  empty(model, model.joint_index("left"));
+  ContactDynamics dynamics(model);
+  EXPECT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::SingularMass);
+  expect_words(dynamics.explanation(), {"'right'", "no mass"});
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryRobot, Massless, ::testing::ValuesIn(available(test_robots())),

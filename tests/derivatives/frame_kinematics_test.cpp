@@ -196,8 +196,8 @@ TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
   std::vector<double> out(static_cast<std::size_t>(6 * model.nv), 42.0);
   frame_jacobian(frame, FrameAxes::World, run.kinematics, run.state, out.data(), model.nv);
   for (int k = 0; k < model.nv; ++k) {
-    const bool supports =
-        std::find(frame.support.begin(), frame.support.end(), k) != frame.support.end();
+    const bool supports = std::any_of(frame.support.begin(), frame.support.end(),
+                                      [k](const MovingAxis& entry) { return entry.v == k; });
     EXPECT_EQ(out[static_cast<std::size_t>(k)] == 42.0, !supports) << k;
   }
 }

@@ -106,7 +106,9 @@ INSTANTIATE_TEST_SUITE_P(robots, Mujoco,
                                                 {"tool", "left_sole_link", "right_sole_link"}},
                                            Case{"arm7", {"tool"}}, Case{"arm7:floating", {"tool"}},
                                            Case{"crane", {"left_tip", "right_tip"}},
-                                           Case{"crane:floating", {"left_tip", "right_tip"}}),
+                                           Case{"crane:floating", {"left_tip", "right_tip"}},
+                                           Case{"followers", {"tip", "z_5", "z_6", "wheel_2"}},
+                                           Case{"followers:floating", {"tip", "z_7", "c"}}),
                          [](const auto& test) {
                            std::string name = test.param.robot;
                            for (char& c : name)
@@ -122,6 +124,20 @@ TEST(MujocoTrees, agrees_on_trees_of_every_kind_of_joint) {
     options.base = i % 2 == 0 ? Base::Fixed : Base::FreeFlyer;
     options.gravity = 9.0 * testing::random_vector(generator);
     compare_free_motion(build_model(testing::random_tree(generator, 10), options), worst);
+  }
+  worst.expect_below(1e-10);
+}
+
+TEST(MujocoTrees, agrees_on_trees_with_followers_of_every_kind) {
+  std::mt19937_64 generator(12);
+  Worst worst;
+  for (int i = 0; i < 6; ++i) {
+    ModelOptions options;
+    options.base = i % 2 == 0 ? Base::Fixed : Base::FreeFlyer;
+    compare_free_motion(
+        build_model(testing::with_random_followers(testing::random_tree(generator, 16), generator),
+                    options),
+        worst);
   }
   worst.expect_below(1e-10);
 }

@@ -16,7 +16,7 @@ namespace burnish::testing {
 constexpr double page_dt = 1e-3;  // s, between rows of the trace
 
 /// A hinge with limits that carries a wheel without, a box, and a mesh of a package.
-inline Model page_model() {
+inline TreeSpec page_tree() {
   TreeSpec tree;
   tree.name = "two";
   for (const char* name : {"base", "arm", "wheel"}) {
@@ -43,8 +43,9 @@ inline Model page_model() {
   spin.child_link = "wheel";
   spin.placement.translation() = Eigen::Vector3d(0.5, 0.0, 0.0);
   tree.joints = {hinge, spin};
-  return build_model(tree);
+  return tree;
 }
+inline Model page_model() { return build_model(page_tree()); }
 
 /// The trace of a run with the columns of ClosedLoop: the force is 30 N but for one sample of 99 N
 /// at row 105, and a plan takes 1 ms but for one of 7 ms at row 205.

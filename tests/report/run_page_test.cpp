@@ -180,6 +180,18 @@ TEST(RunPage, AColumnThatIsMissingIsNamed) {
   EXPECT_THROW(add_trace(page, poor, 1), Error);
 }
 
+TEST(RobotJson, SaysWhoFollowsWhom) {
+  TreeSpec tree = page_tree();
+  tree.joints[1].mimic = MimicSpec{"hinge", -2.0, 0.5};
+  const Json json = Json::parse(robot_json(RobotDrawing{.model = build_model(tree)}));
+  EXPECT_EQ(json["moving"], Json::parse(R"(["hinge"])"));
+  EXPECT_EQ(json["nq"], 1);
+  EXPECT_TRUE(json["bodies"][0]["joint"]["follows"].is_null());
+  const Json& spin = json["bodies"][1]["joint"];
+  EXPECT_EQ(spin["follows"], Json::parse(R"({"leader": 0, "multiplier": -2, "offset": 0.5})"));
+  EXPECT_EQ(spin["nq"], 0);
+}
+
 TEST(RobotJson, HoldsTheTree) {
   RobotDrawing robot{.model = page_model()};
   robot.postures["bent"] = Eigen::Vector3d(1.0, 0.0, 1.0);

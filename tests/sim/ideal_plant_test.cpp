@@ -61,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(robots, IdealPlantFall,
                                                         {"arm7", Base::Fixed, "tool"},
                                                         humanoid("tool"),
                                                         {"crane", Base::FreeFlyer, "left_tip"},
+                                                        {"followers", Base::Fixed, "tip"},
                                                         {"every_joint", Base::FreeFlyer, "tip"}})),
                          [](const auto& test) { return test.param.label(); });
 

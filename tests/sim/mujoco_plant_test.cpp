@@ -6,6 +6,7 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "sim/mujoco_engine.hpp"
 #include "support/polishing_run.hpp"
@@ -70,8 +71,37 @@ TEST_P(MujocoPlantModel, falls_as_the_ideal_plant_does) {
 INSTANTIATE_TEST_SUITE_P(robots, MujocoPlantModel,
                          ::testing::Values(TestRobot{"talos:right_arm", Base::Fixed, "tool"},
                                            TestRobot{"talos", Base::FreeFlyer, "tool"},
-                                           TestRobot{"crane", Base::FreeFlyer, "left_tip"}),
+                                           TestRobot{"crane", Base::FreeFlyer, "left_tip"},
+                                           TestRobot{"followers", Base::Fixed, "tip"},
+                                           TestRobot{"followers", Base::FreeFlyer, "z_5"}),
                          [](const auto& test) { return test.param.label(); });
+
+TEST(MujocoPlant, keeps_followers_where_their_leaders_put_them) {
+  const Model model = TestRobot{"followers", Base::Fixed, "tip"}.model();
+  SceneSpec scene;
+  scene.tip.frame = "tip";
+  scene.surface.point.z() = -100.0;
+  mujoco::Engine engine(model, scene, {});
+  std::mt19937_64 generator(6);
+  const Eigen::VectorXd q = random_configuration(model, generator);
+  const Eigen::VectorXd v = random_vector(model.nv, 1.0, generator);
+  engine.coordinates.store(q, v, *engine.d);
+  mj_fwdPosition(engine.m.get(), engine.d.get());
+  const std::vector<Eigen::Isometry3d> placements = frame_placements(model, q);
+  for (std::size_t f = 0; f < model.frames.size(); ++f) {
+    const int site =
+        mj_name2id(engine.m.get(), mjOBJ_SITE, mujoco::site_name(static_cast<int>(f)).c_str());
+    EXPECT_LE((Eigen::Map<const Eigen::Vector3d>(engine.d->site_xpos + 3 * site) -
+               placements[f].translation())
+                  .norm(),
+              1e-12)
+        << model.frames[f].name;
+  }
+  Eigen::VectorXd q_back = model.q_neutral, v_back;
+  engine.coordinates.load(*engine.d, q_back, v_back);
+  EXPECT_LE((q_back - q).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LE((v_back - v).cwiseAbs().maxCoeff(), 1e-15);
+}
 
 TEST(MujocoPlant, sinks_in_by_the_force_over_the_stiffness) {
   for (const double stiffness : {2e4, 1e5}) {

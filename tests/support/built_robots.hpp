@@ -76,6 +76,53 @@ inline TreeSpec deep_tree() {
   return tree;
 }
 
+/// Followers of every kind: above and beside their leaders, before and behind them, of each other,
+/// on the circle, sliding by an angle, with multiplier 0, with joints beyond them, on both sides of
+/// contacts between branches.
+inline TreeSpec tree_with_followers() {
+  using enum JointType;
+  std::mt19937_64 generator(15);
+  TreeSpec tree;
+  tree.name = "followers";
+  tree.links.push_back({"root", testing::random_inertia(generator), {}});
+  const auto add = [&](const std::string& link, JointType type, const std::string& parent) {
+    JointSpec joint =
+        testing::joint("to_" + link, type, parent, link, testing::random_vector(generator));
+    joint.axis.normalize();
+    joint.placement = testing::random_placement(generator);
+    joint.placement.translation() *= 0.5;
+    const double armature = testing::uniform(generator, 0.0, 0.1);
+    if (type != Floating) joint.armature = armature;  // MuJoCo's rotors are along fixed axes
+    tree.joints.push_back(joint);
+    tree.links.push_back({link, testing::random_inertia(generator), {}});
+  };
+  const auto follow = [&](const std::string& leader, double multiplier, double offset) {
+    tree.joints.back().mimic = MimicSpec{"to_" + leader, multiplier, offset};
+  };
+  add("a", Revolute, "root");
+  add("b", Prismatic, "a");
+  follow("z", 0.3, 0.1);
+  add("c", Revolute, "b");
+  add("tip", Revolute, "c");
+  follow("a", -0.7, 0.2);
+  add("wheel", Continuous, "b");
+  add("wheel_2", Continuous, "wheel");
+  follow("wheel", -2.0, 0.4);
+  add("z", Revolute, "root");
+  add("z_2", Revolute, "z");
+  follow("b", 2.0, -0.1);
+  add("z_3", Floating, "z_2");
+  add("z_4", Prismatic, "z_3");
+  follow("a", 0.5, 0.0);
+  add("z_5", Revolute, "z_4");
+  follow("wheel", 3.0, -0.3);
+  add("z_6", Continuous, "z_4");
+  follow("z", 1.0, 0.0);
+  add("z_7", Revolute, "z_4");
+  follow("c", 0.0, 0.5);
+  return tree;
+}
+
 inline Model compiled(const TreeSpec& tree, Base base) {
   ModelOptions options;
   options.base = base;
@@ -98,6 +145,7 @@ inline const std::vector<BuiltRobot>& built_robots() {
   static const std::vector<BuiltRobot> everywhere = {
       {"every_joint", [](Base base) { return compiled(tree_of_every_joint(), base); }, "tip",
        "d_side"},
+      {"followers", [](Base base) { return compiled(tree_with_followers(), base); }, "tip", "z_5"},
       {"deep", [](Base base) { return compiled(deep_tree(), base); }, "left_5", "right_2"},
   };
   static const std::vector<BuiltRobot> without_files = [] {

@@ -233,7 +233,7 @@ std::string describe_case(const char* against, const char* block, Acceleration a
 int relative_freedoms(const ContactSet& set) {
   int count = 0;
   for (const ContactSupport& entry : set.contacts()[0].support)
-    count += entry.moves_tool != entry.moves_base ? 1 : 0;
+    count += entry.carries_both() ? 0 : 1;
   return count;
 }
 

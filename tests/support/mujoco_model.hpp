@@ -26,6 +26,8 @@ struct TiedMotion {
   Eigen::VectorXd lambda;  ///< per tie in world axes at the tool's origin: 3, or 6 for a weld
 };
 
+/// Followers move by themselves in MuJoCo; what comes out of its tree is reduced: with
+/// q_full = S q + s, S^T M S and S^T b.
 class MujocoModel {
  public:
   /// Throws Error with MuJoCo's sentence if it refuses the model.

@@ -62,8 +62,7 @@ struct OcpSetup {
   std::vector<std::string> plain_joints() const {
     std::vector<std::string> names;
     for (const Joint& joint : model.joints)
-      if (joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic)
-        names.push_back(joint.name);
+      if (joint.nq == 1) names.push_back(joint.name);
     return names;
   }
 };

@@ -93,6 +93,13 @@ inline std::vector<TestRobot> test_robots() {
   return robots;
 }
 
+/// Those whose joints move each by an entry of v of its own.
+inline std::vector<TestRobot> robots_without_followers() {
+  std::vector<TestRobot> robots = test_robots();
+  std::erase_if(robots, [](const TestRobot& robot) { return robot.name == "followers"; });
+  return robots;
+}
+
 /// n entries, uniform in [-bound, bound].
 inline Eigen::VectorXd random_vector(int n, double bound, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> draw(-bound, bound);

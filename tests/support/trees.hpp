@@ -1,6 +1,8 @@
 // Trees to test with, and where their links are, computed by the book.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -121,6 +123,26 @@ inline TreeSpec random_tree(std::mt19937_64& generator, int count) {
     spec.placement = random_placement(generator);
     tree.joints.push_back(spec);
     tree.links.push_back({child, random_inertia(generator), {}});
+  }
+  return tree;
+}
+
+/// Lets about half of the joints of one coordinate follow another one that is anywhere in the tree,
+/// directly or through others.
+inline TreeSpec with_random_followers(TreeSpec tree, std::mt19937_64& generator) {
+  std::vector<JointSpec*> single;
+  for (JointSpec& spec : tree.joints)
+    if (posture_size(spec.type) == 1) single.push_back(&spec);
+  std::shuffle(single.begin(), single.end(), generator);
+  for (std::size_t i = 1; i < single.size(); ++i) {
+    if (generator() % 2 == 0) continue;
+    const JointSpec& leader = *single[generator() % i];
+    const bool whole = single[i]->type == JointType::Continuous ||
+                       leader.type == JointType::Continuous || leader.mimic.has_value();
+    const double multiplier = uniform(generator, -2.5, 2.5);
+    if (single[i]->type == JointType::Prismatic && whole) continue;
+    single[i]->mimic = MimicSpec{leader.name, whole ? std::round(multiplier) : multiplier,
+                                 uniform(generator, -1.0, 1.0)};
   }
   return tree;
 }

@@ -25,6 +25,8 @@ export interface Joint {
   upper: number | null;
   effort: number | null;
   velocity: number | null;
+  /** of a joint without numbers of its own: multiplier * value of the leader's joint + offset */
+  follows?: { leader: number; multiplier: number; offset: number } | null;
 }
 
 export interface Body {

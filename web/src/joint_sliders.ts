@@ -43,6 +43,7 @@ function slider(
 /** The sliders of a joint; they write into q and call `changed`. */
 export function slidersOf(body: Body, q: number[], changed: () => void): Slider[] {
   const { joint } = body;
+  if (joint.follows) return [];
   const o = joint.q_index;
   const one = (k: number, label: string, unit: string, low: number, high: number): Slider =>
     slider(

@@ -1,6 +1,6 @@
 // Forward kinematics: placements of bodies and frames from a configuration.
 
-import type { Body, Placement, Robot, Vec3 } from './data';
+import type { Body, Joint, Placement, Robot, Vec3 } from './data';
 
 export const identity = (): Placement => [0, 0, 0, 0, 0, 0, 1];
 
@@ -34,16 +34,25 @@ function aboutZ(angle: number, x = 0, y = 0, z = 0): Placement {
   return [x, y, z, 0, 0, Math.sin(angle / 2), Math.cos(angle / 2)];
 }
 
+/** Angle or displacement of a joint that has one. */
+export function jointValue(robot: Robot, joint: Joint, q: ArrayLike<number>): number {
+  const { follows, q_index: o } = joint;
+  if (follows) {
+    const leader = robot.bodies[follows.leader]!.joint;
+    return follows.multiplier * jointValue(robot, leader, q) + follows.offset;
+  }
+  return joint.kind === 'continuous' ? Math.atan2(q[o + 1] ?? 0, q[o] ?? 0) : (q[o] ?? 0);
+}
+
 /** Placement of a joint's moving side in its fixed side. */
-export function jointPlacement(body: Body, q: ArrayLike<number>): Placement {
+export function jointPlacement(robot: Robot, body: Body, q: ArrayLike<number>): Placement {
   const at = (k: number): number => q[body.joint.q_index + k] ?? 0;
   switch (body.joint.kind) {
     case 'revolute':
-      return aboutZ(at(0));
     case 'continuous':
-      return aboutZ(Math.atan2(at(1), at(0)));
+      return aboutZ(jointValue(robot, body.joint, q));
     case 'prismatic':
-      return [0, 0, at(0), 0, 0, 0, 1];
+      return [0, 0, jointValue(robot, body.joint, q), 0, 0, 0, 1];
     case 'planar':
       return aboutZ(Math.atan2(at(3), at(2)), at(0), at(1));
     case 'free_flyer': {
@@ -57,7 +66,7 @@ export function jointPlacement(body: Body, q: ArrayLike<number>): Placement {
 export function forward(robot: Robot, q: ArrayLike<number>): Placement[] {
   const out: Placement[] = [];
   for (const body of robot.bodies) {
-    const local = compose(body.placement, jointPlacement(body, q));
+    const local = compose(body.placement, jointPlacement(robot, body, q));
     out.push(body.parent < 0 ? local : compose(out[body.parent]!, local));
   }
   return out;

@@ -6,7 +6,7 @@ import { copyButton, fixed, format, h } from './dom';
 import { dateOf, pageBar } from './header';
 import { helpDialog, onKeys, type Keys } from './help';
 import { slidersOf, type Slider } from './joint_sliders';
-import { framePlacement, principal } from './kinematics';
+import { framePlacement, jointValue, principal } from './kinematics';
 import { axisColours, RobotScene } from './robot_scene';
 import { toggleTheme } from './theme';
 import { View3D } from './view3d';
@@ -281,7 +281,10 @@ function exposeRobot(robot: Robot, q: number[], view: View3D, changed: () => voi
     play: () => {},
     pause: () => {},
     drawnTool: () => null,
-    value: (name) => q[robot.bodies.find((b) => b.joint.name === name)?.joint.q_index ?? -1] ?? NaN,
+    value: (name) => {
+      const found = robot.bodies.find((b) => b.joint.name === name);
+      return found ? jointValue(robot, found.joint, q) : NaN;
+    },
   };
   const frame = (now: number): void => {
     view.frame(now);

@@ -51,6 +51,24 @@ test('joints with more than one number follow their conventions', () => {
   near(at('free_flyer', [1, 2, 3, 0, 2, 0, 2]), [1, 2, 3, 0, half, 0, half]);
 });
 
+test('followers are where their leaders put them', () => {
+  const own = (parent, kind, q_index, follows) => {
+    const made = body(parent, kind, q_index, [0, 0, 0, 0, 0, 0, 1]);
+    return { ...made, joint: { ...made.joint, nq: follows ? 0 : made.joint.nq, follows } };
+  };
+  const bodies = [
+    own(-1, 'revolute', 2, { leader: 2, multiplier: -2, offset: 0.1 }), // of one that comes later
+    own(-1, 'continuous', 0, null),
+    own(-1, 'prismatic', 2, null),
+    own(-1, 'continuous', 0, { leader: 1, multiplier: 2, offset: Math.PI / 2 }),
+    own(-1, 'prismatic', 2, { leader: 2, multiplier: 0.5, offset: 1 }),
+  ];
+  const placed = kinematics.forward({ nq: 3, bodies }, [0, 1, 0.3]);
+  near(placed[0], [0, 0, 0, 0, 0, Math.sin(-0.25), Math.cos(-0.25)]);
+  near(placed[3], [0, 0, 0, 0, 0, Math.sin(0.75 * Math.PI), Math.cos(0.75 * Math.PI)]);
+  near(placed[4], [0, 0, 1.15, 0, 0, 0, 1]);
+});
+
 test('composition of placements turns, then moves', () => {
   const a = [1, 0, 0, 0, 0, half, half];
   near(kinematics.compose(a, [1, 0, 0, 0, 0, 0, 1]), [1, 1, 0, 0, 0, half, half]);

@@ -94,8 +94,8 @@ class ConstrainedDynamics {
   void load_finite(const S* in, int count, S* out);
   void factorize_once();
   void drift(S* out);
-  /// Calls visit(k, r) for every entry k of v that moves the contact of an active row r.
-  void for_each_supported(const auto& visit) const;
+  /// Calls visit(k, r) for every entry k of v that is coupled to the contact of an active row r.
+  void for_each_coupled(const auto& visit) const;
   void solve_lambda();
 
   Tree tree_;

@@ -9,13 +9,19 @@
 
 namespace burnish {
 
-/// An entry of v that moves the tool's body, the base's body, or both.
+/// An entry of v that moves the tool's body, the base's body, or both, each by an axis (or sum of
+/// axes: tree.hpp) of its own, -1 where it does not move it. Both are the same but for followers.
 struct ContactSupport {
   int v;
-  bool moves_tool, moves_base;
+  int tool_axis, base_axis;
   /// 1/m: what a linear row of the Jacobian is multiplied by at this entry to say which part it is
   /// of what the entry could do, lengths of the robot being what they are; 1 for a sliding joint.
   double per_reach = 1.0;
+
+  bool moves_tool() const { return tool_axis >= 0; }
+  bool moves_base() const { return base_axis >= 0; }
+  /// Whether it moves tool and base as one body.
+  bool carries_both() const { return tool_axis == base_axis; }
 };
 
 /// Constants of one contact, as the kernels read them.
@@ -32,6 +38,9 @@ struct CompiledContact {
   bool holds_rotation;                  ///< some held direction is angular
   std::vector<ContactSupport> support;  ///< ascending in v
   double offset_weight = 0.0;  ///< 1/m^2, of the tool's squared distance from the world's origin
+  /// Entries of the support and those on their ways to the root, ascending; the same entries unless
+  /// followers tie branches together. Where L^-T J^T is not zero.
+  std::vector<int> coupled;
 };
 
 /// Of one model: memory and time grow with the square and the cube of their rows.

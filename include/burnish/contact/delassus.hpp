@@ -31,7 +31,7 @@ struct Delassus {
   std::vector<S> least_pivot;                    ///< per row: what a pivot of G must exceed
   std::vector<S> pivot_rounding;                 ///< and what rounding may have made of it
   int stride;                                    ///< rows with every contact active
-  std::vector<std::vector<int>> shared_support;  ///< entries of v that move both of two contacts
+  std::vector<std::vector<int>> shared_support;  ///< entries of v coupled to both of two contacts
 };
 
 /// T and the factor of G. Returns the lanes in which some row is not independent of those before

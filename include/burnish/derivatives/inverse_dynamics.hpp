@@ -10,8 +10,8 @@ namespace burnish {
 
 /// d tau / dq and d tau / dv, both row-major with leading dimension nv, at constant qdd and with
 /// the applied wrenches moving rigidly with their bodies. Only entries of related joints are
-/// written. Call after accelerate; sums `force` over subtrees as it goes. `coriolis_of` is scratch,
-/// one entry per body.
+/// written, but where axes share entries of v all are. Call after accelerate; sums `force` over
+/// subtrees as it goes. `coriolis_of` is scratch, one entry per body.
 template <class S>
 void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& mass, InverseDynamics<S>& id,

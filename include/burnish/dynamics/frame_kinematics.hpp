@@ -29,10 +29,10 @@ FrameAxes parse_frame_axes(const std::string& name);
 
 /// Constants of one frame, as the kernels read them.
 struct CompiledFrame {
-  int body;                  ///< joint index, -1 for the world
-  Mat3<double> R;            ///< frame -> body
-  Vec3<double> p;            ///< origin in the body, m
-  std::vector<int> support;  ///< entries of v that move the body, ascending
+  int body;                         ///< joint index, -1 for the world
+  Mat3<double> R;                   ///< frame -> body
+  Vec3<double> p;                   ///< origin in the body, m
+  std::vector<MovingAxis> support;  ///< entries of v that move the body, ascending
 };
 
 CompiledFrame compile_frame(const Model& model, const Frame& frame);

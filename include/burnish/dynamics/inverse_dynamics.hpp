@@ -15,10 +15,12 @@ struct InverseDynamics {
 
   std::vector<Motion<S>> a_joint;  ///< per body: sum of S_k qdd_k up to it
   std::vector<Motion<S>>
-      axis_acc;  ///< per entry of v: psi''_k = (a_parent - g) x S_k + v_parent x psi'_k
+      axis_acc;  ///< per axis and sum: psi''_k = (a_parent - g) x S_k + v_parent x psi'_k
   std::vector<Force<S>>
       force;           ///< per body: inertia * a_joint - applied wrench; then of its subtree
   std::vector<S> tau;  ///< nv
+  // Of trees whose axes share entries of v alone; the derivatives are scratch of theirs.
+  std::vector<S> tau_by_axis, dq_by_axis, dv_by_axis;
 };
 
 /// Body accelerations at joint accelerations qdd (nv), and the force that they ask of each body

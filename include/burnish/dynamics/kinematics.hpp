@@ -20,7 +20,8 @@ struct BodyState {
   Force<S> force_bias;  ///< inertia * a_bias + v x* momentum
 };
 
-/// Per entry k of v: the joint axis as a motion, and its rates.
+/// Per axis k of the tree, and per sum of axes behind them: the joint axis as a motion (a
+/// follower's times its multiplier), and its rates.
 template <class S>
 struct AxisState {
   Motion<S> axis;         ///< S_k
@@ -31,7 +32,7 @@ struct AxisState {
 template <class S>
 struct Kinematics {
   explicit Kinematics(const Tree& tree)
-      : bodies(tree.joints.size()), axes(static_cast<std::size_t>(tree.nv)) {}
+      : bodies(tree.joints.size()), axes(static_cast<std::size_t>(tree.axes) + tree.sums.size()) {}
   std::vector<BodyState<S>> bodies;
   std::vector<AxisState<S>> axes;
 };

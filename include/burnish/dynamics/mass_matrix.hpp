@@ -20,6 +20,9 @@ struct MassMatrix {
   std::vector<S> bias;    ///< nv, b(q, v): Coriolis, centrifugal and gravity forces
   std::vector<S> factor;  ///< L, stored like mass
   std::vector<S> inverse_diagonal;  ///< nv, 1 / L_ii
+  // Of trees whose axes share entries of v alone:
+  std::vector<S> mass_by_axis, bias_by_axis;
+  std::vector<S> added;  ///< nv, the sums about the world's origin that M's diagonal is made of
   // Of deep trees alone (articulated.hpp), world axes, about the world's origin:
   std::vector<Force<S>> row_force;                 ///< nv: row k of L is S_j . row_force[k]
   std::vector<ArticulatedInertia<S>> articulated;  ///< per body

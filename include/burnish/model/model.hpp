@@ -29,15 +29,25 @@ int joint_nq(JointKind kind);
 int joint_nv(JointKind kind);
 std::string_view name_of(JointKind kind);
 
-/// A moving joint and the rigid body that it carries (links fixed to each other are one body).
+/// How a joint moves with another one, as angles (rad) or displacements (m):
+///   value = multiplier * value of the leader + offset.
+struct Following {
+  int leader = 0;  ///< index of a joint that follows no other
+  double multiplier = 1.0;
+  double offset = 0.0;
+};
+
+/// A moving joint and the rigid body that it carries (links fixed to each other are one body). A
+/// joint that follows another has no entries of its own in q and v: its leader's move both.
 struct Joint {
   std::string name;
   JointKind kind = JointKind::Revolute;
   int parent = -1;  ///< index of the joint that carries this one, -1 for the world
-  int q_index = 0;  ///< first entry in q
-  int v_index = 0;  ///< first entry in v
-  int nq = 0;
-  int nv = 0;
+  int q_index = 0;  ///< first entry in q; of a follower that of its leader
+  int v_index = 0;  ///< first entry in v; of a follower that of its leader
+  int nq = 0;       ///< entries in q, 0 of a follower
+  int nv = 0;       ///< entries in v, 0 of a follower
+  std::optional<Following> follows = {};
   Eigen::Isometry3d placement =
       Eigen::Isometry3d::Identity();  ///< joint frame at zero in the parent body's frame
   double mass = 0.0;                  ///< of the body, kg
@@ -84,9 +94,11 @@ struct ModelOptions {
   Base base = Base::Fixed;
   /// Placement of the root link in the world; with a free-flyer only the neutral posture uses it.
   Eigen::Isometry3d base_placement = Eigen::Isometry3d::Identity();
-  /// Joints to lock. A locked joint is fixed at its value in `posture`, or at zero.
+  /// Joints to lock. A locked joint is fixed at its value in `posture`, or at zero, and those that
+  /// follow it where it puts them.
   std::vector<std::string> locked;
-  /// When not empty: every joint that is not listed here is locked (a free-flying base stays free).
+  /// When not empty: every joint that is not listed here is locked (a free-flying base stays free),
+  /// but for those that follow a listed one.
   std::vector<std::string> free;
   /// Where locked joints are held; values of joints that move are passed over.
   Posture posture;
@@ -111,7 +123,9 @@ struct Model {
   Eigen::VectorXd damping, friction, armature;
 
   /// Joint that owns entry k of v, and the previous entry on the way to the root (-1 at the root).
-  /// Entries of one joint are chained: the second hangs on the first.
+  /// Entries of one joint are chained: the second hangs on the first. With followers an entry moves
+  /// bodies on several branches; the ways are then such that any two entries which move a common
+  /// body are on one of them.
   std::vector<int> joint_of_v;
   std::vector<int> parent_of_v;
 
@@ -155,12 +169,20 @@ struct Model {
 /// Position limits count for revolute and prismatic joints only; the other limits, damping,
 /// friction and armature of a planar or floating joint hold for each of its entries.
 ///
-/// A joint that mimics another must be locked. It is then held at its value in the posture, or else
-/// at multiplier * q_leader + offset if its leader is locked too.
+/// A joint that mimics another one, directly or through others, follows it: Joint::follows. Both
+/// have one coordinate; where one of them is continuous the multiplier is a whole number, since an
+/// angle on the circle has no other multiples. A follower has no motor: its effort limit and its
+/// friction, times |multiplier|, are added to the leader's, its damping and its armature times
+/// multiplier^2. The leader's limits of position and velocity are those that hold for both, and an
+/// empty range is refused; a follower of a continuous leader has no position limits. A follower
+/// whose leader is locked or fixed is held where it puts it. A follower that is listed as locked is
+/// held at its value in the posture, or else at the one that its locked leader gives.
 Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 
 /// The posture as a configuration: joints it doesn't name stay neutral. Names of locked joints are
 /// passed over, and so is "root_joint" on a fixed base; unknown names and wrong sizes throw Error.
+/// The value of a follower stands for that of a leader which has none in the posture; to 1e-3
+/// (files are rounded) it must be the one that the leader's gives.
 Eigen::VectorXd configuration(const Model& model, const Posture& posture);
 
 }  // namespace burnish

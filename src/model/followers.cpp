@@ -1,0 +1,136 @@
+#include "model/followers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <unordered_map>
+
+#include "model/sentence.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// The values of a leader at which a follower is within its limits.
+struct Range {
+  double lower = -no_limit, upper = no_limit;
+};
+Range range_of_leader(const JointSpec& spec, const Following& follows) {
+  if (follows.multiplier == 0.0) {
+    const bool within = spec.lower <= follows.offset && follows.offset <= spec.upper;
+    return within ? Range{} : Range{no_limit, -no_limit};
+  }
+  const double a = (spec.lower - follows.offset) / follows.multiplier;
+  const double b = (spec.upper - follows.offset) / follows.multiplier;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Of what is stated; a follower that states none leaves its leader's.
+void add_effort(double of_follower, double factor, double& limit) {
+  if (std::isfinite(of_follower)) limit += factor * of_follower;
+}
+
+}  // namespace
+
+void couple_followers(const std::vector<const JointSpec*>& spec_of_joint, Model& model) {
+  std::unordered_map<std::string_view, int> index;
+  for (std::size_t i = 0; i < model.joints.size(); ++i)
+    index.emplace(model.joints[i].name, static_cast<int>(i));
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    if (spec_of_joint[i] == nullptr || !spec_of_joint[i]->mimic) continue;
+    const MimicSpec& mimic = *spec_of_joint[i]->mimic;
+    const int leader = index.at(mimic.leader);
+    const Joint& moved = model.joints[static_cast<std::size_t>(leader)];
+    Joint& joint = model.joints[i];
+    joint.follows = Following{leader, mimic.multiplier, mimic.offset};
+    joint.q_index = moved.q_index;
+    joint.v_index = moved.v_index;
+  }
+}
+
+void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const std::string& origin,
+                      Model& model) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (!joint.follows) continue;
+    const JointSpec& spec = *spec_of_joint[i];
+    const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+    const int q = joint.q_index, v = joint.v_index;
+    const double factor = std::abs(joint.follows->multiplier);
+    add_effort(spec.effort_limit, factor, model.effort_limit[v]);
+    model.friction[v] += factor * spec.friction;
+    model.damping[v] += factor * factor * spec.damping;
+    model.armature[v] += factor * factor * spec.armature;
+    if (factor > 0.0)
+      model.velocity_limit[v] = std::min(model.velocity_limit[v], spec.velocity_limit / factor);
+    if (joint.kind == JointKind::Continuous || leader.kind == JointKind::Continuous) continue;
+    const Range range = range_of_leader(spec, *joint.follows);
+    const double lower = std::max(model.q_lower[q], range.lower);
+    const double upper = std::min(model.q_upper[q], range.upper);
+    if (lower > upper) {
+      refuse(origin, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
+                         ", and no position is within the limits of both" + ": it is at " +
+                         number(joint.follows->multiplier) + " times " + in_quotes(leader.name) +
+                         " plus " + number(joint.follows->offset) + ", from " + number(spec.lower) +
+                         " to " + number(spec.upper) + ", and " + in_quotes(leader.name) +
+                         " from " + number(model.q_lower[q]) + " to " + number(model.q_upper[q]));
+    }
+    model.q_lower[q] = lower;
+    model.q_upper[q] = upper;
+  }
+}
+
+void chain_coupled_entries(Model& model) {
+  // Entries are eliminated from the last to the first; each hangs on the last of those before it
+  // that it is coupled to, and passes the others on (the elimination tree of sparse
+  // factorisations).
+  std::vector<std::set<int>> before(static_cast<std::size_t>(model.nv));
+  for (const Joint& joint : model.joints) {
+    for (const int a : model.support(joint.parent)) {
+      for (int b = joint.v_index; b < joint.v_index + std::max(joint.nv, 1); ++b) {
+        if (a != b) before[static_cast<std::size_t>(std::max(a, b))].insert(std::min(a, b));
+      }
+    }
+    for (int b = joint.v_index + 1; b < joint.v_index + joint.nv; ++b)
+      for (int a = joint.v_index; a < b; ++a) before[static_cast<std::size_t>(b)].insert(a);
+  }
+  for (int k = model.nv - 1; k >= 0; --k) {
+    std::set<int>& coupled = before[static_cast<std::size_t>(k)];
+    const int parent = coupled.empty() ? -1 : *coupled.rbegin();
+    model.parent_of_v[static_cast<std::size_t>(k)] = parent;
+    if (parent < 0) continue;
+    coupled.erase(parent);
+    before[static_cast<std::size_t>(parent)].merge(coupled);
+  }
+}
+
+double joint_value(const Model& model, const Joint& joint,
+                   const Eigen::Ref<const Eigen::VectorXd>& q) {
+  if (joint.follows) {
+    const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+    return joint.follows->multiplier * joint_value(model, leader, q) + joint.follows->offset;
+  }
+  if (joint.kind == JointKind::Continuous)
+    return std::atan2(q[joint.q_index + 1], q[joint.q_index]);
+  return q[joint.q_index];
+}
+
+std::pair<double, double> position_range(const Model& model, const Joint& joint) {
+  const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
+  if (!joint.follows) return {lower, upper};
+  const Following& follows = *joint.follows;
+  if (follows.multiplier == 0.0) return {follows.offset, follows.offset};
+  const double a = follows.multiplier * lower + follows.offset;
+  const double b = follows.multiplier * upper + follows.offset;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::string that_it_follows(const Model& model, const Joint& joint) {
+  const Joint& leader = model.joints[static_cast<std::size_t>(joint.follows->leader)];
+  return "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
+         " and has no entry of its own; name that one";
+}
+
+}  // namespace burnish
