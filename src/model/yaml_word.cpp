@@ -10,8 +10,9 @@ std::string yaml_word(const std::string& text) {
   const auto harmless = [&](unsigned char c) {
     return plain(c) || c == '/' || c == '.' || c == '-';
   };
+  const bool is_path = text.starts_with('/') || text.starts_with("../");
   // A colon inside a word, as in talos:right_arm, ends no key.
-  bool bare = !text.empty() && plain(text.front()) && plain(text.back());
+  bool bare = !text.empty() && (is_path || plain(text.front())) && plain(text.back());
   for (const char c : text) bare = bare && (harmless(c) || c == ':');
   // Words for nothing at all.
   for (const char* word : {"null", "Null", "NULL"}) bare = bare && text != word;
