@@ -26,30 +26,35 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
     const InverseDynamics<S>& id, const ContactState<S>& state, const ContactAccelerations<S>& at) {
   const bool tool_moves = !two_bodies || entry.moves_tool();
   const int k = tool_moves ? entry.tool_axis : entry.base_axis;
-  AxisState<S> axis = kinematics.axes[k];
-  Motion<S> axis_acc = id.axis_acc[k];
+  const AxisState<S>* moving = &kinematics.axes[k];
+  const Motion<S>* moving_acc = &id.axis_acc[k];
   const Motion<S> zero = Motion<S>::zero();
   EntryMotion<S> m;
-  m.tool = tool_moves ? axis.axis : zero;
+  m.tool = tool_moves ? moving->axis : zero;
   m.base = two_bodies && entry.moves_base() ? kinematics.axes[entry.base_axis].axis : zero;
-  m.tool_rate = tool_moves ? axis.parent_rate : zero;
+  m.tool_rate = tool_moves ? moving->parent_rate : zero;
   m.xi = seen_from_reference(contact, state.p, m.tool, m.base);
   if (two_bodies && entry.carries_both()) {
     // Tool and base move as one: nothing changes seen from the tool.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
     return m;
   }
+  AxisState<S> difference;
+  Motion<S> difference_acc;
   if (two_bodies && tool_moves && entry.moves_base()) {
     // An entry with an axis for each: all that follows is linear in both.
     const AxisState<S>& of_base = kinematics.axes[entry.base_axis];
-    axis = {axis.axis - of_base.axis, axis.parent_rate - of_base.parent_rate,
-            axis.rate_sum - of_base.rate_sum};
-    axis_acc = axis_acc - id.axis_acc[entry.base_axis];
+    difference = {moving->axis - of_base.axis, moving->parent_rate - of_base.parent_rate,
+                  moving->rate_sum - of_base.rate_sum};
+    difference_acc = *moving_acc - id.axis_acc[entry.base_axis];
+    moving = &difference;
+    moving_acc = &difference_acc;
   }
+  const AxisState<S>& axis = *moving;
   m.relative = axis.axis;
   m.dnu_dq = axis.parent_rate;
   // psi''_k with gravity taken out again
-  m.dalpha_dq = axis_acc;
+  m.dalpha_dq = *moving_acc;
   m.dalpha_dq.linear += cross(at.gravity, axis.axis.angular);
   m.dalpha_dv = axis.rate_sum - cross(state.v_tool, axis.axis);
   if constexpr (two_bodies) {

@@ -34,8 +34,7 @@ BURNISH_INLINE S added_about_origin(const Kinematics<S>& kinematics, const MassM
 template <class S>
 BURNISH_INLINE S least_mass_pivot(const Tree& tree, const Kinematics<S>& kinematics,
                                   const MassMatrix<S>& m, int i, int k) {
-  S added = added_about_origin(kinematics, m, i, k);
-  if (tree.shares_entries()) added = m.added[k];
+  const S added = tree.shares_entries() ? S(m.added[k]) : added_about_origin(kinematics, m, i, k);
   return m.mass[k * tree.nv + k] * S(1e-13) + added * S(2e-15);
 }
 

@@ -148,6 +148,17 @@ void follow(const TreeFollower& follower, JointKind kind, const S* q, S* own) {
   }
 }
 
+/// As place(), its axis times the multiplier.
+template <class S>
+void place_follower(const TreeFollower& follower, const TreeJoint& joint,
+                    const BodyState<S>* parent, const S* q, BodyState<S>& body,
+                    AxisState<S>* axes) {
+  S own[2];
+  follow(follower, joint.kind, q, own);
+  place(joint, parent, own, body, axes);
+  axes[0].axis = axes[0].axis * S(follower.multiplier);
+}
+
 }  // namespace kinematics_detail
 
 template <class S>
@@ -160,15 +171,10 @@ void update_kinematics(const Tree& tree, const S* q, const S* v, Kinematics<S>& 
     BodyState<S>& body = kinematics.bodies[i];
     AxisState<S>* axes = &kinematics.axes[joint.axis];
     const BodyState<S>* parent = joint.parent < 0 ? nullptr : &kinematics.bodies[joint.parent];
-    const S* own_q = q + joint.q;
-    S followed[2];
-    if (joint.follower >= 0) {
-      follow(tree.followers[joint.follower], joint.kind, own_q, followed);
-      own_q = followed;
-    }
-    place(joint, parent, own_q, body, axes);
-    if (joint.follower >= 0)
-      axes[0].axis = axes[0].axis * S(tree.followers[joint.follower].multiplier);
+    if (joint.follower < 0)
+      place(joint, parent, q + joint.q, body, axes);
+    else
+      place_follower(tree.followers[joint.follower], joint, parent, q + joint.q, body, axes);
     move(joint, parent == nullptr ? still : parent->v,
          parent == nullptr ? minus_gravity : parent->a_bias, v + joint.v, body, axes);
     body.inertia = world_inertia(joint, body);
