@@ -20,7 +20,7 @@ using polishing::PlantKind;
 
 struct ExperimentArguments {
   std::string name, plant, out;
-  std::vector<std::string> surfaces, overrides;
+  std::vector<std::string> surfaces, robots, tools, overrides;
   int seeds = 0, first_seed = 0, threads = 0;
   bool quick = false, quiet = false, force = false, strict = false;
 };
@@ -31,6 +31,8 @@ std::string command_of(const ExperimentArguments& a) {
   if (a.seeds > 0) command += fmt::format(" --seeds {}", a.seeds);
   if (a.first_seed > 0) command += fmt::format(" --first-seed {}", a.first_seed);
   for (const std::string& surface : a.surfaces) command += " --surface " + shell_word(surface);
+  for (const std::string& robot : a.robots) command += " --robot " + shell_word(robot);
+  for (const std::string& tool : a.tools) command += " --tool " + shell_word(tool);
   if (!a.plant.empty()) command += " --plant " + a.plant;
   if (a.quick) command += " --quick";
   for (const std::string& word : a.overrides) command += " --set " + shell_word(word);
@@ -45,6 +47,8 @@ polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {
   spec.threads = a.threads;
   spec.quick = a.quick;
   spec.surfaces = a.surfaces;
+  spec.robots = a.robots;
+  spec.tools = a.tools;
   spec.overrides = a.overrides;
   spec.stopped = [] { return StopRequest::asked(); };
   if (!a.quiet && isatty(STDERR_FILENO) != 0)
@@ -57,6 +61,13 @@ polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {
 int perform(const ExperimentArguments& arguments) {
   const polishing::Experiment& experiment = polishing::experiment_named(arguments.name);
   const polishing::ExperimentSpec spec = spec_of(arguments);
+  if (experiment.name != "robots" && !(arguments.robots.empty() && arguments.tools.empty()))
+    throw Error("--robot and --tool are for the experiment 'robots'; for " +
+                fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
+  if (arguments.tools.size() > arguments.robots.size())
+    throw Error(
+        fmt::format("{} times --tool and {} times --robot; wanted no more tools than robots",
+                    arguments.tools.size(), arguments.robots.size()));
   // Bad words are refused, and the folder is there, before minutes of computing.
   std::set<std::string> robots;
   for (const std::string& surface :
@@ -99,8 +110,9 @@ std::string list_of_experiments() {
 void add_options(CLI::App& command, ExperimentArguments& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
-      .add_option("--seeds", a.seeds,
-                  "Number of seeds: of runs that differ in what is drawn [paper 5, seeds 200]")
+      .add_option(
+          "--seeds", a.seeds,
+          "Number of seeds: of runs that differ in what is drawn [paper 5, robots 5, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
@@ -110,6 +122,16 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       .add_option("--surface", a.surfaces,
                   "Other surfaces than the experiment's own; again for more (not: orientation)")
       ->type_name("SURFACE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--robot", a.robots,
+                  "Robot or URDF file in place of those that come along; again for more (robots)")
+      ->type_name("ROBOT")
+      ->allow_extra_args(false);
+  command
+      .add_option("--tool", a.tools,
+                  "Frame that holds the tool, for each --robot in its turn [tool] (robots)")
+      ->type_name("FRAME")
       ->allow_extra_args(false);
   command
       .add_option("--plant", a.plant,

@@ -10,6 +10,7 @@
 #include "polish_files.hpp"
 #include "polish_page.hpp"
 #include "polishing/task_file.hpp"
+#include "polishing/task_keys.hpp"
 #include "polishing/task_notes.hpp"
 #include "progress_bar.hpp"
 #include "robot_arguments.hpp"
@@ -26,7 +27,7 @@ using polishing::PlantKind;
 using polishing::RunResult;
 
 struct PolishArguments {
-  std::string file, controller = "both", plant, disturbances, out, write_task;
+  std::string file, robot, tool, controller = "both", plant, disturbances, out, write_task;
   std::vector<std::string> surfaces, overrides;
   std::vector<int> seeds;
   std::optional<double> duration;
@@ -39,6 +40,8 @@ struct PolishArguments {
 
 polishing::Task make_task(const PolishArguments& arguments, const std::string& surface) {
   std::vector<std::string> words;
+  if (!arguments.robot.empty()) words.push_back("robot=" + polishing::yaml(arguments.robot));
+  if (!arguments.tool.empty()) words.push_back("tool.frame=" + polishing::yaml(arguments.tool));
   if (!surface.empty()) words.push_back("surface=" + surface);
   if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
   if (arguments.duration)
@@ -66,6 +69,8 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
   if (!arguments.file.empty()) words.push_back(arguments.file);
+  add("--robot", arguments.robot);
+  add("--tool", arguments.tool);
   add("--surface", surface);
   add("--controller", name_of(job.spec.controller));
   add("--plant", name_of(job.spec.plant));
@@ -81,7 +86,10 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
 
 std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
   std::vector<std::string> surfaces = arguments.surfaces;
-  if (surfaces.empty() && arguments.file.empty()) surfaces = {"table", "board"};
+  if (surfaces.empty() && arguments.file.empty()) {
+    surfaces = {"table"};
+    if (arguments.robot.empty()) surfaces.emplace_back("board");
+  }
   if (surfaces.empty()) surfaces = {""};
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
@@ -270,8 +278,19 @@ int polish(const PolishArguments& arguments) {
 }
 
 void add_options(CLI::App& command, PolishArguments& a) {
-  command.add_option("TASK", a.file, "Task file [the default task, on table and board]")
+  command
+      .add_option("TASK", a.file,
+                  "Task file [the default task, on table and board; with --robot on the table]")
       ->type_name("");
+  command
+      .add_option("--robot", a.robot,
+                  "Robot: a name, a URDF file, a folder or a settings file, with :variant [the "
+                  "file's, or talos:right_arm]")
+      ->type_name("ROBOT");
+  command
+      .add_option("--tool", a.tool,
+                  "Frame whose origin is the centre of the round tip [the file's, or tool]")
+      ->type_name("FRAME");
   command
       .add_option("--surface", a.surfaces,
                   "Surface: table, board (in front), board_x, board_y, board_minus_y, tilt_45; "
@@ -337,6 +356,7 @@ void add_polish(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  burnish polish                                    table and board, MPC and baseline\n"
       "  burnish polish --surface board --controller mpc --set force=20 --set path.rate=2\n"
+      "  burnish polish --robot my_arm.urdf --tool flange  a posture is searched for the table\n"
       "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"

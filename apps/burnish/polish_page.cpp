@@ -59,7 +59,8 @@ void add_scene(RunPage& page, const Task& task, const polishing::Setting& settin
                   .axes = setting.surface_axes,
                   .true_point = plant.point,
                   .true_axes = Reference::surface_with_normal(plant.normal).rotation,
-                  .friction = plant.friction};
+                  .friction = plant.friction,
+                  .extent = plant.extent};
   page.path_origin_world = setting.p_center;
   const polishing::Path path(task.path);
   constexpr int most_points = 4000;

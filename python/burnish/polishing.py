@@ -31,7 +31,9 @@ from ._core import (
     named_surfaces,
     override_task,
     perform_experiment,
+    posture_options,
     pressing_axis,
+    pressing_direction,
     put_on,
     read_task,
     run_task,
@@ -50,13 +52,15 @@ from .solver import StepUpdate
 __all__ = [
     "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes",
     "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanRecord",
-    "PlanarPoint", "PlantKind", "PostureOptions", "ReachOptions", "ReachProblem", "ReachReport",
+    "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions", "ReachProblem",
+    "ReachReport",
     "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
     "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Weights",
     "check_reach", "check_task",
     "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
     "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
-    "perform_experiment", "pressing_axis", "put_on", "read_task", "run", "run_task", "task_notes",
+    "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on",
+    "read_task", "run", "run_task", "task_notes",
     "task_point", "task_text", "write_task",
 ]
 
@@ -178,13 +182,30 @@ class VerdictFigures(Spec):
 
 
 @dataclass(eq=False, repr=False)
+class PostureLimits(Spec):
+    """What a posture that is searched has to keep to; see find_posture()."""
+
+    tilt: float = 1.0
+    """rad between the pressing axis and the normal's opposite"""
+    joint_margin: float = 0.15
+    """rad (m) that joints keep from their limits at the start"""
+    body_distance: float = 0.25
+    """m between the last link and the robot's body"""
+
+
+@dataclass(eq=False, repr=False)
 class Task(Spec):
     """The polishing task: all that a task file may say, with its defaults."""
 
     robot: str = "talos:right_arm"
     posture: str = ""
-    """of the robot's settings: start and null space; empty: default; "search": find_posture()"""
+    """of the robot's settings: start and null space; "search": find_posture(). Empty: the robot's
+    default, or searched where it has none. So is a named surface's, where the robot has none of that
+    name."""
+    search: PostureLimits = field(default_factory=PostureLimits)
     tool: str = "tool"
+    tool_axis: Optional[ArrayLike] = None
+    """that the tool presses along, in its frame, any length; None: see pressing_direction()"""
     tip_radius: float = 0.02
     """m"""
 
@@ -192,6 +213,9 @@ class Task(Spec):
     """out of the surface"""
     point_world: Optional[ArrayLike] = None
     """a point of the surface, m; None: it lies `clearance` under the tool at the start"""
+    extent: float = 0.1
+    """m that there is surface beyond the path, on all four sides of a square about the path's origin;
+    infinite: it has no end"""
     friction: float = 0.0
     """of the surface in the plant; the controller does not know it"""
     stiffness: float = 1e5
@@ -365,7 +389,10 @@ class PostureOptions(Spec):
     joint_margin: float = 0.15
     """rad (m) that joints keep from their limits at the start"""
     body_distance: float = 0.25
-    """m between the last link and the robot's body, both taken as a few points and lines"""
+    """m between the last link and the robot's body, both taken as a few points and lines; of parts
+    that are near each other along the arm no more than `bend` times its length between them"""
+    bend: float = 0.55
+    """see body_distance; of two equal links it lets 67 degrees between them"""
     checked: int = 48
     """best candidates whose whole path is looked at"""
     reach: ReachOptions = field(default_factory=ReachOptions)
@@ -414,6 +441,8 @@ class RunSpec(Spec):
     """A run of a task."""
 
     task: Task = field(default_factory=Task)
+    robot: Optional[Robot] = None
+    """in place of the one that the task names"""
     controller: ControllerKind = ControllerKind.MPC
     plant: PlantKind = field(default_factory=_default_plant)
     """MUJOCO where this build has it"""
@@ -474,6 +503,10 @@ class ExperimentSpec(Spec):
     """few and short runs, to see whether it works"""
     surfaces: List[str] = items()
     """empty: the experiment's own"""
+    robots: List[str] = items()
+    """of the experiment `robots`; empty: its own"""
+    tools: List[str] = items()
+    """the frame that each of these holds its tool with; "tool" for those that lack one"""
     overrides: List[str] = items()
     """changes to the task, as override_task() takes them; what the experiment sweeps is set after
     them"""

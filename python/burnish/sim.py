@@ -120,10 +120,10 @@ class Disturbances(Spec):
 
 @dataclass(eq=False, repr=False)
 class SurfaceSpec(Spec):
-    """A plane. All vectors in the world."""
+    """A plane, or a square of one. All vectors in the world."""
 
     point: ArrayLike = zeros(3)
-    """3, any point on it, m"""
+    """3, any point on it, m; of a square, its middle"""
     normal: ArrayLike = vector(0.0, 0.0, 1.0)
     """3, out of the material, towards the robot"""
     friction: float = 0.0
@@ -134,8 +134,11 @@ class SurfaceSpec(Spec):
     """Ns/m; rigid plants pass it over. MuJoCo's convex friction cone lifts a sliding tip by mu *
     damping * speed: contact is lost unless damping < force / (mu * speed), and below a third of that
     the force is clean."""
+    extent: float = float("inf")
+    """m, half the side of the square about `point` that is there to be touched; infinite: the plane
+    has no end"""
     half_size: float = 0.4
-    """m, of the square that is drawn; to the physics the plane is infinite"""
+    """m, of the square that is drawn where the plane has no end"""
 
 
 @dataclass(eq=False, repr=False)

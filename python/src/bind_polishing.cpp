@@ -330,19 +330,28 @@ void bind_setting(py::module_& m) {
       "the surface. It knows no motion, no shapes of links, and no other collisions. setting: of "
       "the task if None. Raises Error for a path that is none.");
   m.def("pressing_axis", &pressing_axis, py::arg("tool_placement"),
-        "(3,), the direction that a tool at a placement (4, 4) presses in: the frame's -z.");
+        "(3,), the direction of the -z of a tool at a placement (4, 4); see "
+        "pressing_direction().");
+  m.def(
+      "pressing_direction", &pressing_direction, py::arg("task"), py::arg("model"),
+      "(3,), the direction, in its own frame, that a task's tool presses in: what the task says; "
+      "z or -z of a frame of the robot's settings; of a link or joint of the description along the "
+      "axis of the joint that carries it, away from the robot.");
+  m.def("posture_options", &posture_options, py::arg("task"),
+        "PostureOptions with the limits that a task has for find_posture().");
   m.def(
       "find_posture",
       [](const Task& task, const std::optional<Robot>& robot,
          const std::optional<PostureOptions>& options) {
-        return find_posture(task, robot ? *robot : load_robot(task.robot),
-                            options.value_or(PostureOptions{}));
+        return find_posture(task, robot ? *robot : load_task_robot(task),
+                            options ? *options : posture_options(task));
       },
       py::arg("task"), py::arg("robot") = py::none(), py::arg("options") = py::none(),
       py::call_guard<py::gil_scoped_release>(),
       "FoundPosture: a posture from which the task can be done, the same one for the same input: "
       "tool against the normal, joints away from their limits, the whole path within reach. robot: "
-      "the task's if None. Raises Error with one sentence if there is none.");
+      "the task's if None. options: posture_options(task) if None. Raises Error with one sentence "
+      "if there is none.");
 }
 
 void bind_runs_and_experiments(py::module_& m) {

@@ -87,14 +87,25 @@ const SpecTable& AsDataclass<VerdictFigures>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<PostureLimits>::table() {
+  static const SpecTable fields = SpecTable("burnish.polishing", "PostureLimits")
+                                      .field("tilt", &PostureLimits::tilt)
+                                      .field("joint_margin", &PostureLimits::joint_margin)
+                                      .field("body_distance", &PostureLimits::body_distance);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<Task>::table() {
   static const SpecTable fields = SpecTable("burnish.polishing", "Task")
                                       .field("robot", &Task::robot)
                                       .field("posture", &Task::posture)
+                                      .field("search", &Task::search)
                                       .field("tool", &Task::tool)
+                                      .field("tool_axis", &Task::tool_axis)
                                       .field("tip_radius", &Task::tip_radius)
                                       .field("normal_world", &Task::normal_world)
                                       .field("point_world", &Task::point_world)
+                                      .field("extent", &Task::extent)
                                       .field("friction", &Task::friction)
                                       .field("stiffness", &Task::stiffness)
                                       .field("damping", &Task::damping)
@@ -188,6 +199,7 @@ const SpecTable& AsDataclass<PostureOptions>::table() {
                                       .field("tilt_limit", &PostureOptions::tilt_limit)
                                       .field("joint_margin", &PostureOptions::joint_margin)
                                       .field("body_distance", &PostureOptions::body_distance)
+                                      .field("bend", &PostureOptions::bend)
                                       .field("checked", &PostureOptions::checked)
                                       .field("reach", &PostureOptions::reach);
   return fields;
@@ -206,6 +218,7 @@ template <>
 const SpecTable& AsDataclass<RunSpec>::table() {
   static const SpecTable fields = SpecTable("burnish.polishing", "RunSpec")
                                       .field("task", &RunSpec::task)
+                                      .field("robot", &RunSpec::robot)
                                       .field("controller", &RunSpec::controller)
                                       .field("plant", &RunSpec::plant)
                                       .field("check_reach", &RunSpec::check_reach)
@@ -235,6 +248,8 @@ const SpecTable& AsDataclass<ExperimentSpec>::table() {
                                       .field("threads", &ExperimentSpec::threads)
                                       .field("quick", &ExperimentSpec::quick)
                                       .field("surfaces", &ExperimentSpec::surfaces)
+                                      .field("robots", &ExperimentSpec::robots)
+                                      .field("tools", &ExperimentSpec::tools)
                                       .field("overrides", &ExperimentSpec::overrides)
                                       .field("progress", &ExperimentSpec::progress);
   return fields;

@@ -53,6 +53,8 @@ struct SpecOf<polishing::Verdict> : AsDataclass<polishing::Verdict> {};
 template <>
 struct SpecOf<polishing::VerdictFigures> : AsDataclass<polishing::VerdictFigures> {};
 template <>
+struct SpecOf<polishing::PostureLimits> : AsDataclass<polishing::PostureLimits> {};
+template <>
 struct SpecOf<polishing::Task> : AsDataclass<polishing::Task> {};
 template <>
 struct SpecOf<polishing::NamedSurface> : AsDataclass<polishing::NamedSurface> {};

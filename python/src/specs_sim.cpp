@@ -49,6 +49,7 @@ const SpecTable& AsDataclass<SurfaceSpec>::table() {
                                       .field("friction", &SurfaceSpec::friction)
                                       .field("stiffness", &SurfaceSpec::stiffness)
                                       .field("damping", &SurfaceSpec::damping)
+                                      .field("extent", &SurfaceSpec::extent)
                                       .field("half_size", &SurfaceSpec::half_size);
   return fields;
 }

@@ -411,7 +411,7 @@ class TestFiles:
 class TestExperiments:
     def test_are_listed(self):
         assert [e.name for e in polishing.experiments()] == [
-            "paper", "orientation", "frames", "seeds", "tick"]
+            "paper", "orientation", "frames", "seeds", "robots", "tick"]
 
     def test_give_tables_and_figures(self):
         told = []

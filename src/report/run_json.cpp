@@ -80,6 +80,7 @@ void write_scene(JsonWriter& json, const RunPage& run) {
   json.field("true_point", run.surface.true_point);
   write_axes(json, "true_axes", run.surface.true_axes);
   json.field("friction", run.surface.friction);
+  json.field("extent", run.surface.extent);
   json.end_object();
   json.key("path");
   json.begin_object();

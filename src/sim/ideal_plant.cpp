@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
@@ -170,7 +171,9 @@ Status IdealPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
 double IdealPlant::gap_at(const Eigen::VectorXd& q) {
   work_.v.setZero();
   if (body_.update(q, work_.v) != Status::Ok) return 0.0;
-  return gap(scene_, body_.placement(tip_).translation());
+  const Eigen::Vector3d p_tip_world = body_.placement(tip_).translation();
+  if (!is_over(scene_, p_tip_world)) return std::numeric_limits<double>::infinity();
+  return gap(scene_, p_tip_world);
 }
 
 bool IdealPlant::has_friction() const {
@@ -203,7 +206,8 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
   double normal_force = force_sum_;
   const double gap_before = touching_ ? 0.0 : gap_at(q_);
   const double gap_after = touching_ ? 0.0 : gap_at(q_next_);
-  if (gap_after < 0.0 && gap_after < gap_before) {
+  // From beside the surface there is no way onto it: contact is made from above.
+  if (gap_after < 0.0 && gap_after < gap_before && std::isfinite(gap_before)) {
     // The gap shrinks all but linearly within a step.
     const double free = h * std::clamp(gap_before / (gap_before - gap_after), 0.0, 1.0);
     status = integrate(free);
@@ -222,6 +226,7 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
 Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   Status status = body_.update(q_, v_);
   if (status > Status::NotConverged) return status;
+  if (touching_ && !is_over(scene_, body_.placement(tip_).translation())) set_touching(false);
   body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
   work_.tau = tau + coulomb_.torque();
   add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);

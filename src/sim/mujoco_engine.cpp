@@ -42,9 +42,9 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
   at.translation() = surface.point;
   at.linear() = Reference::surface_with_normal(surface.normal).rotation;
+  const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
   result.world = R"(<geom name="surface" type="plane")" + pose_attributes(at) + " size=\"" +
-                 numbers(surface.half_size, surface.half_size, 0.01) + "\"" + common +
-                 " contype=\"2\" conaffinity=\"1\"/>\n";
+                 numbers(side, side, 0.01) + "\"" + common + " contype=\"2\" conaffinity=\"1\"/>\n";
   result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
@@ -130,6 +130,16 @@ void Engine::stiffen_followers() const {
     d->efc_R[row] *= softer;
     d->efc_D[row] /= softer;
   }
+}
+
+/// To MuJoCo every plane is endless.
+void Engine::meet_where_there_is_surface() {
+  if (std::isinf(scene.surface.extent)) return;
+  mj_kinematics(m.get(), d.get());
+  const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
+  const bool over = is_over(scene, tip);
+  m->geom_contype[surface_geom] = over ? 2 : 0;
+  m->geom_conaffinity[surface_geom] = over ? 1 : 0;
 }
 
 Eigen::Vector3d Engine::contact_force_world() const {

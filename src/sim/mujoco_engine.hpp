@@ -21,6 +21,10 @@ struct Engine {
   /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders to 1e-8.
   void stiffen_followers() const;
 
+  /// Lets tip and surface collide at the configuration in `d` where there is surface under the tip,
+  /// and only there. To be called before mj_fwdPosition().
+  void meet_where_there_is_surface();
+
   /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
   /// the two geoms by their types, so the ids say which way it points.
   Eigen::Vector3d contact_force_world() const;

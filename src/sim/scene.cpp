@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "burnish/contact/reference.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "model/sentence.hpp"
 
@@ -26,6 +27,9 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   check_number(surface.friction, "the surface's friction", true);
   check_number(surface.stiffness, "the surface's stiffness", false);
   check_number(surface.damping, "the surface's damping", true);
+  if (!(surface.extent > 0.0))
+    throw Error("the surface's extent is " + number(surface.extent) +
+                " m; wanted a positive number, or infinity for a plane without end");
   check_number(surface.half_size, "the surface's half_size", false);
   check_number(scene.tip.radius, "the tip's radius", false);
   const int frame = model.frame_index(scene.tip.frame);
@@ -48,6 +52,18 @@ SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::Vect
 
 double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
   return scene.surface.normal.dot(p_tip_world - scene.surface.point) - scene.tip.radius;
+}
+
+Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p_world) {
+  const Eigen::Matrix3d axes = Reference::surface_with_normal(surface.normal).rotation;
+  return axes.transpose() * (p_world - surface.point);
+}
+
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+  const double extent = scene.surface.extent;
+  if (std::isinf(extent)) return true;
+  const Eigen::Vector3d p = seen_from_surface(scene.surface, p_tip_world);
+  return std::abs(p.x()) <= extent && std::abs(p.y()) <= extent && p.z() > 0.0;
 }
 
 }  // namespace burnish

@@ -122,6 +122,14 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
   duration_ = time;
 }
 
+double Path::reach() const {
+  if (corners_.empty()) return spec_.radius;
+  double largest = 0.0;
+  for (const Eigen::Vector2d& corner : corners_)
+    largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  return largest;
+}
+
 PlanarPoint Path::circle(double t) const noexcept {
   const Blend grown = blend(t / spec_.start_up);
   const double T = spec_.start_up;

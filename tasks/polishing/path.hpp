@@ -47,6 +47,8 @@ class Path {
   PlanarPoint at(double t) const noexcept;
   /// s until its last point is reached; infinite for paths that go on.
   double duration() const { return duration_; }
+  /// m, the largest |u| or |w| that it comes to, however long it goes on.
+  double reach() const;
 
  private:
   PlanarPoint circle(double t) const noexcept;

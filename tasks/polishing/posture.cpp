@@ -22,7 +22,9 @@ bool is_limited(const Model& model, const Joint& joint) {
 
 struct Candidate {
   Eigen::VectorXd q;
-  double tilt = 0.0, margin = 0.0, body = 0.0, off = 0.0, torque = 0.0;
+  double tilt = 0.0, margin = 0.0, off = 0.0, torque = 0.0;
+  double body = 0.0;            ///< m from the body, where least of what is wanted is left
+  double body_wanted = 0.0;     ///< m, there
   double manipulability = 0.0;  ///< smallest singular value of the tool's Jacobian, m
 };
 
@@ -44,6 +46,7 @@ class Search {
         body_(model_),
         tool_(body_.frame(task.tool)),
         into_(-task.normal_world.normalized()),
+        press_(pressing_direction(task, model_)),
         q_middle_(model_.q_neutral),
         reach_(Eigen::VectorXd::Ones(model_.nv)) {
     for (const Joint& joint : model_.joints) {
@@ -67,8 +70,8 @@ class Search {
       Eigen::VectorXd q = q_middle_;
       for (const Joint& joint : model_.joints)
         if (is_limited(model_, joint))
-          q[joint.q_index] = random.uniform(model_.q_lower[joint.q_index] + options_.joint_margin,
-                                            model_.q_upper[joint.q_index] - options_.joint_margin);
+          q[joint.q_index] = random.uniform(model_.q_lower[joint.q_index] + margin_of(joint),
+                                            model_.q_upper[joint.q_index] - margin_of(joint));
       result.push_back(std::move(q));
     }
     return result;
@@ -93,16 +96,17 @@ class Search {
     if (c.margin < options_.joint_margin - 1e-9)
       return "a joint comes within " + number(c.margin) + " rad of its limit; wanted at least " +
              number(options_.joint_margin);
-    if (c.body < options_.body_distance)
+    if (c.body < c.body_wanted)
       return "the tool comes within " + number(c.body) +
-             " m of the robot's body; wanted at least " + number(options_.body_distance) + " m";
+             " m of the robot's body; wanted at least " + number(c.body_wanted) +
+             " m (search.body_distance)";
     return "";
   }
   /// How far the candidate is from meeting them.
   double shortfall(const Candidate& c) const {
     return 10.0 * c.off + std::max(0.0, c.tilt - options_.tilt_limit) +
            std::max(0.0, options_.joint_margin - c.margin) +
-           4.0 * std::max(0.0, options_.body_distance - c.body);
+           4.0 * std::max(0.0, c.body_wanted - c.body);
   }
 
  private:
@@ -134,7 +138,7 @@ class Search {
   Eigen::VectorXd step_from(const Eigen::VectorXd& q, const Balance& balance) {
     constexpr double place_damping = 0.05;
     evaluate(q);
-    const Eigen::Vector3d axis = pressing_axis(placement_);
+    const Eigen::Vector3d axis = placement_.linear() * press_;
     const std::optional<Eigen::Vector3d> place = wanted_position();
     const int rows = place ? 6 : 3, nv = model_.nv;
     Eigen::MatrixXd J(rows, nv);
@@ -170,44 +174,93 @@ class Search {
   void clamp(Eigen::VectorXd& q) const {
     for (const Joint& joint : model_.joints)
       if (is_limited(model_, joint)) {
-        const double lower = model_.q_lower[joint.q_index] + options_.joint_margin;
-        const double upper = model_.q_upper[joint.q_index] - options_.joint_margin;
+        const double lower = model_.q_lower[joint.q_index] + margin_of(joint);
+        const double upper = model_.q_upper[joint.q_index] - margin_of(joint);
         q[joint.q_index] =
             lower > upper ? 0.5 * (lower + upper) : std::clamp(q[joint.q_index], lower, upper);
       }
+  }
+
+  /// A slide may have less way than the margin takes.
+  double margin_of(const Joint& joint) const {
+    if (joint.kind != JointKind::Prismatic) return options_.joint_margin;
+    const double way = model_.q_upper[joint.q_index] - model_.q_lower[joint.q_index];
+    return std::min(options_.joint_margin, 0.25 * way);
   }
 
   double smallest_margin(const Eigen::VectorXd& q) const {
     double margin = std::numeric_limits<double>::infinity();
     for (const Joint& joint : model_.joints)
       if (is_limited(model_, joint))
-        margin = std::min({margin, q[joint.q_index] - model_.q_lower[joint.q_index],
-                           model_.q_upper[joint.q_index] - q[joint.q_index]});
+        margin = std::min(margin, options_.joint_margin - margin_of(joint) +
+                                      std::min(q[joint.q_index] - model_.q_lower[joint.q_index],
+                                               model_.q_upper[joint.q_index] - q[joint.q_index]));
     return margin;
   }
 
-  /// m between what stands for the last link and what stands for the body.
-  double distance_from_body() const {
-    const auto origin = [&](const std::string& frame) {
-      return Eigen::Vector3d(body_.placement(body_.frame(frame)).translation());
-    };
+  /// Whether a body hangs on another one, or is it.
+  bool hangs_on(int body, int other) const {
+    while (body >= 0 && body != other) body = model_.joints[static_cast<std::size_t>(body)].parent;
+    return body == other;
+  }
+
+  /// What stands for the last link against what stands for the body, where it is nearest to it
+  /// compared with what is wanted.
+  void measure_body(Candidate& c) {
     const auto joint = [&](int index) -> const Joint& {
       return model_.joints[static_cast<std::size_t>(index)];
     };
+    const auto origin = [&](int index) {
+      return Eigen::Vector3d(body_.placement(body_.frame(joint(index).name)).translation());
+    };
     const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(task_.tool))].body;
-    if (last < 0) return std::numeric_limits<double>::infinity();
-    const Eigen::Vector3d tool = placement_.translation(), elbow = origin(joint(last).name);
-    double distance = std::numeric_limits<double>::infinity();
+    c.body = std::numeric_limits<double>::infinity();
+    c.body_wanted = options_.body_distance;
+    if (last < 0) return;
+    const Eigen::Vector3d tool = placement_.translation(), elbow = origin(last);
+    double most = std::numeric_limits<double>::infinity();
+    const auto look = [&](double distance, double along) {
+      const double wanted = std::min(options_.body_distance, options_.bend * along);
+      if (!(wanted > 0.0) || distance / wanted >= most) return;
+      most = distance / wanted;
+      c.body = distance;
+      c.body_wanted = wanted;
+    };
     for (const double share : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
       const Eigen::Vector3d p = elbow + share * (tool - elbow);
-      for (int j = joint(last).parent; j >= 0 && joint(j).parent >= 0; j = joint(j).parent)
-        distance = std::min(
-            distance, to_segment(p, origin(joint(j).name), origin(joint(joint(j).parent).name)));
-      for (const Frame& frame : model_.frames)
-        if (frame.kind == FrameKind::Link && frame.body != last && frame.body != joint(last).parent)
-          distance = std::min(distance, (p - origin(frame.name)).norm());
+      // m along the arm to the origins of joints, towards the base.
+      double along = (p - elbow).norm();
+      std::vector<double> to_joint(model_.joints.size(), -1.0);
+      for (int j = last; j >= 0; j = joint(j).parent) {
+        to_joint[static_cast<std::size_t>(j)] = along;
+        if (joint(j).parent < 0) break;
+        const Eigen::Vector3d a = origin(j), b = origin(joint(j).parent);
+        if (j != last) look_along(p, a, b, along, look);
+        along += (b - a).norm();
+      }
+      for (const Frame& frame : model_.frames) {
+        if (frame.kind != FrameKind::Link || frame.body == joint(last).parent ||
+            (frame.body >= 0 && hangs_on(frame.body, last)))
+          continue;
+        const Eigen::Vector3d at = body_.placement(body_.frame(frame.name)).translation();
+        const double to_body =
+            frame.body >= 0 && to_joint[static_cast<std::size_t>(frame.body)] >= 0.0
+                ? to_joint[static_cast<std::size_t>(frame.body)] + (at - origin(frame.body)).norm()
+                : std::numeric_limits<double>::infinity();
+        look((p - at).norm(), to_body);
+      }
     }
-    return distance;
+  }
+  /// Looks at a straight part of the arm from a, which is `along` m from p, to b.
+  template <class Look>
+  static void look_along(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b, double along, const Look& look) {
+    constexpr int pieces = 8;
+    const double length = (b - a).norm();
+    for (int i = 0; i < pieces; ++i) {
+      const double begin = static_cast<double>(i) / pieces, end = begin + 1.0 / pieces;
+      look(to_segment(p, a + begin * (b - a), a + end * (b - a)), along + begin * length);
+    }
   }
   static double to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& b) {
@@ -232,10 +285,10 @@ class Search {
   Candidate judged(const Eigen::VectorXd& q) {
     evaluate(q);
     Candidate c{.q = q};
-    const Eigen::Vector3d axis = pressing_axis(placement_);
+    const Eigen::Vector3d axis = placement_.linear() * press_;
     c.tilt = std::atan2(axis.cross(into_).norm(), axis.dot(into_));
     c.margin = smallest_margin(q);
-    c.body = distance_from_body();
+    measure_body(c);
     if (const auto place = wanted_position()) c.off = (*place - placement_.translation()).norm();
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivatives_.jacobian.topRows(3));
     c.manipulability = svd.singularValues().minCoeff();
@@ -249,7 +302,8 @@ class Search {
   const Model& model_;
   RigidBody body_;
   int tool_;
-  Eigen::Vector3d into_;  ///< unit, into the surface
+  Eigen::Vector3d into_;   ///< unit, into the surface
+  Eigen::Vector3d press_;  ///< unit, in the tool's frame
   Eigen::VectorXd q_middle_;
   Eigen::VectorXd reach_;  ///< nv, half of each joint's range: the unit that steps are measured in
   Eigen::Isometry3d placement_;
@@ -273,6 +327,37 @@ bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
 
 Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement) {
   return -tool_placement.linear().col(2);
+}
+
+Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
+  if (task.tool_axis) return task.tool_axis->normalized();
+  const Frame& tool = model.frames[static_cast<std::size_t>(model.frame_index(task.tool))];
+  if (tool.body < 0) return -Eigen::Vector3d::UnitZ();
+  if (tool.kind == FrameKind::User) {
+    const double outwards = tool.placement.translation().dot(tool.placement.linear().col(2));
+    return Eigen::Vector3d(0.0, 0.0, outwards > 0.0 ? 1.0 : -1.0);
+  }
+  // In the frame of the joint that carries it, which turns about its z.
+  const Joint& joint = model.joints[static_cast<std::size_t>(tool.body)];
+  const Eigen::Vector3d arm = tool.placement.translation();
+  const Eigen::Vector3d before = joint.placement.inverse().translation();
+  constexpr double small = 1e-3;  // m
+  Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
+  for (const double outwards : {arm.z(), joint.com.z(), -before.z()}) {
+    if (std::abs(outwards) < small) continue;
+    if (outwards < 0.0) along = -along;
+    break;
+  }
+  if (arm.norm() > small && std::abs(arm.z()) < 0.5 * arm.norm()) along = arm.normalized();
+  return tool.placement.linear().transpose() * along;
+}
+
+PostureOptions posture_options(const Task& task) {
+  PostureOptions options;
+  options.tilt_limit = task.search.tilt;
+  options.joint_margin = task.search.joint_margin;
+  options.body_distance = task.search.body_distance;
+  return options;
 }
 
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {

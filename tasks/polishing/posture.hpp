@@ -17,11 +17,17 @@ struct PostureOptions {
   double joint_margin = 0.15;  ///< rad (m) that joints keep from their limits at the start
   /// m between the last link, for which stand three points on the line from its joint to the tool,
   /// and the robot's body, for which stand the lines between the joints before that one and the
-  /// origins of all links that the last two joints do not carry. Coarse: no collision check.
+  /// origins of all links that neither the last two joints carry nor what hangs on them. Of parts
+  /// of the arm that are near each other along it, as in a compact wrist, no more is wanted than
+  /// `bend` times the arm's length between them. Coarse: no collision check.
   double body_distance = 0.25;
-  int checked = 48;  ///< best candidates whose whole path is looked at
+  double bend = 0.55;  ///< see body_distance; of two equal links it lets 67 degrees between them
+  int checked = 48;    ///< best candidates whose whole path is looked at
   ReachOptions reach = {};
 };
+
+/// With the limits that a task has for it.
+PostureOptions posture_options(const Task& task);
 
 struct FoundPosture {
   Eigen::VectorXd q;   ///< nq
@@ -31,9 +37,16 @@ struct FoundPosture {
   int candidates = 0;  ///< postures that met all conditions at the start
 };
 
-/// The direction that a tool at a placement presses in: the frame's -z, which in the tool's frame
-/// of a settings file points from the robot to the tip.
+/// The direction of the -z of a tool at a placement, which it presses in where that points from the
+/// robot to the tip; see pressing_direction().
 Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement);
+
+/// The direction, in its own frame, that a task's tool presses in, of length one: what the task
+/// says; of a frame that the settings of the robot add z or -z, whichever points away from the
+/// joint that carries it (-z if neither does); and of a link or a joint of the description the axis
+/// of that joint, away from the robot, or the line from the joint to the tool where the tool lies
+/// beside the axis rather than on it.
+Eigen::Vector3d pressing_direction(const Task& task, const Model& model);
 
 /// A posture of `robot` from which the task can be done, the same one for the same input. Damped
 /// least squares from many starts, each with three weights, turns the pressing axis against the

@@ -177,8 +177,12 @@ class Walk {
 
   /// Joints between the world and the tool link whose origins move, and a frame on each of them.
   void find_skeleton() {
-    const int last =
-        model_.frames[static_cast<std::size_t>(model_.frame_index(setting_.scene.tip.frame))].body;
+    const Frame& tip =
+        model_.frames[static_cast<std::size_t>(model_.frame_index(setting_.scene.tip.frame))];
+    int last = tip.body;
+    // Where the tip is the joint itself, that joint is to come near.
+    if (last >= 0 && tip.placement.translation().norm() < options_.link_radius)
+      last = model_.joints[static_cast<std::size_t>(last)].parent;
     for (int j = last; j >= 0; j = model_.joints[static_cast<std::size_t>(j)].parent) {
       if (model_.joints[static_cast<std::size_t>(j)].parent < 0) break;
       for (const Frame& frame : model_.frames) {
@@ -192,25 +196,62 @@ class Walk {
     }
   }
 
-  /// Whether the arm stays on its side of the surface.
-  bool stays_outside(const Stop& stop) {
+  /// m between a point and the surface with its material; negative inside.
+  double room_at(const Eigen::Vector3d& p_world) const {
     const SurfaceSpec& surface = setting_.scene.surface;
-    for (const Node& node : skeleton_) {
-      const Eigen::Vector3d origin = body_.placement(node.frame) * node.origin;
-      const double height = surface.normal.dot(origin - surface.point);
-      const std::string& name = model_.joints[static_cast<std::size_t>(node.joint)].name;
-      if (height - options_.link_radius < report_.clearance) {
-        report_.clearance = height - options_.link_radius;
-        report_.tightest_clearance = name;
+    const double height = surface.normal.dot(p_world - surface.point);
+    if (std::isinf(surface.extent)) return height;
+    const Eigen::Vector3d p = setting_.surface_axes.transpose() * (p_world - surface.point);
+    const Eigen::Vector3d beyond(std::abs(p.x()) - surface.extent, std::abs(p.y()) - surface.extent,
+                                 height);
+    const double inside = beyond.maxCoeff();
+    return inside <= 0.0 ? inside : beyond.cwiseMax(0.0).norm();
+  }
+  /// The point between two that is nearest to the material: its distance is convex along a line.
+  double nearest_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 24; ++i) {
+      const double third = (high - low) / 3.0;
+      if (room_at(a + (low + third) * (b - a)) < room_at(a + (high - third) * (b - a)))
+        high -= third;
+      else
+        low += third;
+    }
+    return 0.5 * (low + high);
+  }
+
+  /// Whether the arm stays outside the surface.
+  bool stays_outside(const Stop& stop) {
+    std::vector<Eigen::Vector3d> origins;
+    for (const Node& node : skeleton_) origins.push_back(body_.placement(node.frame) * node.origin);
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      double room = room_at(origins[i]);
+      std::size_t nearest = i;
+      // Of an endless surface no part of a link is nearer than its ends.
+      if (i + 1 < skeleton_.size() && std::isfinite(setting_.scene.surface.extent)) {
+        const double share = nearest_between(origins[i], origins[i + 1]);
+        const double between = room_at(origins[i] + share * (origins[i + 1] - origins[i]));
+        if (between < room) {
+          room = between;
+          nearest = share < 0.5 ? i : i + 1;
+        }
       }
-      if (height >= options_.link_radius) continue;
-      refuse(ReachProblem::Collision, stop, name, height, options_.link_radius,
-             "joint " + in_quotes(name) + " would be " + number(std::abs(height)) +
-                 (height < 0.0 ? " m inside the surface" : " m from the surface") +
-                 "; allowed are at least " + number(options_.link_radius) + " m outside of it");
-      return false;
+      if (!keeps_off(stop, skeleton_[nearest].joint, room)) return false;
     }
     return true;
+  }
+  bool keeps_off(const Stop& stop, int joint, double room) {
+    const std::string& name = model_.joints[static_cast<std::size_t>(joint)].name;
+    if (room - options_.link_radius < report_.clearance) {
+      report_.clearance = room - options_.link_radius;
+      report_.tightest_clearance = name;
+    }
+    if (room >= options_.link_radius) return true;
+    refuse(ReachProblem::Collision, stop, name, room, options_.link_radius,
+           "the arm at joint " + in_quotes(name) + " would be " + number(std::abs(room)) +
+               (room < 0.0 ? " m inside the surface" : " m from the surface") +
+               "; allowed are at least " + number(options_.link_radius) + " m outside of it");
+    return false;
   }
 
   bool torques_fit(const Stop& stop, double force) {

@@ -58,10 +58,11 @@ struct ReachReport {
 /// damped least squares from the one before, the tool's position first, then its orientation at
 /// the start and the starting posture; joint limits; the torques that hold the robot still there
 /// with the task's force (on the path) and without, tau = b(q, 0) - J^T f n, against the effort
-/// limits; and the arm on its side of the surface's plane. For that the arm is a skeleton of
-/// straight segments, `link_radius` thick, between the origins of the joints that carry the tool:
-/// since the surface is flat, the origins decide. Joints fixed to the world and the tool link,
-/// which is to come near, do not count.
+/// limits; and the arm outside the surface and the material behind it, which is as wide as the
+/// surface (Task::extent) and as deep as can be. For that the arm is a skeleton of straight
+/// segments, `link_radius` thick, between the origins of the joints that carry the tool. Joints
+/// fixed to the world and the tool link, which is to come near, do not count, nor does a last joint
+/// whose origin the tip is at.
 ///
 /// It knows the nominal robot and surface, no motion, no shapes of links, and no collisions of the
 /// robot with itself or with anything but the surface. Throws Error for a path that is none.

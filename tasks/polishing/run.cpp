@@ -251,7 +251,7 @@ bool has_mujoco() {
 RunResult run_task(const RunSpec& spec) {
   check_task(spec.task);
   RunResult result;
-  result.setting = make_setting(spec.task);
+  result.setting = make_setting(spec.task, spec.robot ? *spec.robot : load_task_robot(spec.task));
   const Setting& setting = result.setting;
   if (spec.check_reach) {
     result.reach = check_reach(spec.task, setting, spec.reach);

@@ -31,6 +31,7 @@ bool has_mujoco();
 
 struct RunSpec {
   Task task;
+  std::optional<Robot> robot = {};  ///< in place of the one that the task names
   ControllerKind controller = ControllerKind::Mpc;
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error

@@ -1,7 +1,9 @@
 #include "polishing/stages.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "burnish/base/error.hpp"
@@ -10,6 +12,7 @@
 #include "model/sentence.hpp"
 #include "ocp/position_limits.hpp"
 #include "polishing/posture.hpp"
+#include "polishing/task_file.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -25,9 +28,48 @@ double smooth_rate(double s) {
   return 30.0 * s * s * (1.0 - s) * (1.0 - s);
 }
 
+/// Whether a robot's name is that of a URDF file, which has no settings.
+bool is_description(const std::string& robot) {
+  std::string ending = std::filesystem::path(robot).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".urdf";
+}
+
+/// Says which links are at the ends of the robot.
+[[noreturn]] void refuse_tool(const Task& task, const Model& model) {
+  std::vector<std::string> names, ends;
+  for (const Frame& frame : model.frames) {
+    names.push_back(frame.name);
+    if (frame.kind != FrameKind::Link || frame.body < 0) continue;
+    const bool carries =
+        std::any_of(model.joints.begin(), model.joints.end(),
+                    [&](const Joint& joint) { return joint.parent == frame.body; });
+    if (!carries) ends.push_back(frame.name);
+  }
+  std::string near = did_you_mean(task.tool, names);
+  constexpr std::size_t most = 6;
+  if (near.empty() && !ends.empty()) {
+    near = "; links at its ends are ";
+    for (std::size_t i = 0; i < std::min(most, ends.size()); ++i)
+      near += (i == 0 ? "" : ", ") + ends[i];
+  }
+  throw Error("the tool's frame " + in_quotes(task.tool) + " is none of robot " +
+              in_quotes(model.name) + near);
+}
+
 /// The columns of the surface's reference.
 Eigen::Matrix3d axes_of(const Eigen::Vector3d& normal) {
   return Reference::surface_with_normal(normal).rotation;
+}
+
+/// Nothing but the ground could hold it, and there is none.
+void refuse_floating_base(const Model& model) {
+  for (const Joint& joint : model.joints)
+    if (joint.kind == JointKind::FreeFlyer)
+      throw Error("the base of robot " + in_quotes(model.name) +
+                  " floats free, and nothing would hold it while it presses; wanted a fixed base, "
+                  "as a variant of its settings may have");
 }
 
 struct Builder {
@@ -146,16 +188,41 @@ struct Builder {
 
 }  // namespace
 
-Setting make_setting(const Task& task) {
-  const Robot robot = load_robot(task.robot);
-  if (task.posture == searched_posture && !robot.postures.contains(searched_posture))
-    return make_setting(task, robot, find_posture(task, robot).q);
+Robot load_task_robot(const Task& task) {
+  Robot robot = load_robot(task.robot);
+  if (!robot.model.has_frame(task.tool)) refuse_tool(task, robot.model);
+  if (!is_description(task.robot)) return robot;
+  // A description says nothing of what else the robot has: fingers, another arm, a head.
+  const Model& model = robot.model;
+  const int last = model.frames[static_cast<std::size_t>(model.frame_index(task.tool))].body;
+  RobotOverrides carrying;
+  for (int j = last; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent)
+    carrying.free.push_back(model.joints[static_cast<std::size_t>(j)].name);
+  if (carrying.free.empty() || carrying.free.size() == model.joints.size()) return robot;
+  return load_robot(task.robot, carrying);
+}
+
+bool searches_posture(const Task& task, const Robot& robot) {
+  if (task.posture.empty()) return robot.default_posture.empty();
+  if (robot.postures.contains(task.posture)) return false;
+  if (task.posture == searched_posture) return true;
+  const auto& surfaces = named_surfaces();
+  return std::any_of(surfaces.begin(), surfaces.end(),
+                     [&](const NamedSurface& surface) { return surface.posture == task.posture; });
+}
+
+Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
+
+Setting make_setting(const Task& task, const Robot& robot) {
+  if (searches_posture(task, robot))
+    return make_setting(task, robot, find_posture(task, robot, posture_options(task)).q);
   return make_setting(
       task, robot,
       task.posture.empty() ? robot.reference_configuration() : robot.posture(task.posture));
 }
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
+  refuse_floating_base(robot.model);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
@@ -177,6 +244,10 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   const double above = gap(s.scene, s.p_start);
   s.p_center = s.p_start - above * n;
   if (above <= 0.0) throw Error("the tool starts " + number(-above) + " m inside the surface");
+  if (std::isfinite(task.extent)) {
+    s.scene.surface.point = s.p_center - task.tip_radius * n;
+    s.scene.surface.extent = Path(task.path).reach() + task.extent;
+  }
   s.reach_end = task.reach_duration;
   s.touch = s.reach_end + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;

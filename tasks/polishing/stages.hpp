@@ -18,9 +18,17 @@ struct Setting {
   double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
 };
 
-/// Throws Error for a task that does not fit together, and for a posture that is to be searched
-/// (find_posture()) where there is none.
+/// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
+/// move: the others are held at zero. Throws Error as load_robot() does.
+Robot load_task_robot(const Task& task);
+/// Whether the start is found by find_posture() rather than taken from the robot's settings.
+bool searches_posture(const Task& task, const Robot& robot);
+
+/// Throws Error for a task that does not fit together, a base that floats free, and for a posture
+/// that is to be searched (find_posture()) where there is none.
 Setting make_setting(const Task& task);
+/// The same for a robot at hand, whatever the task says of it.
+Setting make_setting(const Task& task, const Robot& robot);
 /// The same for a robot at hand and a starting posture, nq entries, whatever the task says of both.
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start);
 

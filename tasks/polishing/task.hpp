@@ -47,16 +47,31 @@ struct Verdict {
   double path_share = 0.99;
 };
 
+/// What a posture that is searched has to keep to; see find_posture().
+struct PostureLimits {
+  double tilt = 1.0;            ///< rad between the pressing axis and the normal's opposite
+  double joint_margin = 0.15;   ///< rad (m) that joints keep from their limits at the start
+  double body_distance = 0.25;  ///< m between the last link and the robot's body
+};
+
 struct Task {
   std::string robot = "talos:right_arm";
-  /// Of the robot's settings: start and null space; empty: default; "search": find_posture().
+  /// Of the robot's settings: start and null space; "search": find_posture(). Empty: the robot's
+  /// default, or searched where it has none. So is a named surface's, where the robot has none of
+  /// that name.
   std::string posture = {};
+  PostureLimits search = {};
   std::string tool = "tool";
+  /// That the tool presses along, in its frame, any length; none: see pressing_direction().
+  std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< m
 
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface
   /// A point of the surface, m; none: it lies `clearance` under the tool at the start.
   std::optional<Eigen::Vector3d> point_world = {};
+  /// m that there is surface beyond the path, on all four sides of a square about the path's
+  /// origin; infinite: it has no end.
+  double extent = 0.1;
   double friction = 0.0;   ///< of the surface in the plant; the controller does not know it
   double stiffness = 1e5;  ///< N/m
   double damping = 500.0;  ///< Ns/m

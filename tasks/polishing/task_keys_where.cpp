@@ -1,4 +1,7 @@
 // Keys of a task file: robot, tool, surface, path, phases.
+#include <cmath>
+#include <limits>
+
 #include "files/csv_table.hpp"
 #include "files/read_values.hpp"
 #include "polishing/task_file.hpp"
@@ -30,6 +33,51 @@ TaskKey point_key() {
           }};
 }
 
+/// A number, or a word for none.
+TaskKey extent_key() {
+  return {"extent", "m that there is surface beyond the path, on all four sides; or endless",
+          [](Task& task, const YamlReader& reader) {
+            task.extent = reader.is("endless") ? std::numeric_limits<double>::infinity()
+                                               : reader.not_negative();
+          },
+          [](const Task& task) -> std::optional<std::string> {
+            return std::isinf(task.extent) ? "endless" : yaml(task.extent);
+          }};
+}
+
+TaskKey axis_key() {
+  return {
+      "axis",
+      "[x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of robot.yaml, "
+      "of others the last joint's axis, away from the arm",
+      [](Task& task, const YamlReader& reader) {
+        if (reader.is("auto")) {
+          task.tool_axis.reset();
+          return;
+        }
+        task.tool_axis = reader.vector3();
+        if (!(task.tool_axis->norm() > 1e-9))
+          reader.refuse("the axis has no direction; wanted a vector that is not zero");
+      },
+      [](const Task& task) -> std::optional<std::string> {
+        return task.tool_axis ? yaml(*task.tool_axis) : "auto";
+      }};
+}
+
+TaskSection search_section() {
+  const auto limit = [](const char* name, const char* meaning, double PostureLimits::*member) {
+    return number_key(name, meaning, Range::NotNegative, at(&Task::search, member));
+  };
+  return {"search",
+          "What a posture that is searched keeps to.",
+          {limit("tilt", "rad between the tool's axis and the normal", &PostureLimits::tilt),
+           limit("joint_margin", "rad that joints keep from their limits at the start",
+                 &PostureLimits::joint_margin),
+           limit("body_distance",
+                 "m between the last link and the robot's body; less where the arm is short",
+                 &PostureLimits::body_distance)}};
+}
+
 TaskKey normal_key() {
   return {"normal", "[x, y, z] out of the material towards the robot, any length, world",
           [](Task& task, const YamlReader& reader) {
@@ -53,6 +101,7 @@ TaskSection surface_section() {
         not_written},
        normal_key(),
        point_key(),
+       extent_key(),
        number_key("friction", "Coulomb coefficient of the plant", Range::NotNegative,
                   at(&Task::friction)),
        number_key("stiffness", "N/m, of the plant", positive, at(&Task::stiffness)),
@@ -160,9 +209,10 @@ std::vector<TaskSection> where_sections() {
         number_key("force", "N, that the tool presses with", Range::Positive, at(&Task::force))}},
       {"tool",
        "",
-       {text_key("frame", "its origin is the centre of a round tip", at(&Task::tool)),
+       {text_key("frame", "its origin is the centre of a round tip", at(&Task::tool)), axis_key(),
         number_key("tip_radius", "m", Range::Positive, at(&Task::tip_radius))}},
       surface_section(),
+      search_section(),
       path_section(),
       phases_section(),
       verdict_section()};

@@ -49,6 +49,24 @@ TEST(Polish, WritesWhatItSays) {
   }
 }
 
+TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
+  const Scratch scratch;
+  const auto file = scratch.folder / "my arm.urdf";
+  std::filesystem::copy(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7" / "arm7.urdf", file);
+  const std::string what = "polish --robot " + quoted(file) + " --out " +
+                           quoted(scratch.folder / "out") + " --controller mpc --json" + short_run;
+  const Outcome outcome = run(what + " --tool flange");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  ASSERT_EQ(summary.size(), 1U);  // on the table
+  EXPECT_EQ(summary[0]["name"], "table_mpc");
+  EXPECT_TRUE(summary[0]["polished"].get<bool>());
+  const Outcome lost = run(what);
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_NE(lost.err.find("the tool's frame 'tool' is none of robot 'arm7'"), std::string::npos)
+      << lost.err;
+}
+
 TEST(Polish, TheTaskItWritesRunsAgainToTheSameResult) {
   const Scratch scratch;
   const auto first = scratch.folder / "first", second = scratch.folder / "second";

@@ -103,6 +103,48 @@ TEST_P(PlantLaw, pushes_back_along_the_normal_with_the_force_it_is_pressed_with)
   }
 }
 
+TEST_P(PlantLaw, a_surface_ends_where_its_extent_says) {
+  const Eigen::Vector3d normal(-0.6, 0.0, 0.8);
+  SceneSpec square = scene(normal, 0.0);
+  square.surface.extent = 0.05;
+  const Eigen::Matrix3d axes = Reference::surface_with_normal(normal).rotation;
+  for (const int side : {0, 1})
+    for (const double off : {-0.051, -0.049, 0.049, 0.051}) {
+      SceneSpec beside = square;
+      beside.surface.point += off * axes.col(side);
+      const auto plant = started(model, beside);
+      for (int i = 0; i < 20; ++i)
+        ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()),
+                  Status::Ok);
+      EXPECT_EQ(plant->in_contact(), std::abs(off) < 0.05) << side << " " << off;
+    }
+}
+
+TEST_P(PlantLaw, a_tip_that_slides_over_the_edge_is_free_and_does_not_come_back_from_below) {
+  const Eigen::Vector3d normal(0.0, 0.0, 1.0);
+  SceneSpec square = scene(normal, 0.0);
+  square.surface.extent = 0.05;
+  const Eigen::Vector3d along = Reference::surface_with_normal(normal).rotation.col(0);
+  square.surface.point -= 0.049 * along;
+  const auto plant = started(model, square);
+  bool touched = false;
+  const auto push = [&](const Eigen::Vector3d& force, int steps) {
+    for (int i = 0; i < steps; ++i)
+      ASSERT_EQ(plant->step(holding(*plant, force), Eigen::Vector3d::Zero()), Status::Ok);
+  };
+  push(-20.0 * normal, 20);
+  touched = plant->in_contact();
+  EXPECT_TRUE(touched);
+  push(-20.0 * normal + 20.0 * along, 400);
+  EXPECT_FALSE(plant->in_contact());
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  EXPECT_LT(body.placement(body.frame("tool")).translation().dot(normal),
+            square.surface.point.dot(normal));
+  push(-40.0 * along, 400);
+  EXPECT_FALSE(plant->in_contact());
+  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+}
+
 TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
   // A robot that is braked hard: what the surface exerts is what the tool presses with.
   Model braked = model;

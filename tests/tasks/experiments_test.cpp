@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
 #include "polishing/experiments/experiment.hpp"
+#include "polishing/experiments/scaled_robot.hpp"
 #include "polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
@@ -161,7 +164,7 @@ TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
 }
 
 TEST(Experiments, AreFoundByName) {
-  EXPECT_EQ(experiments().size(), 5U);
+  EXPECT_EQ(experiments().size(), 6U);
   EXPECT_EQ(experiment_named("tick").name, "tick");
   expect_words(refusal([] { experiment_named("papr"); }),
                {"experiment 'papr' is not known", "did you mean 'paper'?"});
@@ -244,6 +247,55 @@ TEST(Experiments, SeedsCountWhatFails) {
   EXPECT_EQ(std::get<std::string>(outcomes.rows[1][0]), "fault: speed limit");
   EXPECT_EQ(std::get<double>(outcomes.rows[1][1]), 3.0);
   expect_words(failed.findings.front(), {"3 of 3 runs diverged"});
+}
+
+TEST(Experiments, RobotsPolishOrSayWhyNot) {
+  const ExperimentReport report = perform_robots(quick());
+  for (const std::string& failure : report.failures) ADD_FAILURE() << failure;
+  const ResultTable& summary = table_named(report, "summary");
+  ASSERT_EQ(summary.rows.size(), 1U);
+  EXPECT_NEAR(number_at(summary, 0, "mass"), 10.0, 1e-9);
+  EXPECT_EQ(number_at(summary, 0, "polished"), 1.0);
+  EXPECT_LT(number_at(summary, 0, "force rmse"), 3.0);
+  const ResultTable& others = table_named(report, "others");
+  ASSERT_EQ(others.rows.size(), 1U);
+  EXPECT_EQ(std::get<std::string>(others.rows[0][0]), "pendulum");
+  EXPECT_FALSE(std::get<std::string>(others.rows[0][3]).empty());
+}
+
+TEST(Experiments, RobotsThatAreAskedForMustPolish) {
+  ExperimentSpec spec = quick();
+  spec.robots = {"pendulum"};
+  spec.tools = {"tip"};
+  const ExperimentReport report = perform_robots(spec);
+  ASSERT_EQ(report.failures.size(), 1U);
+  expect_words(report.failures[0], {"pendulum, table: "});
+}
+
+TEST(ScaledRobot, HasTheMassAskedForAndTheProportionsOfBefore) {
+  const Robot arm = load_robot("arm7");
+  const double mass = 8.0 * arm.model.total_mass();  // twice as long
+  const Robot large = scaled_robot(arm, mass);
+  EXPECT_NEAR(large.model.total_mass(), mass, 1e-9);
+  const Eigen::VectorXd q = arm.posture("bent");
+  EXPECT_LT((frame_placement(large.model, q, "tool").translation() -
+             2.0 * frame_placement(arm.model, q, "tool").translation())
+                .norm(),
+            1e-9);
+  RigidBody small_body(arm.model), large_body(large.model);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
+  ASSERT_EQ(small_body.update(q, rest), Status::Ok);
+  ASSERT_EQ(large_body.update(q, rest), Status::Ok);
+  const Eigen::VectorXd weight = small_body.gravity_torque();
+  EXPECT_LT((Eigen::VectorXd(large_body.gravity_torque()) - 16.0 * weight).norm(),
+            1e-9 * weight.norm());
+  // What holds the arm takes the same share of its limits.
+  EXPECT_LT((large.model.effort_limit - 16.0 * arm.model.effort_limit).norm(), 1e-9);
+  EXPECT_LT((large.model.armature - 32.0 * arm.model.armature).norm(), 1e-9);
+  EXPECT_EQ(large.model.q_upper, arm.model.q_upper);
+  EXPECT_EQ(large.model.velocity_limit, arm.model.velocity_limit);
+  expect_words(refusal([&] { scaled_robot(arm, -1.0); }), {"wanted a positive mass"});
+  expect_words(refusal([] { scaled_robot(load_robot("crane"), 3.0); }), {"does not turn"});
 }
 
 TEST(Experiments, TickTimesEveryRate) {

@@ -101,6 +101,97 @@ TEST(Posture, TightLimitsAreRefusedWithTheOneThatFails) {
   refused(strict, "none leads along the path; from the best one, ");
 }
 
+/// A task for an arm with a compact wrist.
+Task task_for_arm7(const std::string& tool) {
+  Task task;
+  task.robot = "arm7";
+  task.posture = searched_posture;
+  task.tool = tool;
+  return task;
+}
+
+TEST(Posture, IsFoundForAnArmWithACompactWrist) {
+  for (const char* tool : {"tool", "flange"})
+    for (const Eigen::Vector3d& normal : {up, facing, slanted}) {
+      Task task = task_for_arm7(tool);
+      task.normal_world = normal;
+      const Setting setting = make_setting(task);
+      const Model& model = setting.robot.model;
+      const Eigen::Vector3d axis =
+          frame_placement(model, setting.q_start, tool).linear() * pressing_direction(task, model);
+      EXPECT_GT(-axis.dot(normal.normalized()), std::cos(0.5)) << tool;
+      EXPECT_TRUE(check_reach(task, setting).ok());
+    }
+}
+
+TEST(Posture, BodyDistanceIsAKeyOfTheTask) {
+  Task task = task_for_arm7("tool");
+  override_task(task, {"search.body_distance=2"});
+  expect_words(refusal([&] { make_setting(task); }),
+               {"m of the robot's body; wanted at least", "(search.body_distance)"});
+  override_task(task, {"search.body_distance=0.25", "search.joint_margin=2"});
+  expect_words(refusal([&] { make_setting(task); }), {"rad of its limit; wanted at least 2"});
+}
+
+TEST(Posture, AToolOfTheDescriptionPressesAlongTheAxisThatCarriesIt) {
+  const Robot arm = load_robot("arm7");
+  Task task = task_for_arm7("flange");
+  // The flange's z is the axis of joint_7 and points away from the arm.
+  EXPECT_LT((pressing_direction(task, arm.model) - Eigen::Vector3d::UnitZ()).norm(), 1e-9);
+  task.tool = "tool";  // of the settings
+  EXPECT_EQ(pressing_direction(task, arm.model), Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(pressing_direction({}, ::burnish::testing::arm().model),
+            Eigen::Vector3d(-Eigen::Vector3d::UnitZ()));
+  override_task(task, {"tool.axis=[0, 2, 0]"});
+  EXPECT_EQ(pressing_direction(task, arm.model), Eigen::Vector3d::UnitY());
+  // An elbow turns across the line to the tool: then that line counts.
+  task = {};
+  task.tool = "wrist_right_ft_tool_link";
+  const Model& talos = ::burnish::testing::arm().model;
+  const Eigen::Isometry3d at = frame_placement(talos, talos.q_neutral, task.tool);
+  const Eigen::Vector3d elbow =
+      frame_placement(talos, talos.q_neutral, "arm_right_4_joint").translation();
+  EXPECT_LT(
+      (at.linear() * pressing_direction(task, talos) - (at.translation() - elbow).normalized())
+          .norm(),
+      1e-9);
+}
+
+TEST(Posture, IsSearchedWhereTheRobotHasNone) {
+  Task task = task_for_arm7("flange");
+  const Robot arm = load_robot("arm7");
+  EXPECT_TRUE(searches_posture(task, arm));
+  task.posture = "";  // arm7 has a default
+  EXPECT_FALSE(searches_posture(task, arm));
+  put_on(task, "table");
+  EXPECT_TRUE(searches_posture(task, arm));
+  task.posture = "bent";
+  EXPECT_FALSE(searches_posture(task, arm));
+  task.posture = "bend";
+  EXPECT_FALSE(searches_posture(task, arm));
+  expect_words(refusal([&] { make_setting(task); }), {"did you mean 'bent'?"});
+}
+
+TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
+  Task task;
+  task.robot = std::string(BURNISH_ROBOTS_DIR) + "/quadruped/quadruped.urdf";
+  task.tool = "fl_shank_link";
+  EXPECT_EQ(load_task_robot(task).model.nv, 3);
+  task.tool = "fl_shank_lik";
+  expect_words(refusal([&] { load_task_robot(task); }),
+               {"the tool's frame 'fl_shank_lik' is none of robot", "'fl_shank_link'"});
+  task.tool = "nothing_like_it_at_all";
+  expect_words(refusal([&] { load_task_robot(task); }),
+               {"links at its ends are ", "fl_shank_link"});
+}
+
+TEST(Posture, ABaseThatFloatsFreeIsRefused) {
+  Task task = task_for_arm7("tool");
+  task.robot = "arm7:floating";
+  expect_words(refusal([&] { make_setting(task); }),
+               {"the base of robot 'arm7' floats free", "wanted a fixed base"});
+}
+
 TEST(Posture, APointOutOfReachIsRefusedAsSuch) {
   Task task = task_on(facing);
   task.point_world = Eigen::Vector3d(2.0, 0.0, 1.0);

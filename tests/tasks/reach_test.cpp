@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "burnish/dynamics/placement.hpp"
+#include "polishing/posture.hpp"
 #include "polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
@@ -41,17 +45,21 @@ TEST(Reach, NamedSurfacesAreFarFromTheArm) {
     EXPECT_NE(report.tightest_clearance, "torso_1_joint") << "it does not move";
   }
   // The table lies below the torso's pitch joint, whose origin stays where it is.
-  const ReachReport table = reach_of(task_on("table"));
-  const Setting setting = make_setting(task_on("table"));
+  Task endless = task_on("table");
+  endless.extent = std::numeric_limits<double>::infinity();
+  const ReachReport table = reach_of(endless);
+  const Setting setting = make_setting(endless);
   EXPECT_EQ(table.tightest_clearance, "torso_2_joint");
   EXPECT_NEAR(table.clearance, 1.0922 - setting.scene.surface.point.z() - 0.03, 1e-4);
 }
 
 TEST(Reach, AnArmThatWouldTouchTheSurfaceIsRefusedWithTheJointAndTheDepth) {
   ReachOptions options;
-  const ReachReport free = reach_of(task_on("board_y"));
+  Task board = task_on("board_y");
+  board.extent = std::numeric_limits<double>::infinity();
+  const ReachReport free = reach_of(board);
   options.link_radius = 0.03 + free.clearance + 0.01;
-  const ReachReport thick = reach_of(task_on("board_y"), options);
+  const ReachReport thick = reach_of(board, options);
   ASSERT_EQ(thick.problem, ReachProblem::Collision);
   EXPECT_EQ(thick.joint, free.tightest_clearance);
   EXPECT_EQ(thick.limit, options.link_radius);
@@ -62,12 +70,52 @@ TEST(Reach, AnArmThatWouldTouchTheSurfaceIsRefusedWithTheJointAndTheDepth) {
   // A board that faces away from the robot: the tool would reach around it.
   Task behind = task_on("table");
   behind.normal_world = -Eigen::Vector3d::UnitZ();
+  behind.extent = std::numeric_limits<double>::infinity();
   behind.clearance = 0.01;
   const ReachReport inside = reach_of(behind);
   ASSERT_EQ(inside.problem, ReachProblem::Collision) << inside.text;
   EXPECT_LT(inside.value, 0.0);
   expect_words(inside.text, {"before the start of the path",
                              "joint '" + inside.joint + "' would be", "m inside the surface"});
+}
+
+/// A plate at the height of the arm's shoulder, in front of it.
+Task plate_before_an_arm() {
+  Task task;
+  task.robot = "arm7";
+  task.posture = searched_posture;
+  task.point_world = Eigen::Vector3d(0.45, 0.05, 0.4);
+  task.path.radius = 0.04;
+  return task;
+}
+
+TEST(Reach, AnArmMayStandBesideTheSurface) {
+  Task task = plate_before_an_arm();
+  const Setting setting = make_setting(task);
+  const ReachReport beside = check_reach(task, setting);
+  EXPECT_TRUE(beside.ok()) << beside.text;
+  EXPECT_NEAR(setting.scene.surface.extent, 0.14, 1e-12);
+  // The same without end would pass through its shoulder.
+  task.extent = std::numeric_limits<double>::infinity();
+  const ReachReport through = check_reach(task, make_setting(task, setting.robot, setting.q_start));
+  ASSERT_EQ(through.problem, ReachProblem::Collision);
+  expect_words(through.text, {"joint 'joint_2' would be", "m inside the surface"});
+}
+
+TEST(Reach, LinksBetweenTheJointsStayOffTheMaterialToo) {
+  Task task = plate_before_an_arm();
+  Setting setting = make_setting(task);
+  // A thin column in the middle of the forearm, which no joint is near.
+  const auto origin = [&](const char* joint) {
+    return Eigen::Vector3d(
+        frame_placement(setting.robot.model, setting.q_start, joint).translation());
+  };
+  const Eigen::Vector3d middle = 0.5 * (origin("joint_4") + origin("joint_5"));
+  setting.scene.surface.extent = 0.01;
+  setting.scene.surface.point = middle + 0.01 * setting.scene.surface.normal;
+  const ReachReport report = check_reach(task, setting);
+  ASSERT_EQ(report.problem, ReachProblem::Collision);
+  EXPECT_LT(report.value, 0.0);
 }
 
 TEST(Reach, TheWholePathIsWalkedOnce) {

@@ -53,6 +53,9 @@ Task unusual_task() {
   put_on(task, "tilt_45");
   task.point_world = Eigen::Vector3d(0.3, -0.43, 1.0 / 3.0);
   task.force = 12.5;
+  task.tool_axis = Eigen::Vector3d(0.0, 0.6, 0.8);
+  task.extent = std::numeric_limits<double>::infinity();
+  task.search = {.tilt = 0.5, .joint_margin = 0.1, .body_distance = 0.2};
   task.path.kind = PathKind::Points;
   task.path.points = {{0.01, -0.02}, {1e-5, 0.1 + 0.2}};
   task.path.rows = 4;
@@ -209,6 +212,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"surface: bord\n", {"surface: 'bord' is unknown; did you mean 'board'?"}},
         Refused{"surface: {normal: [0, 0, 0]}\n", {"surface.normal: the normal has no direction"}},
         Refused{"surface: {normal: [0, 1]}\n", {"surface.normal: it has 2 numbers; wanted 3"}},
+        Refused{"surface: {extent: -0.1}\n", {"surface.extent: it is -0.1; wanted at least 0"}},
+        Refused{"tool: {axis: [0, 0, 0]}\n", {"tool.axis: the axis has no direction"}},
+        Refused{"search: {distance: 1}\n", {"search: key 'distance'", "body_distance"}},
         Refused{"surface: {friction: -0.1}\n", {"surface.friction: it is -0.1"}},
         Refused{"surface: {point: here}\n", {"surface.point: wanted a list of 3 numbers"}},
         Refused{"weights: {forces: 3}\n", {"weights: key 'forces'", "did you mean 'force'?"}},

@@ -120,6 +120,8 @@ export interface Surface {
   true_point: Vec3;
   true_axes: number[];
   friction: number;
+  /** m, half its side; null without end, missing in pages of before. */
+  extent?: number | null;
 }
 
 export interface Run {

@@ -166,10 +166,10 @@ export class RunScene {
     return [held, open];
   }
 
-  /** A plate as large as the path, and the plane that the controller believes in where it differs. */
+  /** A plate as large as the surface, or as the path if that has no end; and the plane that the controller believes in where it differs. */
   private drawPlate(): void {
     const { surface } = this.run;
-    const half = this.extent + 0.11;
+    const half = surface.extent ?? this.extent + 0.11;
     const frame = (axes: number[], at: Vector3): Matrix4 =>
       new Matrix4().makeBasis(axisOf(axes, 0), axisOf(axes, 1), axisOf(axes, 2)).setPosition(at);
     const box = new BoxGeometry(2 * half, 2 * half, 0.018).translate(0, 0, -0.009);

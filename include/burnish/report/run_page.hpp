@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -67,6 +68,8 @@ struct PageSurface {
   Eigen::Vector3d true_point = Eigen::Vector3d::Zero();  ///< as the plant has it
   Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();
   double friction = 0.0;  ///< in the plant
+  /// m, half its side about the path's origin; infinite: it has no end.
+  double extent = std::numeric_limits<double>::infinity();
 };
 
 /// One entry per plan, or the fastest and slowest of a few that follow each other.

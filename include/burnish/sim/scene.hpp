@@ -2,15 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 
 #include "burnish/model/model.hpp"
 
 namespace burnish {
 
-/// A plane. All vectors in the world.
+/// A plane, or a square of one. All vectors in the world.
 struct SurfaceSpec {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< any point on it, m
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< any point on it, m; of a square, its middle
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the material, towards the robot
   double friction = 0.0;                              ///< Coulomb coefficient mu
   double stiffness = 1e5;                             ///< N/m; rigid plants pass it over
@@ -18,7 +19,10 @@ struct SurfaceSpec {
   /// mu * damping * speed: contact is lost unless damping < force / (mu * speed), and below a third
   /// of that the force is clean.
   double damping = 500.0;
-  double half_size = 0.4;  ///< m, of the square that is drawn; to the physics the plane is infinite
+  /// m, half the side of the square about `point` that is there to be touched, its sides along the
+  /// columns of Reference::surface_with_normal(); infinite: the plane has no end.
+  double extent = std::numeric_limits<double>::infinity();
+  double half_size = 0.4;  ///< m, of the square that is drawn where the plane has no end
 };
 
 /// A sphere about the origin of a frame. It touches a plane at one point, and the normal force
@@ -34,8 +38,8 @@ struct SceneSpec {
 };
 
 /// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
-/// normal, negative friction or damping, stiffness, radius or size that are not positive, an
-/// unknown tip frame and one that does not move.
+/// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,
+/// an unknown tip frame and one that does not move.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
 /// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between
@@ -47,5 +51,13 @@ SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::Vect
 /// Distance from the tip to the surface, m; negative inside. The position of the tip's frame is in
 /// the world, the scene's normal of length one.
 double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
+
+/// Where a point is, seen from the surface, m: along the two sides of its square from its middle,
+/// and above it. The scene's normal has length one. No allocation.
+Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p_world);
+
+/// Whether a tip there can touch the surface: its centre is above the square. Always, where the
+/// plane has no end. No allocation.
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
 
 }  // namespace burnish

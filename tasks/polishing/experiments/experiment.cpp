@@ -16,6 +16,8 @@ const std::vector<Experiment>& experiments() {
       {"frames", "contact and force in the tool's axes or the surface's, as the wrist gets freer",
        perform_frames},
       {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
+      {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg",
+       perform_robots},
       {"tick", "computing times at several rates of new plans", perform_tick}};
   return all;
 }

@@ -21,6 +21,10 @@ struct ExperimentSpec {
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
   std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
+  /// Of the experiment `robots`; empty: its own.
+  std::vector<std::string> robots = {};
+  /// The frame that each of these holds its tool with; "tool" for those that lack one.
+  std::vector<std::string> tools = {};
   /// Changes to the task, as override_task() takes them. What the experiment sweeps is set after
   /// them.
   std::vector<std::string> overrides = {};
@@ -60,7 +64,7 @@ struct Experiment {
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// paper, orientation, frames, seeds, tick.
+/// paper, orientation, frames, seeds, robots, tick.
 const std::vector<Experiment>& experiments();
 /// Throws Error with the nearest known name.
 const Experiment& experiment_named(const std::string& name);
@@ -74,6 +78,9 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec);
 ExperimentReport perform_frames(const ExperimentSpec& spec);
 /// Every disturbance at once, its size drawn anew for each of many seeds.
 ExperimentReport perform_seeds(const ExperimentSpec& spec);
+/// The task as shipped with every robot that comes along, with one of them at other sizes, or with
+/// those of the spec.
+ExperimentReport perform_robots(const ExperimentSpec& spec);
 /// Computing times at several rates of new plans. The only one that measures time: its runs come
 /// one after the other, whatever the number of threads.
 ExperimentReport perform_tick(const ExperimentSpec& spec);

@@ -63,8 +63,8 @@ std::vector<Place> find_places(const ExperimentSpec& spec) {
     Place& place = places[static_cast<std::size_t>(index)];
     const Task task = task_for(spec, place.direction);
     try {
-      const Robot robot = load_robot(task.robot);
-      place.posture = find_posture(task, robot);
+      const Robot robot = load_task_robot(task);
+      place.posture = find_posture(task, robot, posture_options(task));
       place.p_tool = make_setting(task, robot, place.posture->q).p_center;
     } catch (const Error& error) {
       place.out_of_reach = error.what();

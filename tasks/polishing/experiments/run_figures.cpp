@@ -37,6 +37,7 @@ double tool_to_normal(const Task& task, const RunResult& result) {
   const Eigen::Isometry3d start =
       frame_placement(result.setting.robot.model, result.setting.q_start, task.tool);
   const Eigen::Vector3d into = -result.setting.scene.surface.normal;
+  const Eigen::Vector3d press = pressing_direction(task, result.setting.robot.model);
   const auto x = trace.column("tool_rx_start"), y = trace.column("tool_ry_start"),
              z = trace.column("tool_rz_start"), phase = trace.column("phase");
   double largest = none;
@@ -46,7 +47,7 @@ double tool_to_normal(const Task& task, const RunResult& result) {
     Eigen::Isometry3d now = start;
     const double angle = turned.norm();
     if (angle > 0.0) now.rotate(Eigen::AngleAxisd(angle, turned / angle));
-    const Eigen::Vector3d axis = pressing_axis(now);
+    const Eigen::Vector3d axis = now.linear() * press;
     const double off = std::atan2(axis.cross(into).norm(), axis.dot(into));
     if (!(largest >= off)) largest = off;
   }

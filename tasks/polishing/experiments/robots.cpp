@@ -1,0 +1,191 @@
+// The same task, as shipped, with other robots.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/known_robots.hpp"
+#include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/scaled_robot.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+/// A robot, the frame that it polishes with, and how heavy it is made to be, kg; 0: as it is.
+struct Holder {
+  std::string robot, tool;
+  double mass = 0.0;
+};
+
+/// Of every robot that comes along what may hold a tool; where that is nothing, its best try.
+std::vector<Holder> shipped() {
+  return {{"talos:right_arm", "tool"}, {"talos", "tool"},        {"arm7", "tool"},
+          {"arm7:six", "tool"},        {"arm7:wall", "tool"},    {"arm7", "tool", 3.0},
+          {"arm7", "tool", 10.0},      {"arm7", "tool", 30.0},   {"crane:left_only", "left_tip"},
+          {"crane", "right_tip"},      {"quadruped", "fl_foot"}, {"quadruped:fixed", "fl_foot"},
+          {"pendulum", "tip"}};
+}
+
+struct Entry {
+  Holder holder;
+  std::string surface;
+  std::string name = {};    ///< of robot and size
+  std::string reason = {};  ///< why it does not polish, if it is known before
+  double mass = 0.0;        ///< kg that move
+  int joints = 0;
+  double bandwidth = 0.0;      ///< rad/s of the estimate of the model error
+  std::vector<int> runs = {};  ///< indices
+};
+
+std::vector<Holder> holders(const ExperimentSpec& spec) {
+  if (spec.robots.empty()) {
+    std::vector<Holder> all = shipped();
+    if (spec.quick) all = {{"arm7", "tool", 10.0}, {"pendulum", "tip"}};
+    return all;
+  }
+  std::vector<Holder> given;
+  for (std::size_t i = 0; i < spec.robots.size(); ++i)
+    given.push_back({spec.robots[i], i < spec.tools.size() ? spec.tools[i] : "tool"});
+  return given;
+}
+
+Robot robot_of(const Holder& holder, const Task& task) {
+  Robot robot = load_task_robot(task);
+  return holder.mass > 0.0 ? scaled_robot(std::move(robot), holder.mass) : robot;
+}
+
+/// The run of an entry but for its seed, with its posture; nothing, and the entry's reason, where
+/// there is none.
+std::optional<RunSpec> run_of(const ExperimentSpec& spec, Entry& entry) {
+  RunSpec run;
+  run.plant = spec.plant;
+  entry.name = entry.holder.robot;
+  try {
+    run.task = experiment_task(spec, entry.surface, "mismatch", 8.3);
+    run.task.robot = entry.holder.robot;
+    run.task.tool = entry.holder.tool;
+    run.robot = robot_of(entry.holder, run.task);
+    const Model& model = run.robot->model;
+    if (entry.holder.mass > 0.0) entry.name += ", scaled";
+    entry.mass = model.total_mass();
+    entry.joints = model.nv;
+    const Setting setting = make_setting(run.task, *run.robot);
+    const ReachReport reach = check_reach(run.task, setting, run.reach);
+    if (!reach.ok()) throw Error("the task is out of reach: " + reach.text);
+    entry.bandwidth = make_mpc(run.task, setting).model_error.bandwidth;
+    return run;
+  } catch (const Error& error) {
+    entry.reason = error.what();
+    return std::nullopt;
+  }
+}
+
+ResultTable runs_table(const std::vector<Entry>& entries, const std::vector<RunFigures>& runs) {
+  ResultTable table{.name = "runs", .title = "Every run", .for_people = false};
+  table.columns = {{"robot"}, {"tool"}, {"surface"}, {"mass", "kg", 1}, {"seed", "", 0}};
+  for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
+  for (const Entry& entry : entries)
+    for (const int index : entry.runs) {
+      const RunFigures& run = runs[static_cast<std::size_t>(index)];
+      std::vector<ResultCell> row{entry.name, entry.holder.tool, entry.surface, entry.mass,
+                                  static_cast<double>(run.seed)};
+      for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
+      table.add(std::move(row));
+    }
+  return table;
+}
+
+ResultTable summary_table(const std::vector<Entry>& entries, const std::vector<RunFigures>& runs) {
+  ResultTable table{.name = "summary", .title = "Mean and worst over the seeds"};
+  table.columns = {{"robot"},
+                   {"tool"},
+                   {"surface"},
+                   {"mass", "kg", 1},
+                   {"joints", "", 0},
+                   {"bandwidth", "rad/s", 0},
+                   {"seeds", "", 0},
+                   {"polished", "", 0},
+                   {"force rmse", "N"},
+                   {"worst", "N"},
+                   {"force peak, worst", "N", 2},
+                   {"position rmse", "mm"},
+                   {"worst", "mm"},
+                   {"lost, worst", "%", 2}};
+  for (const Entry& entry : entries) {
+    if (!entry.reason.empty()) continue;
+    std::vector<RunFigures> all;
+    for (const int index : entry.runs) all.push_back(runs[static_cast<std::size_t>(index)]);
+    const auto polished =
+        std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
+    const auto of = [&](double RunFigures::*figure) { return collect(all, figure); };
+    const auto force = of(&RunFigures::force_rmse), place = of(&RunFigures::position_rmse);
+    table.add({entry.name, entry.holder.tool, entry.surface, entry.mass,
+               static_cast<double>(entry.joints), entry.bandwidth, static_cast<double>(all.size()),
+               static_cast<double>(polished), mean_of(force), largest_of(force),
+               largest_of(of(&RunFigures::force_peak)), 1e3 * mean_of(place),
+               1e3 * largest_of(place), 100.0 * largest_of(of(&RunFigures::lost))});
+  }
+  return table;
+}
+
+ResultTable reasons_table(const std::vector<Entry>& entries) {
+  ResultTable table{.name = "others", .title = "Robots that do not polish, and why"};
+  table.columns = {{"robot"}, {"tool"}, {"surface"}, {"reason"}};
+  for (const Entry& entry : entries)
+    if (!entry.reason.empty())
+      table.add({entry.name, entry.holder.tool, entry.surface, entry.reason});
+  return table;
+}
+
+/// Robots that came along and are in no entry.
+void note_missing(const std::vector<Entry>& entries, ExperimentReport& report) {
+  std::set<std::string> there;
+  for (const Entry& entry : entries)
+    there.insert(entry.holder.robot.substr(0, entry.holder.robot.find(':')));
+  for (const auto& [name, file] : known_robots())
+    if (!there.contains(name))
+      report.findings.push_back("Robot " + name + " was not tried: name it and its tool's frame.");
+}
+
+}  // namespace
+
+ExperimentReport perform_robots(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "The shipped task with other robots"};
+  const std::vector<std::string> surfaces =
+      spec.surfaces.empty() ? std::vector<std::string>{"table"} : spec.surfaces;
+  const int seeds = spec.seeds > 0 ? spec.seeds : spec.quick ? 1 : 5;
+  std::vector<Entry> entries;
+  for (const Holder& holder : holders(spec))
+    for (const std::string& surface : surfaces) entries.push_back({holder, surface});
+  std::vector<std::optional<RunSpec>> found(entries.size());
+  for_each_index(static_cast<int>(entries.size()), spec.threads, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!spec.stopped || !spec.stopped()) found[i] = run_of(spec, entries[i]);
+  });
+  std::vector<BatchRun> runs;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (int seed = spec.first_seed; found[i] && seed < spec.first_seed + seeds; ++seed) {
+      BatchRun run{entries[i].name + ", " + entries[i].surface + ", seed " + std::to_string(seed),
+                   *found[i]};
+      run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
+      run.spec.plan_rate = 0.0;
+      entries[i].runs.push_back(static_cast<int>(runs.size()));
+      runs.push_back(std::move(run));
+    }
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  report.tables = {runs_table(entries, figures), summary_table(entries, figures)};
+  if (ResultTable reasons = reasons_table(entries); !reasons.rows.empty())
+    report.tables.push_back(std::move(reasons));
+  const auto polished = std::count_if(figures.begin(), figures.end(),
+                                      [](const RunFigures& run) { return run.polished; });
+  report.findings.push_back(std::to_string(polished) + " of " + std::to_string(figures.size()) +
+                            " runs polished.");
+  // Of those that come along some hold no tool; those that were asked for should.
+  for (const Entry& entry : entries)
+    if (!spec.robots.empty() && !entry.reason.empty())
+      report.failures.push_back(entry.name + ", " + entry.surface + ": " + entry.reason);
+  if (spec.robots.empty() && !spec.quick) note_missing(entries, report);
+  note_failures(spec, figures, report);
+  return report;
+}
+
+}  // namespace burnish::polishing
