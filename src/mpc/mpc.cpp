@@ -20,9 +20,7 @@ std::exception_ptr MpcController::take_exception() noexcept {
   return std::exchange(impl_->thrown, nullptr);
 }
 const LinearFeedback& MpcController::feedback() const { return impl_->policy; }
-const Eigen::VectorXd& MpcController::torque_error() const {
-  return impl_->observer.torque_error();
-}
+const Eigen::VectorXd& MpcController::torque_error() const { return impl_->torque_error; }
 double MpcController::force_error() const { return impl_->force_error; }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 const Problem& MpcController::problem() const { return impl_->problem; }

@@ -164,7 +164,8 @@ MpcController::Impl::Impl(MpcSpec given)
   q_ = spec.problem.initial_state.head(layout.nq);
   q_hold_ = q_;
   v_ = tau_ = bias_ = total_ = acted_ = torque_offset_ = Eigen::VectorXd::Zero(layout.nv);
-  pull_ = stretch_ = v_;
+  pull_ = stretch_ = torque_error = v_;
+  body_.frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);  // sized here, not in a tick
   x_ = spec.problem.initial_state;
   u_ = Eigen::VectorXd::Zero(layout.nu);
   dx_ = Eigen::VectorXd::Zero(layout.ndx());
@@ -221,6 +222,9 @@ void MpcController::Impl::reset() noexcept {
   tau_.setZero();
   acted_.setZero();
   torque_offset_.setZero();
+  torque_error.setZero();
+  friction_force_.setZero();
+  pressed_ = 0.0;
   tool_force.setZero();
   touch_.reset();
   mean_force_.setZero();

@@ -33,6 +33,7 @@ struct MpcController::Impl {
   void feel_contact() noexcept;
   void estimate(double dt) noexcept;
   void follow_command(double dt) noexcept;
+  void follow_friction(double share) noexcept;
   void estimate_force_error(double share) noexcept;
   bool force_at(const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
   void watch(double dt) noexcept;
@@ -68,8 +69,9 @@ struct MpcController::Impl {
   TorqueErrorObserver observer;
   LinearFeedback policy;
   FaultReport fault;
-  double force_error = 0.0;   ///< N
-  std::exception_ptr thrown;  ///< by a function of the specification, first of all
+  double force_error = 0.0;      ///< N
+  Eigen::VectorXd torque_error;  ///< nv, observed and of friction, Nm (N)
+  std::exception_ptr thrown;     ///< by a function of the specification, first of all
 
  private:
   double step_;  ///< s, of the knots
@@ -91,6 +93,9 @@ struct MpcController::Impl {
   Eigen::Matrix3Xd forces_;  ///< a ring of the tool's force
   long forces_count_ = 0;
   Eigen::Vector3d mean_force_ = Eigen::Vector3d::Zero();
+  double pressed_ = 0.0;  ///< N, normal force behind the observer's bandwidth
+  Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();  ///< N, along the surface, alike
+  FrameDerivatives tool_motion_;
   Eigen::VectorXd acted_;          ///< nv, torque that the model believes to act
   Eigen::VectorXd torque_offset_;  ///< nv, slow part of measured minus acted torque
   Tree tree_;

@@ -94,7 +94,7 @@ bool MpcController::Impl::replan(double now) {
   const double delay = solved_ ? spec.solver_delay : 0.0;
   measured_state();
   if (spec.model_error.kind == ModelErrorKind::Torque &&
-      problem.set_torque_bias(observer.torque_error()) != Status::Ok)
+      problem.set_torque_bias(torque_error) != Status::Ok)
     return false;
   if (delay > 0.0) predict(now, delay);
   const double schedule_time = schedule.time() + delay;

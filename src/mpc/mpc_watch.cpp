@@ -82,16 +82,37 @@ void MpcController::Impl::estimate(double dt) noexcept {
   const ModelErrorKind kind = spec.model_error.kind;
   const double share = -std::expm1(-spec.model_error.bandwidth * dt);
   follow_command(dt);
+  total_ = tau_;
   if (kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
-    const Status seen = observer.update(q_, v_, acted_, normal_force() * spec.normal_world, dt);
+    const Status seen = observer.update(q_, v_, acted_, tool_force, dt);
     if (seen <= Status::NotConverged) torque_offset_ += share * (tau_ - acted_ - torque_offset_);
+    follow_friction(share);
+    // Section IV-C: at the measured torques. What the torque error knows of them counts once.
+    total_ += observer.torque_error() - torque_offset_;
+    total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
   }
   if (kind == ModelErrorKind::Force) estimate_force_error(share);
-  // Section IV-C: at the measured torques. What the torque error knows of them counts once.
-  total_ = tau_;
-  if (kind == ModelErrorKind::Torque) total_ += observer.torque_error() - torque_offset_;
   (void)force_at(total_, command_.force_estimate_world);
+}
+
+/// Friction is no error of its own: it goes with the normal force. Given back as measured it would
+/// close a loop from the normal force through friction and the arm's inertia to itself, with the
+/// observer's lag in it, which rings where pressing harder and sliding hang together (a light wrist
+/// on a heavy arm). So what is kept is its ratio to the normal force, and what is given back is
+/// that ratio times the force that is asked for.
+void MpcController::Impl::follow_friction(double share) noexcept {
+  const Eigen::Vector3d& n = spec.normal_world;
+  pressed_ += share * (normal_force() - pressed_);
+  friction_force_ += share * (tool_force - normal_force() * n - friction_force_);
+  const double asked = std::max(command_.target_force, 0.0);
+  const bool presses = pressed_ > spec.limits.contact_threshold;
+  // What is larger than the normal force is no friction.
+  const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
+  body_.frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);
+  torque_error = observer.torque_error();
+  torque_error.noalias() +=
+      ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
 }
 
 void MpcController::Impl::estimate_force_error(double share) noexcept {

@@ -59,6 +59,28 @@ TEST(PolishingRun, BaselineOnTheIdealPlant) {
   EXPECT_FALSE(result.metrics->solver.has_value());
 }
 
+TEST(PolishingRun, FrictionDoesNotMakeAnArmWithALightWristRing) {
+  // Without rotors and joint friction pressing harder and sliding hang together closely.
+  RunSpec spec =
+      short_run(has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal, ControllerKind::Mpc);
+  spec.task.robot = "arm7";
+  spec.task.posture = "ready";
+  spec.task.disturbances = disturbance_preset("mismatch");
+  spec.task.disturbances.surface_friction = 0.5;
+  spec.task.polish_duration = 3.5;
+  spec.task.path.start_up = 1.0;
+  spec.plan_rate = 0.0;
+  spec.robot = load_robot("arm7");
+  Model& model = spec.robot->model;
+  for (Eigen::VectorXd* figure : {&model.armature, &model.damping, &model.friction})
+    figure->setZero();
+  const RunResult result = run_task(spec);
+  EXPECT_TRUE(result.polished) << result.outcome;
+  ASSERT_TRUE(result.metrics.has_value());
+  EXPECT_LT(result.metrics->force_rmse, 1.0);  // 10 N and a tenth of the time without contact
+  EXPECT_EQ(result.metrics->without_contact, 0.0);
+}
+
 TEST(PolishingRun, OnMujoco) {
   if (!has_mujoco()) {
     const RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);

@@ -18,7 +18,8 @@ namespace burnish {
 /// filter, where the problem has one), so that what actuators get wrong is part of them.
 enum class ModelErrorKind {
   None,    ///< nothing: the paper's controller
-  Torque,  ///< d in M a + b = tau + J^T f + d, a torque per joint
+  Torque,  ///< d in M a + b = tau + J^T f + d, a torque per joint; in an MpcController also the
+           ///< ratio of friction along the surface to the normal force
   Force,   ///< what the measured normal force is above the one that the model predicts
 };
 

@@ -19,11 +19,13 @@
 
 namespace burnish {
 
-/// What the task asks of the tool at a time of the schedule, for the record. What the controller
-/// aims at is what the costs of the problem say.
+/// What the task asks of the tool at a time of the schedule. What the controller aims at is what
+/// the costs of the problem say; this is for the record, and for friction, which goes with the
+/// force.
 struct TaskTarget {
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
-  double force = 0.0;                                 ///< N, along the normal; 0: no contact wanted
+  /// N, along the normal; 0: no contact wanted, and no friction is reckoned with
+  double force = 0.0;
 };
 
 /// When a run is given up. Infinite: never.
@@ -141,8 +143,10 @@ class MpcController final : public Controller {
   std::exception_ptr take_exception() noexcept;
   /// The policy of the last tick: feedforward torque, gains, linearisation state.
   const LinearFeedback& feedback() const;
-  const Eigen::VectorXd& torque_error() const;  ///< nv, estimated, Nm (N)
-  double force_error() const;                   ///< N, estimated (ModelErrorKind::Force)
+  /// nv, estimated, Nm (N): the observer's, and that of friction along the surface in proportion to
+  /// the force that is asked for.
+  const Eigen::VectorXd& torque_error() const;
+  double force_error() const;  ///< N, estimated (ModelErrorKind::Force)
   const Schedule& schedule() const;
   const Problem& problem() const;
   /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet.
