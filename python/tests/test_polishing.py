@@ -176,6 +176,21 @@ class TestReach:
         tilt = np.arctan2(np.linalg.norm(np.cross(into, normal)), into @ normal)
         assert tilt == pytest.approx(found.tilt, abs=1e-6)
 
+    def test_what_a_search_keeps_to_is_in_the_task(self):
+        task = polishing.make_task("table", overrides=["search.body_distance=0.3"])
+        assert polishing.posture_options(task).body_distance == 0.3
+        task.tool_axis = [0.0, 2.0, 0.0]
+        model = burnish.load_robot(task.robot).model
+        np.testing.assert_array_equal(polishing.pressing_direction(task, model), [0.0, 1.0, 0.0])
+        task.tool_axis = None
+        np.testing.assert_array_equal(polishing.pressing_direction(task, model), [0.0, 0.0, -1.0])
+
+    def test_a_surface_ends_beyond_the_path(self):
+        task = polishing.make_task("table", extent=0.2)
+        assert polishing.make_setting(task).scene.surface.extent == pytest.approx(0.27)
+        task.extent = float("inf")
+        assert np.isinf(polishing.make_setting(task).scene.surface.extent)
+
     def test_a_posture_that_there_is_not_is_refused(self):
         task = polishing.make_task("table", posture="search", overrides=["path.radius=2"])
         with pytest.raises(burnish.Error, match="no posture was found"):
