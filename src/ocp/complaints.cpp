@@ -220,6 +220,16 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
+/// False where joints move no mass, which leaves nothing to say of contacts.
+bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
+  const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(problem.layout().nv);
+  ContactDynamics dynamics(problem.model());
+  if (dynamics.forward(q, rest, rest) != Status::SingularMass) return true;
+  sentences.push_back("initial posture: " + dynamics.explanation());
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::string> complaints(const Problem& problem) {
@@ -227,7 +237,7 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_targets(problem, sentences);
   about_initial_state(problem, sentences);
   about_bounds(problem, sentences);
-  about_contacts(problem, sentences);
+  if (about_mass(problem, sentences)) about_contacts(problem, sentences);
   return sentences;
 }
 

@@ -238,6 +238,17 @@ TEST(Complaints, OfBoundsThatCannotHoldTheRobot) {
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
+TEST(Complaints, OfJointsThatMoveNoMass) {
+  Model model = arm.robot.model();
+  Joint& last = model.joints.back();
+  last.mass = 0.0;
+  last.inertia_at_com.setZero();
+  model.armature[last.v_index] = 0.0;
+  ProblemSpec spec = calm_spec(model);
+  spec.stages[0].contacts = {"pad"};
+  testing::expect_words(only_complaint(spec), {"initial posture", "'" + last.name + "'", "no mass"});
+}
+
 TEST(Complaints, OfRedundantContacts) {
   const Model model = arm.robot.model();
   ProblemSpec spec = calm_spec(model);

@@ -72,6 +72,7 @@ ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options
 ///    are apart (never said of robots that fly, drive or slide without limit);
 ///  - an initial state outside the limits of joints: position, velocity, torque;
 ///  - control bounds that cannot hold the initial posture at rest;
+///  - joints that move no mass at the initial posture;
 ///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0.
 /// Targets are those of the present horizon.
 std::vector<std::string> complaints(const Problem& problem);
