@@ -246,7 +246,8 @@ TEST(Complaints, OfJointsThatMoveNoMass) {
   model.armature[last.v_index] = 0.0;
   ProblemSpec spec = calm_spec(model);
   spec.stages[0].contacts = {"pad"};
-  testing::expect_words(only_complaint(spec), {"initial posture", "'" + last.name + "'", "no mass"});
+  testing::expect_words(only_complaint(spec),
+                        {"initial posture", "'" + last.name + "'", "no mass"});
 }
 
 TEST(Complaints, OfRedundantContacts) {
