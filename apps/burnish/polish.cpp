@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "command.hpp"
 #include "json_text.hpp"
@@ -137,6 +137,21 @@ void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
   fmt::print("\n");
 }
 
+/// Each robot once: a pipe can be read but once.
+void load_robots(std::vector<PolishJob>& jobs, bool strict) {
+  std::map<std::pair<std::string, std::string>, Robot> robots;
+  for (PolishJob& job : jobs) {
+    const polishing::Task& task = job.spec.task;
+    const auto key = std::pair(task.robot, task.tool);
+    auto found = robots.find(key);
+    if (found == robots.end()) {
+      found = robots.emplace(key, polishing::load_task_robot(task)).first;
+      print_warnings(found->second, strict);
+    }
+    job.spec.robot = found->second;
+  }
+}
+
 /// What the arm can do is known before anything moves.
 void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments) {
   std::vector<std::pair<const PolishJob*, polishing::ReachReport>> places;
@@ -146,7 +161,7 @@ void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments)
     if (arguments.unchecked) continue;
     const polishing::Task& task = job.spec.task;
     polishing::ReachReport& reach = places.back().second;
-    reach = polishing::check_reach(task, polishing::make_setting(task));
+    reach = polishing::check_reach(task, polishing::make_setting(task, *job.spec.robot));
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
   }
   for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);
@@ -254,9 +269,7 @@ int polish(const PolishArguments& arguments) {
     return exit_ok;
   }
   named_by(arguments.file, [&] {
-    std::set<std::string> robots;
-    for (const PolishJob& job : jobs) robots.insert(job.spec.task.robot);
-    for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
+    load_robots(jobs, arguments.strict);
     check(jobs, arguments);
   });
   const StopRequest stop("the run ends, and what there is of it is written");

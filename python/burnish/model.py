@@ -316,6 +316,8 @@ class RobotOverrides(Spec):
     """in addition to what the settings lock"""
     free: List[str] = items()
     """these alone move, whatever the settings lock or free"""
+    carrying: str = ""
+    """a link or joint: of a robot without settings only what carries it moves; empty or unknown: all"""
     posture: str = ""
     """named posture at which joints are locked; empty: the settings' own"""
     srdf: str = ""

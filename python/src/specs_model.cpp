@@ -185,6 +185,7 @@ const SpecTable& AsDataclass<RobotOverrides>::table() {
                                       .field("base", &RobotOverrides::base)
                                       .field("locked", &RobotOverrides::locked)
                                       .field("free", &RobotOverrides::free)
+                                      .field("carrying", &RobotOverrides::carrying)
                                       .field("posture", &RobotOverrides::posture)
                                       .field("srdf", &RobotOverrides::srdf)
                                       .field("strict", &RobotOverrides::strict);

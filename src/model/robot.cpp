@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 
 #include "burnish/model/urdf.hpp"
@@ -131,6 +132,33 @@ const Posture& find_posture(const RobotSettings& settings, const std::string& na
   if (found != settings.postures.end()) return found->second;
   refuse(origin, key + ": posture " + in_quotes(name) + " does not exist" +
                      did_you_mean(name, keys_of(settings.postures)));
+}
+
+/// Names of the joints that move what is called `name`, a link or a joint, and of those that joints
+/// on the way mimic; empty if there is no such thing.
+std::vector<std::string> carrying_joints(const TreeSpec& tree, const std::string& name) {
+  std::map<std::string, const JointSpec*> by_child, by_name;
+  for (const JointSpec& joint : tree.joints) {
+    by_child.emplace(joint.child_link, &joint);
+    by_name.emplace(joint.name, &joint);
+  }
+  const auto among = [](const auto& joints, const std::string& key) {
+    const auto found = joints.find(key);
+    return found == joints.end() ? nullptr : found->second;
+  };
+  const bool is_link = std::any_of(tree.links.begin(), tree.links.end(),
+                                   [&](const LinkSpec& link) { return link.name == name; });
+  std::set<std::string> names;
+  const JointSpec* joint = among(is_link ? by_child : by_name, name);
+  // What hangs on itself, or mimics itself, is refused later.
+  for (std::size_t i = 0; joint != nullptr && i < tree.joints.size(); ++i) {
+    const JointSpec* moving = joint;
+    for (std::size_t k = 0; moving != nullptr && moving->mimic && k < tree.joints.size(); ++k)
+      moving = among(by_name, moving->mimic->leader);
+    if (moving != nullptr && moving->type != JointType::Fixed) names.insert(moving->name);
+    joint = among(by_child, joint->parent_link);
+  }
+  return {names.begin(), names.end()};
 }
 
 /// Where locked joints are held.
@@ -304,7 +332,9 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
-  const ModelOptions options = options_of(settings, overrides, origin);
+  ModelOptions options = options_of(settings, overrides, origin);
+  if (options.free.empty() && !overrides.carrying.empty())
+    options.free = carrying_joints(tree, overrides.carrying);
   Robot robot;
   robot.model = build_model(tree, options);
   robot.postures = settings.postures;
@@ -320,8 +350,10 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   return robot;
 }
 
-Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
+Robot load_robot(const std::string& name, const RobotOverrides& given) {
   const Place place = find_robot(name);
+  RobotOverrides overrides = given;
+  if (is_settings(place.file)) overrides.carrying.clear();
   RobotSettings settings = settings_at(place);
   const fs::path folder = place.file.parent_path();
   SrdfFile srdf{overrides.srdf, true};

@@ -1,9 +1,7 @@
 #include "polishing/stages.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "burnish/base/error.hpp"
@@ -26,14 +24,6 @@ double smooth(double s) {
 double smooth_rate(double s) {
   s = std::clamp(s, 0.0, 1.0);
   return 30.0 * s * s * (1.0 - s) * (1.0 - s);
-}
-
-/// Whether a robot's name is that of a URDF file, which has no settings.
-bool is_description(const std::string& robot) {
-  std::string ending = std::filesystem::path(robot).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".urdf";
 }
 
 /// Says which links are at the ends of the robot.
@@ -189,17 +179,11 @@ struct Builder {
 }  // namespace
 
 Robot load_task_robot(const Task& task) {
-  Robot robot = load_robot(task.robot);
+  RobotOverrides overrides;
+  overrides.carrying = task.tool;
+  Robot robot = load_robot(task.robot, overrides);
   if (!robot.model.has_frame(task.tool)) refuse_tool(task, robot.model);
-  if (!is_description(task.robot)) return robot;
-  // A description says nothing of what else the robot has: fingers, another arm, a head.
-  const Model& model = robot.model;
-  const int last = model.frames[static_cast<std::size_t>(model.frame_index(task.tool))].body;
-  RobotOverrides carrying;
-  for (int j = last; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent)
-    carrying.free.push_back(model.joints[static_cast<std::size_t>(j)].name);
-  if (carrying.free.empty() || carrying.free.size() == model.joints.size()) return robot;
-  return load_robot(task.robot, carrying);
+  return robot;
 }
 
 bool searches_posture(const Task& task, const Robot& robot) {

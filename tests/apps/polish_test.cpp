@@ -61,6 +61,12 @@ TEST(Polish, ARobotThatHasNoSettingsNeedsAFrameAndNothingElse) {
   ASSERT_EQ(summary.size(), 1U);  // on the table
   EXPECT_EQ(summary[0]["name"], "table_mpc");
   EXPECT_TRUE(summary[0]["polished"].get<bool>());
+  const Outcome piped = shell("bash -c \"'" BURNISH_PROGRAM "' polish --robot <(cat " +
+                              quoted(file) + ") --out " + quoted(scratch.folder / "piped") +
+                              " --controller mpc --json" + short_run + " --tool flange\"");
+  EXPECT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_EQ(Json::parse(piped.out)[0]["metrics"]["force_rmse_N"],
+            summary[0]["metrics"]["force_rmse_N"]);
   const Outcome lost = run(what);
   EXPECT_EQ(lost.exit_code, 2);
   EXPECT_NE(lost.err.find("the tool's frame 'tool' is none of robot 'arm7'"), std::string::npos)

@@ -170,6 +170,33 @@ TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
 }
 
+TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
+  const std::string xml =
+      "<robot name='two arms'><link name='base'/>" + body("left") + body("hand") + body("right") +
+      body("finger") + moving("l", "revolute", "base", "left") +
+      moving("h", "fixed", "left", "hand") + moving("r", "revolute", "base", "right") +
+      "<joint name='f' type='revolute'><parent link='right'/><child link='finger'/>"
+      "<mimic joint='l'/></joint></robot>";
+  const std::string file = write("arms.urdf", xml);
+  const auto moving_for = [&](const std::string& name, const std::string& robot) {
+    RobotOverrides overrides;
+    overrides.carrying = name;
+    std::vector<std::string> names;
+    for (const Joint& joint : load_robot(robot, overrides).model.joints)
+      names.push_back(joint.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(moving_for("hand", file), (Names{"l", "f"})) << "what follows moves too";
+  EXPECT_EQ(moving_for("h", file), (Names{"l", "f"})) << "by the name of a joint";
+  EXPECT_EQ(moving_for("right", file), Names{"r"});
+  EXPECT_EQ(moving_for("finger", file), (Names{"l", "r", "f"})) << "its leader carries it";
+  EXPECT_EQ(moving_for("base", file).size(), 3u);
+  EXPECT_EQ(moving_for("hnad", file).size(), 3u);
+  write("robot.yaml", "urdf: arms.urdf");
+  EXPECT_EQ(moving_for("right", folder_.string()).size(), 3u) << "settings say what moves";
+}
+
 TEST(YamlWord, IsReadBackAsItWasWhateverStandsInIt) {
   for (const std::string& word :
        {std::string("plain"), std::string("../a b/c.urdf"), std::string("null"), std::string(""),
