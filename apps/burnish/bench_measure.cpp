@@ -61,6 +61,50 @@ BenchLine repeat(std::string group, std::string name, double seconds, int pieces
   return line;
 }
 
+/// The tool held along world z.
+ContactSpec pressing(const std::string& tool) {
+  ContactSpec contact{.name = "surface", .tool = tool, .directions = Directions::z()};
+  return contact.with_gains(0.0, 50.0);
+}
+
+/// Whether the tool can press there: not a pendulum's that hangs.
+bool can_press(const Model& model, const std::string& tool, const Eigen::VectorXd& q) {
+  ContactDynamics dynamics(model, {pressing(tool)});
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
+  return dynamics.forward(q, still, still) <= Status::NotConverged;
+}
+
+/// The posture that was asked for, or else the first of the default one, those that are named and a
+/// few beside the default one at which the tool can press; `name` is what it is called.
+Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
+  const Robot& robot = spec.robot;
+  name = spec.posture.empty() ? robot.default_posture : spec.posture;
+  const Eigen::VectorXd q0 =
+      spec.posture.empty() ? robot.reference_configuration() : robot.posture(spec.posture);
+  if (can_press(robot.model, spec.tool, q0)) return q0;
+  if (!spec.posture.empty())
+    throw Error("bench: at posture '" + name + "' the tool '" + spec.tool +
+                "' cannot be held along world z: no joint moves it there, or joints move no mass; "
+                "wanted another posture or tool");
+  for (const auto& [other, posture] : robot.postures) {
+    const Eigen::VectorXd q = robot.posture(other);
+    name = other;
+    if (can_press(robot.model, spec.tool, q)) return q;
+  }
+  name = "beside " + (robot.default_posture.empty() ? "zero" : robot.default_posture);
+  std::mt19937_64 generator(2);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  for (int i = 0; i < 10; ++i) {
+    const Eigen::VectorXd q =
+        integrate(robot.model, q0,
+                  Eigen::VectorXd::NullaryExpr(robot.model.nv, [&] { return uniform(generator); }));
+    if (can_press(robot.model, spec.tool, q)) return q;
+  }
+  throw Error("bench: the tool '" + spec.tool +
+              "' cannot be held along world z anywhere: no joint moves it there, or joints move no "
+              "mass; wanted another tool");
+}
+
 /// Contact dynamics: one state alone, and many in packs.
 class States {
  public:
@@ -77,8 +121,7 @@ class States {
       v_.col(i) = draw(1.0);
     }
     tau_ = Eigen::MatrixXd::Zero(model_.nv, ring);
-    ContactSpec contact{.name = "surface", .tool = spec.tool, .directions = Directions::z()};
-    contacts_ = {contact.with_gains(0.0, 50.0)};
+    contacts_ = {pressing(spec.tool)};
   }
 
   void measure(BenchReport& report) {
@@ -182,11 +225,11 @@ BenchReport measure_speed(const BenchSpec& given) {
   BenchSpec spec = given;
   const Model& model = spec.robot.model;
   if (spec.tool.empty()) spec.tool = default_tool(model);
-  const Eigen::VectorXd q0 = spec.posture.empty() ? spec.robot.reference_configuration()
-                                                  : spec.robot.posture(spec.posture);
+  std::string posture;
+  const Eigen::VectorXd q0 = usable_posture(spec, posture);
   BenchReport report{.robot = model.name,
                      .tool = spec.tool,
-                     .posture = spec.posture.empty() ? spec.robot.default_posture : spec.posture,
+                     .posture = posture,
                      .nq = model.nq,
                      .nv = model.nv,
                      .knots = spec.knots,

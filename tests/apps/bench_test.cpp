@@ -52,6 +52,17 @@ TEST(Bench, PrintsATableToPaste) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 }
 
+TEST(Bench, TakesAPostureAtWhichTheToolCanPress) {
+  // A pendulum that hangs cannot move its tip up or down.
+  const Outcome outcome = run("bench pendulum --json" + quick);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["posture"], "beside hanging");
+  const Outcome hanging = run("bench pendulum --posture hanging" + quick);
+  EXPECT_EQ(hanging.exit_code, 2);
+  for (const char* words : {"posture 'hanging'", "'tip'", "wanted another posture or tool"})
+    EXPECT_NE(hanging.err.find(words), std::string::npos) << hanging.err;
+}
+
 TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
   const Scratch scratch;
   std::string urdf = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7" / "arm7.urdf");
