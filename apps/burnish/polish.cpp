@@ -290,7 +290,7 @@ int polish(const PolishArguments& arguments) {
   return polished && !StopRequest::asked() ? exit_ok : exit_failed;
 }
 
-void add_options(CLI::App& command, PolishArguments& a) {
+void add_task_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option("TASK", a.file,
                   "Task file [the default task, on table and board; with --robot on the table]")
@@ -334,6 +334,9 @@ void add_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option("--duration", a.duration, "Seconds on the path [the file's, or the default's]")
       ->type_name("S");
+}
+
+void add_run_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option(
           "--out", a.out,
@@ -364,7 +367,8 @@ void add_polish(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("polish", "A robot polishes a surface: control, simulation, score");
   const auto arguments = std::make_shared<PolishArguments>();
-  add_options(*command, *arguments);
+  add_task_options(*command, *arguments);
+  add_run_options(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  burnish polish                                    table and board, MPC and baseline\n"

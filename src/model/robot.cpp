@@ -350,17 +350,17 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   return robot;
 }
 
-Robot load_robot(const std::string& name, const RobotOverrides& given) {
+Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
   const Place place = find_robot(name);
-  RobotOverrides overrides = given;
-  if (is_settings(place.file)) overrides.carrying.clear();
+  RobotOverrides applying = overrides;
+  if (is_settings(place.file)) applying.carrying.clear();
   RobotSettings settings = settings_at(place);
   const fs::path folder = place.file.parent_path();
   SrdfFile srdf{overrides.srdf, true};
   if (srdf.file.empty() && settings.srdf) srdf.file = folder / *settings.srdf;
   if (srdf.file.empty() && !is_settings(place.file)) srdf = {srdf_of(place.file), false};
   return make_robot(
-      std::move(settings), overrides, place.file.string(),
+      std::move(settings), applying, place.file.string(),
       [&](const std::string& urdf) { return read_urdf(folder / urdf); }, srdf);
 }
 

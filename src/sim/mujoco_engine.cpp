@@ -133,7 +133,7 @@ void Engine::stiffen_followers() const {
 }
 
 /// To MuJoCo every plane is endless.
-void Engine::meet_where_there_is_surface() {
+void Engine::meet_where_there_is_surface() const {
   if (std::isinf(scene.surface.extent)) return;
   mj_kinematics(m.get(), d.get());
   const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);

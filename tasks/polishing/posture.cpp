@@ -335,7 +335,7 @@ Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
   if (tool.body < 0) return -Eigen::Vector3d::UnitZ();
   if (tool.kind == FrameKind::User) {
     const double outwards = tool.placement.translation().dot(tool.placement.linear().col(2));
-    return Eigen::Vector3d(0.0, 0.0, outwards > 0.0 ? 1.0 : -1.0);
+    return {0.0, 0.0, outwards > 0.0 ? 1.0 : -1.0};
   }
   // In the frame of the joint that carries it, which turns about its z.
   const Joint& joint = model.joints[static_cast<std::size_t>(tool.body)];
