@@ -115,7 +115,7 @@ TEST(Strict, HoldsForEveryCommandWithARobot) {
   const std::string request = quoted(scratch.write("request.json", R"({"robot": "odd.urdf"})"));
   for (const std::string& command :
        {"show " + file, "check " + file, "bench " + file, "eval " + request,
-        "solve " + problem + out, "polish --plant ideal --set robot=" + file + out,
+        "solve " + problem + out, "polish --plant ideal --tool finger --robot " + file + out,
         "experiment tick --quick --plant ideal --set robot=" + file + out}) {
     const Outcome outcome = run(command + " --strict");
     EXPECT_EQ(outcome.exit_code, 2) << command;
