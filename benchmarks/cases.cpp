@@ -3,8 +3,8 @@
 #include <map>
 #include <random>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace burnish::bench {
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "cases.hpp"
 #include "chain.hpp"

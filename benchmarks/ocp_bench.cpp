@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "mpc/pressing_controller.hpp"
 #include "ocp/polishing_problem.hpp"

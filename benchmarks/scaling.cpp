@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/report/svg_plot.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "chain.hpp"
 #include "ocp/polishing_problem.hpp"

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 
 int main() {
   const burnish::Robot robot = burnish::load_robot("talos:right_arm");

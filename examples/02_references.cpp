@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "burnish/robots/robot.hpp"
 
 using Clock = std::chrono::steady_clock;
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/ocp/problem.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 
 using namespace burnish;

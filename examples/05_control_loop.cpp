@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/report/metrics.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 

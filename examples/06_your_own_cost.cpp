@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/ocp/check.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 
 using namespace burnish;

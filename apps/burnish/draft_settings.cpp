@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/whole_file.hpp"
+#include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
-#include "model/srdf.hpp"
-#include "model/yaml_word.hpp"
+#include "urdf/srdf.hpp"
 
 namespace burnish::app {
 namespace {

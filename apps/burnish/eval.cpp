@@ -6,9 +6,9 @@
 #include <set>
 
 #include "answer.hpp"
+#include "base/text_file.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
-#include "model/text_file.hpp"
 #include "robot_arguments.hpp"
 
 namespace burnish::app {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "model/text_file.hpp"
+#include "base/text_file.hpp"
 
 namespace burnish::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #ifdef BURNISH_HAS_ASSIMP
 #include <assimp/config.h>
 #include <assimp/postprocess.h>

@@ -6,8 +6,8 @@
 
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/model/state.hpp"
-#include "model/known_robots.hpp"
 #include "request_contact.hpp"
+#include "robots/known_robots.hpp"
 
 namespace burnish::app {
 namespace {

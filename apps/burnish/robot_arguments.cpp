@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/findings.hpp"
 #include "burnish/base/error.hpp"
-#include "model/findings.hpp"
 
 namespace burnish::app {
 

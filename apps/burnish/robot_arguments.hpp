@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace burnish::app {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "burnish/base/error.hpp"
-#include "model/known_robots.hpp"
-#include "model/robot_settings.hpp"
+#include "robots/known_robots.hpp"
+#include "robots/robot_settings.hpp"
 
 namespace burnish::app {
 

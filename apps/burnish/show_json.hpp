@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace burnish::app {
 

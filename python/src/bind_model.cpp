@@ -1,7 +1,7 @@
 // Robots: descriptions, compiled models, configurations.
 #include "bind.hpp"
 #include "burnish/model/state.hpp"
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "specs_model.hpp"
 
 namespace burnish::python {

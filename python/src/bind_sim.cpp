@@ -4,7 +4,7 @@
 #include "loop_parts.hpp"
 
 #ifdef BURNISH_HAS_MUJOCO
-#include "burnish/sim/mujoco_plant.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
 #endif
 
 namespace burnish::python {

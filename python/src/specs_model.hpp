@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/model/model.hpp"
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {

@@ -1,12 +1,12 @@
 // Values of the sim layer.
 #pragma once
 
+#include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/sim/actuation.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/sim/impedance_controller.hpp"
-#include "burnish/sim/mujoco_plant.hpp"
 #include "burnish/sim/path.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/scene.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
 #include "derivatives/check_run.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 

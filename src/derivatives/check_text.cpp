@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/check.hpp"
 #include "derivatives/check_table.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace burnish {
 std::string explain(Status status, const std::vector<std::string>& joints,

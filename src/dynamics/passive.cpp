@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 

@@ -4,10 +4,10 @@
 #include <limits>
 #include <sstream>
 
+#include "base/parse_number.hpp"
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
 #include "burnish/base/error.hpp"
-#include "model/parse_number.hpp"
-#include "model/sentence.hpp"
-#include "model/text_file.hpp"
 
 namespace burnish::files {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
-#include "model/known_robots.hpp"
+#include "robots/known_robots.hpp"
 
 namespace burnish::files {
 namespace {

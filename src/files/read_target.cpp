@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
 #include "files/csv_table.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::files {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::files {
 namespace {

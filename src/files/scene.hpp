@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/ocp/problem_spec.hpp"
+#include "burnish/robots/robot.hpp"
 #include "files/yaml_reader.hpp"
 
 namespace burnish::files {

@@ -1,8 +1,8 @@
 // Trajectories that a solver starts from.
+#include "base/sentence.hpp"
 #include "burnish/files/problem_file.hpp"
 #include "files/csv_table.hpp"
 #include "files/scene.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <set>
 
-#include "model/parse_number.hpp"
-#include "model/sentence.hpp"
-#include "model/text_file.hpp"
-#include "model/yaml_text.hpp"
+#include "base/parse_number.hpp"
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
+#include "robots/yaml_text.hpp"
 
 namespace burnish::files {
 

@@ -8,8 +8,8 @@
 #include "model/lock.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
-#include "model/sentence.hpp"
 #include "model/tree_check.hpp"
+#include "model/tree_sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "model/mimic.hpp"
 #include "model/posture.hpp"
-#include "model/sentence.hpp"
+#include "model/tree_sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sentence.hpp"
 #include "model/posture.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -1,8 +1,8 @@
 // Whether every joint of a compiled tree moves some mass.
 #pragma once
 
+#include "base/findings.hpp"
 #include "burnish/model/model.hpp"
-#include "model/findings.hpp"
 
 namespace burnish {
 

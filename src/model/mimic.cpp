@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "model/posture.hpp"
-#include "model/sentence.hpp"
+#include "model/tree_sentence.hpp"
 
 namespace burnish {
 namespace {

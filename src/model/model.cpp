@@ -6,10 +6,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "model/followers.hpp"
 #include "model/posture.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

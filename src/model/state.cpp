@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace burnish {
 namespace {

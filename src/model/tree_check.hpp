@@ -1,8 +1,8 @@
 // Whether a TreeSpec is a tree, and whether what it carries is physical.
 #pragma once
 
+#include "base/findings.hpp"
 #include "burnish/model/tree_spec.hpp"
-#include "model/findings.hpp"
 
 namespace burnish {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

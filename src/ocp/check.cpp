@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/model/state.hpp"
-#include "model/sentence.hpp"
 #include "ocp/check_point.hpp"
 
 namespace burnish {

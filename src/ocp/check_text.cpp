@@ -1,9 +1,9 @@
 // The report of a problem's check as a table.
 #include <array>
 
+#include "base/sentence.hpp"
 #include "burnish/ocp/check.hpp"
 #include "derivatives/check_table.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

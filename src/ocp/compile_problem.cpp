@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
 #include "model/followers.hpp"
-#include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::ocp {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
 #include "model/followers.hpp"
-#include "model/sentence.hpp"
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
 

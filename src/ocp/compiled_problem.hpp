@@ -7,7 +7,7 @@
 
 #include "burnish/dynamics/passive.hpp"
 #include "burnish/ocp/problem_spec.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 #include "ocp/compiled_residual.hpp"
 
 namespace burnish::ocp {

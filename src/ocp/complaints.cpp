@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/ocp/check.hpp"
-#include "model/sentence.hpp"
 #include "ocp/problem_impl.hpp"
 #include "ocp/reach.hpp"
 

@@ -1,7 +1,7 @@
 #include "burnish/ocp/penalty.hpp"
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 

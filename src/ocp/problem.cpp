@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 #include "ocp/problem_impl.hpp"
 
 namespace burnish {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace ocp {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/mpc/controller.hpp"
-#include "model/sentence.hpp"
 #include "report/moving_mean.hpp"
 
 namespace burnish {

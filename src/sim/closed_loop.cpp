@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
 #include "burnish/contact/reference.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

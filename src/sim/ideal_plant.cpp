@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/integration.hpp"
-#include "model/sentence.hpp"
 #include "sim/coulomb.hpp"
 #include "sim/manifold_step.hpp"
 #include "sim/small_product.hpp"

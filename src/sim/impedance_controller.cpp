@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/integration.hpp"
-#include "model/sentence.hpp"
 #include "mpc/contact_detector.hpp"
 #include "sim/small_product.hpp"
 

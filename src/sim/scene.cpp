@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/contact/reference.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish {
 namespace {

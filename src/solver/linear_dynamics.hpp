@@ -1,7 +1,7 @@
 // A knot's linearised dynamics as an operator, in either form.
 #pragma once
 
-#include "burnish/ocp/shooting_problem.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
 #include "burnish/sim/random.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::polishing {
 namespace {

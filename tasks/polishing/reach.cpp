@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
+#include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/model/state.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::polishing {
 namespace {

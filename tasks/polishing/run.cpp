@@ -4,12 +4,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
-#include "model/sentence.hpp"
 #include "polishing/task_file.hpp"
 #ifdef BURNISH_HAS_MUJOCO
-#include "burnish/sim/mujoco_plant.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
 #endif
 
 namespace burnish::polishing {

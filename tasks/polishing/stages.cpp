@@ -4,10 +4,10 @@
 #include <cmath>
 #include <memory>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "model/sentence.hpp"
 #include "ocp/position_limits.hpp"
 #include "polishing/posture.hpp"
 #include "polishing/task_file.hpp"

@@ -1,7 +1,7 @@
 // The task as an optimal control problem over time.
 #pragma once
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/sim/impedance_controller.hpp"
 #include "polishing/task.hpp"
 

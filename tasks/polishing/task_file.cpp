@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
 #include "base/whole_file.hpp"
-#include "model/sentence.hpp"
-#include "model/text_file.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {

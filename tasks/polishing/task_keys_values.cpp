@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/yaml_word.hpp"
+#include "base/yaml_word.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {

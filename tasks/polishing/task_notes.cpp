@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace burnish::polishing {
 namespace {

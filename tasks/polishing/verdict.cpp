@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "burnish/report/metrics.hpp"
-#include "model/sentence.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 
 namespace burnish::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "fuzz/readers.hpp"
 #include "support/refusal.hpp"
 

@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <map>
 
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "fuzz/readers.hpp"
-#include "model/robot_settings.hpp"
+#include "robots/robot_settings.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -1,5 +1,5 @@
 #include "fuzz/readers.hpp"
-#include "model/srdf.hpp"
+#include "urdf/srdf.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -1,5 +1,5 @@
 #include "burnish/model/model.hpp"
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "fuzz/readers.hpp"
 
 namespace burnish::fuzz {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "support/trees.hpp"
 
 namespace burnish::testing {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "burnish/model/urdf.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "ocp/polishing_problem.hpp"
 
 namespace burnish::test {

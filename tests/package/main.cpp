@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/model/robot.hpp"
 #include "burnish/model/state.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // RMSE and peak (N) and circle RMSE (mm), measured with another implementation of both.
 #include <gtest/gtest.h>
 
-#include "burnish/sim/mujoco_plant.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"
 

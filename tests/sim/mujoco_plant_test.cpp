@@ -1,6 +1,6 @@
 // MuJoCo as a plant: the same robot as the model to the last digits, and the contact that was asked
 // for.
-#include "burnish/sim/mujoco_plant.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/sim/ideal_plant.hpp"
-#include "sim/mujoco_engine.hpp"
+#include "mujoco/mujoco_engine.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"

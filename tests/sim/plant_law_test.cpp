@@ -7,7 +7,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #ifdef BURNISH_HAS_MUJOCO
-#include "burnish/sim/mujoco_plant.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
 #endif
 #include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "burnish/model/urdf.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "burnish/urdf/urdf.hpp"
 #include "ocp/polishing_problem.hpp"
 
 namespace burnish {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "burnish/base/views.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish::testing {
 

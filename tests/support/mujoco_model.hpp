@@ -7,8 +7,8 @@
 
 #include "burnish/contact/contact.hpp"
 #include "burnish/model/model.hpp"
-#include "sim/mujoco_coordinates.hpp"
-#include "sim/mujoco_description.hpp"
+#include "mujoco/mujoco_coordinates.hpp"
+#include "mujoco/mujoco_description.hpp"
 
 namespace burnish::test {
 

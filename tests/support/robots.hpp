@@ -11,7 +11,7 @@
 #include "burnish/model/state.hpp"
 #include "support/built_robots.hpp"
 #if BURNISH_HAS_ROBOTS
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 #endif
 
 namespace burnish::test {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "burnish/model/robot.hpp"
 #include "burnish/ocp/problem.hpp"
+#include "burnish/robots/robot.hpp"
 #include "burnish/solver/options.hpp"
 
 namespace burnish {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "burnish/base/views.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
 

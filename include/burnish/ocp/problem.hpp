@@ -8,7 +8,7 @@
 #include "burnish/base/views.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/problem_spec.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
 namespace ocp {

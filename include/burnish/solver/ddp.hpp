@@ -12,8 +12,8 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
 #include "burnish/solver/options.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 #include "burnish/solver/summary.hpp"
 
 namespace burnish {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "burnish/base/status.hpp"
-#include "burnish/ocp/shooting_problem.hpp"
 #include "burnish/solver/options.hpp"
+#include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
 

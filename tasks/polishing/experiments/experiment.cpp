@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 #include "polishing/task_file.hpp"
 
 namespace burnish::polishing {

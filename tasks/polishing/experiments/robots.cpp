@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
-#include "model/known_robots.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/scaled_robot.hpp"
+#include "robots/known_robots.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/sentence.hpp"
+#include "base/sentence.hpp"
 
 namespace burnish::polishing {
 

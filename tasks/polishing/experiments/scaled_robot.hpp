@@ -1,7 +1,7 @@
 // A robot of another size.
 #pragma once
 
-#include "burnish/model/robot.hpp"
+#include "burnish/robots/robot.hpp"
 
 namespace burnish::polishing {
 

@@ -1,0 +1,19 @@
+// Sentences about a robot's description.
+#pragma once
+
+#include "base/sentence.hpp"
+#include "burnish/model/tree_spec.hpp"
+
+namespace burnish {
+
+/// What a sentence starts with: the file that was read, or else the robot's name.
+inline std::string origin_of(const TreeSpec& tree) {
+  if (!tree.source.empty()) return tree.source;
+  return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
+}
+
+[[noreturn]] inline void refuse(const TreeSpec& tree, const std::string& what) {
+  refuse(origin_of(tree), what);
+}
+
+}  // namespace burnish

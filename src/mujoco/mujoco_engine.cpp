@@ -1,0 +1,160 @@
+#include "mujoco/mujoco_engine.hpp"
+
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/contact/reference.hpp"
+
+namespace burnish::mujoco {
+namespace {
+
+void check(const MujocoPlantOptions& options) {
+  const auto refuse_unless = [](bool good, const char* name, double value, const char* wanted) {
+    if (!good)
+      throw Error(std::string("the MuJoCo plant's ") + name + " is " + number(value) + "; wanted " +
+                  wanted);
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  refuse_unless(positive(options.dt), "dt", options.dt, "a positive number of seconds");
+  refuse_unless(options.impedance > 0.0 && options.impedance < 1.0, "impedance", options.impedance,
+                "a number between 0 and 1");
+  refuse_unless(positive(options.friction_ratio), "friction_ratio", options.friction_ratio,
+                "a positive number");
+  refuse_unless(std::isfinite(options.tolerance) && options.tolerance >= 0.0, "tolerance",
+                options.tolerance, "a number that is not negative");
+  refuse_unless(options.max_iterations > 0, "max_iterations", options.max_iterations,
+                "a positive number");
+}
+
+/// Tip and surface meet each other and nothing else.
+Additions additions_for(const Model& model, const SceneSpec& scene,
+                        const MujocoPlantOptions& options) {
+  const SurfaceSpec& surface = scene.surface;
+  const Frame& tip = model.frames[static_cast<std::size_t>(model.frame_index(scene.tip.frame))];
+  Additions result;
+  result.joint_stops = options.joint_stops;
+  result.options = R"(cone="elliptic" integrator="Euler" timestep=")" + numbers(options.dt) +
+                   "\" impratio=\"" + numbers(options.friction_ratio) + "\" tolerance=\"" +
+                   numbers(options.tolerance) + "\" iterations=\"" +
+                   std::to_string(options.max_iterations) + "\"";
+  const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
+                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
+  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+  at.translation() = surface.point;
+  at.linear() = Reference::surface_with_normal(surface.normal).rotation;
+  const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
+  result.world = R"(<geom name="surface" type="plane")" + pose_attributes(at) + " size=\"" +
+                 numbers(side, side, 0.01) + "\"" + common + " contype=\"2\" conaffinity=\"1\"/>\n";
+  result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
+                            " size=\"" + numbers(scene.tip.radius) + "\"" + common +
+                            " contype=\"1\" conaffinity=\"2\"/>\n";
+  // Room for friction and limits of every entry, for followers and for contacts.
+  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 40;
+  result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"8\"/>\n<equality>\n";
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const auto& follows = model.joints[i].follows;
+    if (!follows) continue;
+    result.sections += "<joint joint1=\"" + joint_name(static_cast<int>(i)) + "\" joint2=\"" +
+                       joint_name(follows->leader) + "\" polycoef=\"" +
+                       numbers(follows->offset, follows->multiplier, 0.0, 0.0, 0.0) + "\"/>\n";
+  }
+  result.sections += "</equality>\n";
+  return result;
+}
+
+/// The spring and damper of the contact, on both geoms.
+void load_contact(const SurfaceSpec& surface, const MujocoPlantOptions& options, mjModel& m,
+                  int surface_geom, int tip_geom) {
+  const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
+                                 m.body_invweight0[2 * m.geom_bodyid[surface_geom]];
+  const double d = options.impedance, R = (1.0 - d) / d * inverse_inertia;
+  for (const int geom : {surface_geom, tip_geom}) {
+    mjtNum* solref = m.geom_solref + mjNREF * geom;
+    solref[0] = -surface.stiffness * R * d;
+    solref[1] = -surface.damping * R * d;
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.geom_solimp + mjNIMP * geom, constant, mjNIMP);
+  }
+}
+
+/// Damping and Coulomb friction of the joints. MuJoCo lets a joint creep under friction by R/B per
+/// unit of torque: an impedance close to one and a rate that halves the creep in a step keep a
+/// light joint below 1e-3 rad/s per Nm.
+void load_joint_friction(const Model& model, const Coordinates& coordinates, mjModel& m) {
+  constexpr mjtNum d = 0.999;
+  for (int k = 0; k < model.nv; ++k) {
+    const int theirs = coordinates.entry(k);
+    m.dof_damping[theirs] = model.damping[k];
+    m.dof_frictionloss[theirs] = model.friction[k];
+    m.dof_solref[mjNREF * theirs] = 0.0;
+    m.dof_solref[mjNREF * theirs + 1] = -0.5 * d / m.opt.timestep;
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.dof_solimp + mjNIMP * theirs, constant, mjNIMP);
+  }
+}
+
+/// Followers accelerate as their leaders do; the plant puts them back after each step.
+void load_followers(mjModel& m) {
+  constexpr mjtNum d = mjMAXIMP;
+  for (int i = 0; i < m.neq; ++i) {
+    mju_zero(m.eq_solref + mjNREF * i, mjNREF);
+    const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+    mju_copy(m.eq_solimp + mjNIMP * i, constant, mjNIMP);
+  }
+}
+
+}  // namespace
+
+Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options)
+    : model(robot),
+      scene(checked_scene(robot, wanted)),
+      m((check(options), compile(describe(robot, additions_for(robot, scene, options))))),
+      d(mj_makeData(m.get())),
+      coordinates(robot, *m),
+      tip_geom(mj_name2id(m.get(), mjOBJ_GEOM, "tip")),
+      surface_geom(mj_name2id(m.get(), mjOBJ_GEOM, "surface")),
+      tip_site(
+          mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
+      tip_body(m->geom_bodyid[tip_geom]) {
+  load_figures(model, *m, *d);
+  load_joint_friction(model, coordinates, *m);
+  load_followers(*m);
+  load_contact(scene.surface, options, *m, surface_geom, tip_geom);
+}
+
+void Engine::stiffen_followers() const {
+  // MuJoCo's own bound on the impedance would let them lag by 1e-4 of the acceleration.
+  constexpr mjtNum softer = 1e-4;
+  for (int row = 0; row < d->nefc; ++row) {
+    if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;
+    d->efc_R[row] *= softer;
+    d->efc_D[row] /= softer;
+  }
+}
+
+/// To MuJoCo every plane is endless.
+void Engine::meet_where_there_is_surface() const {
+  if (std::isinf(scene.surface.extent)) return;
+  mj_kinematics(m.get(), d.get());
+  const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
+  const bool over = is_over(scene, tip);
+  m->geom_contype[surface_geom] = over ? 2 : 0;
+  m->geom_conaffinity[surface_geom] = over ? 1 : 0;
+}
+
+Eigen::Vector3d Engine::contact_force_world() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < d->ncon; ++i) {
+    const mjContact& contact = d->contact[i];
+    const bool second = contact.geom2 == tip_geom && contact.geom1 == surface_geom;
+    const bool first = contact.geom1 == tip_geom && contact.geom2 == surface_geom;
+    if (!first && !second) continue;
+    mjtNum wrench[6], force[3];
+    mj_contactForce(m.get(), d.get(), i, wrench);
+    mju_rotVecMatT(force, wrench, contact.frame);  // rows of the frame are its axes
+    sum += (second ? 1.0 : -1.0) * Eigen::Map<const Eigen::Vector3d>(force);
+  }
+  return sum;
+}
+
+}  // namespace burnish::mujoco

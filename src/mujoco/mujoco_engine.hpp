@@ -1,0 +1,33 @@
+// MuJoCo loaded with a robot, a tip and a surface.
+#pragma once
+
+#include "burnish/mujoco/mujoco_plant.hpp"
+#include "mujoco/mujoco_coordinates.hpp"
+#include "mujoco/mujoco_description.hpp"
+
+namespace burnish::mujoco {
+
+/// Everything that make_mujoco_plant() compiles, open to be looked into.
+struct Engine {
+  Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options);
+
+  Model model;
+  SceneSpec scene;
+  ModelPointer m;
+  DataPointer d;
+  Coordinates coordinates;
+  int tip_geom, surface_geom, tip_site, tip_body;
+
+  /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders to 1e-8.
+  void stiffen_followers() const;
+
+  /// Lets tip and surface collide at the configuration in `d` where there is surface under the tip,
+  /// and only there. To be called before mj_fwdPosition().
+  void meet_where_there_is_surface() const;
+
+  /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
+  /// the two geoms by their types, so the ids say which way it points.
+  Eigen::Vector3d contact_force_world() const;
+};
+
+}  // namespace burnish::mujoco

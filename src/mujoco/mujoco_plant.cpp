@@ -1,0 +1,182 @@
+#include "burnish/mujoco/mujoco_plant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mujoco/mujoco_engine.hpp"
+#include "sim/state_check.hpp"
+
+namespace burnish {
+namespace {
+
+using mujoco::Engine;
+
+/// Beyond this MuJoCo itself calls a number bad, writes a log file and starts anew.
+constexpr double largest = 1e9;
+
+bool usable(const mjtNum* x, int n) {
+  return std::all_of(x, x + n, [](mjtNum value) { return std::abs(value) < largest; });
+}
+
+class MujocoPlant final : public Plant {
+ public:
+  MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
+      : engine_(model, scene, options),
+        q_(model.q_neutral),
+        v_(Eigen::VectorXd::Zero(model.nv)),
+        friction_(Eigen::VectorXd::Zero(model.nv)),
+        theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
+        before_(Eigen::VectorXd::Zero(engine_.m->nq + 2 * engine_.m->nv)) {
+    start(q_, v_);
+  }
+
+  const Model& model() const override { return engine_.model; }
+  const SceneSpec& scene() const override { return engine_.scene; }
+  double dt() const override { return engine_.m->opt.timestep; }
+  double time() const override { return static_cast<double>(steps_) * dt(); }
+  const Eigen::VectorXd& q() const override { return q_; }
+  const Eigen::VectorXd& v() const override { return v_; }
+  const Eigen::Vector3d& contact_force_world() const override { return force_; }
+  bool in_contact() const override { return in_contact_; }
+  const Eigen::VectorXd& friction_torque() const override { return friction_; }
+
+  Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override;
+  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override;
+  void save(PlantSnapshot& snapshot) const override;
+  Status restore(const PlantSnapshot& snapshot) noexcept override;
+
+ private:
+  void start(const ConstVectorRef& q, const ConstVectorRef& v);
+  void load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) const;
+  void read();
+  void store_moment(double* to) const;
+  void load_moment(const double* from) const;
+  int moment_size() const { return engine_.m->nq + 2 * engine_.m->nv; }
+  int readings_size() const { return 5 + engine_.model.nv; }
+
+  Engine engine_;
+  long steps_ = 0;
+  Eigen::VectorXd q_, v_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  bool in_contact_ = false;
+  Eigen::VectorXd friction_;
+  Eigen::VectorXd theirs_;  ///< friction in MuJoCo's entries
+  Eigen::VectorXd before_;  ///< qpos, qvel, warm start before a step
+};
+
+void MujocoPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
+  mj_resetData(engine_.m.get(), engine_.d.get());
+  engine_.coordinates.store(q, v, *engine_.d);
+  q_ = q;
+  v_ = v;
+  steps_ = 0;
+  force_.setZero();
+  in_contact_ = false;
+  friction_.setZero();
+}
+
+Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
+  const Status status = check_state(engine_.model, q, v);
+  if (status != Status::Ok) return status;
+  if (!usable(q.data(), engine_.model.nq) || !usable(v.data(), engine_.model.nv))
+    return Status::NotFinite;
+  start(q, v);
+  return Status::Ok;
+}
+
+/// mj_step1 and mj_step2 without their checks, which write files and start anew: the checks here
+/// return a status.
+Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
+  mjModel* m = engine_.m.get();
+  mjData* d = engine_.d.get();
+  if (tau.size() != engine_.model.nv) return Status::WrongSize;
+  if (!usable(tau.data(), engine_.model.nv) || !usable(push_world.data(), 3))
+    return Status::NotFinite;
+  store_moment(before_.data());
+  engine_.meet_where_there_is_surface();
+  mj_fwdPosition(m, d);
+  engine_.stiffen_followers();
+  mj_fwdVelocity(m, d);
+  load_forces(tau, push_world);
+  mj_fwdActuation(m, d);
+  mj_fwdAcceleration(m, d);
+  mj_fwdConstraint(m, d);
+  if (!usable(d->qacc, m->nv)) {
+    load_moment(before_.data());
+    return Status::NotFinite;
+  }
+  read();
+  mj_Euler(m, d);
+  engine_.coordinates.load(*d, q_, v_);
+  if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // followers, to the last digit
+  ++steps_;
+  return Status::Ok;
+}
+
+void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) const {
+  mjData* d = engine_.d.get();
+  engine_.coordinates.torque_to(tau, d->qfrc_applied);
+  if (push_world.isZero(0.0)) return;
+  const mjtNum torque[3] = {0.0, 0.0, 0.0};
+  mj_applyFT(engine_.m.get(), d, push_world.data(), torque, d->site_xpos + 3 * engine_.tip_site,
+             engine_.tip_body, d->qfrc_applied);
+}
+
+void MujocoPlant::read() {
+  const mjModel* m = engine_.m.get();
+  const mjData* d = engine_.d.get();
+  force_ = engine_.contact_force_world();
+  in_contact_ = force_.dot(engine_.scene.surface.normal) > 0.0;
+  theirs_ = Eigen::Map<const Eigen::VectorXd>(d->qfrc_passive, m->nv);
+  for (int row = 0; row < d->nefc; ++row)
+    if (d->efc_type[row] == mjCNSTR_FRICTION_DOF) theirs_[d->efc_id[row]] += d->efc_force[row];
+  engine_.coordinates.torque_from(theirs_.data(), friction_);
+}
+
+/// What MuJoCo's future depends on; without the warm start it would differ in the last digits.
+void MujocoPlant::store_moment(double* to) const {
+  const mjModel* m = engine_.m.get();
+  const mjData* d = engine_.d.get();
+  mju_copy(to, d->qpos, m->nq);
+  mju_copy(to + m->nq, d->qvel, m->nv);
+  mju_copy(to + m->nq + m->nv, d->qacc_warmstart, m->nv);
+}
+
+void MujocoPlant::load_moment(const double* from) const {
+  const mjModel* m = engine_.m.get();
+  mjData* d = engine_.d.get();
+  mju_copy(d->qpos, from, m->nq);
+  mju_copy(d->qvel, from + m->nq, m->nv);
+  mju_copy(d->qacc_warmstart, from + m->nq + m->nv, m->nv);
+}
+
+void MujocoPlant::save(PlantSnapshot& snapshot) const {
+  snapshot.numbers.resize(moment_size() + readings_size());
+  double* readings = snapshot.numbers.data() + moment_size();
+  store_moment(snapshot.numbers.data());
+  readings[0] = static_cast<double>(steps_);
+  mju_copy3(readings + 1, force_.data());
+  readings[4] = in_contact_ ? 1.0 : 0.0;
+  mju_copy(readings + 5, friction_.data(), static_cast<int>(friction_.size()));
+}
+
+Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
+  if (snapshot.numbers.size() != moment_size() + readings_size()) return Status::WrongSize;
+  const double* readings = snapshot.numbers.data() + moment_size();
+  load_moment(snapshot.numbers.data());
+  steps_ = std::lround(readings[0]);
+  mju_copy3(force_.data(), readings + 1);
+  in_contact_ = readings[4] != 0.0;
+  mju_copy(friction_.data(), readings + 5, static_cast<int>(friction_.size()));
+  engine_.coordinates.load(*engine_.d, q_, v_);
+  return Status::Ok;
+}
+
+}  // namespace
+
+std::unique_ptr<Plant> make_mujoco_plant(const Model& model, const SceneSpec& scene,
+                                         const MujocoPlantOptions& options) {
+  return std::make_unique<MujocoPlant>(model, scene, options);
+}
+
+}  // namespace burnish

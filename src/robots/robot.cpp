@@ -1,0 +1,367 @@
+#include "burnish/robots/robot.hpp"
+
+#if __has_include(<dlfcn.h>)
+#include <dlfcn.h>
+#endif
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "base/findings.hpp"
+#include "base/sentence.hpp"
+#include "burnish/urdf/urdf.hpp"
+#include "robots/known_robots.hpp"
+#include "robots/robot_settings.hpp"
+#include "urdf/srdf.hpp"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* settings_name = "robot.yaml";
+
+/// Where a robot's name leads.
+struct Place {
+  fs::path file;        // a URDF or a settings file
+  std::string variant;  // empty for none
+};
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+bool is_settings(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".yaml" || extension == ".yml";
+}
+
+/// The file that a path means, if there is one.
+std::optional<fs::path> file_at(const fs::path& path) {
+  std::error_code ignored;  // what cannot be looked at does not exist here
+  if (fs::is_directory(path, ignored)) {
+    const fs::path settings = path / settings_name;
+    return fs::exists(settings, ignored) ? std::optional(settings) : std::nullopt;
+  }
+  return fs::exists(path, ignored) ? std::optional(path) : std::nullopt;
+}
+
+std::optional<fs::path> file_of(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  std::error_code ignored;
+  // A file beside that has a robot's name and no extension is not that robot.
+  if (is_robot_path(name) || fs::is_directory(name, ignored)) {
+    if (auto file = file_at(name)) return file;
+    if (is_robot_path(name)) return std::nullopt;
+  }
+  for (const fs::path& folder : robot_search_path()) {
+    if (!fs::is_directory(folder / name, ignored)) continue;
+    if (auto file = file_at(folder / name)) return file;
+  }
+  return fs::is_regular_file(name, ignored) ? std::optional<fs::path>(name) : std::nullopt;
+}
+
+template <class Value>
+std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : named) names.push_back(name);
+  return names;
+}
+
+[[noreturn]] void refuse_name(const std::string& name) {
+  if (is_robot_path(name)) {
+    std::error_code ignored;
+    const std::string hint =
+        fs::is_directory(name, ignored) ? " holds no robot.yaml" : " does not exist";
+    // No path is as long as text can be.
+    constexpr std::size_t longest = 300;
+    const std::string path = name.size() > longest ? name.substr(0, longest) + "..." : name;
+    refuse(path, "it" + hint + "; wanted a .urdf file, a .yaml file or a folder with robot.yaml");
+  }
+  const std::vector<std::string> known = keys_of(known_robots());
+  std::string nearest = did_you_mean(name, known);
+  if (nearest.empty()) {
+    for (const std::string& robot : known) nearest += (nearest.empty() ? "" : ", ") + robot;
+    nearest = "; known are: " + (nearest.empty() ? "none" : nearest);
+  }
+  throw Error("robot " + in_quotes(name) + " is not known" + nearest);
+}
+
+Place find_robot(const std::string& name) {
+  if (const auto file = file_of(name)) return {*file, ""};
+  const std::size_t colon = name.rfind(':');
+  if (colon == std::string::npos) refuse_name(name);
+  const std::string robot = name.substr(0, colon);
+  const std::string variant = name.substr(colon + 1);
+  const auto file = file_of(robot);
+  if (!file) refuse_name(robot);
+  if (variant.empty()) {
+    throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
+  }
+  if (!is_settings(*file)) {
+    throw Error("robot " + in_quotes(name) + " asks for a variant of a URDF file; only settings " +
+                "files have variants");
+  }
+  return {*file, variant};
+}
+
+RobotSettings settings_at(const Place& place) {
+  if (!is_settings(place.file)) {
+    RobotSettings settings;
+    settings.urdf = place.file.filename().string();
+    return settings;
+  }
+  RobotSettingsFile file = read_robot_settings(place.file);
+  if (place.variant.empty()) return std::move(file.common);
+  const auto variant = file.variants.find(place.variant);
+  if (variant == file.variants.end()) {
+    refuse(place.file.string(), "variant " + in_quotes(place.variant) + " does not exist" +
+                                    did_you_mean(place.variant, keys_of(file.variants)));
+  }
+  return with_variant(std::move(file.common), variant->second);
+}
+
+/// The posture of that name; `key` says who asked for it.
+const Posture& find_posture(const RobotSettings& settings, const std::string& name,
+                            const std::string& origin, const std::string& key) {
+  const auto found = settings.postures.find(name);
+  if (found != settings.postures.end()) return found->second;
+  refuse(origin, key + ": posture " + in_quotes(name) + " does not exist" +
+                     did_you_mean(name, keys_of(settings.postures)));
+}
+
+/// Names of the joints that move what is called `name`, a link or a joint, and of those that joints
+/// on the way mimic; empty if there is no such thing.
+std::vector<std::string> carrying_joints(const TreeSpec& tree, const std::string& name) {
+  std::map<std::string, const JointSpec*> by_child, by_name;
+  for (const JointSpec& joint : tree.joints) {
+    by_child.emplace(joint.child_link, &joint);
+    by_name.emplace(joint.name, &joint);
+  }
+  const auto among = [](const auto& joints, const std::string& key) {
+    const auto found = joints.find(key);
+    return found == joints.end() ? nullptr : found->second;
+  };
+  const bool is_link = std::any_of(tree.links.begin(), tree.links.end(),
+                                   [&](const LinkSpec& link) { return link.name == name; });
+  std::set<std::string> names;
+  const JointSpec* joint = among(is_link ? by_child : by_name, name);
+  // What hangs on itself, or mimics itself, is refused later.
+  for (std::size_t i = 0; joint != nullptr && i < tree.joints.size(); ++i) {
+    const JointSpec* moving = joint;
+    for (std::size_t k = 0; moving != nullptr && moving->mimic && k < tree.joints.size(); ++k)
+      moving = among(by_name, moving->mimic->leader);
+    if (moving != nullptr && moving->type != JointType::Fixed) names.insert(moving->name);
+    joint = among(by_child, joint->parent_link);
+  }
+  return {names.begin(), names.end()};
+}
+
+/// Where locked joints are held.
+Posture locking_posture(const RobotSettings& settings, const RobotOverrides& overrides,
+                        const std::string& origin) {
+  if (!overrides.posture.empty()) {
+    return find_posture(settings, overrides.posture, origin, "posture asked for");
+  }
+  if (settings.posture) return find_posture(settings, *settings.posture, origin, "key 'posture'");
+  if (!settings.default_posture) return {};
+  return find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
+}
+
+ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& overrides,
+                        const std::string& origin) {
+  ModelOptions options;
+  options.strict = overrides.strict;
+  options.base = overrides.base.value_or(settings.base.value_or(Base::Fixed));
+  if (settings.base_placement) options.base_placement = *settings.base_placement;
+  options.frames = settings.frames;
+  options.posture = locking_posture(settings, overrides, origin);
+  if (!overrides.free.empty()) {
+    options.free = overrides.free;
+    options.locked = overrides.locked;
+    return options;
+  }
+  options.locked = settings.lock.value_or(std::vector<std::string>());
+  options.locked.insert(options.locked.end(), overrides.locked.begin(), overrides.locked.end());
+  if (!settings.free) return options;
+  for (const std::string& name : *settings.free) {
+    const auto& locked = overrides.locked;
+    if (std::find(locked.begin(), locked.end(), name) == locked.end()) options.free.push_back(name);
+  }
+  if (options.free.empty()) {
+    // An empty list would free every joint.
+    refuse(origin, "every joint that the settings leave free is to be locked; leave one free");
+  }
+  return options;
+}
+
+void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
+                const std::string& origin) {
+  const std::string key = "limits: joint " + in_quotes(name);
+  const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
+                                  [&](const JointSpec& spec) { return spec.name == name; });
+  if (joint == tree.joints.end()) {
+    std::vector<std::string> known;
+    for (const JointSpec& spec : tree.joints) known.push_back(spec.name);
+    refuse(origin, key + " does not exist" + did_you_mean(name, known));
+  }
+  if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed and has none");
+  const bool has_range = joint->type == JointType::Revolute || joint->type == JointType::Prismatic;
+  if ((limits.lower || limits.upper) && !has_range) {
+    refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
+  }
+  joint->lower = limits.lower.value_or(joint->lower);
+  joint->upper = limits.upper.value_or(joint->upper);
+  joint->velocity_limit = limits.velocity.value_or(joint->velocity_limit);
+  joint->effort_limit = limits.effort.value_or(joint->effort_limit);
+}
+
+/// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
+std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
+                                  RobotSettings& settings, Findings& findings) {
+  std::map<std::string, Posture> postures;
+  const auto read = [&] { postures = read_srdf(srdf.file, tree, findings); };
+  if (srdf.asked_for) {
+    read();
+  } else {
+    findings.attempt_or_warn(read, "; the file is passed over");
+  }
+  std::vector<std::string> names;
+  for (auto& [name, posture] : postures) {
+    if (settings.postures.emplace(name, std::move(posture)).second) names.push_back(name);
+  }
+  return names;
+}
+
+/// Of an SRDF file's postures those that are no configuration of the robot go, with a warning.
+void drop_bad_postures(const std::vector<std::string>& names, Robot& robot, Findings& findings) {
+  for (const std::string& name : names) {
+    try {
+      configuration(robot.model, robot.postures.at(name));
+    } catch (const Error& error) {
+      findings.warn("posture " + in_quotes(name) + ": " + error.what() +
+                    "; this posture is left out");
+      robot.postures.erase(name);
+    }
+  }
+}
+
+/// A posture is used long after loading: what is wrong with it is said now.
+void check_postures(const Robot& robot, const std::string& origin) {
+  for (const auto& [name, posture] : robot.postures) {
+    try {
+      configuration(robot.model, posture);
+    } catch (const Error& error) {
+      refuse(origin, "posture " + in_quotes(name) + ": " + error.what());
+    }
+  }
+}
+
+/// share/burnish/robots in the folder of the program or library that this code is part of, or in
+/// one of the folders around it: where an installation has it, wherever it was moved to.
+std::optional<fs::path> robots_beside_the_library() {
+#if __has_include(<dlfcn.h>)
+  Dl_info info;
+  if (dladdr(reinterpret_cast<const void*>(&robot_search_path), &info) == 0) return std::nullopt;
+  std::error_code ignored;
+  fs::path folder = fs::canonical(info.dli_fname, ignored).parent_path();
+  // lib/python3.11/site-packages/burnish is the deepest that an installation puts it.
+  constexpr int levels = 5;
+  for (int level = 0; level < levels && folder.has_relative_path(); ++level) {
+    const fs::path robots = folder / "share/burnish/robots";
+    if (fs::is_directory(robots, ignored)) return robots;
+    folder = folder.parent_path();
+  }
+#endif
+  return std::nullopt;
+}
+
+}  // namespace
+
+Eigen::VectorXd Robot::posture(const std::string& name) const {
+  const auto found = postures.find(name);
+  if (found != postures.end()) return configuration(model, found->second);
+  refuse("robot " + in_quotes(model.name),
+         "posture " + in_quotes(name) + " does not exist" + did_you_mean(name, keys_of(postures)));
+}
+
+Eigen::VectorXd Robot::reference_configuration() const {
+  return default_posture.empty() ? model.q_neutral : posture(default_posture);
+}
+
+bool is_robot_path(const std::string& name) {
+  return name.find('/') != std::string::npos || lower_extension(name) == ".urdf" ||
+         is_settings(name);
+}
+
+std::vector<fs::path> robot_search_path() {
+  std::vector<fs::path> folders;
+  if (const char* listed = std::getenv("BURNISH_ROBOTS")) {
+    std::istringstream stream(listed);
+    for (std::string folder; std::getline(stream, folder, ':');) {
+      if (!folder.empty()) folders.emplace_back(folder);
+    }
+  }
+  if (const auto beside = robots_beside_the_library()) folders.push_back(*beside);
+  folders.emplace_back(BURNISH_SOURCE_ROBOTS);
+  folders.emplace_back(BURNISH_INSTALLED_ROBOTS);
+  return folders;
+}
+
+std::map<std::string, fs::path> known_robots() {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& folder : robot_search_path()) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+      const auto file = file_at(entry.path());
+      if (file && entry.is_directory(ignored)) files.emplace(entry.path().filename(), *file);
+    }
+  }
+  return files;
+}
+
+Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
+                 const std::function<TreeSpec(const std::string& urdf)>& read,
+                 const SrdfFile& srdf) {
+  TreeSpec tree = read(*settings.urdf);
+  for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
+  Findings of_srdf(srdf.file.string());
+  std::vector<std::string> from_srdf;
+  if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
+  ModelOptions options = options_of(settings, overrides, origin);
+  if (options.free.empty() && !overrides.carrying.empty())
+    options.free = carrying_joints(tree, overrides.carrying);
+  Robot robot;
+  robot.model = build_model(tree, options);
+  robot.postures = settings.postures;
+  drop_bad_postures(from_srdf, robot, of_srdf);
+  if (settings.default_posture) {
+    find_posture(settings, *settings.default_posture, origin, "key 'default_posture'");
+    robot.default_posture = *settings.default_posture;
+  }
+  check_postures(robot, origin);
+  if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
+  robot.warnings = robot.model.warnings;
+  robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
+  return robot;
+}
+
+Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
+  const Place place = find_robot(name);
+  RobotOverrides applying = overrides;
+  if (is_settings(place.file)) applying.carrying.clear();
+  RobotSettings settings = settings_at(place);
+  const fs::path folder = place.file.parent_path();
+  SrdfFile srdf{overrides.srdf, true};
+  if (srdf.file.empty() && settings.srdf) srdf.file = folder / *settings.srdf;
+  if (srdf.file.empty() && !is_settings(place.file)) srdf = {srdf_of(place.file), false};
+  return make_robot(
+      std::move(settings), applying, place.file.string(),
+      [&](const std::string& urdf) { return read_urdf(folder / urdf); }, srdf);
+}
+
+}  // namespace burnish

@@ -1,0 +1,102 @@
+#include "burnish/urdf/urdf.hpp"
+
+#include <cctype>
+
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
+#include "model/tree_check.hpp"
+#include "urdf/urdf_element.hpp"
+#include "urdf/xml_document.hpp"
+
+namespace burnish {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// Refuses by counting tags, before a tree of a million elements is built in memory.
+void check_link_count(const std::string& xml, const std::string& source) {
+  std::size_t links = 0;
+  std::size_t at = xml.find('<');
+  while (at != std::string::npos) {
+    if (xml.compare(at, 4, "<!--") == 0) {
+      at = xml.find("-->", at);
+      if (at == std::string::npos) return;
+    } else if (xml.compare(at, 5, "<link") == 0 && at + 5 < xml.size() &&
+               std::string_view(" \t\r\n/>").find(xml[at + 5]) != std::string_view::npos) {
+      if (++links > max_links) {
+        refuse(source, "it has more than " + std::to_string(max_links) +
+                           " links; at most that many are supported");
+      }
+    }
+    at = xml.find('<', at + 1);
+  }
+}
+
+/// The robot's own name, or else the file's; a device or a pipe has none.
+std::string robot_name(const XMLElement& robot, const std::string& source, Findings& findings) {
+  const char* stated = robot.Attribute("name");
+  if (stated != nullptr && *stated != '\0') return stated;
+  std::string name = std::filesystem::path(source).stem().string();
+  const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  if (!is_name || source.starts_with("/dev/")) name = "robot";
+  findings.warn(line_text(robot) + "<robot> has no name; it is called " + in_quotes(name));
+  return name;
+}
+
+/// Definitions of xacro that are left stand for nothing; its other elements stand for links,
+/// without which all else would be in vain.
+void check_macros(const XMLElement& robot, Findings& findings) {
+  for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string_view name = child->Name();
+    if (!name.starts_with("xacro:")) continue;
+    const std::string what = line_text(*child) + "<" + child->Name() + "> ";
+    if (name != "xacro:property" && name != "xacro:arg" && name != "xacro:macro" &&
+        name != "xacro:include") {
+      refuse(findings.origin(), what + "is a macro; expand the file with xacro first");
+    }
+    findings.warn(what + "was left by xacro and is passed over");
+  }
+}
+
+/// False where one is missing, so that others would seem to be wrong.
+bool read_elements(const XMLElement& robot, TreeSpec& tree, Findings& findings) {
+  const Colours colours = read_colours(robot);
+  bool complete = true;
+  for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string_view kind = child->Name();
+    if (kind == "link") {
+      complete &=
+          findings.attempt([&] { tree.links.push_back(read_link(*child, colours, findings)); });
+    } else if (kind == "joint") {
+      complete &= findings.attempt([&] { tree.joints.push_back(read_joint(*child, findings)); });
+    }
+  }
+  return complete;
+}
+
+}  // namespace
+
+TreeSpec parse_urdf(const std::string& xml, const std::string& source) {
+  check_link_count(xml, source);
+  tinyxml2::XMLDocument document;
+  const XMLElement& robot = parse_robot_xml(document, xml, source, "URDF");
+  Findings findings(source);
+  TreeSpec tree;
+  tree.source = source;
+  tree.name = robot_name(robot, source, findings);
+  check_macros(robot, findings);
+  const bool complete = read_elements(robot, tree, findings);
+  tree.warnings = findings.warnings();  // what is odd about the values, build_model says
+  if (complete) check_topology(tree, findings);
+  check_values(tree, findings);
+  findings.refuse_problems();
+  return tree;
+}
+
+TreeSpec read_urdf(const std::filesystem::path& file) {
+  return parse_urdf(read_text(file, "URDF file"), file.string());
+}
+
+}  // namespace burnish

@@ -1,0 +1,145 @@
+#include <array>
+#include <utility>
+
+#include "base/sentence.hpp"
+#include "urdf/urdf_element.hpp"
+
+namespace burnish {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::array<std::pair<std::string_view, JointType>, 6> joint_types = {
+    {{"revolute", JointType::Revolute},
+     {"continuous", JointType::Continuous},
+     {"prismatic", JointType::Prismatic},
+     {"fixed", JointType::Fixed},
+     {"floating", JointType::Floating},
+     {"planar", JointType::Planar}}};
+
+JointType type_of(const XMLElement& element, const XmlPlace& place) {
+  const std::string name = needed_attribute(element, "type", place);
+  std::vector<std::string> known;
+  for (const auto& [type_name, type] : joint_types) {
+    if (type_name == name) return type;
+    known.emplace_back(type_name);
+  }
+  const std::string nearest = did_you_mean(name, known);
+  refuse(
+      place, element,
+      "type " + in_quotes(name) + " is unknown" +
+          (nearest.empty() ? "; wanted revolute, continuous, prismatic, fixed, floating or planar"
+                           : nearest));
+}
+
+/// One number of an element, where it states it.
+void read_number(const XMLElement& element, const char* attribute, const XmlPlace& place,
+                 bool may_be_infinite, double& value, Findings& findings) {
+  findings.attempt([&] {
+    if (const auto read = numbers(element, attribute, 1, place, may_be_infinite)) {
+      value = read->front();
+    }
+  });
+}
+
+void read_axis(const XMLElement& element, const XmlPlace& place, JointSpec& joint) {
+  const XMLElement* axis = only_child(element, "axis", place);
+  if (axis == nullptr) return;
+  needed_attribute(*axis, "xyz", place);
+  const std::vector<double> xyz = *numbers(*axis, "xyz", 3, place);
+  joint.axis = Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
+  // A zero axis stays as it is for check_values to name.
+  if (joint.axis.norm() > 0.0) joint.axis.normalize();
+}
+
+/// The range of a revolute or prismatic joint. Of one end that is missing the format says that it
+/// is zero; where that is beyond the other end it was not meant, and where both are missing
+/// neither.
+void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint,
+                Findings& findings) {
+  const bool has_lower = limit.Attribute("lower") != nullptr;
+  const bool has_upper = limit.Attribute("upper") != nullptr;
+  if (!has_lower && !has_upper) {
+    findings.warn(line_text(limit) + place.element +
+                  ": <limit> has neither 'lower' nor 'upper'; the joint is taken as unlimited");
+    return;
+  }
+  double lower = 0.0, upper = 0.0;
+  read_number(limit, "lower", place, true, lower, findings);
+  read_number(limit, "upper", place, true, upper, findings);
+  const auto missing = [&](const char* end, const char* other, double value) {
+    findings.warn(line_text(limit) + place.element + ": <limit> has no '" + end + "' and '" +
+                  other + "' = " + number(value) + "; its " + end + " end is taken as unlimited");
+  };
+  if (!has_lower && upper < 0.0) {
+    missing("lower", "upper", upper);
+  } else {
+    joint.lower = lower;
+  }
+  if (!has_upper && lower > 0.0) {
+    missing("upper", "lower", lower);
+  } else {
+    joint.upper = upper;
+  }
+}
+
+void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
+                 Findings& findings) {
+  const XMLElement* limit = only_child(element, "limit", place);
+  const bool has_range = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
+  if (limit == nullptr) {
+    if (has_range) {
+      findings.warn(line_text(element) + place.element +
+                    ": it has no <limit>; the joint is taken as unlimited");
+    }
+    return;
+  }
+  if (has_range) read_range(*limit, place, joint, findings);
+  read_number(*limit, "velocity", place, true, joint.velocity_limit, findings);
+  read_number(*limit, "effort", place, true, joint.effort_limit, findings);
+}
+
+void read_dynamics(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
+                   Findings& findings) {
+  const XMLElement* dynamics = only_child(element, "dynamics", place);
+  if (dynamics == nullptr) return;
+  read_number(*dynamics, "damping", place, false, joint.damping, findings);
+  read_number(*dynamics, "friction", place, false, joint.friction, findings);
+  read_number(*dynamics, "armature", place, false, joint.armature, findings);
+}
+
+void read_mimic(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
+                Findings& findings) {
+  const XMLElement* mimic = only_child(element, "mimic", place);
+  if (mimic == nullptr) return;
+  MimicSpec spec;
+  spec.leader = needed_attribute(*mimic, "joint", place);
+  read_number(*mimic, "multiplier", place, false, spec.multiplier, findings);
+  read_number(*mimic, "offset", place, false, spec.offset, findings);
+  joint.mimic = std::move(spec);
+}
+
+}  // namespace
+
+JointSpec read_joint(const XMLElement& element, Findings& findings) {
+  JointSpec joint;
+  joint.name = name_of(element, findings.origin());
+  joint.line = element.GetLineNum();
+  const XmlPlace place{findings.origin(), "joint " + in_quotes(joint.name)};
+  const bool has_type = findings.attempt([&] { joint.type = type_of(element, place); });
+  findings.attempt([&] { joint.placement = read_origin(element, place); });
+  if (has_type && joint.type != JointType::Fixed) {
+    if (joint.type != JointType::Floating) {
+      findings.attempt([&] { read_axis(element, place, joint); });
+    }
+    findings.attempt([&] { read_limits(element, place, joint, findings); });
+    findings.attempt([&] { read_dynamics(element, place, joint, findings); });
+    findings.attempt([&] { read_mimic(element, place, joint, findings); });
+  }
+  warn_of_macros(element, place, findings);
+  joint.parent_link = needed_attribute(needed_child(element, "parent", place), "link", place);
+  joint.child_link = needed_attribute(needed_child(element, "child", place), "link", place);
+  return joint;
+}
+
+}  // namespace burnish

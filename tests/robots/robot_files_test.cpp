@@ -1,0 +1,199 @@
+// Files of robots as people have them: names in capitals, pipes, SRDF beside URDF, limits in
+// settings.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "burnish/robots/robot.hpp"
+#include "support/refusal.hpp"
+#include "support/scratch.hpp"
+
+namespace burnish::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string body(const std::string& name) {
+  return "<link name='" + name +
+         "'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/>"
+         "</inertial></link>";
+}
+std::string moving(const std::string& name, const std::string& type, const std::string& parent,
+                   const std::string& child) {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
+         "'/><child link='" + child +
+         "'/><limit lower='-1' upper='1' velocity='2' effort='3'/></joint>";
+}
+const std::string& two_joints() {
+  static const std::string xml = "<robot name='arm'><link name='base'/>" + body("upper") +
+                                 body("lower") + moving("hinge", "revolute", "base", "upper") +
+                                 moving("wheel", "continuous", "upper", "lower") + "</robot>";
+  return xml;
+}
+
+/// A folder of its own, gone at the end.
+class RobotFiles : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    return scratch_.write(name, text).string();
+  }
+  testing::Scratch scratch_;
+  const fs::path& folder_ = scratch_.folder;
+};
+
+TEST_F(RobotFiles, NeedNoEnding) {
+  for (const char* name : {"ARM.URDF", "arm.xml", "arm", "arm.urdf.txt"}) {
+    EXPECT_EQ(load_robot(write(name, two_joints())).model.nv, 2) << name;
+  }
+  write("arm.urdf", two_joints());
+  EXPECT_EQ(load_robot(write("SETTINGS.YAML", "urdf: arm.urdf\nlock: [wheel]")).model.nv, 1);
+  expect_words(refusal([&] { load_robot(write("arm.stl", "solid")); }), {"arm.stl", "line 1"});
+  expect_words(refusal([&] { load_robot(write("arm.sdf", "<sdf/>")); }), {"<sdf>", "<robot>"});
+}
+
+TEST_F(RobotFiles, MayComeThroughAPipe) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::write(ends[1], two_joints().data(), two_joints().size()),
+            static_cast<ssize_t>(two_joints().size()));
+  ::close(ends[1]);
+  const std::string path = "/dev/fd/" + std::to_string(ends[0]);
+  if (!fs::exists(path)) GTEST_SKIP() << "no pipes by path here";
+  EXPECT_EQ(load_robot(path).model.name, "arm");
+  ::close(ends[0]);
+}
+
+TEST_F(RobotFiles, AreStrictWhereAsked) {
+  const std::string file =
+      write("arm.urdf", "<robot><link name='base'/>" + body("upper") +
+                            moving("hinge", "revolute", "base", "upper") + "</robot>");
+  const Robot robot = load_robot(file);
+  EXPECT_EQ(robot.model.name, "arm");
+  ASSERT_EQ(robot.warnings.size(), 1u);
+  expect_words(robot.warnings[0], {file, "line 1", "no name"});
+  RobotOverrides strict;
+  strict.strict = true;
+  expect_words(refusal([&] { load_robot(file, strict); }), {file, "no name", "strict"});
+}
+
+const char* const states = R"(<robot name="arm">
+  <group_state name="home" group="hinge"><joint name="hinge" value="0.5"/></group_state>
+  <group_state name="home" group="wheel"><joint name="wheel" value="-0.25"/></group_state>
+  <group_state name="up" group="all"><joint name="root_joint" value="0 0 1 0 0 0 1"/>
+    <joint name="wheel" value="0 1"/></group_state>
+</robot>)";
+
+TEST_F(RobotFiles, PosturesComeFromSrdfToo) {
+  write("urdf/arm.urdf", two_joints());
+  write("srdf/arm.srdf", states);
+  const Robot robot = load_robot((folder_ / "urdf/arm.urdf").string());
+  EXPECT_TRUE(robot.warnings.empty());
+  EXPECT_EQ(robot.postures.at("home"), (Posture{{"hinge", {0.5}}, {"wheel", {-0.25}}}));
+  const Eigen::VectorXd up = robot.posture("up");
+  EXPECT_EQ(up[0], 0.0);
+  EXPECT_NEAR(up[1], 0.0, 1e-15);  // stated by cosine and sine
+  EXPECT_EQ(up[2], 1.0);
+  EXPECT_EQ(robot.default_posture, "");
+  RobotOverrides overrides;
+  overrides.srdf = write("other.srdf", "<robot><group_state name='other' group='all'/></robot>");
+  EXPECT_TRUE(
+      load_robot((folder_ / "urdf/arm.urdf").string(), overrides).postures.contains("other"));
+}
+
+TEST_F(RobotFiles, PosturesOfTheSettingsGoBeforeThoseOfSrdf) {
+  write("arm.urdf", two_joints());
+  write("states.srdf", states);
+  const std::string settings =
+      "urdf: arm.urdf\ndefault_posture: up\npostures: {home: {hinge: 0.75}}\n";
+  write("robot.yaml", settings + "srdf: states.srdf\n");
+  const Robot robot = load_robot(folder_.string());
+  EXPECT_EQ(robot.posture("home")[0], 0.75);
+  EXPECT_EQ(robot.default_posture, "up");
+  write("robot.yaml", settings + "srdf: stats.srdf\n");
+  expect_words(refusal([&] { load_robot(folder_.string()); }), {"stats.srdf", "cannot be opened"});
+}
+
+TEST_F(RobotFiles, WhatIsOddAboutSrdfIsAWarning) {
+  const std::string file = write("arm.urdf", two_joints());
+  write("arm.srdf",
+        "<robot>\n"
+        "<group_state name='bad'>\n"
+        "<joint name='hinje' value='1'/>\n"
+        "<joint name='hinge' value='1 2'/>\n"
+        "<joint name='wheel' value='far'/>\n"
+        "</group_state>\n"
+        "<group_state name='bad'><joint name='hinge' value='1'/></group_state>\n"
+        "<group_state name='bad'><joint name='hinge' value='2'/></group_state>\n"
+        "<group_state/></robot>");
+  const Robot robot = load_robot(file);
+  EXPECT_EQ(robot.postures.at("bad"), (Posture{{"hinge", {1.0}}}));
+  ASSERT_EQ(robot.warnings.size(), 5u);
+  expect_words(robot.warnings[0], {"arm.srdf: line 3: ", "'bad'", "'hinje'", "'hinge'?"});
+  expect_words(robot.warnings[1], {"'hinge'", "wanted 1"});
+  expect_words(robot.warnings[2], {"line 5", "'far'"});
+  expect_words(robot.warnings[3], {"line 8", "two values"});
+  expect_words(robot.warnings[4], {"line 9", "no name"});
+  // Nobody has asked for this one.
+  write("arm.srdf", "solid");
+  EXPECT_EQ(load_robot(file).warnings.size(), 1u);
+  RobotOverrides overrides;
+  overrides.srdf = (folder_ / "arm.srdf").string();
+  expect_words(refusal([&] { load_robot(file, overrides); }), {"arm.srdf", "not well formed"});
+}
+
+TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
+  write("arm.urdf", two_joints());
+  write("robot.yaml",
+        "urdf: arm.urdf\nlimits: {hinge: {lower: -0.5, effort: 40}, wheel: {velocity: .inf}}\n"
+        "variants: {free: {limits: {hinge: {lower: -.inf}}}}");
+  const Model model = load_robot(folder_.string()).model;
+  EXPECT_EQ(model.q_lower[0], -0.5);
+  EXPECT_EQ(model.q_upper[0], 1.0);
+  EXPECT_EQ(model.effort_limit, Eigen::Vector2d(40.0, 3.0));
+  EXPECT_EQ(model.velocity_limit[0], 2.0);
+  EXPECT_TRUE(std::isinf(model.velocity_limit[1]));
+  const Model free = load_robot(folder_.string() + ":free").model;
+  EXPECT_TRUE(std::isinf(free.q_lower[0]));
+  EXPECT_EQ(free.effort_limit[0], 3.0);
+  const auto sentence = [&](const std::string& limits) {
+    write("robot.yaml", "urdf: arm.urdf\nlimits: " + limits);
+    return refusal([&] { load_robot(folder_.string()); });
+  };
+  expect_words(sentence("{hinje: {lower: 1}}"), {"robot.yaml", "'hinje'", "'hinge'?"});
+  expect_words(sentence("{wheel: {lower: 1}}"), {"robot.yaml", "'wheel'", "revolute"});
+  expect_words(sentence("{hinge: {lower: 2}}"), {"'hinge'", "2", "above", "1"});
+  expect_words(sentence("{hinge: {lowr: 2}}"), {"limits.hinge", "'lowr'", "'lower'?"});
+  expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
+}
+
+TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
+  const std::string xml =
+      "<robot name='two arms'><link name='base'/>" + body("left") + body("hand") + body("right") +
+      body("finger") + moving("l", "revolute", "base", "left") +
+      moving("h", "fixed", "left", "hand") + moving("r", "revolute", "base", "right") +
+      "<joint name='f' type='revolute'><parent link='right'/><child link='finger'/>"
+      "<mimic joint='l'/></joint></robot>";
+  const std::string file = write("arms.urdf", xml);
+  const auto moving_for = [&](const std::string& name, const std::string& robot) {
+    RobotOverrides overrides;
+    overrides.carrying = name;
+    std::vector<std::string> names;
+    for (const Joint& joint : load_robot(robot, overrides).model.joints)
+      names.push_back(joint.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(moving_for("hand", file), (Names{"l", "f"})) << "what follows moves too";
+  EXPECT_EQ(moving_for("h", file), (Names{"l", "f"})) << "by the name of a joint";
+  EXPECT_EQ(moving_for("right", file), Names{"r"});
+  EXPECT_EQ(moving_for("finger", file), (Names{"l", "r", "f"})) << "its leader carries it";
+  EXPECT_EQ(moving_for("base", file).size(), 3u);
+  EXPECT_EQ(moving_for("hnad", file).size(), 3u);
+  write("robot.yaml", "urdf: arms.urdf");
+  EXPECT_EQ(moving_for("right", folder_.string()).size(), 3u) << "settings say what moves";
+}
+
+}  // namespace
+}  // namespace burnish::testing

@@ -1,0 +1,279 @@
+// What is odd about a robot but computes: loaded with a warning, refused by strict reading.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "burnish/model/model.hpp"
+#include "burnish/urdf/urdf.hpp"
+#include "support/refusal.hpp"
+#include "support/special_numbers.hpp"
+#include "support/trees.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using test::infinity;
+
+/// The warnings in one line.
+std::string joined(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += (text.empty() ? "" : " | ") + warning;
+  return text;
+}
+
+/// `count` warnings that hold the words; the same words where the model is to be strict.
+void expect_warnings(const TreeSpec& tree, ModelOptions options, std::size_t count,
+                     const std::vector<std::string>& words) {
+  const Model model = build_model(tree, options);
+  EXPECT_EQ(model.warnings.size(), count) << joined(model.warnings);
+  options.strict = true;
+  if (count == 0) {
+    EXPECT_NO_THROW(build_model(tree, options));
+    return;
+  }
+  expect_words(joined(model.warnings), words);
+  std::vector<std::string> of_refusal = words;
+  of_refusal.push_back("strict");
+  expect_words(refusal([&] { build_model(tree, options); }), of_refusal);
+}
+
+struct OddTree {
+  std::string name;
+  std::function<void(TreeSpec&)> spoil;
+  std::vector<std::string> words;
+};
+void PrintTo(const OddTree& tree, std::ostream* out) { *out << tree.name; }
+
+void set_inertia(TreeSpec& tree, std::size_t link, double mass, const Eigen::Matrix3d& inertia) {
+  tree.links[link].inertia.mass = mass;
+  tree.links[link].inertia.inertia_at_com = inertia;
+}
+
+const std::vector<OddTree>& odd_trees() {
+  using Tree = TreeSpec;
+  static const std::vector<OddTree> trees = {
+      {"Triangle",
+       [](Tree& t) { set_inertia(t, 1, 1.0, Eigen::Vector3d(1.0, 1.0, 2.2).asDiagonal()); },
+       {"branches.urdf: ", "link 'a'", "2.2", "no solid"}},
+      {"Dummy",  // a link of a gram that states the same six numbers
+       [](Tree& t) { set_inertia(t, 1, 1e-6, Eigen::Matrix3d::Constant(1e-6)); },
+       {"link 'a'", "no solid"}},
+      {"SlightlyNegative",
+       [](Tree& t) { set_inertia(t, 1, 0.001, Eigen::Vector3d(-3.5e-8, 1e-6, 1e-6).asDiagonal()); },
+       {"link 'a'", "-3.5e-08", "negative"}},
+      {"Products",
+       [](Tree& t) {
+         set_inertia(t, 1, 1.0, Eigen::Matrix3d::Identity());
+         Eigen::Matrix3d& inertia = t.links[1].inertia.inertia_at_com;
+         inertia(0, 1) = inertia(1, 0) = 2.0;
+       },
+       {"link 'a'", "principal moment -1", "negative"}},
+      {"Massless",
+       [](Tree& t) { t.links[4].inertia = {}; },
+       {"joint 'd' moves no mass", "singular", "lock it"}},
+      {"PointOnAxis",
+       [](Tree& t) { t.links[3].inertia.inertia_at_com.setZero(); },
+       {"joint 'c' moves no mass"}},
+  };
+  return trees;
+}
+
+class OddTrees : public ::testing::TestWithParam<OddTree> {};
+
+TEST_P(OddTrees, AreLoadedWithAWarning) {
+  TreeSpec tree = branching_tree();
+  ASSERT_TRUE(build_model(tree).warnings.empty());
+  GetParam().spoil(tree);
+  expect_warnings(tree, {}, 1, GetParam().words);
+}
+
+INSTANTIATE_TEST_SUITE_P(Warnings, OddTrees, ::testing::ValuesIn(odd_trees()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Warnings, RoundingHasNone) {
+  TreeSpec tree = branching_tree();
+  set_inertia(tree, 1, 1.0, Eigen::Vector3d(1.0, 1.0, 2.09).asDiagonal());
+  expect_warnings(tree, {}, 0, {});
+  // A point mass: what is left of its inertia says nothing about a solid.
+  set_inertia(tree, 1, 1.0, Eigen::Vector3d(-2.4e-35, 0.0, 1e-34).asDiagonal());
+  expect_warnings(tree, {}, 0, {});
+  set_inertia(tree, 1, 1e-3, Eigen::Vector3d(-1e-20, 1e-20, 5e-20).asDiagonal());
+  expect_warnings(tree, {}, 0, {});
+}
+
+TEST(Warnings, ArmatureStandsForMass) {
+  TreeSpec tree = branching_tree();
+  tree.links[4].inertia = {};
+  tree.joints[2].armature = 1e-3;
+  expect_warnings(tree, {}, 0, {});
+}
+
+/// Two hinges with a massless link between: a universal joint if their axes differ, the same
+/// rotation twice if they are one line.
+TreeSpec two_hinges(const Eigen::Vector3d& second_axis) {
+  TreeSpec tree;
+  tree.links = {link("base"), link("cross", 0.0), link("tip")};
+  tree.joints = {joint("first", JointType::Revolute, "base", "cross"),
+                 joint("second", JointType::Revolute, "cross", "tip", second_axis)};
+  tree.joints[1].placement.setIdentity();
+  return tree;
+}
+
+TEST(Warnings, NameJointsThatMoveTheSameMass) {
+  expect_warnings(two_hinges(Eigen::Vector3d::UnitX()), {}, 0, {});
+  expect_warnings(two_hinges(Eigen::Vector3d::UnitZ()), {}, 1,
+                  {"joint 'first'", "no mass of its own"});
+  TreeSpec parallel = two_hinges(Eigen::Vector3d::UnitZ());
+  parallel.joints[1].placement.translation().x() = 0.5;
+  expect_warnings(parallel, {}, 0, {});
+  // The whole mass on the axis at zero, but not elsewhere.
+  TreeSpec folded = two_hinges(Eigen::Vector3d::UnitX());
+  folded.links[2].inertia.inertia_at_com.setZero();
+  folded.links[2].inertia.com = Eigen::Vector3d(0.0, 0.0, 1.0);
+  expect_warnings(folded, {}, 0, {});
+}
+
+TEST(Warnings, OfARobotWithoutMassAreOne) {
+  TreeSpec tree = branching_tree();
+  for (LinkSpec& spec : tree.links) spec.inertia = {};
+  const std::size_t joints = build_model(tree).joints.size();
+  expect_warnings(tree, {}, 1, {"joints '", "move no mass"});
+  ModelOptions floating;
+  floating.base = Base::FreeFlyer;
+  expect_warnings(tree, floating, 1, {"'root_joint'", "move no mass"});
+  EXPECT_EQ(build_model(tree, floating).joints.size(), joints + 1);
+}
+
+TEST(Warnings, AJointWithoutMassHidesNoOther) {
+  TreeSpec tree = branching_tree();
+  for (const std::size_t tip : {3u, 4u}) tree.links[tip].inertia = {};
+  expect_warnings(tree, {}, 1, {"joints 'd' and 'c' move no mass"});
+}
+
+TEST(Warnings, OfANegativeInertiaNameTheJoint) {
+  TreeSpec tree = two_hinges(Eigen::Vector3d(1.0, -1.0, 0.0));
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+  inertia(0, 1) = inertia(1, 0) = 50.0;
+  set_inertia(tree, 2, 0.0, inertia);
+  expect_warnings(
+      tree, {}, 2,
+      {"link 'tip'", "joint 'second' meets a negative inertia", "not positive definite"});
+}
+
+/// A robot of one joint, in which `link` and `joint` are put.
+std::string file(const std::string& joint_type, const std::string& joint_content,
+                 const std::string& link_content = "",
+                 const std::string& start = "<robot name='r'>") {
+  return start +
+         "<link name='a'/>\n<link name='b'><inertial><origin xyz='0.1 0 0.2'/><mass value='1'/>"
+         "<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>" +
+         link_content + "</link>\n<joint name='j' type='" + joint_type +
+         "'><parent link='a'/><child link='b'/>" + joint_content + "</joint></robot>";
+}
+std::string visual(const std::string& content) { return "<visual>" + content + "</visual>"; }
+
+struct OddFile {
+  std::string name, xml;
+  std::vector<std::string> words;  ///< of the one warning; empty: nothing is odd
+};
+void PrintTo(const OddFile& odd, std::ostream* out) { *out << odd.name; }
+
+const std::vector<OddFile>& odd_files() {
+  static const std::string ball = "<geometry><sphere radius='1'/></geometry>";
+  static const std::string red = "<material name='m'><color rgba='1 0 0 1'/></material>";
+  static const std::string box = "<geometry><box size='1 2'/></geometry>";
+  static const std::vector<OddFile> files = {
+      {"NoName", file("fixed", "", "", "<robot>"), {"odd.urdf: line 1: ", "no name", "'odd'"}},
+      {"EmptyName", file("fixed", "", "", "<robot name=''>"), {"no name", "'odd'"}},
+      {"Property",
+       file("fixed", "", "", "<robot name='r'>\n<xacro:property name='p' value='1'/>"),
+       {"line 2", "<xacro:property>", "passed over"}},
+      {"MacroInALink", file("fixed", "", "<xacro:solid m='1'/>"), {"link 'b'", "<xacro:solid>"}},
+      {"MacroInAJoint", file("fixed", "<xacro:motor/>"), {"joint 'j'", "<xacro:motor>"}},
+      {"MacroInWhatIsNotRead",
+       file("fixed", "", "", "<robot name='r'><gazebo><xacro:sensor/></gazebo>"),
+       {}},
+      {"NoLimit", file("revolute", ""), {"line 3: joint 'j'", "no <limit>", "unlimited"}},
+      {"NoRange", file("prismatic", "<limit effort='1'/>"), {"neither", "unlimited"}},
+      {"NoLower", file("revolute", "<limit upper='-1'/>"), {"no 'lower'", "unlimited"}},
+      {"NoUpper", file("revolute", "<limit lower='1'/>"), {"no 'upper'", "unlimited"}},
+      {"LowerByDefault", file("revolute", "<limit upper='1'/>"), {}},
+      {"NoEffort", file("revolute", "<limit lower='-1' upper='1'/>"), {}},
+      {"FixedJointWithEverything",
+       file("fixed", "<axis/><limit effort='-1'/><dynamics damping='x'/><mimic joint='k'/>"),
+       {}},
+      {"FloatingJointWithAnAxis", file("floating", "<axis xyz='0 0'/>"), {}},
+      {"NoGeometry", file("fixed", "", visual("")), {}},
+      {"NoShape", file("fixed", "", visual("<geometry/>")), {}},
+      {"TwoMaterials", file("fixed", "", visual(ball + red + red)), {}},
+      {"TwoMaterialsOfAName", file("fixed", "", "", "<robot name='r'>" + red + red), {}},
+      {"MaterialWithoutAName", file("fixed", "", "", "<robot name='r'><material/>"), {}},
+      {"Colour",
+       file("fixed", "", visual(ball + "<material><color rgba='255 0 0 1'/></material>")),
+       {}},
+      {"ColourLess", file("fixed", "", visual(ball + "<material><color/></material>")), {}},
+      {"Capsule",
+       file("fixed", "", visual("<geometry><capsule/></geometry>")),
+       {"link 'b'", "<capsule>", "not drawn"}},
+      {"BoxSize", file("fixed", "", visual(box)), {"link 'b'", "3 numbers", "not drawn"}},
+      {"Radius",
+       file("fixed", "", visual("<geometry><sphere radius='-1'/></geometry>")),
+       {"link 'b'", "-1", "not drawn"}},
+      {"MeshFile",
+       file("fixed", "", visual("<geometry><mesh/></geometry>")),
+       {"link 'b'", "'filename'", "not drawn"}},
+      {"VisualOrigin", file("fixed", "", visual(ball + "<origin xyz='0'/>")), {"not drawn"}},
+  };
+  return files;
+}
+
+class OddFiles : public ::testing::TestWithParam<OddFile> {};
+
+TEST_P(OddFiles, AreReadWithAWarningOrNone) {
+  const TreeSpec tree = parse_urdf(GetParam().xml, "folder/odd.urdf");
+  const bool odd = !GetParam().words.empty();
+  EXPECT_EQ(tree.warnings.size(), odd ? 1u : 0u) << joined(tree.warnings);
+  expect_warnings(tree, {}, odd ? 1 : 0, GetParam().words);
+}
+
+INSTANTIATE_TEST_SUITE_P(Warnings, OddFiles, ::testing::ValuesIn(odd_files()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Warnings, MissingLimitsAreNone) {
+  const auto first_joint = [](const std::string& content) {
+    return parse_urdf(file("revolute", content)).joints[0];
+  };
+  for (const char* content : {"", "<limit effort='2'/>"}) {
+    EXPECT_EQ(first_joint(content).lower, -infinity);
+    EXPECT_EQ(first_joint(content).upper, infinity);
+  }
+  EXPECT_EQ(first_joint("<limit upper='-1'/>").lower, -infinity);
+  EXPECT_EQ(first_joint("<limit upper='-1'/>").upper, -1.0);
+  EXPECT_EQ(first_joint("<limit upper='1'/>").lower, 0.0);  // the default of the format
+  EXPECT_EQ(first_joint("<limit lower='1'/>").upper, infinity);
+}
+
+TEST(Warnings, FixedJointsHaveNoLeader) {
+  EXPECT_FALSE(parse_urdf(file("fixed", "<mimic joint='k'/>")).joints[0].mimic.has_value());
+}
+
+TEST(Warnings, OfTwoMaterialsTheFirstColourCounts) {
+  const std::string xml = file("fixed", "",
+                               visual("<geometry><sphere radius='1'/></geometry><material/>"
+                                      "<material><color rgba='0 1 0 1'/></material>"
+                                      "<material><color rgba='1 0 0 1'/></material>"));
+  EXPECT_EQ(parse_urdf(xml).links[1].visuals[0].rgba, Eigen::Vector4d(0, 1, 0, 1));
+}
+
+TEST(Warnings, ARobotWithoutANameHasThatOfItsFile) {
+  const std::string xml = "<robot><link name='a'/></robot>";
+  EXPECT_EQ(parse_urdf(xml, "some/ur3.urdf").name, "ur3");
+  EXPECT_EQ(parse_urdf(xml, "/dev/fd/63").name, "robot");
+  EXPECT_EQ(parse_urdf(xml, "/dev/stdin").name, "robot");
+  EXPECT_EQ(parse_urdf(xml).name, "robot");
+}
+
+}  // namespace
+}  // namespace burnish::testing
