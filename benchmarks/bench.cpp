@@ -1,10 +1,10 @@
 // Time per state of contact dynamics and its derivatives; names and use are in README.md.
 #include <benchmark/benchmark.h>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/math/pack.hpp"
 #include "cases.hpp"
+#include "derivatives/constrained_derivatives.hpp"
+#include "math/pack.hpp"
 
 namespace burnish {
 extern template class ConstrainedDynamics<NativePack>;

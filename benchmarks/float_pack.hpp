@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 
 namespace burnish::bench {
 

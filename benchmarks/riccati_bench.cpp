@@ -10,7 +10,7 @@
 
 #include "burnish/base/thread_pool.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/solver/riccati.hpp"
+#include "solver/riccati.hpp"
 
 namespace burnish::bench {
 namespace {

@@ -11,7 +11,7 @@ burnish_layer(high SOURCES middle/c.cpp LINK burnish_middle)\n")
 file(WRITE ${WORK}/src/base/low.cpp "#include \"middle/b.hpp\"\n")
 file(WRITE ${WORK}/src/middle/b.hpp "#include \"burnish/high/c.hpp\"\n#include \"polishing/task.hpp\"\n")
 file(WRITE ${WORK}/src/attic/d.cpp "")
-file(WRITE ${WORK}/include/burnish/high/c.hpp "#include \"base/low.hpp\"\n#include \"middle/b.hpp\"\n")
+file(WRITE ${WORK}/include/burnish/high/c.hpp "#include \"middle/b.hpp\"\n")
 file(WRITE ${WORK}/apps/burnish/signals.hpp "")
 file(WRITE ${WORK}/tasks/polishing/task.hpp "#include \"signals.hpp\"\n")
 execute_process(COMMAND ${PYTHON} ${SOURCE}/scripts/arrow ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE said)
@@ -20,6 +20,7 @@ src/attic: there is no layer of that name in src/CMakeLists.txt
 src/base/low.cpp: middle/b.hpp is of the layer middle, and base may know no other
 src/middle/b.hpp: burnish/high/c.hpp is of the layer high, and middle may know base, math alone
 src/middle/b.hpp: polishing/task.hpp is of a task, which no layer knows
+include/burnish/high/c.hpp: middle/b.hpp is of what is not installed, and this header is
 tasks/polishing/task.hpp: signals.hpp is of a program, which neither layers nor tasks know
 ")
 if(NOT status EQUAL 1 OR NOT said STREQUAL wanted)

@@ -7,10 +7,10 @@
 #include "base/allocation_guard.hpp"
 #include "burnish/derivatives/check.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
-#include "burnish/derivatives/peak.hpp"
 #include "burnish/model/state.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "derivatives/count_operations.hpp"
+#include "derivatives/peak.hpp"
 #include "mpc/pressing_controller.hpp"
 #include "ocp/polishing_problem.hpp"
 

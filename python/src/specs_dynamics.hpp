@@ -1,7 +1,7 @@
 // Values of the dynamics layer.
 #pragma once
 
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/dynamics/frame_axes.hpp"
 #include "specs_contact.hpp"
 
 namespace burnish::python {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "burnish/contact/constrained_dynamics.hpp"
+#include "contact/constrained_dynamics.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "contact/delassus.tpp"
 #include "dynamics/inverse_dynamics.tpp"

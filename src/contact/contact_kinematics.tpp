@@ -1,8 +1,8 @@
 // Definitions of contact_kinematics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/contact/contact_kinematics.hpp"
-#include "burnish/math/logarithm.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "math/logarithm.hpp"
 
 namespace burnish {
 namespace contact_detail {

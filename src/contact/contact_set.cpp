@@ -4,7 +4,7 @@
 #include <set>
 
 #include "burnish/base/error.hpp"
-#include "burnish/contact/row_size.hpp"
+#include "contact/row_size.hpp"
 
 namespace burnish {
 namespace {

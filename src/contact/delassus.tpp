@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "burnish/contact/delassus.hpp"
-#include "burnish/math/gram.hpp"
-#include "burnish/math/reciprocal_root.hpp"
+#include "contact/delassus.hpp"
+#include "math/gram.hpp"
+#include "math/reciprocal_root.hpp"
 
 namespace burnish {
 

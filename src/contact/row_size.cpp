@@ -1,6 +1,6 @@
 // Lengths of the robot, from the placements of its joints: how far an entry of v is from the tool
 // by the way through the tree, which no posture exceeds but by what sliding joints add.
-#include "burnish/contact/row_size.hpp"
+#include "contact/row_size.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Values of the three evaluations at many states, several at a time.
 #pragma once
 
-#include "burnish/contact/constrained_dynamics.hpp"
-#include "burnish/math/pack.hpp"
+#include "contact/constrained_dynamics.hpp"
 #include "derivatives/check_states.hpp"
+#include "math/pack.hpp"
 
 namespace burnish {
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
-#include "burnish/math/gram.hpp"
 #include "contact/constrained_dynamics.tpp"
+#include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/contact_acceleration.tpp"
 #include "derivatives/inverse_dynamics.tpp"
 #include "dynamics/articulated.tpp"
+#include "math/gram.hpp"
 
 namespace burnish {
 namespace derivatives_detail {

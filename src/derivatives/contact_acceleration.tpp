@@ -1,9 +1,9 @@
 // Definitions of contact_acceleration.hpp, for any scalar.
 #pragma once
 
-#include "burnish/derivatives/contact_acceleration.hpp"
-#include "burnish/math/logarithm.hpp"
 #include "contact/contact_kinematics.tpp"
+#include "derivatives/contact_acceleration.hpp"
+#include "math/logarithm.hpp"
 
 namespace burnish {
 namespace contact_detail {

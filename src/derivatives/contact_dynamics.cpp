@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
 #include "derivatives/wrench_transport.tpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
-#include "burnish/math/pack.hpp"
+#include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
+#include "math/pack.hpp"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 // Definitions of frame_kinematics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/derivatives/frame_kinematics.hpp"
+#include "derivatives/frame_kinematics.hpp"
 #include "dynamics/frame_kinematics.tpp"
 
 namespace burnish {

@@ -1,7 +1,7 @@
 // Definitions of inverse_dynamics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/derivatives/inverse_dynamics.hpp"
+#include "derivatives/inverse_dynamics.hpp"
 #include "dynamics/add_up.hpp"
 
 namespace burnish {

@@ -1,6 +1,6 @@
 // The kernels for one state per lane.
-#include "burnish/math/pack.hpp"
 #include "derivatives/constrained_derivatives.tpp"
+#include "math/pack.hpp"
 
 namespace burnish {
 template class ConstrainedDynamics<NativePack>;

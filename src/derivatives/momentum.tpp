@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "burnish/derivatives/momentum.hpp"
+#include "derivatives/momentum.hpp"
 #include "dynamics/columns.hpp"
 #include "dynamics/momentum.tpp"
 

@@ -1,9 +1,9 @@
-#include "burnish/derivatives/peak.hpp"
+#include "derivatives/peak.hpp"
 
 #include <algorithm>
 #include <chrono>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 
 namespace burnish {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/dynamics/passive.hpp"
 #include "derivatives/frame_kinematics.tpp"
 #include "derivatives/momentum.tpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
+#include "dynamics/passive.hpp"
 
 namespace burnish {
 namespace {

@@ -1,7 +1,7 @@
 // The derivatives of frames and momentum for one state at a time and for one state per lane.
-#include "burnish/math/pack.hpp"
 #include "derivatives/frame_kinematics.tpp"
 #include "derivatives/momentum.tpp"
+#include "math/pack.hpp"
 
 #define BURNISH_STATE_KERNELS(S)                                                                 \
   template void frame_velocity_derivative(const CompiledFrame&, FrameAxes, const Kinematics<S>&, \

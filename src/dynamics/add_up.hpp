@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "burnish/dynamics/tree.hpp"
+#include "dynamics/tree.hpp"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "burnish/dynamics/articulated.hpp"
-#include "burnish/math/reciprocal_root.hpp"
+#include "dynamics/articulated.hpp"
+#include "math/reciprocal_root.hpp"
 
 namespace burnish {
 namespace articulated_detail {

@@ -1,4 +1,4 @@
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "dynamics/frame_kinematics.hpp"
 
 #include "burnish/base/error.hpp"
 

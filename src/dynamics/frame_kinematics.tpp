@@ -1,8 +1,8 @@
 // Definitions of frame_kinematics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/frame_kinematics.hpp"
 #include "dynamics/columns.hpp"
+#include "dynamics/frame_kinematics.hpp"
 
 namespace burnish {
 template <class S>

@@ -1,7 +1,7 @@
 // Arithmetic on configurations for one state at a time and for one state per lane.
 #include "dynamics/integration.tpp"
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 
 #define BURNISH_INTEGRATION_KERNELS(S)                                         \
   template void integrate_configuration(const Tree&, const S*, const S*, S*);  \

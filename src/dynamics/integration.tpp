@@ -1,9 +1,9 @@
 // Definitions of integration.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/integration.hpp"
-#include "burnish/math/exponential.hpp"
-#include "burnish/math/logarithm.hpp"
+#include "dynamics/integration.hpp"
+#include "math/exponential.hpp"
+#include "math/logarithm.hpp"
 
 namespace burnish {
 namespace integration_detail {

@@ -1,8 +1,8 @@
 // Definitions of inverse_dynamics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/inverse_dynamics.hpp"
 #include "dynamics/add_up.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
 

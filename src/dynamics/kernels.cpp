@@ -1,11 +1,11 @@
 // The kernels of this layer for one state at a time and for one state per lane.
-#include "burnish/dynamics/passive.hpp"
-#include "burnish/math/pack.hpp"
 #include "dynamics/frame_kinematics.tpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/mass_matrix.tpp"
 #include "dynamics/momentum.tpp"
+#include "dynamics/passive.hpp"
+#include "math/pack.hpp"
 
 #define BURNISH_DYNAMICS_KERNELS(S)                                                                \
   template void update_kinematics(const Tree&, const S*, const S*, Kinematics<S>&);                \

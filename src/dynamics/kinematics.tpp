@@ -1,7 +1,7 @@
 // Definitions of kinematics.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/kinematics.hpp"
+#include "dynamics/kinematics.hpp"
 
 namespace burnish {
 namespace kinematics_detail {

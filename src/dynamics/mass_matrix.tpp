@@ -1,9 +1,9 @@
 // Definitions of mass_matrix.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/mass_matrix.hpp"
 #include "dynamics/add_up.hpp"
 #include "dynamics/articulated.tpp"
+#include "dynamics/mass_matrix.hpp"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 // Definitions of momentum.hpp, for any scalar.
 #pragma once
 
-#include "burnish/dynamics/momentum.hpp"
+#include "dynamics/momentum.hpp"
 
 namespace burnish {
 

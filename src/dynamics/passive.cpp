@@ -1,4 +1,4 @@
-#include "burnish/dynamics/passive.hpp"
+#include "dynamics/passive.hpp"
 
 #include <cmath>
 

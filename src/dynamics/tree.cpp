@@ -1,4 +1,4 @@
-#include "burnish/dynamics/tree.hpp"
+#include "dynamics/tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "files/here.hpp"
 
-#include "burnish/dynamics/momentum.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "dynamics/momentum.hpp"
 
 namespace burnish::files {
 

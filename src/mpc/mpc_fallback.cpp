@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/dynamics/integration.hpp"
+#include "dynamics/integration.hpp"
 #include "mpc/mpc_impl.hpp"
 
 namespace burnish {

@@ -6,9 +6,9 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/dynamics/tree.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "dynamics/tree.hpp"
 #include "mpc/contact_detector.hpp"
 
 namespace burnish {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "burnish/dynamics/passive.hpp"
 #include "burnish/ocp/problem_spec.hpp"
 #include "burnish/solver/shooting_problem.hpp"
+#include "dynamics/passive.hpp"
 #include "ocp/compiled_residual.hpp"
 
 namespace burnish::ocp {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "burnish/dynamics/integration.hpp"
 #include "burnish/ocp/residual.hpp"
+#include "dynamics/integration.hpp"
 #include "ocp/scene.hpp"
 
 namespace burnish::ocp {

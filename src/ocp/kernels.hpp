@@ -1,7 +1,7 @@
 // What is instantiated elsewhere.
 #pragma once
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 #include "ocp/node_kernel.hpp"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "burnish/math/gram.hpp"
+#include "math/gram.hpp"
 #include "ocp/custom_lanes.tpp"
 #include "ocp/node_kernel.hpp"
 #include "ocp/residual_force.tpp"

@@ -1,7 +1,7 @@
 // Residuals of a frame's placement and velocity. Columns are the entries of its support.
 #pragma once
 
-#include "burnish/derivatives/frame_kinematics.hpp"
+#include "derivatives/frame_kinematics.hpp"
 #include "ocp/compiled_residual.hpp"
 
 namespace burnish::ocp {

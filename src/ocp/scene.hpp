@@ -1,10 +1,10 @@
 // What the residuals of a knot share: one kinematics, one contact solve.
 #pragma once
 
-#include "burnish/contact/constrained_dynamics.hpp"
-#include "burnish/derivatives/momentum.hpp"
-#include "burnish/dynamics/frame_kinematics.hpp"
 #include "burnish/ocp/node_view.hpp"
+#include "contact/constrained_dynamics.hpp"
+#include "derivatives/momentum.hpp"
+#include "dynamics/frame_kinematics.hpp"
 
 namespace burnish::ocp {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
+#include "derivatives/constrained_derivatives.hpp"
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::ocp {

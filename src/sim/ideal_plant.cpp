@@ -9,7 +9,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/dynamics/integration.hpp"
+#include "dynamics/integration.hpp"
 #include "sim/coulomb.hpp"
 #include "sim/manifold_step.hpp"
 #include "sim/small_product.hpp"

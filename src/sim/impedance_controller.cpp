@@ -8,7 +8,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/dynamics/integration.hpp"
+#include "dynamics/integration.hpp"
 #include "mpc/contact_detector.hpp"
 #include "sim/small_product.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "burnish/dynamics/integration.hpp"
+#include "dynamics/integration.hpp"
 #include "sim/random_streams.hpp"
 
 namespace burnish {
@@ -27,7 +27,7 @@ void quantize(const Joint& joint, double step, double* q) {
 Sensing::Sensing(const Model& model, const Disturbances& disturbances)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
-      tree_(model),
+      tree_(std::make_unique<Tree>(model)),
       torque_random_(disturbances.seed, streams::torque_sensor),
       position_random_(disturbances.seed, streams::position),
       velocity_random_(disturbances.seed, streams::velocity),
@@ -38,6 +38,8 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances)
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
 }
+
+Sensing::~Sensing() = default;
 
 void Sensing::reset() noexcept {
   const std::uint64_t seed = disturbances_.seed;
@@ -68,7 +70,7 @@ void Sensing::measure_position(const Plant& plant) noexcept {
   q = plant.q();
   if (disturbances_.position_noise > 0.0) {
     for (double& entry : work_) entry = disturbances_.position_noise * position_random_.normal();
-    integrate_configuration(tree_, q.data(), work_.data(), q.data());
+    integrate_configuration(*tree_, q.data(), work_.data(), q.data());
   }
   if (disturbances_.encoder_bits == 0) return;
   const double step = std::ldexp(2.0 * std::numbers::pi, -disturbances_.encoder_bits);
@@ -82,7 +84,7 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
   if (disturbances_.finite_difference_velocity) {
     if (!started_) differences_ = v;
     if (started_ && elapsed_ > 0.0) {
-      difference_configuration(tree_, q_before_.data(), measurement_.q.data(), work_.data());
+      difference_configuration(*tree_, q_before_.data(), measurement_.q.data(), work_.data());
       const double part = low_pass(disturbances_.velocity_cutoff, elapsed_);
       differences_ += part * (work_ / elapsed_ - differences_);
     }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "burnish/base/thread_pool.hpp"
-#include "burnish/solver/buffer.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "burnish/solver/riccati.hpp"
+#include "solver/buffer.hpp"
 #include "solver/parametric_segment.hpp"
+#include "solver/riccati.hpp"
 
 namespace burnish {
 

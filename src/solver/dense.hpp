@@ -13,7 +13,7 @@
 #include <cstring>
 #include <utility>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 
 namespace burnish::dense {
 

@@ -14,7 +14,7 @@
 // knots.
 #pragma once
 
-#include "burnish/solver/riccati.hpp"
+#include "solver/riccati.hpp"
 
 namespace burnish {
 

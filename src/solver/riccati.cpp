@@ -1,4 +1,4 @@
-#include "burnish/solver/riccati.hpp"
+#include "solver/riccati.hpp"
 
 #include <algorithm>
 #include <cmath>

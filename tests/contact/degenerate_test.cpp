@@ -7,9 +7,9 @@
 #include <Eigen/SVD>
 #include <numbers>
 
-#include "burnish/contact/row_size.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
+#include "contact/row_size.hpp"
 #include "support/contact_states.hpp"
 
 namespace burnish::test {

@@ -2,8 +2,8 @@
 // impulse, over robots, references and contacts between two moving bodies.
 #include <gtest/gtest.h>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
-#include "burnish/math/pack.hpp"
+#include "derivatives/constrained_derivatives.hpp"
+#include "math/pack.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/autodiff.hpp"
 #include "support/contact_states.hpp"

@@ -1,5 +1,5 @@
 // Damping and smoothed friction of joints.
-#include "burnish/dynamics/passive.hpp"
+#include "dynamics/passive.hpp"
 
 #include <cmath>
 #include <limits>

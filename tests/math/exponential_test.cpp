@@ -1,4 +1,4 @@
-#include "burnish/math/exponential.hpp"
+#include "math/exponential.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "burnish/math/logarithm.hpp"
-#include "burnish/math/pack.hpp"
+#include "math/logarithm.hpp"
+#include "math/pack.hpp"
 #include "support/random_unit.hpp"
 
 namespace burnish {

@@ -1,11 +1,11 @@
-#include "burnish/math/logarithm.hpp"
+#include "math/logarithm.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 #include "support/random_unit.hpp"
 
 namespace burnish {

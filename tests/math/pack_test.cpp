@@ -1,4 +1,4 @@
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "burnish/math/gram.hpp"
+#include "math/gram.hpp"
 
 namespace burnish {
 namespace {

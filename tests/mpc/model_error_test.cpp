@@ -6,8 +6,8 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/dynamics/integration.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "dynamics/integration.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/pressing_arm.hpp"
 #include "support/refusal.hpp"

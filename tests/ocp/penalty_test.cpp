@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 #include "support/refusal.hpp"
 #include "support/special_numbers.hpp"
 

@@ -1,4 +1,4 @@
-#include "burnish/solver/box_qp.hpp"
+#include "solver/box_qp.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "burnish/base/views.hpp"
-#include "burnish/solver/buffer.hpp"
+#include "solver/buffer.hpp"
 
 namespace burnish::dense {
 namespace {

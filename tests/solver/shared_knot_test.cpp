@@ -5,7 +5,7 @@
 
 #include "burnish/base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "burnish/solver/riccati.hpp"
+#include "solver/riccati.hpp"
 #include "solver/test_problem.hpp"
 
 namespace burnish::testing {

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <random>
 
-#include "burnish/derivatives/constrained_derivatives.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/state.hpp"
+#include "derivatives/constrained_derivatives.hpp"
 #include "support/autodiff.hpp"
 #include "support/robots.hpp"
 

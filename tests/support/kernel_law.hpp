@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "burnish/math/pack.hpp"
+#include "math/pack.hpp"
 #include "support/autodiff.hpp"
 #include "support/robots.hpp"
 

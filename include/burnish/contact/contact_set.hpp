@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "burnish/contact/contact.hpp"
-#include "burnish/dynamics/tree.hpp"
+#include "burnish/math/spatial.hpp"
 
 namespace burnish {
 

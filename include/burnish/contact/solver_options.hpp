@@ -3,6 +3,10 @@
 
 namespace burnish {
 
+/// A row of a contact counts as held where more than this part of what could have been moves along
+/// it that the rows before it do not hold: angles of a file with six decimals are right to 5e-7.
+inline constexpr double independence_tolerance = 1e-6;
+
 /// The KKT system of eq. (3) and its relaxation.
 struct ContactSolver {
   /// Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, which needs

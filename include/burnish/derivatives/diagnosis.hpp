@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "burnish/contact/row_size.hpp"
+#include "burnish/contact/contact_set.hpp"
+#include "burnish/contact/solver_options.hpp"
 
 namespace burnish {
 

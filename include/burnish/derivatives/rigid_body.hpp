@@ -12,7 +12,7 @@
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/dynamics/frame_axes.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {

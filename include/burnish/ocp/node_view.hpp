@@ -6,7 +6,7 @@
 #include <string>
 
 #include "burnish/base/views.hpp"
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/dynamics/frame_axes.hpp"
 
 namespace burnish {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "burnish/contact/reference.hpp"
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "burnish/dynamics/frame_axes.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/signal.hpp"
 

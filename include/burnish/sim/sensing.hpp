@@ -1,7 +1,8 @@
 // What a controller gets to see of a plant.
 #pragma once
 
-#include "burnish/dynamics/tree.hpp"
+#include <memory>
+
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/plant.hpp"
@@ -9,12 +10,15 @@
 
 namespace burnish {
 
+struct Tree;
+
 /// The chain noise, encoder, differences and filters. Called once per tick of the controller;
 /// allocates nothing after construction and throws nothing.
 class Sensing {
  public:
   /// Throws Error as check_disturbances() does.
   Sensing(const Model& model, const Disturbances& disturbances);
+  ~Sensing();
 
   /// Forgets all measurements, with the same random numbers to come.
   void reset() noexcept;
@@ -31,7 +35,7 @@ class Sensing {
 
   Disturbances disturbances_;
   std::vector<Joint> joints_;
-  Tree tree_;
+  std::unique_ptr<const Tree> tree_;
   RandomStream torque_random_, position_random_, velocity_random_, force_random_;
   bool started_ = false;
   double elapsed_ = 0.0;         ///< s since the last measurement

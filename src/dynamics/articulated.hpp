@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/mass_matrix.hpp"
+#include "dynamics/mass_matrix.hpp"
 
 namespace burnish {
 

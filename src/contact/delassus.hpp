@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "burnish/contact/row_size.hpp"
 #include "burnish/contact/solver_options.hpp"
-#include "burnish/dynamics/mass_matrix.hpp"
+#include "contact/row_size.hpp"
+#include "dynamics/mass_matrix.hpp"
 
 namespace burnish {
 

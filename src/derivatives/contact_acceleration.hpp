@@ -5,8 +5,8 @@
 // where dm/dq_k is the derivative seen from the tool. See docs/theory.md.
 #pragma once
 
-#include "burnish/contact/contact_kinematics.hpp"
-#include "burnish/dynamics/inverse_dynamics.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
 

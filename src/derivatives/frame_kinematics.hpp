@@ -11,7 +11,7 @@
 // frame's support only; the others are zero and not written.
 #pragma once
 
-#include "burnish/dynamics/frame_kinematics.hpp"
+#include "dynamics/frame_kinematics.hpp"
 
 namespace burnish {
 

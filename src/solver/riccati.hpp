@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "burnish/base/crew.hpp"
-#include "burnish/solver/box_qp.hpp"
-#include "burnish/solver/buffer.hpp"
 #include "burnish/solver/shooting_problem.hpp"
+#include "solver/box_qp.hpp"
+#include "solver/buffer.hpp"
 
 namespace burnish {
 

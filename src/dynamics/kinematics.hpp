@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/tree.hpp"
+#include "dynamics/tree.hpp"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/kinematics.hpp"
+#include "dynamics/kinematics.hpp"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "burnish/contact/constrained_dynamics.hpp"
-#include "burnish/dynamics/articulated.hpp"
+#include "contact/constrained_dynamics.hpp"
+#include "dynamics/articulated.hpp"
 
 namespace burnish {
 

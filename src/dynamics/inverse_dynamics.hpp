@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/mass_matrix.hpp"
+#include "dynamics/mass_matrix.hpp"
 
 namespace burnish {
 

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/momentum.hpp"
+#include "dynamics/momentum.hpp"
 
 namespace burnish {
 

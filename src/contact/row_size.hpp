@@ -2,13 +2,10 @@
 // normalisation, beside what the joints could do with these lengths at some other posture.
 #pragma once
 
-#include "burnish/contact/contact_kinematics.hpp"
+#include "burnish/contact/solver_options.hpp"
+#include "contact/contact_kinematics.hpp"
 
 namespace burnish {
-
-/// A row counts as held where more than this part of what could have been moves along it that the
-/// rows before it do not hold: angles of a file with six decimals are right to 5e-7.
-inline constexpr double independence_tolerance = 1e-6;
 
 /// Of a pivot's rounding, relative to the diagonal entry that it is what is left of; where the row
 /// leans on rows that hardly differ from those before them, theirs comes on top.

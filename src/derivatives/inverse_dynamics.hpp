@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "burnish/dynamics/inverse_dynamics.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "burnish/contact/contact_set.hpp"
-#include "burnish/dynamics/kinematics.hpp"
+#include "dynamics/kinematics.hpp"
 
 namespace burnish {
 

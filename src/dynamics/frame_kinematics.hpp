@@ -11,21 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "burnish/dynamics/inverse_dynamics.hpp"
-#include "burnish/math/logarithm.hpp"
+#include "burnish/dynamics/frame_axes.hpp"
+#include "dynamics/inverse_dynamics.hpp"
+#include "math/logarithm.hpp"
 
 namespace burnish {
-
-/// What a frame's motion is written in. The acceleration is in brackets.
-enum class FrameAxes {
-  Local,     ///< the frame's own axes and origin (its spatial acceleration)
-  Centered,  ///< world axes, the frame's origin (acceleration of the material point there)
-  World,     ///< world axes, the world's origin (spatial acceleration in the world)
-};
-
-std::string_view name_of(FrameAxes axes);
-/// Reads "local", "centered" or "world". Throws Error with the nearest known name.
-FrameAxes parse_frame_axes(const std::string& name);
 
 /// Constants of one frame, as the kernels read them.
 struct CompiledFrame {

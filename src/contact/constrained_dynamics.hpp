@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "burnish/base/status.hpp"
-#include "burnish/contact/delassus.hpp"
-#include "burnish/dynamics/inverse_dynamics.hpp"
+#include "contact/delassus.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
 
