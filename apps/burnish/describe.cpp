@@ -4,8 +4,8 @@
 #include <map>
 
 #include "burnish/base/error.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "polishing/task_file.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::app {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "json_text.hpp"
 #include "polish_files.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::app {
 namespace {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <map>
 
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_notes.hpp"
 #include "command.hpp"
 #include "json_text.hpp"
 #include "polish_files.hpp"
 #include "polish_page.hpp"
-#include "polishing/task_file.hpp"
 #include "polishing/task_keys.hpp"
-#include "polishing/task_notes.hpp"
 #include "progress_bar.hpp"
 #include "robot_arguments.hpp"
 #include "run_folder.hpp"

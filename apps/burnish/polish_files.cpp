@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/whole_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "json_text.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::app {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "burnish/contact/reference.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "mesh_file.hpp"
 #include "page/page_template.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <future>
 
 #include "bind.hpp"
-#include "polishing/run.hpp"
-#include "polishing/task_notes.hpp"
+#include "burnish/tasks/polishing/run.hpp"
+#include "burnish/tasks/polishing/task_notes.hpp"
 #include "run_files.hpp"
 #include "specs_polishing.hpp"
 

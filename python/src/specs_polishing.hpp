@@ -1,10 +1,10 @@
 // Values of the polishing task, its runs and its experiments.
 #pragma once
 
+#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/polishing/verdict.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "polishing/posture.hpp"
-#include "polishing/task_file.hpp"
-#include "polishing/verdict.hpp"
 #include "specs_model.hpp"
 #include "specs_mpc.hpp"
 #include "specs_report.hpp"

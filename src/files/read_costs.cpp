@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "dynamics/frame_kinematics.hpp"
 #include "files/here.hpp"
 #include "files/read_penalty.hpp"
 #include "model/followers.hpp"

@@ -1,4 +1,4 @@
-#include "polishing/path.hpp"
+#include "burnish/tasks/polishing/path.hpp"
 
 #include <algorithm>
 #include <cmath>

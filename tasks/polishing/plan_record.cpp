@@ -1,4 +1,4 @@
-#include "polishing/plan_record.hpp"
+#include "burnish/tasks/polishing/plan_record.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "polishing/posture.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>

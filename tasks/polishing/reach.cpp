@@ -1,4 +1,4 @@
-#include "polishing/reach.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

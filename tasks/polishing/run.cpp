@@ -1,4 +1,4 @@
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -7,7 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #ifdef BURNISH_HAS_MUJOCO
 #include "burnish/mujoco/mujoco_plant.hpp"
 #endif

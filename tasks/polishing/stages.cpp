@@ -1,4 +1,4 @@
-#include "polishing/stages.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "ocp/position_limits.hpp"
-#include "polishing/posture.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -1,4 +1,4 @@
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "burnish/tasks/polishing/task.hpp"
 #include "files/yaml_reader.hpp"
-#include "polishing/task.hpp"
 
 namespace burnish::polishing {
 

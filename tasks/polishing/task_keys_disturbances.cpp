@@ -1,5 +1,5 @@
 // Keys of a task file: what makes the plant differ from what the controller believes.
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {

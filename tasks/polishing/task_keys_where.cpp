@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "files/csv_table.hpp"
 #include "files/read_values.hpp"
-#include "polishing/task_file.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {

@@ -1,4 +1,4 @@
-#include "polishing/task_notes.hpp"
+#include "burnish/tasks/polishing/task_notes.hpp"
 
 #include <algorithm>
 #include <cmath>

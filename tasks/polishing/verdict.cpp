@@ -1,4 +1,4 @@
-#include "polishing/verdict.hpp"
+#include "burnish/tasks/polishing/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

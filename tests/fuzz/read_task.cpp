@@ -1,8 +1,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "fuzz/readers.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -33,12 +33,31 @@ foreach(other IN ITEMS 0.1 ${major}.${next} ${VERSION}.1)
 endforeach()
 message(STATUS "burnish ${VERSION} is not taken for another version")
 
+# The loop that docs/polishing.md has for a robot, with a plant in the robot's place.
+set(on_a_robot "")
+if(EXISTS ${prefix}/include/burnish/tasks AND EXISTS ${prefix}/bin/burnish)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/../../docs/polishing.md page)
+  string(REGEX MATCH "## On a robot.*" page "${page}")
+  string(FIND "${page}" "```cpp" begin)
+  math(EXPR begin "${begin} + 7")
+  string(SUBSTRING "${page}" ${begin} -1 page)
+  string(FIND "${page}" "```" end)
+  string(SUBSTRING "${page}" 0 ${end} program)
+  string(REGEX MATCHALL "#include[^\n]*\n" PAGE_INCLUDES "${program}")
+  string(REPLACE ";" "" PAGE_INCLUDES "${PAGE_INCLUDES}")
+  string(REGEX REPLACE "#include[^\n]*\n" "" PAGE_BODY "${program}")
+  string(REPLACE "Measurement measurement;" "make_robot(setting, task.tick_rate);\nMeasurement measurement;" PAGE_BODY "${PAGE_BODY}")
+  set(on_a_robot ${WORK}/on_a_robot.cpp)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/on_a_robot.cpp.in ${on_a_robot} @ONLY)
+  file(COPY_FILE ${prefix}/share/burnish/tasks/polishing/table.yaml ${WORK}/mine.yaml)
+endif()
+
 foreach(native ON OFF)
   set(consumer ${WORK}/consumer_native_${native})
   run("configuring the consumer" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${consumer}
     -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_PREFIX_PATH=${prefix} -DCONSUMER_NATIVE=${native} -DCONSUMER_HEADERS=${HEADERS}
-    -DCONSUMER_WANTS=${major}.${minor})
+    -DCONSUMER_WANTS=${major}.${minor} -DCONSUMER_ON_A_ROBOT=${on_a_robot})
   set(HEADERS OFF)  # once is enough
   run("building the consumer" ${CMAKE_COMMAND} --build ${consumer} -j ${JOBS})
   file(READ ${consumer}/robots_dir robots)
@@ -52,6 +71,14 @@ foreach(native ON OFF)
   endif()
   message(STATUS "consumer with -march=native ${native}: ${output}")
   run("one layer alone" ${consumer}/one_layer)
+  if(on_a_robot)
+    run("the program of docs/polishing.md" ${CMAKE_COMMAND} -E chdir ${WORK} ${CMAKE_COMMAND} -E env
+      BURNISH_ROBOTS=${robots} ${consumer}/on_a_robot)
+    if(NOT output MATCHES "presses with (29|30|31)[.]")
+      message(FATAL_ERROR "the program of docs/polishing.md said: ${output}")
+    endif()
+    set(on_a_robot "")  # once is enough
+  endif()
 endforeach()
 
 # The installed command line runs from where it was moved to.

@@ -11,7 +11,7 @@
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
-#include "polishing/stages.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/special_numbers.hpp"
 

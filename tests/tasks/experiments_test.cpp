@@ -7,11 +7,11 @@
 
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
 #include "polishing/experiments/experiment.hpp"
 #include "polishing/experiments/scaled_robot.hpp"
-#include "polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

@@ -1,5 +1,5 @@
 // Paths on a surface: where they start, how smooth they are, what they reach, what is refused.
-#include "polishing/path.hpp"
+#include "burnish/tasks/polishing/path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Plans that a run keeps, and that keeping them changes nothing.
-#include "polishing/plan_record.hpp"
+#include "burnish/tasks/polishing/plan_record.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -1,13 +1,13 @@
 // A posture for any surface: it suits the surface, it is always the same, and where there is none
 // a sentence says why.
-#include "polishing/posture.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

@@ -1,13 +1,13 @@
 // What the arm can do is known before anything moves, and what it cannot is said in one sentence.
-#include "polishing/reach.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
-#include "polishing/posture.hpp"
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

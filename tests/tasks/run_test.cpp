@@ -1,12 +1,12 @@
 // Runs from start to end: what comes out of them, on either plant.
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 

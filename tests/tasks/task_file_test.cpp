@@ -1,6 +1,6 @@
 // Task files: what they say arrives, what is written reads back, and what cannot be used is refused
 // with a sentence that says where.
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "polishing/stages.hpp"
-#include "polishing/task_notes.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
+#include "burnish/tasks/polishing/task_notes.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 

@@ -1,11 +1,11 @@
 // What "polished" asks for: runs that end without a fault and have not polished all the same.
-#include "polishing/verdict.hpp"
+#include "burnish/tasks/polishing/verdict.hpp"
 
 #include <gtest/gtest.h>
 
-#include "polishing/run.hpp"
-#include "polishing/task_file.hpp"
-#include "polishing/task_notes.hpp"
+#include "burnish/tasks/polishing/run.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_notes.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

@@ -6,6 +6,7 @@
 
 #include "burnish/contact/contact.hpp"
 #include "burnish/math/spatial.hpp"
+#include "burnish/model/model.hpp"
 
 namespace burnish {
 

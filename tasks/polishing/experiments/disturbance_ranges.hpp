@@ -1,7 +1,7 @@
 // Everything that can disturb a run, at once, with sizes drawn from a seed.
 #pragma once
 
-#include "polishing/task.hpp"
+#include "burnish/tasks/polishing/task.hpp"
 
 namespace burnish::polishing {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/sentence.hpp"
-#include "polishing/task_file.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 
 namespace burnish::polishing {
 

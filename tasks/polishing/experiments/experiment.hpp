@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "burnish/report/svg_plot.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 #include "polishing/experiments/results_table.hpp"
-#include "polishing/run.hpp"
 
 namespace burnish::polishing {
 

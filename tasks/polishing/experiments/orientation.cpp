@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "base/degrees.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
-#include "polishing/posture.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/run_curves.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::polishing {
 namespace {

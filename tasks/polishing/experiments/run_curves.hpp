@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/report/svg_plot.hpp"
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::polishing {
 

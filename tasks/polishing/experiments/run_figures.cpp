@@ -7,7 +7,7 @@
 
 #include "base/degrees.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "polishing/posture.hpp"
+#include "burnish/tasks/polishing/posture.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -1,8 +1,8 @@
 // What experiments keep of a run.
 #pragma once
 
+#include "burnish/tasks/polishing/run.hpp"
 #include "polishing/experiments/results_table.hpp"
-#include "polishing/run.hpp"
 
 namespace burnish::polishing {
 

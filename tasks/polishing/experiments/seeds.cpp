@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
-#include "polishing/task_file.hpp"
 
 namespace burnish::polishing {
 namespace {

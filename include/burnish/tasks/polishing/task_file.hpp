@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "polishing/task.hpp"
+#include "burnish/tasks/polishing/task.hpp"
 
 namespace burnish::polishing {
 

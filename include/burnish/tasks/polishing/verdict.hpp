@@ -4,7 +4,7 @@
 #include <string>
 
 #include "burnish/base/trace.hpp"
-#include "polishing/stages.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
 
 namespace burnish::polishing {
 

@@ -3,7 +3,7 @@
 
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/impedance_controller.hpp"
-#include "polishing/task.hpp"
+#include "burnish/tasks/polishing/task.hpp"
 
 namespace burnish::polishing {
 

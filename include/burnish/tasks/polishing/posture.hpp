@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "polishing/reach.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 
 namespace burnish::polishing {
 

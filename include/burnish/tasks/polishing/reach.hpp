@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "polishing/stages.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
 
 namespace burnish::polishing {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "polishing/run.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::polishing {
 

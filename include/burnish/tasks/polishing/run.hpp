@@ -10,9 +10,9 @@
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/report/metrics.hpp"
-#include "polishing/plan_record.hpp"
-#include "polishing/reach.hpp"
-#include "polishing/verdict.hpp"
+#include "burnish/tasks/polishing/plan_record.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
+#include "burnish/tasks/polishing/verdict.hpp"
 
 namespace burnish::polishing {
 

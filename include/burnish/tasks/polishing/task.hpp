@@ -8,7 +8,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/scene.hpp"
-#include "polishing/path.hpp"
+#include "burnish/tasks/polishing/path.hpp"
 
 namespace burnish::polishing {
 
