@@ -2,6 +2,7 @@
 // leaders, and are held where a leader is locked.
 #include <gtest/gtest.h>
 
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/model/model.hpp"
 #include "support/built_robots.hpp"
 #include "support/refusal.hpp"
@@ -43,7 +44,7 @@ void expect_placements(const TreeSpec& tree, const Model& model, Posture posture
         posture[spec.name] = {spec.mimic->multiplier * posture.at(spec.mimic->leader)[0] +
                               spec.mimic->offset};
   for (const auto& [name, placement] : link_placements(tree, posture, tree.links[0].name))
-    EXPECT_TRUE(frame_placement(model, q, name).isApprox(placement, 1e-12)) << name;
+    EXPECT_TRUE(burnish::frame_placement(model, q, name).isApprox(placement, 1e-12)) << name;
   EXPECT_TRUE(configuration(model, posture).isApprox(q, 1e-12)) << "with their values written out";
 }
 
