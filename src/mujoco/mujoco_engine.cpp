@@ -133,11 +133,11 @@ void Engine::stiffen_followers() const {
 }
 
 /// To MuJoCo every plane is endless.
-void Engine::meet_where_there_is_surface() const {
+void Engine::meet_where_there_is_surface(bool in_contact) const {
   if (std::isinf(scene.surface.extent)) return;
   mj_kinematics(m.get(), d.get());
   const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
-  const bool over = is_over(scene, tip);
+  const bool over = is_over(scene, tip, in_contact);
   m->geom_contype[surface_geom] = over ? 2 : 0;
   m->geom_conaffinity[surface_geom] = over ? 1 : 0;
 }

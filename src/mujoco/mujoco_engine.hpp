@@ -22,8 +22,9 @@ struct Engine {
   void stiffen_followers() const;
 
   /// Lets tip and surface collide at the configuration in `d` where there is surface under the tip,
-  /// and only there. To be called before mj_fwdPosition().
-  void meet_where_there_is_surface() const;
+  /// and only there; `in_contact`: whether they touched in the step before. To be called before
+  /// mj_fwdPosition().
+  void meet_where_there_is_surface(bool in_contact) const;
 
   /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
   /// the two geoms by their types, so the ids say which way it points.

@@ -93,7 +93,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   if (!usable(tau.data(), engine_.model.nv) || !usable(push_world.data(), 3))
     return Status::NotFinite;
   store_moment(before_.data());
-  engine_.meet_where_there_is_surface();
+  engine_.meet_where_there_is_surface(in_contact_);
   mj_fwdPosition(m, d);
   engine_.stiffen_followers();
   mj_fwdVelocity(m, d);

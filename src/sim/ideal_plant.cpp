@@ -172,7 +172,7 @@ double IdealPlant::gap_at(const Eigen::VectorXd& q) {
   work_.v.setZero();
   if (body_.update(q, work_.v) != Status::Ok) return 0.0;
   const Eigen::Vector3d p_tip_world = body_.placement(tip_).translation();
-  if (!is_over(scene_, p_tip_world)) return std::numeric_limits<double>::infinity();
+  if (!is_over(scene_, p_tip_world, false)) return std::numeric_limits<double>::infinity();
   return gap(scene_, p_tip_world);
 }
 
@@ -226,7 +226,7 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
 Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   Status status = body_.update(q_, v_);
   if (status > Status::NotConverged) return status;
-  if (touching_ && !is_over(scene_, body_.placement(tip_).translation())) set_touching(false);
+  if (touching_ && !is_over(scene_, body_.placement(tip_).translation(), true)) set_touching(false);
   body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
   work_.tau = tau + coulomb_.torque();
   add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);

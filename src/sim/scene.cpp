@@ -59,11 +59,11 @@ Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vecto
   return axes.transpose() * (p_world - surface.point);
 }
 
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world, bool in_contact) {
   const double extent = scene.surface.extent;
   if (std::isinf(extent)) return true;
   const Eigen::Vector3d p = seen_from_surface(scene.surface, p_tip_world);
-  return std::abs(p.x()) <= extent && std::abs(p.y()) <= extent && p.z() > 0.0;
+  return std::abs(p.x()) <= extent && std::abs(p.y()) <= extent && (in_contact || p.z() > 0.0);
 }
 
 }  // namespace burnish

@@ -144,6 +144,25 @@ TEST_P(PlantLaw, a_tip_that_slides_over_the_edge_is_free_and_does_not_come_back_
   EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
 }
 
+TEST_P(PlantLaw, a_tip_that_sinks_into_a_soft_surface_stays_in_contact) {
+  // 60 N sink it by 12 cm, six of its radii: what has an end holds as what has none.
+  const Eigen::Vector3d normal(0.0, 0.0, 1.0);
+  SceneSpec soft = scene(normal, 0.0);
+  soft.surface.stiffness = 500.0;
+  SceneSpec square = soft;
+  square.surface.extent = 0.4;
+  Model braked = model;
+  braked.damping.setConstant(50.0);
+  const auto endless = started(braked, soft), ending = started(braked, square);
+  for (int i = 0; i < 4000; ++i)
+    for (const auto* plant : {&endless, &ending})
+      ASSERT_EQ((*plant)->step(holding(**plant, -60.0 * normal), Eigen::Vector3d::Zero()),
+                Status::Ok);
+  EXPECT_TRUE(ending->in_contact());
+  EXPECT_GT(ending->contact_force_world().norm(), 30.0);
+  EXPECT_EQ(ending->q(), endless->q());
+}
+
 TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
   // A robot that is braked hard: what the surface exerts is what the tool presses with.
   Model braked = model;

@@ -56,8 +56,9 @@ double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
 /// and above it. The scene's normal has length one. No allocation.
 Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p_world);
 
-/// Whether a tip there can touch the surface: its centre is above the square. Always, where the
+/// Whether a tip there can touch the surface: its centre is above the square, or was while it
+/// touched and has sunk since (`in_contact`), however deep into what is soft. Always, where the
 /// plane has no end. No allocation.
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world, bool in_contact);
 
 }  // namespace burnish
