@@ -13,12 +13,14 @@ TEST(NearestName, finds_the_name_with_a_slip_of_the_finger) {
   const std::vector<std::string> known{"arm_left_1_joint", "arm_right_1_joint", "torso_1_joint"};
   EXPECT_EQ(nearest_name("arm_rigth_1_joint", known), "arm_right_1_joint");
   EXPECT_EQ(nearest_name("torso1_joint", known), "torso_1_joint");
+  EXPECT_EQ(nearest_name("weigths", {"weight", "weights", "limits"}), "weights");
 }
 
 TEST(NearestName, is_empty_when_nothing_is_close) {
   EXPECT_EQ(nearest_name("q", {"arm_left_1_joint"}), "");
   EXPECT_EQ(nearest_name("tool", {}), "");
   EXPECT_EQ(did_you_mean("tool", {}), "");
+  EXPECT_EQ(nearest_name("nope", {"base", "tool", "link_1"}), "");
 }
 
 TEST(DidYouMean, quotes_the_nearest_name) {

@@ -216,9 +216,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"tool: {axis: [0, 0, 0]}\n", {"tool.axis: the axis has no direction"}},
         Refused{"search: {distance: 1}\n", {"search: key 'distance'", "body_distance"}},
         Refused{"surface: {friction: -0.1}\n", {"surface.friction: it is -0.1"}},
-        Refused{"surface: {point: here}\n", {"surface.point: wanted a list of 3 numbers"}},
+        Refused{"surface: {point: here}\n",
+                {"surface.point: it is the text 'here'; wanted a list of 3 numbers"}},
         Refused{"weights: {forces: 3}\n", {"weights: key 'forces'", "did you mean 'force'?"}},
-        Refused{"weights: 3\n", {"weights: wanted keys with values"}},
+        Refused{"weights: 3\n", {"weights: it is the number 3; wanted keys with values"}},
         Refused{"weights: {force: -1}\n", {"weights.force: it is -1; wanted at least 0"}},
         Refused{"controller: {solver: ddp}\n", {"controller.solver: 'ddp' is unknown"}},
         Refused{"controller: {iterations: 0.5}\n", {"controller.iterations: it is 0.5"}},
@@ -251,7 +252,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"disturbances: {torque_nois: 1}\n", {"did you mean 'torque_noise'?"}},
         Refused{"disturbances: {pushes: [{start: 1, force: [0, 0, 1]}]}\n",
                 {"disturbances.pushes[0]: key 'duration' is missing"}},
-        Refused{"- 1\n", {"wanted keys with values"}}, Refused{"force: [\n", {"this is no YAML"}}));
+        Refused{"- 1\n", {"it is a list; wanted keys with values"}},
+        Refused{"force: [\n", {"this is no YAML"}}));
 
 TEST_F(TaskFile, OverridesAreRefusedByTheirOwnWords) {
   Task task;

@@ -1,0 +1,75 @@
+#include "document/builder.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/sentence.hpp"
+
+namespace burnish::document {
+
+std::string place_text(Place place, const std::string& path) {
+  return (place.line == 0 ? "" : "line " + std::to_string(place.line) + ": ") +
+         (path.empty() ? "" : path + ": ");
+}
+
+std::string path_into(const std::string& path, const Node& holder, std::size_t index) {
+  if (holder.kind == Kind::List) return path + "[" + std::to_string(index) + "]";
+  return (path.empty() ? "" : path + ".") + holder.values[index - index % 2].text;
+}
+
+void Builder::refuse(Place place, const std::string& what) const {
+  std::string path;
+  for (std::size_t i = 0; i + 1 < open_.size(); ++i)
+    path = path_into(path, open_[i], open_[i].values.size() - (open_[i].kind == Kind::Map ? 1 : 0));
+  burnish::refuse(name_, place_text(place, path) + what);
+}
+
+void Builder::count(const Node& node, std::size_t depth) {
+  // Of a long text every 32 bytes are one: an alias may repeat it.
+  values_ += 1 + node.text.size() / 32;
+  if (values_ > max_values_)
+    refuse(node.place, "it has more than " + std::to_string(max_values_) +
+                           " values, those of an alias counted wherever it stands; at most that "
+                           "many are read");
+  if (node.is_scalar()) return;
+  if (depth >= max_nesting)
+    refuse(node.place,
+           "values are nested more than " + std::to_string(max_nesting) + " deep; wanted less");
+  for (const Node& value : node.values) count(value, depth + 1);
+}
+
+void Builder::put(Node&& node) {
+  if (open_.empty())
+    root_ = std::move(node);
+  else
+    open_.back().values.push_back(std::move(node));
+}
+
+void Builder::add(Node&& node) {
+  count(node, open_.size());
+  if (expects_key() && (!node.is_scalar() || node.kind == Kind::Null))
+    refuse(node.place, "its keys must be names");
+  put(std::move(node));
+}
+
+void Builder::begin(Kind kind, Place place) {
+  Node node{.kind = kind, .place = place};
+  count(node, open_.size());
+  if (expects_key()) refuse(place, "its keys must be names");
+  open_.push_back(std::move(node));
+}
+
+void Builder::check_keys(const Node& map) const {
+  if (map.kind != Kind::Map) return;
+  std::vector<const Node*> keys;
+  for (std::size_t i = 0; i < map.values.size(); i += 2) keys.push_back(&map.values[i]);
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const Node* a, const Node* b) { return a->text < b->text; });
+  const auto twin = std::adjacent_find(
+      keys.begin(), keys.end(), [](const Node* a, const Node* b) { return a->text == b->text; });
+  if (twin != keys.end())
+    refuse((*(twin + 1))->place,
+           "key " + in_quotes((*twin)->text) + " is stated twice; state it once");
+}
+
+}  // namespace burnish::document

@@ -1,0 +1,110 @@
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <map>
+#include <sstream>
+
+#include "base/parse_number.hpp"
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
+#include "document/builder.hpp"
+#include "document/text.hpp"
+
+namespace burnish::document {
+namespace {
+
+Place place_of(const YAML::Mark& mark) {
+  return {static_cast<std::uint32_t>(mark.line + 1), static_cast<std::uint32_t>(mark.column + 1)};
+}
+
+class YamlEvents final : public YAML::EventHandler {
+ public:
+  explicit YamlEvents(const std::string& name) : tree_(name, 1'000'000) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ > 0)
+      tree_.refuse(place_of(mark), "a second document begins here; wanted one in a file");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    scalar({.place = place_of(mark)}, anchor);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    const bool quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
+    if (!quoted && value == "<<" && tree_.expects_key())
+      tree_.refuse(place_of(mark), "maps are not merged by '<<' here; wanted the keys themselves");
+    scalar({.kind = quoted ? Kind::Text : kind_of_plain(value),
+            .place = place_of(mark),
+            .text = value},
+           anchor);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value /*style*/) override {
+    begin(Kind::List, mark, anchor);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value /*style*/) override {
+    begin(Kind::Map, mark, anchor);
+  }
+  void OnMapEnd() override { end(); }
+  /// What stands behind an alias is copied; the builder counts it wherever it stands.
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchored_.find(anchor);
+    if (found == anchored_.end()) tree_.refuse(place_of(mark), "an alias stands for what holds it");
+    tree_.add(Node(found->second));
+  }
+
+  Node take() { return tree_.take(); }
+
+ private:
+  void scalar(Node node, YAML::anchor_t anchor) {
+    if (anchor != YAML::NullAnchor) anchored_[anchor] = node;
+    tree_.add(std::move(node));
+  }
+  void begin(Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    tree_.begin(kind, place_of(mark));
+    anchors_.push_back(anchor);
+  }
+  void end() {
+    const YAML::anchor_t anchor = anchors_.back();
+    anchors_.pop_back();
+    tree_.end([&](const Node& node) {
+      if (anchor != YAML::NullAnchor) anchored_[anchor] = node;
+    });
+  }
+
+  Builder tree_;
+  int documents_ = 0;
+  std::vector<YAML::anchor_t> anchors_;  ///< of the lists and maps that are open
+  std::map<YAML::anchor_t, Node> anchored_;
+};
+
+}  // namespace
+
+Kind kind_of_plain(const std::string& text) {
+  for (const char* word : {"", "~", "null", "Null", "NULL"})
+    if (text == word) return Kind::Null;
+  if (text == "true" || text == "false") return Kind::Bool;
+  return parse_number(text) ? Kind::Number : Kind::Text;
+}
+
+Node parse_yaml(const std::string& text, const std::string& name) {
+  constexpr int megabytes = 4;  // of lists without end 1 GB in memory
+  check_size(text, name, megabytes);
+  std::istringstream stream(text);
+  YamlEvents events(name);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(events)) {
+    }
+  } catch (const YAML::Exception& error) {
+    refuse(name, "line " + std::to_string(error.mark.line + 1) + ": this is no YAML: " + error.msg);
+  }
+  return events.take();
+}
+
+}  // namespace burnish::document

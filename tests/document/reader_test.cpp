@@ -1,0 +1,86 @@
+// Values read strictly, and the sentences where they are not what was wanted.
+#include "document/reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/refusal.hpp"
+
+namespace burnish::document {
+namespace {
+
+using testing::expect_words;
+using testing::refusal;
+
+TEST(Reader, KeysThatAreUnknownStandWithTheirOwnLineAndTheNearestName) {
+  const Reader top = Reader::parse("weights:\n  force: 1\nweigths: 2\n", "a.yaml");
+  EXPECT_EQ(refusal([&] {
+              top.allow_only({"weights", "limits"});
+            }),
+            "a.yaml: line 3: key 'weigths' is unknown; did you mean 'weights'?");
+  EXPECT_EQ(refusal([&] {
+              top["weights"].allow_only({"nothing", "alike"});
+            }),
+            "a.yaml: line 2: weights: key 'force' is unknown; known are nothing or alike");
+}
+
+TEST(Reader, APlaceIsNamedOnce) {
+  const Reader value = Reader::parse("a: {b: x}\n", "a.yaml")["a"]["b"];
+  const std::string sentence = "a.yaml: line 1: a.b: 'x' is no number";
+  EXPECT_EQ(refusal([&] { value.number(); }), sentence);
+  EXPECT_EQ(refusal([&] { value.named([&] { value.named([&] { return value.number(); }); }); }),
+            sentence);
+  EXPECT_EQ(refusal([&] { value.named([]() -> int { throw Error("other.csv: no rows"); }); }),
+            "a.yaml: line 1: a.b: other.csv: no rows");
+}
+
+TEST(Reader, NumbersSayTheirRange) {
+  const Reader list = Reader::parse("[2.5, -1, 3, '3', x, 1e10]", "a.yaml");
+  const auto refused_at = [&](std::size_t i, const auto& read) {
+    return refusal([&] { read(list.entries()[i]); });
+  };
+  const auto share = [](const Reader& x) { x.number(0.0, 1.0); };
+  expect_words(refused_at(0, share), {"[0]: it is 2.5; wanted a number between 0 and 1"});
+  const auto count = [](const Reader& x) { x.count(0, 2); };
+  expect_words(refused_at(0, count), {"[0]: it is 2.5; wanted a whole number"});
+  expect_words(refused_at(1, count), {"[1]: it is -1; wanted at least 0"});
+  expect_words(refused_at(2, count), {"[2]: it is 3; wanted at most 2"});
+  expect_words(refused_at(5, [](const Reader& x) { x.count(0); }), {"wanted at most 1000000000"});
+  expect_words(refused_at(1, [](const Reader& x) { x.positive(); }), {"wanted more than 0"});
+  expect_words(refused_at(3, [](const Reader& x) { x.number(); }),
+               {"[3]: '3' in quotes is a text; wanted a number, without them"});
+  expect_words(refusal([&] { list.numbers(7); }), {"it has 6 numbers; wanted 7"});
+}
+
+TEST(Reader, WhatIsThereIsNamedWhereSomethingElseWasWanted) {
+  const Reader top = Reader::parse("{a: [1], b: {}, c: , d: yes, e: 3}", "a.yaml");
+  expect_words(refusal([&] { top["a"].number(); }), {"a: it is a list; wanted a number"});
+  expect_words(refusal([&] { top["b"].entries(); }), {"b: it is keys with values; wanted a list"});
+  expect_words(refusal([&] { top["c"].number(); }), {"c: it is nothing; wanted a number"});
+  expect_words(refusal([&] { top["d"].yes_or_no(); }), {"d: it is the text 'yes'; wanted true or"});
+  expect_words(refusal([&] { top["e"].items(); }), {"e: it is the number 3; wanted keys"});
+  expect_words(refusal([&] { top["e"]["f"]; }),
+               {"e: it is the number 3; wanted keys", "'f' among"});
+  expect_words(refusal([&] { top["f"]; }), {"a.yaml: line 1: key 'f' is missing"});
+}
+
+TEST(Reader, ChangesOfAMapStandWhereTheyWereMade) {
+  const Reader top = Reader::parse("base: {a: 1, b: 2}\n\nmore:\n  it: {b: x, c: 3}\n", "a.yaml");
+  const Reader changed = top["base"].changed_by(top["more"]["it"]);
+  EXPECT_EQ(changed["a"].number(), 1.0);
+  EXPECT_EQ(changed["c"].number(), 3.0);
+  expect_words(refusal([&] { changed["b"].number(); }), {"a.yaml: line 4: more.it.b: 'x' is no"});
+}
+
+TEST(Reader, ValuesOutliveTheReaderOfTheWholeFile) {
+  std::optional<Reader> value;
+  {
+    const Reader top = Reader::parse("{a: {b: 1}, c: {d: 2}}", "a.yaml");
+    value = top["a"]["b"];
+    value = top["c"]["d"];
+  }
+  EXPECT_EQ(value->number(), 2.0);
+  EXPECT_EQ(value->path(), "c.d");
+}
+
+}  // namespace
+}  // namespace burnish::document
