@@ -102,11 +102,16 @@ function(burnish_variants name)
   endforeach()
 endfunction()
 
-# burnish_layer(name [VARIANTS] SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as
-# burnish::name. VARIANTS: see burnish_variants().
+# burnish_layer(name [VARIANTS] [INTERNAL] SOURCES ... LINK ... PRIVATE_LINK ...): one step of the arrow, as
+# burnish::name. VARIANTS: see burnish_variants(). INTERNAL: for the programs here, in none of which it needs
+# a file of its own; not installed.
 function(burnish_layer name)
-  cmake_parse_arguments(arg "VARIANTS" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
-  add_library(burnish_${name} ${arg_SOURCES})
+  cmake_parse_arguments(arg "VARIANTS;INTERNAL" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  set(kind "")
+  if(arg_INTERNAL)
+    set(kind STATIC)
+  endif()
+  add_library(burnish_${name} ${kind} ${arg_SOURCES})
   add_library(burnish::${name} ALIAS burnish_${name})
   set_target_properties(burnish_${name} PROPERTIES
     EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION ${BURNISH_SOVERSION})
@@ -119,6 +124,10 @@ function(burnish_layer name)
     EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
   target_link_libraries(burnish_${name} PUBLIC Eigen3::Eigen ${arg_LINK}
     PRIVATE $<BUILD_INTERFACE:burnish_flags> ${arg_PRIVATE_LINK})
+  if(arg_INTERNAL)
+    target_include_directories(burnish_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    return()
+  endif()
   set_property(GLOBAL APPEND PROPERTY BURNISH_LAYERS burnish_${name})
   if(arg_VARIANTS AND BURNISH_HWCAPS)
     burnish_variants(${name})

@@ -5,7 +5,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 
 namespace burnish::app {
 namespace {

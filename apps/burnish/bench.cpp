@@ -6,7 +6,7 @@
 #include "bench_measure.hpp"
 #include "burnish/base/error.hpp"
 #include "command.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 #include "robot_arguments.hpp"
 
 namespace burnish::app {

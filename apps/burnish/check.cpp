@@ -7,7 +7,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "contact_text.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 #include "robot_arguments.hpp"
 
 namespace burnish::app {

@@ -8,7 +8,7 @@
 #include "answer.hpp"
 #include "base/text_file.hpp"
 #include "command.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 #include "robot_arguments.hpp"
 
 namespace burnish::app {

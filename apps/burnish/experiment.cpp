@@ -5,10 +5,10 @@
 #include <set>
 
 #include "command.hpp"
-#include "experiment_files.hpp"
+#include "polishing/record/experiment_files.hpp"
 #include "progress_bar.hpp"
+#include "record/run_folder.hpp"
 #include "robot_arguments.hpp"
-#include "run_folder.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 

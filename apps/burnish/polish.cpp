@@ -8,13 +8,12 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/polishing/task_notes.hpp"
 #include "command.hpp"
-#include "json_text.hpp"
-#include "polish_files.hpp"
-#include "polish_page.hpp"
+#include "polishing/record/run_files.hpp"
 #include "polishing/task_keys.hpp"
 #include "progress_bar.hpp"
+#include "record/json_text.hpp"
+#include "record/run_folder.hpp"
 #include "robot_arguments.hpp"
-#include "run_folder.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 
@@ -24,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using polishing::ControllerKind;
 using polishing::PlantKind;
+using polishing::PolishJob;
 using polishing::RunResult;
 
 struct PolishArguments {
@@ -222,9 +222,7 @@ std::vector<std::string> write_last(const PolishJob& job, int record_every, cons
   std::vector<std::string> names;
   outcomes.summary.push_back(run_json(job, result));
   outcomes.write([&] {
-    names = write_run(job, result, record_every, folder / job.name);
-    for (std::string& name : outcomes.pages.write(job, result, record_every, folder / job.name))
-      names.push_back(std::move(name));
+    names = write_run(job, result, record_every, folder / job.name, outcomes.pages);
     write_text(folder / "summary.json", json_text(outcomes.summary));
   });
   return names;

@@ -7,8 +7,8 @@
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
-#include "json_text.hpp"
-#include "polish_page.hpp"
+#include "record/json_text.hpp"
+#include "record/page_files.hpp"
 
 namespace burnish::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 
 namespace burnish::app {
 namespace {

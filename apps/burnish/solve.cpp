@@ -3,12 +3,11 @@
 
 #include "burnish/ocp/check.hpp"
 #include "command.hpp"
-#include "json_text.hpp"
-#include "polish_files.hpp"
+#include "record/json_text.hpp"
+#include "record/run_folder.hpp"
+#include "record/solution.hpp"
 #include "robot_arguments.hpp"
-#include "run_folder.hpp"
 #include "signals.hpp"
-#include "solution.hpp"
 
 namespace burnish::app {
 namespace {
@@ -47,20 +46,6 @@ bool check(Problem& problem, const SolveArguments& arguments) {
   const ProblemReport report = check_problem(problem);
   if (!arguments.json) fmt::print("{}\n", report.text());
   return report.pass;
-}
-
-/// The names of the files.
-std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
-                                        const nlohmann::ordered_json& report,
-                                        const fs::path& folder) {
-  const Trace trace = solution_trace(problem, solver.xs(), solver.us());
-  trace.write_csv(folder / "trajectory.csv");
-  write_text(folder / "summary.json", json_text(report));
-  write_text(folder / "gains.json", json_text(gains_json(problem, solver)));
-  std::vector<std::string> names{"trajectory.csv", "gains.json", "summary.json"};
-  for (std::string& plot : write_plots(problem, trace, solver.summary(), folder))
-    names.push_back(std::move(plot));
-  return names;
 }
 
 void print_start(const Problem& problem, const std::string& file) {

@@ -6,8 +6,10 @@
 #include "bind.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_notes.hpp"
-#include "run_files.hpp"
 #include "specs_polishing.hpp"
+#ifdef BURNISH_HAS_RECORD
+#include "polishing/record/run_files.hpp"
+#endif
 
 namespace burnish::python {
 
@@ -121,6 +123,23 @@ PlanRecord record_of(const PlanArrays& arrays) {
   return record;
 }
 
+#ifdef BURNISH_HAS_RECORD
+std::vector<std::string> write_files(const Run& run, const std::filesystem::path& folder,
+                                     const std::string& name, bool page, bool recording,
+                                     int record_every) {
+  PageWriter pages(page, recording);
+  return write_run({.name = name, .place = name, .spec = run.spec}, run.result, record_every,
+                   folder, pages);
+}
+#else
+std::vector<std::string> write_files(const Run&, const std::filesystem::path&, const std::string&,
+                                     bool, bool, int) {
+  throw Error(
+      "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
+      "trace.write_csv() and write_task() are there in all builds");
+}
+#endif
+
 std::string repr_of(const Run& run) {
   std::string text = "<RunResult: " + name_of(run.spec.controller) + " on " +
                      name_of(run.spec.plant) + "; " + run.result.outcome;
@@ -217,21 +236,15 @@ void bind_result(py::module_& m) {
           "plans", [](const Run& self) { return arrays_of(self.result.plans); },
           "PlanRecord: plans of the MPC, now and then; a copy.")
       .def(
-          "write",
-          [](const Run& self, const std::filesystem::path& folder, const std::string& name,
-             bool page, bool recording, int record_every) {
-            return write_run_folder(self.spec, self.result, folder,
-                                    {name, record_every, page, recording});
-          },
-          py::arg("folder"), py::kw_only(), py::arg("name") = "run", py::arg("page") = true,
-          py::arg("recording") = false, py::arg("record_every") = 10,
+          "write", &write_files, py::arg("folder"), py::kw_only(), py::arg("name") = "run",
+          py::arg("page") = true, py::arg("recording") = false, py::arg("record_every") = 10,
           py::call_guard<py::gil_scoped_release>(),
           "Writes into a folder, which is made, what `burnish polish` leaves of a run: run.html "
           "and "
           "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, plots "
           "as SVG, run.mcap (recording), and after a fault its report. `name` stands on the page. "
           "Returns the files' names. Raises Error if they cannot be written, or in a build without "
-          "the command line.")
+          "fmt or nlohmann-json.")
       .def("__repr__", &repr_of)
       .def(py::pickle(&state_of, &run_of));
   bind_figures(run_class);

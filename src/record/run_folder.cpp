@@ -1,4 +1,4 @@
-#include "run_folder.hpp"
+#include "record/run_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,9 +14,8 @@
 
 #include "base/whole_file.hpp"
 #include "burnish/base/error.hpp"
-#include "polish_files.hpp"
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,6 +101,18 @@ void lead_latest_to(const fs::path& folder) {
 }
 
 }  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
+                            error ? ": " + error.message() : ""));
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_whole_file(file, text + '\n');
+}
 
 RunFolder::RunFolder(const FolderChoice& choice) {
   if (choice.out.empty())
@@ -203,4 +214,4 @@ void RunFolder::finish() {
   if (numbered_) lead_latest_to(path_);
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -1,8 +1,8 @@
-#include "json_text.hpp"
+#include "record/json_text.hpp"
 
 #include <cmath>
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 bool fits_one_line(const Json& value) {
@@ -69,4 +69,4 @@ std::string json_text(const Json& value) {
   return out;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

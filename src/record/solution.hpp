@@ -10,7 +10,7 @@
 #include "burnish/files/problem_file.hpp"
 #include "burnish/solver/ddp.hpp"
 
-namespace burnish::app {
+namespace burnish {
 
 /// What the costs of a problem follow, for plots.
 struct Followed {
@@ -31,10 +31,16 @@ nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
                                     const DdpSolver& solver);
 
+/// Writes trajectory.csv, gains.json, summary.json (`summary`) and the plots; their names. Throws
+/// Error if a file cannot be written.
+std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
+                                        const nlohmann::ordered_json& summary,
+                                        const std::filesystem::path& folder);
+
 /// states.svg, torques.svg, cost.svg, and where there is something in them forces.svg and path.svg.
 /// Returns the names of the files.
 std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
                                      const DdpSummary& summary,
                                      const std::filesystem::path& folder);
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -6,7 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace burnish::app {
+namespace burnish {
+
+/// Creates the folder. Throws Error if that cannot be done.
+void make_folder(const std::filesystem::path& folder);
+/// Writes a file as a whole or not at all, with a line's end behind the text. Throws Error if that
+/// cannot be done.
+void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// What a command line says of its folder.
 struct FolderChoice {
@@ -51,4 +57,4 @@ class RunFolder {
   bool finished_ = false;
 };
 
-}  // namespace burnish::app
+}  // namespace burnish

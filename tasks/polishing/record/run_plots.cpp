@@ -5,14 +5,11 @@
 #include <cmath>
 
 #include "burnish/report/svg_plot.hpp"
-#include "polish_files.hpp"
+#include "polishing/record/run_files.hpp"
 #include "report/moving_mean.hpp"
 
-namespace burnish::app {
+namespace burnish::polishing {
 namespace {
-
-using polishing::RunResult;
-using polishing::Setting;
 
 constexpr const char* time_axis = "time [s]";
 constexpr int black = 6;
@@ -83,8 +80,7 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
                                              .dashed = dashed}));
     };
     if (with_raw && width > 1) add("true", force, 5, false);
-    if (job.spec.controller == polishing::ControllerKind::Mpc)
-      add("estimated", estimated, 4, false);
+    if (job.spec.controller == ControllerKind::Mpc) add("estimated", estimated, 4, false);
     add(mean, smooth, 0, false);
     add("target", target, black, true);
     plot.panels.push_back(std::move(result_panel));
@@ -209,4 +205,4 @@ std::vector<std::string> write_polish_plots(const PolishJob& job, const RunResul
   return names;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish::polishing

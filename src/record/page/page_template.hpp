@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-namespace burnish::app {
+namespace burnish {
 
 /// Its text; empty where the page was not built.
 std::string_view page_template();
 
-}  // namespace burnish::app
+}  // namespace burnish

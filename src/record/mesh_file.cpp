@@ -1,4 +1,4 @@
-#include "mesh_file.hpp"
+#include "record/mesh_file.hpp"
 
 #include <cstdlib>
 #include <sstream>
@@ -12,7 +12,7 @@
 #include <assimp/Importer.hpp>
 #endif
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ std::map<std::string, Mesh> load_meshes(const Model& model, const fs::path& fold
   return meshes;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -3,9 +3,9 @@
 #include <map>
 
 #include "burnish/dynamics/placement.hpp"
-#include "solution.hpp"
+#include "record/solution.hpp"
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -191,4 +191,4 @@ Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& u
   return trace;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -1,9 +1,10 @@
 #include <limits>
 
-#include "json_text.hpp"
-#include "solution.hpp"
+#include "record/json_text.hpp"
+#include "record/run_folder.hpp"
+#include "record/solution.hpp"
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 std::string word(StopReason reason) {
@@ -117,4 +118,16 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
           {"log", log}};
 }
 
-}  // namespace burnish::app
+std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver, const Json& summary,
+                                        const std::filesystem::path& folder) {
+  const Trace trace = solution_trace(problem, solver.xs(), solver.us());
+  trace.write_csv(folder / "trajectory.csv");
+  write_text(folder / "summary.json", json_text(summary));
+  write_text(folder / "gains.json", json_text(gains_json(problem, solver)));
+  std::vector<std::string> names{"trajectory.csv", "gains.json", "summary.json"};
+  for (std::string& plot : write_plots(problem, trace, solver.summary(), folder))
+    names.push_back(std::move(plot));
+  return names;
+}
+
+}  // namespace burnish

@@ -1,14 +1,14 @@
-#include "polish_files.hpp"
+#include "polishing/record/run_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/whole_file.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "json_text.hpp"
+#include "record/json_text.hpp"
+#include "record/run_folder.hpp"
 
-namespace burnish::app {
+namespace burnish::polishing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,8 +48,8 @@ Json metrics_json(const Metrics& m) {
 }
 
 /// What came, and what was wanted of it; the force's error in N and as a share of the force.
-Json verdict_json(const polishing::Task& task, const polishing::VerdictFigures& figures) {
-  const polishing::Verdict& wanted = task.verdict;
+Json verdict_json(const Task& task, const VerdictFigures& figures) {
+  const Verdict& wanted = task.verdict;
   return {{"contact_share",
            {{"value", number_json(figures.contact_share)}, {"at_least", wanted.contact_share}}},
           {"force_rmse",
@@ -60,8 +60,8 @@ Json verdict_json(const polishing::Task& task, const polishing::VerdictFigures& 
            {{"value", number_json(figures.path_share)}, {"at_least", wanted.path_share}}}};
 }
 
-Json ticks_json(const polishing::RunResult& result) {
-  const polishing::TickTimes& t = result.ticks;
+Json ticks_json(const RunResult& result) {
+  const TickTimes& t = result.ticks;
   return {{"count", t.ticks},
           {"period_s", t.period},
           {"median_s", t.median},
@@ -86,19 +86,7 @@ Trace thinned(const Trace& trace, int every) {
 
 }  // namespace
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
-                            error ? ": " + error.message() : ""));
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  write_whole_file(file, text + '\n');
-}
-
-Json run_json(const PolishJob& job, const polishing::RunResult& result) {
+Json run_json(const PolishJob& job, const RunResult& result) {
   Json json{{"name", job.name},
             {"controller", name_of(job.spec.controller)},
             {"plant", name_of(job.spec.plant)},
@@ -124,13 +112,16 @@ Json run_json(const PolishJob& job, const polishing::RunResult& result) {
   return json;
 }
 
-std::vector<std::string> write_run(const PolishJob& job, const polishing::RunResult& result,
-                                   int record_every, const fs::path& folder) {
+std::vector<std::string> write_run(const PolishJob& job, const RunResult& result, int record_every,
+                                   const fs::path& folder, PageWriter& pages) {
+  if (record_every < 1)
+    throw Error(fmt::format("record_every is {}; wanted is a positive number of plant steps",
+                            record_every));
   make_folder(folder);
   std::vector<std::string> names{"trace.csv", "metrics.json", "task.yaml"};
   thinned(result.trace, record_every).write_csv(folder / "trace.csv");
   write_text(folder / "metrics.json", json_text(run_json(job, result)));
-  polishing::write_task(job.spec.task, folder / "task.yaml");
+  write_task(job.spec.task, folder / "task.yaml");
   for (std::string& name : write_polish_plots(job, result, folder))
     names.push_back(std::move(name));
   std::error_code ignored;  // of a run before in the same folder
@@ -140,7 +131,10 @@ std::vector<std::string> write_run(const PolishJob& job, const polishing::RunRes
     result.fault.last_second.write_csv(folder / "last_second.csv");
     names.insert(names.end(), {"fault.txt", "last_second.csv"});
   }
+  std::function<RunPage()> page;
+  if (result.trace.rows() > 0) page = [&] { return make_run_page(job, result, record_every); };
+  for (std::string& name : pages.write(folder, page)) names.push_back(std::move(name));
   return names;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish::polishing

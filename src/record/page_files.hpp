@@ -1,25 +1,24 @@
-// The pages of polishing runs: of each, and of all of them beside each other.
+// Pages and recordings of runs as files: of each run, and of several beside each other.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "burnish/report/run_page.hpp"
-#include "polish_files.hpp"
 
-namespace burnish::app {
-
-/// All that the page of a run shows. Its rows are among those of a table of every `record_every`th.
-RunPage make_run_page(const PolishJob& job, const polishing::RunResult& result, int record_every);
+namespace burnish {
 
 /// Writes what the runs of one call leave beside their tables.
 class PageWriter {
  public:
   PageWriter(bool pages, bool recordings) : pages_(pages), recordings_(recordings) {}
-  /// run.json, run.html and run.mcap as far as they are wanted and can be made; their names.
-  std::vector<std::string> write(const PolishJob& job, const polishing::RunResult& result,
-                                 int record_every, const std::filesystem::path& folder);
+  /// run.json, run.html and run.mcap as far as they are wanted and can be made; their names. `make`
+  /// is asked for the page, which is dated here, where one is wanted; empty: there is nothing to
+  /// show.
+  std::vector<std::string> write(const std::filesystem::path& folder,
+                                 const std::function<RunPage()>& make);
   /// Behind the last run: comparison.html in the folder of all runs, if there are several.
   /// Returns what is to be told about pages, one line, or nothing.
   std::string finish(const std::filesystem::path& folder) const;
@@ -40,4 +39,4 @@ void write_robot_page(const RobotDrawing& robot, const std::filesystem::path& fi
 /// Such as "table_mpc, table_baseline and 3 more".
 std::string joined_names(const std::vector<std::string>& names);
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "burnish/report/svg_plot.hpp"
-#include "solution.hpp"
+#include "record/solution.hpp"
 
-namespace burnish::app {
+namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
@@ -201,4 +201,4 @@ std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
   return names;
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

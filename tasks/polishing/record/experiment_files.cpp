@@ -1,20 +1,17 @@
-#include "experiment_files.hpp"
+#include "polishing/record/experiment_files.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "json_text.hpp"
-#include "polish_files.hpp"
+#include "record/json_text.hpp"
+#include "record/run_folder.hpp"
 
-namespace burnish::app {
+namespace burnish::polishing {
 namespace {
 
 namespace fs = std::filesystem;
-using polishing::ExperimentReport;
-using polishing::ResultCell;
-using polishing::ResultTable;
 
 Json cell_json(const ResultCell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
@@ -64,8 +61,8 @@ std::string experiment_text(const ExperimentReport& report, const std::string& c
 std::vector<std::string> experiment_files(const ExperimentReport& report) {
   std::vector<std::string> names{"results.md", "results.json"};
   if (!report.tables.empty()) names.emplace_back("results.csv");
-  for (const polishing::Figure& figure : report.figures) names.push_back(figure.name + ".svg");
-  for (const polishing::NamedTask& task : report.tasks) names.push_back(task.name + ".yaml");
+  for (const Figure& figure : report.figures) names.push_back(figure.name + ".svg");
+  for (const NamedTask& task : report.tasks) names.push_back(task.name + ".yaml");
   return names;
 }
 
@@ -80,10 +77,9 @@ void write_experiment(const ExperimentReport& report, const std::string& name,
     rows.pop_back();
     write_text(folder / "results.csv", rows);
   }
-  for (const polishing::Figure& figure : report.figures)
+  for (const Figure& figure : report.figures)
     write_svg_plot(figure.plot, folder / (figure.name + ".svg"));
-  for (const polishing::NamedTask& task : report.tasks)
-    polishing::write_task(task.task, folder / (task.name + ".yaml"));
+  for (const NamedTask& task : report.tasks) write_task(task.task, folder / (task.name + ".yaml"));
 }
 
-}  // namespace burnish::app
+}  // namespace burnish::polishing

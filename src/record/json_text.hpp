@@ -8,7 +8,7 @@
 
 #include "burnish/base/abi.hpp"
 
-namespace burnish::app {
+namespace burnish {
 
 /// What the program writes: entries stay in the order in which they were put in.
 using Json = nlohmann::ordered_json;
@@ -26,4 +26,4 @@ Json placement_json(const Eigen::Isometry3d& placement);
 /// Indented, with lists of plain values on one line. Numbers read back as they were.
 std::string json_text(const Json& value);
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -1,4 +1,4 @@
-#include "page/page_template.hpp"
+#include "record/page/page_template.hpp"
 
 #ifdef BURNISH_PAGE_FILE
 // The assembler copies the file as it is: a million numbers would keep the compiler busy.
@@ -15,7 +15,7 @@ __asm__(
 extern "C" const char burnish_page_begin[], burnish_page_end[];
 #endif
 
-namespace burnish::app {
+namespace burnish {
 
 std::string_view page_template() {
 #ifdef BURNISH_PAGE_FILE
@@ -25,4 +25,4 @@ std::string_view page_template() {
 #endif
 }
 
-}  // namespace burnish::app
+}  // namespace burnish

@@ -8,7 +8,7 @@
 
 #include "burnish/report/run_page.hpp"
 
-namespace burnish::app {
+namespace burnish {
 
 /// Where the description of a robot that load_robot() knows by this name lies; empty if unknown.
 std::filesystem::path robot_folder(const std::string& robot);
@@ -23,4 +23,4 @@ std::filesystem::path mesh_file(const std::string& uri, const std::filesystem::p
 /// are left out.
 std::map<std::string, Mesh> load_meshes(const Model& model, const std::filesystem::path& folder);
 
-}  // namespace burnish::app
+}  // namespace burnish

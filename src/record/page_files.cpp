@@ -1,0 +1,100 @@
+#include "record/page_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "burnish/base/error.hpp"
+#include "record/page/page_template.hpp"
+#include "record/run_folder.hpp"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* no_page =
+    "this program was built without the page of runs (Node or its packages were not there)";
+/// Bytes: browsers open what is larger, but slowly.
+constexpr std::size_t largest_comparison = 100'000'000;
+
+std::int64_t now() {
+  using namespace std::chrono;
+  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+void check_page() {
+  if (page_template().empty()) throw Error(no_page);
+}
+
+}  // namespace
+
+std::vector<std::string> PageWriter::write(const fs::path& folder,
+                                           const std::function<RunPage()>& make) {
+  std::vector<std::string> written;
+  std::error_code ignored;  // of a run before in the same folder
+  for (const char* name : {"run.json", "run.html", "run.mcap"}) fs::remove(folder / name, ignored);
+  if ((!pages_ && !recordings_) || !make) return written;
+  RunPage page = make();
+  page.created = now();
+  page.version = BURNISH_VERSION;
+  if (pages_) {
+    std::string run = run_page_json(page);
+    const std::string data =
+        page_json({.title = page.name, .version = page.version, .created = page.created}, {run});
+    write_text(folder / "run.json", data);
+    written.emplace_back("run.json");
+    if (!page_template().empty()) {
+      write_text(folder / "run.html", page_html(page_template(), data));
+      written.emplace_back("run.html");
+    }
+    names_.push_back(page.name);
+    size_ += run.size();
+    if (size_ > largest_comparison) run.clear();
+    runs_.push_back(std::move(run));
+  }
+  if (recordings_) {
+    write_run_mcap(page, folder / "run.mcap");
+    written.emplace_back("run.mcap");
+  }
+  return written;
+}
+
+std::string PageWriter::finish(const fs::path& folder) const {
+  std::error_code ignored;
+  const fs::path file = folder / "comparison.html";
+  fs::remove(file, ignored);
+  if (!pages_ || runs_.empty()) return "";
+  if (page_template().empty()) return std::string("no run.html: ") + no_page;
+  if (runs_.size() < 2) return "";
+  if (size_ > largest_comparison)
+    return "no comparison.html: the runs are too many for one page; burnish report makes one of "
+           "some of them";
+  write_runs_page(names_, runs_, file);
+  return "all runs on one page: " + file.string();
+}
+
+void write_runs_page(const std::vector<std::string>& names, const std::vector<std::string>& runs,
+                     const fs::path& file) {
+  check_page();
+  const PageHead head{.title = joined_names(names), .version = BURNISH_VERSION, .created = now()};
+  write_text(file, page_html(page_template(), page_json(head, runs)));
+}
+
+void write_robot_page(const RobotDrawing& robot, const fs::path& file) {
+  check_page();
+  const PageHead head{.title = robot.model.name, .version = BURNISH_VERSION, .created = now()};
+  write_text(file, page_html(page_template(), robot_page_json(head, robot)));
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
+
+}  // namespace burnish
