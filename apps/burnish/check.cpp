@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "contact_text.hpp"
 #include "record/json_text.hpp"
@@ -63,13 +62,8 @@ int check(const CheckArguments& arguments) {
   const Robot robot = arguments.robot.load();
   CheckOptions options = arguments.options;
   const Eigen::VectorXd q = robot.reference_configuration();
-  for (const std::string& text : arguments.contacts) {
-    ContactSpec spec = parse_contact(text);
-    // So that the error is within reach: the target is where the tool is at the reference posture.
-    spec.target = frame_placement(robot.model, q, spec.base).inverse() *
-                  frame_placement(robot.model, q, spec.tool);
-    options.contacts.push_back(spec);
-  }
+  for (const std::string& text : arguments.contacts)
+    options.contacts.push_back(parse_contact(text, robot.model, q));
   if (arguments.all_accelerations) {
     options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
                              Acceleration::Classical};
@@ -122,8 +116,9 @@ void add_check(CLI::App& app, int& exit_code) {
       "and without gains. A contact's SPEC is a list of key=value: tool (needed), name, base,\n"
       "reference (local, centered, surface, world), normal (of a surface, x,y,z), directions\n"
       "(x y z rx ry rz all linear angular pad_x|y|z), acceleration (time_derivative, spatial,\n"
-      "classical), error (split, log6), kp, kd (1 or 6 numbers). Its target is where the tool is\n"
-      "at the reference posture.\n"
+      "classical), error (split, log6), kp, kd (1 or 6 numbers); or what a problem file states, "
+      "in\n"
+      "braces. Its target, unless said, is where the tool is at the reference posture.\n"
       "\n"
       "Examples:\n"
       "  burnish check arm7\n"

@@ -4,46 +4,16 @@
 
 #include <map>
 
+#include "base/sentence.hpp"
 #include "burnish/contact/contact_set.hpp"
-#include "burnish/model/state.hpp"
-#include "request_contact.hpp"
-#include "robots/known_robots.hpp"
+#include "document/text.hpp"
+#include "files/read_parts.hpp"
 
 namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The name as load_robot wants it.
-std::string locate(const std::string& name, const fs::path& folder) {
-  const fs::path path(name);
-  if (path.is_absolute() || folder.empty()) return name;
-  std::error_code ignored;
-  const std::string bare = name.substr(0, name.rfind(':'));
-  // A bare word such as "talos" is a robot's name before it is a folder's.
-  if (!is_robot_path(name) && !is_robot_path(bare)) return name;
-  if (fs::exists(folder / name, ignored) || fs::exists(folder / bare, ignored)) {
-    return (folder / name).string();
-  }
-  return name;
-}
-
-Robot load_robot_of(const JsonReader& reader, const fs::path& folder) {
-  RobotOverrides overrides;
-  if (reader.has("base")) {
-    const std::string base = reader["base"].text();
-    if (base != "fixed" && base != "free_flyer") {
-      reader["base"].refuse("unknown base '" + base + "'; wanted fixed or free_flyer");
-    }
-    overrides.base = base == "fixed" ? Base::Fixed : Base::FreeFlyer;
-  }
-  if (reader.has("lock")) overrides.locked = reader["lock"].texts();
-  if (reader.has("free")) overrides.free = reader["free"].texts();
-  if (reader.has("lock_posture")) overrides.posture = reader["lock_posture"].text();
-  if (reader.has("strict")) overrides.strict = reader["strict"].yes_or_no();
-  const JsonReader name = reader["robot"];
-  return name.named([&] { return load_robot(locate(name.text(), folder), overrides); });
-}
+using document::Reader;
 
 /// What requests of one list share.
 struct Shared {
@@ -58,26 +28,25 @@ std::size_t bytes_of_state(const Model& model, std::size_t rows) {
   return sizeof(EvalState) + 5 * 32 + numbers * sizeof(double);
 }
 
-Robot read_robot(const JsonReader& reader, Shared& shared) {
-  nlohmann::json wanted;
+Robot read_robot(const Reader& reader, Shared& shared) {
+  std::string wanted;
   for (const char* key : {"robot", "base", "lock", "free", "lock_posture", "strict"})
-    if (reader.has(key)) wanted[key] = reader.json().at(key);
-  const std::string name = wanted.dump();
-  const auto found = shared.robots.find(name);
+    if (const auto value = reader.find(key)) wanted += key + document::one_line(value->node());
+  const auto found = shared.robots.find(wanted);
   if (found != shared.robots.end()) return found->second;
-  return shared.robots.emplace(name, load_robot_of(reader, shared.folder)).first->second;
+  Robot robot = files::read_robot(reader["robot"], shared.folder, files::read_overrides(reader));
+  return shared.robots.emplace(wanted, std::move(robot)).first->second;
 }
 
-void add_frames(const JsonReader& list, Model& model) {
-  for (const JsonReader& entry : list.entries()) {
-    const Eigen::Isometry3d placement = entry.placement({"name", "parent"});
+void add_frames(const Reader& list, Model& model) {
+  for (const Reader& entry : list.entries()) {
+    const Eigen::Isometry3d placement = files::read_placement(entry, {"name", "parent"});
     Frame frame;
     frame.name = entry["name"].text();
-    if (frame.name.empty() || frame.name == "world" || model.has_frame(frame.name)) {
-      entry["name"].refuse("the name '" + frame.name + "' is empty or taken");
-    }
+    if (frame.name == "world" || model.has_frame(frame.name))
+      entry["name"].refuse("the name " + in_quotes(frame.name) + " is taken");
     frame.kind = FrameKind::User;
-    const JsonReader parent = entry["parent"];
+    const Reader parent = entry["parent"];
     const int index = parent.named([&] { return model.frame_index(parent.text()); });
     const Frame& on = model.frames[static_cast<std::size_t>(index)];
     frame.body = on.body;
@@ -86,137 +55,107 @@ void add_frames(const JsonReader& list, Model& model) {
   }
 }
 
-ContactSolver read_solver(const JsonReader& reader) {
-  reader.allow_only({"mu", "max_proximal_iterations", "proximal_tolerance"});
-  ContactSolver solver;
-  const auto not_negative = [&](const char* key, double otherwise) {
-    if (!reader.has(key)) return otherwise;
-    const double value = reader[key].number();
-    if (value < 0.0) reader[key].refuse(fmt::format("it is {}; wanted no negative number", value));
-    return value;
-  };
-  solver.mu = not_negative("mu", solver.mu);
-  solver.proximal_tolerance = not_negative("proximal_tolerance", solver.proximal_tolerance);
-  if (reader.has("max_proximal_iterations")) {
-    solver.max_proximal_iterations = reader["max_proximal_iterations"].count();
-  }
-  return solver;
-}
-
-/// A list of all entries, or an object of some of them by name; the others are zero.
-Eigen::VectorXd read_entries(const JsonReader& reader, const std::vector<std::string>& names) {
-  const int size = static_cast<int>(names.size());
-  if (!reader.is_object()) return reader.numbers(size);
-  reader.allow_only(names);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(size);
-  for (int i = 0; i < size; ++i) {
-    const std::string& name = names[static_cast<std::size_t>(i)];
-    if (reader.has(name)) result[i] = reader[name].number();
-  }
-  return result;
-}
-
-/// A list of nq numbers, the name of a posture, or a posture {joint: value or values}.
-Eigen::VectorXd read_configuration(const JsonReader& reader, const Robot& robot) {
-  return reader.named([&]() -> Eigen::VectorXd {
-    if (reader.is_text()) return robot.posture(reader.text());
-    if (!reader.is_object()) {
-      const Eigen::VectorXd q = reader.numbers();
-      check_configuration(robot.model, q, "q");
-      return q;
-    }
-    Posture posture;
-    for (const auto& item : reader.json().items()) {
-      const JsonReader value(item.value(), item.key());
-      if (value.is_list()) {
-        const Eigen::VectorXd values = value.numbers();
-        posture[item.key()].assign(values.begin(), values.end());
-      } else {
-        posture[item.key()] = {value.number()};
-      }
-    }
-    return configuration(robot.model, posture);
-  });
-}
-
 /// The robot of the states to read, the names of their entries, and the state that states nothing.
 struct StateSpace {
   const Robot& robot;
-  std::vector<std::string> v_names, row_names;
   Eigen::VectorXd q;
+  std::vector<files::RowGroup> v_rows, contact_rows;
 };
 
-EvalState read_state(const JsonReader& reader, const StateSpace& space) {
-  reader.allow_only({"q", "v", "tau", "a", "lambda"});
-  const auto entries = [&](const char* key, const std::vector<std::string>& names) {
-    if (reader.has(key)) return read_entries(reader[key], names);
-    return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size())));
-  };
-  return {reader.has("q") ? read_configuration(reader["q"], space.robot) : space.q,
-          entries("v", space.v_names), entries("tau", space.v_names), entries("a", space.v_names),
-          entries("lambda", space.row_names)};
+Eigen::VectorXd read_q(const Reader& state, const StateSpace& space) {
+  const auto q = state.find("q");
+  return q ? files::read_configuration(space.robot, *q, Posture()) : space.q;
 }
 
-std::set<std::string> read_compute(const JsonReader& reader) {
+EvalState read_state(const Reader& reader, const StateSpace& space) {
+  reader.allow_only({"q", "v", "tau", "a", "lambda"});
+  const auto entries = [&](const char* key, const std::vector<files::RowGroup>& rows) {
+    const auto value = reader.find(key);
+    if (value) return files::read_rows(*value, rows, 0.0);
+    return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size())));
+  };
+  return {read_q(reader, space), entries("v", space.v_rows), entries("tau", space.v_rows),
+          entries("a", space.v_rows), entries("lambda", space.contact_rows)};
+}
+
+std::vector<files::RowGroup> rows_named(const std::vector<std::string>& names) {
+  std::vector<files::RowGroup> rows;
+  for (const std::string& name : names) rows.push_back({name});
+  return rows;
+}
+
+/// Every word of a list, or the only one.
+std::set<std::string> read_compute(const Reader& reader) {
   std::set<std::string> wanted;
-  for (const std::string& word : reader.texts()) {
-    const auto& known = computable();
-    if (std::find(known.begin(), known.end(), word) == known.end()) {
-      const std::string hint = did_you_mean(word, known);
-      reader.refuse(
-          fmt::format("unknown word '{}'{}", word,
-                      hint.empty() ? fmt::format("; known are {}", fmt::join(known, ", ")) : hint));
-    }
-    wanted.insert(word);
-  }
+  if (!reader.is_list()) return {reader.word(computable())};
+  for (const Reader& entry : reader.entries()) wanted.insert(entry.word(computable()));
   return wanted;
 }
 
+/// A contact without a target has it where the tool stands in the first state, as everywhere. Up to
+/// version 0.2 it was the identity: where that makes a difference, it has to be said.
+void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& request) {
+  for (const auto& [name, entry] : files::contacts_in(reader)) {
+    const ContactSpec spec = files::read_contact(name, entry, request.robot.model, q);
+    const bool pulls = !spec.kp.isZero(0.0);
+    if (!entry.has("target") && (pulls || request.compute.contains("contact_error")))
+      entry.refuse(std::string("key 'target' is missing, and ") +
+                   (pulls ? "kp is not 0" : "its contact_error is asked for") +
+                   "; wanted \"target\": \"here\" for where the tool stands in the first state, or "
+                   "\"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', as up to version 0.2");
+    request.contacts.push_back(spec);
+  }
+}
+
+void read_states(const Reader& states, const StateSpace& space, Shared& shared,
+                 EvalRequest& request) {
+  constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
+  shared.state_bytes +=
+      states.size() * bytes_of_state(request.robot.model, space.contact_rows.size());
+  if (shared.state_bytes > most) {
+    states.refuse(fmt::format(
+        "its {} states and those before them take {} MB of memory; at most {} MB are read at once",
+        states.size(), shared.state_bytes / megabyte, most / megabyte));
+  }
+  for (const Reader& entry : states.entries()) request.states.push_back(read_state(entry, space));
+}
+
 /// Everything is read and checked before anything is computed.
-EvalRequest read_request(const JsonReader& reader, Shared& shared) {
+EvalRequest read_request(const Reader& reader, Shared& shared) {
   reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "strict", "frames", "gravity",
                      "states", "contacts", "solver", "compute", "forces_in"});
   EvalRequest request;
   request.robot = read_robot(reader, shared);
-  request.robot_name = reader["robot"].text();
+  const Reader robot = reader["robot"];
+  request.robot_name = robot.is_map() ? robot["name"].text() : robot.text();
   Model& model = request.robot.model;
-  if (reader.has("frames")) add_frames(reader["frames"], model);
-  if (reader.has("gravity")) model.gravity = reader["gravity"].numbers(3);
-  if (reader.has("contacts")) {
-    for (const JsonReader& entry : reader["contacts"].entries()) {
-      request.contacts.push_back(read_contact(entry));
-    }
-  }
-  const ContactSet set(model, request.contacts);
-  if (reader.has("solver")) request.solver = read_solver(reader["solver"]);
-  request.compute = {"forward"};
-  if (reader.has("compute")) request.compute = read_compute(reader["compute"]);
-  if (reader.has("forces_in")) {
-    const JsonReader list = reader["forces_in"];
-    request.forces_in = list.texts();
-    for (const std::string& name : request.forces_in) {
-      list.named([&] { return Reference::parse(name); });
-    }
+  if (const auto frames = reader.find("frames")) add_frames(*frames, model);
+  if (const auto gravity = reader.find("gravity")) model.gravity = gravity->vector3();
+  if (const auto solver = reader.find("solver"))
+    request.solver = files::read_contact_solver(*solver);
+  const auto compute = reader.find("compute");
+  request.compute = compute ? read_compute(*compute) : std::set<std::string>{"forward"};
+  if (const auto list = reader.find("forces_in")) {
+    request.forces_in = list->texts();
+    for (const std::string& name : request.forces_in)
+      list->named([&] { return Reference::parse(name); });
     request.compute.insert("forces");
   }
-  StateSpace space{request.robot, {}, set.row_names(), request.robot.reference_configuration()};
-  for (int k = 0; k < model.nv; ++k) space.v_names.push_back(model.v_name(k));
-  if (!reader.has("states")) {
-    request.states.push_back(read_state({nlohmann::json::object(), ""}, space));
-    return request;
+  StateSpace space{request.robot, request.robot.reference_configuration(), {}, {}};
+  const auto states = reader.find("states");
+  if (const auto contacts = reader.find("contacts")) {
+    const bool some = states && states->is_list() && states->size() > 0;
+    read_contacts(*contacts, some ? read_q(states->entries().front(), space) : space.q, request);
   }
-  const JsonReader states = reader["states"];
-  constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
-  const std::size_t count = states.is_list() ? states.json().size() : 0;
-  shared.state_bytes += count * bytes_of_state(model, space.row_names.size());
-  if (shared.state_bytes > most) {
-    states.refuse(fmt::format(
-        "its {} states and those before them take {} MB of memory; at most {} MB are read at once",
-        count, shared.state_bytes / megabyte, most / megabyte));
-  }
-  for (const JsonReader& entry : states.entries()) {
-    request.states.push_back(read_state(entry, space));
-  }
+  const ContactSet set(model, request.contacts);
+  std::vector<std::string> v_names;
+  for (int k = 0; k < model.nv; ++k) v_names.push_back(model.v_name(k));
+  space.v_rows = rows_named(v_names);
+  space.contact_rows = rows_named(set.row_names());
+  if (states)
+    read_states(*states, space, shared, request);
+  else
+    request.states.push_back(read_state(Reader({.kind = document::Kind::Map}, ""), space));
   return request;
 }
 
@@ -242,31 +181,20 @@ const std::vector<std::string>& computable() {
 
 EvalRequests read_requests(const std::string& text, const std::string& source,
                            const fs::path& folder) {
-  const nlohmann::json parsed = parse_json(text, source);
-  const JsonReader reader(parsed, "");
+  const Reader reader = Reader::parse_json(text, source);
   EvalRequests result;
   Shared shared{folder};
   result.is_list = reader.is_list();
-  try {
-    if (!result.is_list) {
-      result.requests.push_back(read_request(reader, shared));
-      return result;
-    }
-    // All robots are in memory at once.
-    constexpr std::size_t most = 1000;
-    const std::vector<JsonReader> entries = reader.entries();
-    if (entries.size() > most) {
-      reader.refuse(fmt::format(
-          "it has {} requests; at most {} are answered at once, and each may have many states",
-          entries.size(), most));
-    }
-    for (const JsonReader& entry : entries) {
-      const JsonReader named(entry.json(), "request " + entry.place());
-      result.requests.push_back(read_request(named, shared));
-    }
-  } catch (const Error& error) {
-    throw Error(source + ": " + error.what());
+  // All robots are in memory at once.
+  constexpr std::size_t most = 1000;
+  if (result.is_list && reader.size() > most) {
+    reader.refuse(fmt::format(
+        "it has {} requests; at most {} are answered at once, and each may have many states",
+        reader.size(), most));
   }
+  const std::vector<Reader> entries = result.is_list ? reader.entries() : std::vector{reader};
+  for (const Reader& entry : entries)
+    result.requests.push_back(entry.named([&] { return read_request(entry, shared); }));
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/solver_options.hpp"
 #include "burnish/robots/robot.hpp"
-#include "json_reader.hpp"
 
 namespace burnish::app {
 

@@ -15,6 +15,9 @@ Node parse_yaml(const std::string& text, const std::string& name);
 /// Throws Error likewise. Numbers that are too large for a double are refused.
 Node parse_json(const std::string& text, const std::string& name);
 
+/// A tree in one line that is JSON and YAML alike: {"a": [1, 2]}. Bytes that are no UTF-8 stay.
+std::string one_line(const Node& node);
+
 /// What YAML takes a scalar without quotes for. "inf" and "nan" are numbers.
 Kind kind_of_plain(const std::string& text);
 

@@ -118,7 +118,7 @@ void read_scene(const YamlReader& top, ProblemFile& result) {
   spec.initial_state.head(model.nq) = result.robot.reference_configuration();
   if (const auto start = top.find("start")) read_start(*start, result.robot, spec);
   if (const auto contacts = top.find("contacts"))
-    for (const auto& [name, contact] : contacts->items())
+    for (const auto& [name, contact] : contacts_in(*contacts))
       spec.contacts.push_back(
           read_contact(name, contact, model, spec.initial_state.head(model.nq)));
   if (const auto solver = top.find("contact_solver"))

@@ -27,10 +27,7 @@ Vector6 read_gains(const YamlReader& reader) {
 
 }  // namespace
 
-Robot read_robot(const YamlReader& reader, const fs::path& folder) {
-  if (!reader.is_map())
-    return reader.named([&] { return load_robot(locate(reader.text(), folder)); });
-  reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture", "strict"});
+RobotOverrides read_overrides(const YamlReader& reader) {
   RobotOverrides overrides;
   if (const auto base = reader.find("base"))
     overrides.base = base->word({"fixed", "free_flyer"}) == "fixed" ? Base::Fixed : Base::FreeFlyer;
@@ -38,16 +35,34 @@ Robot read_robot(const YamlReader& reader, const fs::path& folder) {
   if (const auto free = reader.find("free")) overrides.free = free->texts();
   if (const auto posture = reader.find("lock_posture")) overrides.posture = posture->text();
   if (const auto strict = reader.find("strict")) overrides.strict = strict->yes_or_no();
+  return overrides;
+}
+
+Robot read_robot(const YamlReader& reader, const fs::path& folder,
+                 const RobotOverrides& overrides) {
+  if (!reader.is_map())
+    return reader.named([&] { return load_robot(locate(reader.text(), folder), overrides); });
+  reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture", "strict"});
   std::string name = locate(reader["name"].text(), folder);
   if (const auto variant = reader.find("variant")) name += ":" + variant->text();
-  return reader.named([&] { return load_robot(name, overrides); });
+  return reader.named([&] { return load_robot(name, read_overrides(reader)); });
+}
+
+std::vector<std::pair<std::string, YamlReader>> contacts_in(const YamlReader& reader) {
+  if (!reader.is_list()) return reader.items();
+  std::vector<std::pair<std::string, YamlReader>> contacts;
+  for (const YamlReader& entry : reader.entries()) contacts.emplace_back("", entry);
+  return contacts;
 }
 
 ContactSpec read_contact(const std::string& name, const YamlReader& reader, const Model& model,
                          const Eigen::VectorXd& q) {
-  reader.allow_only(
-      {"tool", "base", "reference", "directions", "acceleration", "error", "kp", "kd", "target"});
+  std::vector<std::string> keys{"tool",  "base", "reference", "directions", "acceleration",
+                                "error", "kp",   "kd",        "target"};
+  if (name.empty()) keys.emplace_back("name");
+  reader.allow_only(keys);
   ContactSpec spec{.name = name, .tool = reader["tool"].text()};
+  if (const auto own = reader.find("name")) spec.name = own->text();
   const auto placed = [&](const YamlReader& frame) {
     return frame.named([&] { return frame_placement(model, q, frame.text()); });
   };

@@ -5,8 +5,14 @@
 
 namespace burnish::files {
 
-Robot read_robot(const YamlReader& reader, const std::filesystem::path& folder);
-/// A contact whose target, unless said, is where the tool is at q.
+/// base, lock, free, lock_posture and strict, as far as the map states them.
+RobotOverrides read_overrides(const YamlReader& reader);
+/// A name, which goes with `overrides`, or {name: ..., variant: ...} with overrides of its own.
+Robot read_robot(const YamlReader& reader, const std::filesystem::path& folder,
+                 const RobotOverrides& overrides = {});
+/// {name: contact, ...}, or a list of contacts with a key `name` each, which may be missing.
+std::vector<std::pair<std::string, YamlReader>> contacts_in(const YamlReader& reader);
+/// A contact whose target, unless said, is where the tool is at q. An empty name: it may state one.
 ContactSpec read_contact(const std::string& name, const YamlReader& reader, const Model& model,
                          const Eigen::VectorXd& q);
 ContactSolver read_contact_solver(const YamlReader& reader);

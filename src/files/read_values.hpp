@@ -5,16 +5,21 @@
 
 namespace burnish::files {
 
-/// {xyz: [m], rpy: [rad] or quaternion: [x, y, z, w]}; both optional.
-Eigen::Isometry3d read_placement(const YamlReader& reader);
-/// {rpy: ...} or {quaternion: ...} or four numbers.
+/// {xyz: [m]} and one of {rpy: [rad]}, {quaternion: [x, y, z, w]} and {matrix: three rows}; both
+/// are optional. `also`: further keys that the map may have.
+Eigen::Isometry3d read_placement(const YamlReader& reader,
+                                 const std::vector<std::string>& also = {});
+/// {rpy: ...}, {quaternion: ...} or {matrix: ...}, or four numbers.
 Eigen::Quaterniond read_rotation(const YamlReader& reader);
-/// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}}.
+/// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
+/// on.
 Reference read_reference(const YamlReader& reader);
-/// Columns of axes: {normal: [...]}, {rpy: [...]} or {quaternion: [...]}.
+/// Columns of axes: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or {matrix: [...]}.
 Eigen::Matrix3d read_axes(const YamlReader& reader);
-/// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers.
-Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader);
+/// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers. Joints that are
+/// not stated are as in `others`, or as in the default posture.
+Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader,
+                                   const std::optional<Posture>& others = std::nullopt);
 /// One number for all rows, a list, or {name: number or list, ..., other: number}.
 Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
                           double otherwise);

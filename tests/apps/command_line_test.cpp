@@ -36,9 +36,25 @@ TEST(Program, BadUsageIsOneSentence) {
   expect_refused(run("check arm7 --states 0"), "states is 0; wanted at least 1");
   expect_refused(run("check arm7 --contact directions=z"), "key 'tool' is missing");
   expect_refused(run("check arm7 --contact tool=tool,directons=z"),
-                 "unknown key 'directons'; did you mean 'directions'?");
-  expect_refused(run("check arm7 --contact tool=tool,kp=1,2"), "kp: it has 2 numbers; wanted 1");
+                 "key 'directons' is unknown; did you mean 'directions'?");
+  expect_refused(run("check arm7 --contact tool=tool,kp=1,2"), "kp: it has 2 numbers; wanted 6");
+  expect_refused(run("check arm7 --contact tool=tool,kp=1,kp=2"), "key 'kp' is stated twice");
+  expect_refused(run("check arm7 --contact tool=tool,reference=local,normal=0,0,1"),
+                 "a normal goes with reference=surface alone");
+  const std::string nope = run("check arm7 --tool nope").err;
+  EXPECT_NE(nope.find("frame 'nope' does not exist"), std::string::npos) << nope;
+  EXPECT_EQ(nope.find("did you mean"), std::string::npos) << nope;
   expect_refused(run("check arm7 --contact tool=tool,kp=much"), "kp: 'much' is no number");
+}
+
+TEST(Check, AContactIsStatedAsInAFileToo) {
+  const std::string check = "check arm7 --states 2 --json --contact ";
+  const Outcome pairs = run(check + "tool=tool,normal=0,0.2,1,directions=z,rx,kp=9");
+  EXPECT_EQ(pairs.exit_code, 0) << pairs.err;
+  const Outcome braces = run(check +
+                             "'{tool: tool, reference: {surface: {normal: [0, 0.2, 1]}}, "
+                             "directions: [z, rx], kp: 9, target: here}'");
+  EXPECT_EQ(pairs.out, braces.out) << braces.err;
 }
 
 TEST(Show, DrawsTheTree) {

@@ -62,7 +62,11 @@ TEST(Eval, EveryExampleRuns) {
 TEST(Eval, AllThatCanBeComputedHasItsSize) {
   const Json request{
       {"robot", "talos"},
-      {"contacts", {{{"name", "foot"}, {"tool", "left_sole_link"}, {"directions", {"z", "rx"}}}}},
+      {"contacts",
+       {{{"name", "foot"},
+         {"tool", "left_sole_link"},
+         {"directions", {"z", "rx"}},
+         {"target", "here"}}}},
       {"compute",
        {"mass_matrix", "bias", "jacobian", "contact_velocity", "contact_error", "forward",
         "forward_derivatives", "inverse", "inverse_derivatives", "acceleration",
@@ -123,6 +127,43 @@ TEST(Eval, FramesGravityAndNamesOfPostures) {
     EXPECT_NEAR(state["contact_error"][2].get<double>(), at[2].get<double>(), 1e-12);
   }
   EXPECT_NE(answer["states"][0]["frames"]["tool"], answer["states"][1]["frames"]["tool"]);
+}
+
+TEST(Eval, TheTargetHereIsWhereTheToolIsInTheFirstState) {
+  Json request{{"robot", "arm7"},
+               {"contacts", {{{"tool", "tool"}, {"kp", 100}, {"target", "here"}}}},
+               {"compute", {"contact_error"}},
+               {"states", {{{"q", "home"}}, {{"q", "ready"}}}}};
+  const auto errors = [&] {
+    std::vector<double> sizes;
+    const Json answer = answer_to(request);
+    for (const Json& state : answer["states"]) {
+      double sum = 0.0;
+      for (const Json& e : state["contact_error"]) sum += std::abs(e.get<double>());
+      sizes.push_back(sum);
+    }
+    return sizes;
+  };
+  EXPECT_NEAR(errors()[0], 0.0, 1e-12);
+  EXPECT_GT(errors()[1], 0.1);
+  request["contacts"][0]["target"] = {{"xyz", {0, 0, 0}}};
+  EXPECT_GT(errors()[0], 0.1);
+}
+
+TEST(Eval, AContactIsStatedAsInAProblem) {
+  const auto forces = [](const Json& contacts) {
+    return answer_to({{"robot", "arm7"}, {"contacts", contacts}, {"compute", "forces"}})["states"];
+  };
+  const Json named = forces({{{"name", "tip"},
+                              {"tool", "tool"},
+                              {"reference", {{"surface", {{"normal", {0, 0.2, 1}}}}}},
+                              {"directions", {"z", "rx"}}}});
+  EXPECT_EQ(named[0]["forces"][0]["contact"], "tip");
+  EXPECT_EQ(named, forces({{"tip",
+                            {{"tool", "tool"},
+                             {"reference", {{"surface", {{"normal", {0, 0.2, 1}}}}}},
+                             {"directions", "z,rx"},
+                             {"kd", 0}}}}));
 }
 
 TEST(Eval, BadStatusIsSaidAndExitsWithOne) {
@@ -204,45 +245,59 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"{\"robot\": \"arm7\",}", "standard input: parse error at line 1, column 18"},
         Refused{"{\"robot\": NaN}", "parse error"},
         Refused{R"({"robot": "arm7", "gravity": [0, 0, 1e999]})",
-                "standard input: number overflow"},
-        Refused{R"({"robot": "arm7", "robot": "crane"})", "key 'robot' stands twice"},
-        Refused{"3", "it is the number 3; wanted an object"},
+                "line 1: gravity: '1e999' is larger than any number can be"},
+        Refused{R"({"robot": "arm7", "robot": "crane"})", "line 1: key 'robot' is stated twice"},
+        Refused{"3", "it is the number 3; wanted keys with values"},
         Refused{"{}", "key 'robot' is missing"},
         Refused{R"({"robot": "arm8"})", "robot: robot 'arm8' is not known; did you mean 'arm7'?"},
         Refused{R"([{"robot": "arm7"}, {"robt": "arm7"}])",
-                "request [1]: unknown key 'robt'; did you mean 'robot'?"},
-        Refused{R"({"robot": "arm7", "base": "floating"})", "base: unknown base 'floating'"},
+                "[1]: key 'robt' is unknown; did you mean 'robot'?"},
+        Refused{R"({"robot": "arm7", "base": "floating"})",
+                "base: 'floating' is unknown; wanted fixed or free_flyer"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "directons": "z"}]})",
-                "contacts[0]: unknown key 'directons'; did you mean 'directions'?"},
+                "contacts[0]: key 'directons' is unknown; did you mean 'directions'?"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tol"}]})", "did you mean 'tool'?"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": [1, 2]}]})",
                 "contacts[0].kp: it has 2 numbers; wanted 6"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference": "wrld"}]})",
                 "contacts[0].reference: "},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
-                {"type": "surface", "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}}]})",
-                "rotation is not a rotation matrix"},
+                {"surface": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}}}]})",
+                "contacts[0].reference.surface.matrix: it is not a rotation matrix"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
-                {"type": "world", "normal": [0, 0, 1]}}]})",
-                "contacts[0].reference: a normal goes with type 'surface'"},
+                {"local": {"normal": [0, 0, 1]}}}]})",
+                "contacts[0].reference.local: a normal goes with 'surface'"},
         Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "target":
                 {"quaternion": [1, 1, 0, 0]}}]})",
-                "contacts[0].target.quaternion: it has length 1.41421; wanted 1"},
+                "contacts[0].target.quaternion: the quaternion has length 1.41421; wanted 1"},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "reference":
+                {"type": "surface", "normal": [0, 0.2, 1]}}]})",
+                "wanted {\"surface\": {\"normal\": [0, 0.2, 1]}}"},
+        Refused{
+            R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
+            "contacts[0]: key 'target' is missing, and kp is not 0; wanted \"target\": \"here\""},
+        Refused{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
+                "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base'"},
+        Refused{R"({"robot": "arm7", "contacts": {"tip": {"tool": "tool"}}, "compute":
+                "contact_error"})",
+                "contacts.tip: key 'target' is missing, and its contact_error is asked for"},
+        Refused{R"({"robot": "arm7", "states": [{"q": {"joint_1": [{}]}}]})",
+                "input: line 1: states[0].q.joint_1[0]: it is keys with values; wanted a number"},
         Refused{R"({"robot": "arm7", "states": [{}, {"q": [1, 2]}]})",
-                "states[1].q: argument 'q' has 2 entries; wanted 7"},
+                "states[1].q: it has 2 numbers; wanted 7"},
         Refused{R"({"robot": "arm7", "states": [{"q": "redy"}]})", "did you mean 'ready'?"},
         Refused{R"({"robot": "arm7", "states": [{"v": {"joint_9": 1}}]})",
-                "states[0].v: unknown key 'joint_9'; did you mean 'joint_1'?"},
+                "states[0].v: key 'joint_9' is unknown; did you mean 'joint_1'?"},
         Refused{R"({"robot": "arm7", "states": [{"tau": [0, 0, 0, 0, 0, 0, "x"]}]})",
-                "states[0].tau[6]: it is the text \"x\"; wanted a number"},
+                "line 1: states[0].tau[6]: 'x' is no number"},
         Refused{R"({"robot": "arm7", "compute": ["foward"]})",
-                "compute: unknown word 'foward'; did you mean 'forward'?"},
+                "compute[0]: 'foward' is unknown; did you mean 'forward'?"},
         Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in: "},
         Refused{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
         Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
-                "solver.max_proximal_iterations: it is the number 1.5"},
+                "solver.max_proximal_iterations: it is 1.5; wanted a whole number"},
         Refused{R"({"robot": "arm7", "frames": [{"name": "tool", "parent": "tool"}]})",
-                "frames[0].name: the name 'tool' is empty or taken"},
+                "frames[0].name: the name 'tool' is taken"},
         Refused{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
                 "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
 

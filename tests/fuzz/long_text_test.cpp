@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "larger than 32 MB"},
         LongText{"nesting", request,
                  [] { return std::string(times(32000, "[") + times(32000, "]")); },
-                 "wanted an object"},
+                 "nested more than 64 deep"},
         LongText{"contacts", request,
                  [] {
                    return std::string(R"({"robot": "pendulum", "contacts": [)" +
