@@ -11,7 +11,7 @@
 #include "burnish/solver/ddp.hpp"
 #include "cases.hpp"
 #include "chain.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/reference_problem.hpp"
 #include "support/standing_problem.hpp"
 
 namespace burnish::bench {
@@ -76,7 +76,8 @@ void count_iteration(const std::string& name, const ProblemSpec& spec, StepUpdat
 
 ProblemSpec polishing(bool filter) {
   const Robot robot = load_robot("talos:right_arm");
-  ProblemSpec spec = ocp::polishing_problem(robot.model, "tool", robot.posture("table"), knots);
+  ProblemSpec spec =
+      polishing::reference_problem(robot.model, "tool", robot.posture("table"), knots);
   if (!filter) return spec;
   spec.torque_model = TorqueModel{.cutoff = 100.0};
   const Eigen::Index nx = spec.initial_state.size();

@@ -7,8 +7,8 @@
 
 #include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "mpc/pressing_controller.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/pressing_controller.hpp"
+#include "polishing/reference_problem.hpp"
 #include "support/standing_problem.hpp"
 
 namespace burnish::bench {
@@ -44,7 +44,7 @@ ProblemSpec make(const std::string& name, int knots) {
   }
   const Robot robot = load_robot("talos:right_arm");
   const Eigen::VectorXd q0 = robot.posture("table");
-  ProblemSpec spec = ocp::polishing_problem(robot.model, "tool", q0, knots);
+  ProblemSpec spec = polishing::reference_problem(robot.model, "tool", q0, knots);
   if (name == "talos_right_arm_filter") {
     spec.torque_model = TorqueModel{.cutoff = 100.0};
     const Eigen::Index nx = spec.initial_state.size();
@@ -100,7 +100,7 @@ void iteration(benchmark::State& state, const std::string& name, int knots, DdpO
 /// A tick of a controller that makes a new plan at each.
 void tick(benchmark::State& state) {
   const std::string name = "talos_right_arm";
-  mpc::PressingController controller(make(name, usual_knots), "tool");
+  polishing::PressingController controller(make(name, usual_knots), "tool");
   for (auto _ : state) controller.tick();
   if (controller.fault().kind != FaultKind::None)
     state.SkipWithError(controller.fault().text().c_str());

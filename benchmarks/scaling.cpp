@@ -12,7 +12,7 @@
 #include "burnish/robots/robot.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "chain.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/reference_problem.hpp"
 
 namespace burnish::bench {
 namespace {
@@ -85,10 +85,11 @@ std::vector<Growth> horizons() {
   const Robot robot = load_robot("talos:right_arm");
   std::vector<Growth> lines{{"multiple shooting", {}, {}}, {"rollout", {}, {}}};
   for (const int knots : {10, 20, 50, 100, 200, 500, 1000}) {
-    Problem problem(ocp::polishing_problem(robot.model, "tool", robot.posture("table"), knots));
+    Problem problem(
+        polishing::reference_problem(robot.model, "tool", robot.posture("table"), knots));
     const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
     const RowMatrix xs = x0.transpose().replicate(knots + 1, 1);
-    const RowMatrix us = ocp::static_control(problem).transpose().replicate(knots, 1);
+    const RowMatrix us = polishing::static_control(problem).transpose().replicate(knots, 1);
     for (const StepUpdate update : {StepUpdate::MultipleShooting, StepUpdate::Rollout}) {
       DdpSolver solver(problem, {.update = update, .max_iterations = 1});
       lines[update == StepUpdate::Rollout ? 1 : 0].add(knots, median_time([&] {

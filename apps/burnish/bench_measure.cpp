@@ -11,8 +11,8 @@
 #include "burnish/solver/ddp.hpp"
 #include "derivatives/count_operations.hpp"
 #include "derivatives/peak.hpp"
-#include "mpc/pressing_controller.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/pressing_controller.hpp"
+#include "polishing/reference_problem.hpp"
 
 namespace burnish::app {
 namespace {
@@ -185,7 +185,7 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
                              .pin_threads = spec.pin_threads});
   const Eigen::Map<const Eigen::VectorXd> x0(problem.initial_state(), problem.state().nx);
   const RowMatrix xs = x0.transpose().replicate(spec.knots + 1, 1);
-  const RowMatrix us = ocp::static_control(problem).transpose().replicate(spec.knots, 1);
+  const RowMatrix us = polishing::static_control(problem).transpose().replicate(spec.knots, 1);
   report.nx = problem.state().nx;
   report.nu = problem.max_controls();
   std::vector<PhaseTimes> phases;
@@ -211,7 +211,7 @@ void measure_iteration(BenchReport& report, const BenchSpec& spec, const Problem
 /// A controller that makes a new plan at every tick, fed with a robot that stands still.
 void measure_ticks(BenchReport& report, const BenchSpec& spec, const ProblemSpec& problem) {
   const DdpOptions options{.threads = spec.threads, .pin_threads = spec.pin_threads};
-  mpc::PressingController controller(problem, spec.tool, options);
+  polishing::PressingController controller(problem, spec.tool, options);
   BenchLine line =
       repeat("tick", "MPC, a new plan at every tick", spec.seconds, 1, [&] { controller.tick(); });
   if (controller.fault().kind != FaultKind::None)
@@ -237,7 +237,7 @@ BenchReport measure_speed(const BenchSpec& given) {
                      .pack_width = pack_width()};
   report.peak = multiply_add_peak();
   States(spec, q0).measure(report);
-  const ProblemSpec problem = ocp::polishing_problem(model, spec.tool, q0, spec.knots);
+  const ProblemSpec problem = polishing::reference_problem(model, spec.tool, q0, spec.knots);
   measure_iteration(report, spec, problem, StepUpdate::MultipleShooting, "multiple shooting");
   measure_iteration(report, spec, problem, StepUpdate::Rollout, "rollout");
   measure_ticks(report, spec, problem);

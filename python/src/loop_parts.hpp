@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "burnish/mpc/mpc.hpp"
-#include "burnish/sim/impedance_controller.hpp"
 #include "burnish/sim/plant.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "callback.hpp"
 #include "machine.hpp"
 #include "specs_sim.hpp"

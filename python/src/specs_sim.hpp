@@ -6,10 +6,10 @@
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/ideal_plant.hpp"
-#include "burnish/sim/impedance_controller.hpp"
-#include "burnish/sim/path.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/scene.hpp"
+#include "burnish/tasks/pressing/circle_path.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "specs_mpc.hpp"
 
 namespace burnish::python {

@@ -1,4 +1,6 @@
 // The polishing problem of a published robot against figures of another program.
+#include "polishing/reference_problem.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/urdf/urdf.hpp"
-#include "ocp/polishing_problem.hpp"
 
 namespace burnish::test {
 namespace {
@@ -47,7 +48,7 @@ class ReferenceProblem : public ::testing::Test {
     options.locked = {"panda_finger_joint1", "panda_finger_joint2"};
     const Model model = build_model(read_urdf(robot), options);
     x0 = vector_of(data["x0"]);
-    problem.emplace(ocp::polishing_problem(model, "panda_hand_tcp", x0.head(7), knots));
+    problem.emplace(polishing::reference_problem(model, "panda_hand_tcp", x0.head(7), knots));
     next.resize(14 * (knots + 1));
     values.resize(knots + 1);
   }
@@ -78,7 +79,7 @@ class ReferenceProblem : public ::testing::Test {
 };
 
 TEST_F(ReferenceProblem, WarmStartCostsTheSame) {
-  const Eigen::VectorXd u0 = ocp::static_control(*problem);
+  const Eigen::VectorXd u0 = polishing::static_control(*problem);
   EXPECT_LT(apart(u0, vector_of(data["u_quasistatic"])), 1e-10);
   const RowMatrix xs = x0.transpose().replicate(knots + 1, 1),
                   us = u0.transpose().replicate(knots, 1);

@@ -7,7 +7,7 @@
 
 #include "burnish/solver/ddp.hpp"
 #include "burnish/urdf/urdf.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/reference_problem.hpp"
 
 namespace burnish {
 namespace {
@@ -51,13 +51,13 @@ class ReferenceSolution : public ::testing::TestWithParam<StepUpdate> {
 
 TEST_P(ReferenceSolution, is_reached_in_as_many_iterations) {
   const Eigen::VectorXd x0 = vector_of(wanted_["x0"]);
-  Problem problem(ocp::polishing_problem(model_, "panda_hand_tcp", x0.head(7), 100));
+  Problem problem(polishing::reference_problem(model_, "panda_hand_tcp", x0.head(7), 100));
   // The published solution was regularised with 1e-9 throughout, a thousandth of the control's own
   // weight, which its gains show; and its last step was made after the one that met 1e-9.
   DdpSolver solver(problem, {.update = GetParam(),
                              .stop_tolerance = 1e-13,
                              .regularization = {.initial = 1e-9, .decrease_above = 1.0}});
-  const Eigen::VectorXd u0 = ocp::static_control(problem);
+  const Eigen::VectorXd u0 = polishing::static_control(problem);
   solver.set_guess(x0.transpose().replicate(101, 1), u0.transpose().replicate(100, 1));
   const DdpSummary& summary = solver.solve();
   ASSERT_EQ(summary.reason, StopReason::Converged) << solver.text();

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/solver/ddp.hpp"
-#include "ocp/polishing_problem.hpp"
+#include "polishing/reference_problem.hpp"
 #include "support/pressing_arm.hpp"
 #include "support/standing_problem.hpp"
 
@@ -45,13 +45,13 @@ TEST(SegmentsOfRobots, equal_one_sweep_on_an_arm_that_presses) {
   const PressingArm arm = pressing_arm();
   for (const int knots : {100, 500})
     for (const int segments : {3, 9})
-      expect_same_iteration(ocp::polishing_problem(arm.model, "tool", arm.posture, knots), knots,
-                            segments, 1e-8);
+      expect_same_iteration(polishing::reference_problem(arm.model, "tool", arm.posture, knots),
+                            knots, segments, 1e-8);
 }
 
 TEST(SegmentsOfRobots, equal_one_sweep_with_filtered_torques) {
   const PressingArm arm = pressing_arm();
-  ProblemSpec spec = ocp::polishing_problem(arm.model, "tool", arm.posture, 100);
+  ProblemSpec spec = polishing::reference_problem(arm.model, "tool", arm.posture, 100);
   spec.torque_model = TorqueModel{.cutoff = 100.0};
   const Eigen::Index nx = spec.initial_state.size();
   spec.initial_state.conservativeResize(nx + arm.model.nv);

@@ -7,7 +7,7 @@
 
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
-#include "burnish/sim/impedance_controller.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "support/pressing_arm.hpp"
 
 namespace burnish::test {

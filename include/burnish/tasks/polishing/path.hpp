@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "burnish/sim/path.hpp"
-
 namespace burnish::polishing {
 
 enum class PathKind { Circle, Spiral, ZigZag, Points };

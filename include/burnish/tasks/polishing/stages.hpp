@@ -2,8 +2,8 @@
 #pragma once
 
 #include "burnish/robots/robot.hpp"
-#include "burnish/sim/impedance_controller.hpp"
 #include "burnish/tasks/polishing/task.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 
 namespace burnish::polishing {
 

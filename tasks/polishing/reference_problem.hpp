@@ -7,11 +7,11 @@
 #include "burnish/ocp/problem.hpp"
 #include "ocp/position_limits.hpp"
 
-namespace burnish::ocp {
+namespace burnish::polishing {
 
 /// A 1D contact along world z at the height of `frame` at q0, gains (0, 50), `Classical`; N knots
 /// of 10 ms; weights of the reference problem. Starts at (q0, 0).
-inline ProblemSpec polishing_problem(const Model& model, const std::string& frame,
+inline ProblemSpec reference_problem(const Model& model, const std::string& frame,
                                      const Eigen::VectorXd& q0, int knots) {
   const int nv = model.nv;
   const Eigen::Isometry3d at_q0 = frame_placement(model, q0, frame);
@@ -37,7 +37,7 @@ inline ProblemSpec polishing_problem(const Model& model, const std::string& fram
       {.name = "position", .residual = residual::FramePosition{frame, circle}, .weight = 1e4},
       {.name = "rotation", .residual = residual::FrameRotation{frame, turned}, .weight = 1e1},
   };
-  const PositionLimits limits = position_limits(model);
+  const ocp::PositionLimits limits = ocp::position_limits(model);
   if (limits.lower.size() > 0)
     common.push_back({.name = "position limits",
                       .residual = residual::JointPosition{},
@@ -76,4 +76,4 @@ inline Eigen::VectorXd static_control(const Problem& problem) {
       .control;
 }
 
-}  // namespace burnish::ocp
+}  // namespace burnish::polishing

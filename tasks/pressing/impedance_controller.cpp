@@ -1,4 +1,4 @@
-#include "burnish/sim/impedance_controller.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 #include "burnish/model/model.hpp"
 #include "burnish/mpc/controller.hpp"
-#include "burnish/sim/path.hpp"
+#include "burnish/tasks/pressing/circle_path.hpp"
 
 namespace burnish {
 

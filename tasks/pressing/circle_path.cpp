@@ -1,4 +1,4 @@
-#include "burnish/sim/path.hpp"
+#include "burnish/tasks/pressing/circle_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,11 +7,11 @@
 
 #include "burnish/mpc/mpc.hpp"
 
-namespace burnish::mpc {
+namespace burnish::polishing {
 
 class PressingController {
  public:
-  /// For ocp::polishing_problem with `tool`; plans at 1 kHz, 30 N wanted and measured. Of the
+  /// For polishing::reference_problem with `tool`; plans at 1 kHz, 30 N wanted and measured. Of the
   /// options those of threads are taken.
   PressingController(const ProblemSpec& problem, const std::string& tool,
                      const DdpOptions& threads = {})
@@ -50,4 +50,4 @@ class PressingController {
   Measurement measured_;
 };
 
-}  // namespace burnish::mpc
+}  // namespace burnish::polishing
