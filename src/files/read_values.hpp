@@ -1,16 +1,13 @@
 // Small things that several parts of a problem file hold.
 #pragma once
 
+#include "document/geometry.hpp"
 #include "files/scene.hpp"
 
 namespace burnish::files {
 
-/// {xyz: [m]} and one of {rpy: [rad]}, {quaternion: [x, y, z, w]} and {matrix: three rows}; both
-/// are optional. `also`: further keys that the map may have.
-Eigen::Isometry3d read_placement(const YamlReader& reader,
-                                 const std::vector<std::string>& also = {});
-/// {rpy: ...}, {quaternion: ...} or {matrix: ...}, or four numbers.
-Eigen::Quaterniond read_rotation(const YamlReader& reader);
+using document::read_placement;
+using document::read_rotation;
 /// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
 /// on.
 Reference read_reference(const YamlReader& reader);
