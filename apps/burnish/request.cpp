@@ -31,7 +31,7 @@ std::size_t bytes_of_state(const Model& model, std::size_t rows) {
 Robot read_robot(const Reader& reader, Shared& shared) {
   std::string wanted;
   for (const char* key : {"robot", "base", "lock", "free", "lock_posture", "strict"})
-    if (const auto value = reader.find(key)) wanted += key + document::one_line(value->node());
+    if (const auto value = reader.find(key)) wanted += key + document::json_text(value->node());
   const auto found = shared.robots.find(wanted);
   if (found != shared.robots.end()) return found->second;
   Robot robot = files::read_robot(reader["robot"], shared.folder, files::read_overrides(reader));

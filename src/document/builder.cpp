@@ -17,11 +17,25 @@ std::string path_into(const std::string& path, const Node& holder, std::size_t i
   return (path.empty() ? "" : path + ".") + holder.values[index - index % 2].text;
 }
 
-void Builder::refuse(Place place, const std::string& what) const {
+std::string Builder::sentence(Place place, const std::string& what) const {
   std::string path;
   for (std::size_t i = 0; i + 1 < open_.size(); ++i)
     path = path_into(path, open_[i], open_[i].values.size() - (open_[i].kind == Kind::Map ? 1 : 0));
-  burnish::refuse(name_, place_text(place, path) + what);
+  return name_ + ": " + place_text(place, path) + what;
+}
+
+void Builder::refuse(Place place, const std::string& what) const {
+  throw Error(sentence(place, what));
+}
+
+Node Builder::take() {
+  if (!bad_key_.empty()) throw Error(bad_key_);
+  return std::move(root_);
+}
+
+void Builder::check_key(const Node& node) {
+  if (expects_key() && bad_key_.empty() && (!node.is_scalar() || node.kind == Kind::Null))
+    bad_key_ = sentence(node.place, "its keys must be names");
 }
 
 void Builder::count(const Node& node, std::size_t depth) {
@@ -47,20 +61,19 @@ void Builder::put(Node&& node) {
 
 void Builder::add(Node&& node) {
   count(node, open_.size());
-  if (expects_key() && (!node.is_scalar() || node.kind == Kind::Null))
-    refuse(node.place, "its keys must be names");
+  check_key(node);
   put(std::move(node));
 }
 
 void Builder::begin(Kind kind, Place place) {
   Node node{.kind = kind, .place = place};
   count(node, open_.size());
-  if (expects_key()) refuse(place, "its keys must be names");
+  check_key(node);
   open_.push_back(std::move(node));
 }
 
 void Builder::check_keys(const Node& map) const {
-  if (map.kind != Kind::Map) return;
+  if (map.kind != Kind::Map || !bad_key_.empty()) return;
   std::vector<const Node*> keys;
   for (std::size_t i = 0; i < map.values.size(); i += 2) keys.push_back(&map.values[i]);
   std::stable_sort(keys.begin(), keys.end(),

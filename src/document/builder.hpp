@@ -34,13 +34,16 @@ class Builder {
   void end() {
     end([](const Node&) {});
   }
-  /// The tree; null where nothing came.
-  Node take() { return std::move(root_); }
+  /// The tree; null where nothing came. Here keys that are no names are refused: of a text that is
+  /// cut off they are no news.
+  Node take();
 
   /// Throws Error("<name>: line N: <keys that lead to here>: <what>").
   [[noreturn]] void refuse(Place place, const std::string& what) const;
 
  private:
+  std::string sentence(Place place, const std::string& what) const;
+  void check_key(const Node& node);
   void count(const Node& node, std::size_t depth);
   void put(Node&& node);
   void check_keys(const Node& map) const;
@@ -49,6 +52,7 @@ class Builder {
   std::size_t max_values_, values_ = 0;
   std::vector<Node> open_;
   Node root_;
+  std::string bad_key_;  ///< what is wrong with the first one, or empty
 };
 
 /// "line 3: a.b[2]: ", as much of it as there is.

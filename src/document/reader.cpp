@@ -43,6 +43,12 @@ bool find_path(const Node& at, const Node* wanted, std::string& path) {
   return false;
 }
 
+/// The only line of a word is no news.
+void forget_places(Node& node) {
+  node.place = {};
+  for (Node& value : node.values) forget_places(value);
+}
+
 }  // namespace
 
 Reader::Reader(Node root, std::string name, std::string path)
@@ -56,6 +62,29 @@ Reader Reader::load(const std::filesystem::path& file) {
 
 Reader Reader::parse(const std::string& text, const std::string& name) {
   return {parse_yaml(text, name), name};
+}
+
+Reader Reader::parse_override(const std::string& path, const std::string& value,
+                              const std::string& name) {
+  Builder tree(name, 1'000'000);
+  std::size_t depth = 0;
+  for (std::size_t begin = 0; begin <= path.size(); ++depth) {
+    const std::size_t dot = std::min(path.find('.', begin), path.size());
+    tree.begin(Kind::Map, {});
+    tree.add({.kind = Kind::Text, .text = path.substr(begin, dot - begin)});
+    begin = dot + 1;
+  }
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t first = std::min(value.find_first_not_of(blanks), value.size());
+  const std::string bare = value.substr(first, value.find_last_not_of(blanks) + 1 - first);
+  const bool is_yaml =
+      !bare.empty() && std::string("[{\"'").find(bare.front()) != std::string::npos;
+  Node node = is_yaml ? parse_yaml(bare, name) : Node{.kind = kind_of_plain(bare), .text = bare};
+  forget_places(node);
+  if (node.kind == Kind::Null) node.text.clear();
+  tree.add(std::move(node));
+  while (depth-- > 0) tree.end();
+  return {tree.take(), name};
 }
 
 std::string Reader::path() const {

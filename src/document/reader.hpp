@@ -25,6 +25,10 @@ class Reader {
   static Reader parse(const std::string& text, const std::string& name);
   /// The same of JSON.
   static Reader parse_json(const std::string& text, const std::string& name);
+  /// {a: {b: value}} of the path "a.b", called `name` in refusals. The value is YAML where it
+  /// begins with a bracket, a brace or a quote, and otherwise a scalar, whatever stands in it.
+  static Reader parse_override(const std::string& path, const std::string& value,
+                               const std::string& name);
   /// A tree that was made.
   Reader(Node root, std::string name, std::string path = "");
 

@@ -15,8 +15,12 @@ Node parse_yaml(const std::string& text, const std::string& name);
 /// Throws Error likewise. Numbers that are too large for a double are refused.
 Node parse_json(const std::string& text, const std::string& name);
 
-/// A tree in one line that is JSON and YAML alike: {"a": [1, 2]}. Bytes that are no UTF-8 stay.
-std::string one_line(const Node& node);
+/// A tree in one line. Bytes that are no UTF-8 stay, which JSON does not know.
+std::string json_text(const Node& node);
+/// The same with quotes only where a text could be read as something else.
+std::string yaml_text(const Node& node);
+/// The shortest that reads back as it was: plain from 1e-4 to 1e9.
+std::string number_text(double value);
 
 /// What YAML takes a scalar without quotes for. "inf" and "nan" are numbers.
 Kind kind_of_plain(const std::string& text);

@@ -29,9 +29,9 @@ Reference read_reference(const YamlReader& reader) {
     // As requests stated it up to version 0.2.
     std::string axes =
         "\"normal\": " +
-        (reader.has("normal") ? document::one_line(reader["normal"].node()) : "[x, y, z]");
+        (reader.has("normal") ? document::json_text(reader["normal"].node()) : "[x, y, z]");
     if (reader.has("rotation"))
-      axes = "\"matrix\": " + document::one_line(reader["rotation"].node());
+      axes = "\"matrix\": " + document::json_text(reader["rotation"].node());
     type->refuse("a reference has no type beside its axes; wanted {\"" + type->text() + "\": {" +
                  axes + "}}");
   }

@@ -15,34 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 using files::YamlReader;
 
-/// "a.b=value" as "{a: {b: value}}".
-std::string as_document(const std::string& word) {
+void apply_override(Task& task, const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
     throw Error(in_quotes(word) + " is no override; wanted key.path=value");
-  std::string keys = word.substr(0, equals), value = word.substr(equals + 1), text, end;
+  const std::string path = word.substr(0, equals);
+  std::string value = word.substr(equals + 1);
   // Files that a command line names lie where it runs.
-  if (keys == "path.points" && value.front() != '[') value = fs::absolute(value).string();
-  for (std::size_t begin = 0; begin <= keys.size();) {
-    const std::size_t dot = std::min(keys.find('.', begin), keys.size());
-    text += "{" + keys.substr(begin, dot - begin) + ": ";
-    end += "}";
-    begin = dot + 1;
-  }
-  return text + value + end;
-}
-
-void apply_override(Task& task, const std::string& word) {
-  const std::string document = as_document(word), name = "override " + in_quotes(word);
-  try {
-    read_sections(task, YamlReader::parse(document, name));
-  } catch (const Error& error) {
-    // The only line of an override is no news.
-    std::string sentence = error.what();
-    const std::string line = name + ": line 1: ";
-    if (sentence.rfind(line, 0) == 0) sentence.replace(0, line.size(), name + ": ");
-    throw Error(sentence);
-  }
+  if (path == "path.points" && value.front() != '[') value = fs::absolute(value).string();
+  read_sections(task, YamlReader::parse_override(path, value, "override " + in_quotes(word)));
 }
 
 [[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }

@@ -71,6 +71,21 @@ TEST(Reader, ChangesOfAMapStandWhereTheyWereMade) {
   expect_words(refusal([&] { changed["b"].number(); }), {"a.yaml: line 4: more.it.b: 'x' is no"});
 }
 
+TEST(Reader, AnOverrideIsATreeOfItsOwn) {
+  const auto value = [](const std::string& text) {
+    return Reader::parse_override("a.b", text, "override 'x'")["a"]["b"];
+  };
+  EXPECT_EQ(value(" 2.5 ").number(), 2.5);
+  EXPECT_TRUE(value("true").yes_or_no());
+  EXPECT_EQ(value("[1, 2]").numbers(2)[1], 2.0);
+  EXPECT_EQ(value("{c: {d: 1}}")["c"]["d"].path(), "a.b.c.d");
+  for (const char* text : {"my arm #2", "a: b", "*x", "&x", "- 1", "a, b]", "| x", "!t 1"})
+    EXPECT_EQ(value(text).text(), text);
+  EXPECT_EQ(value("'5'").node().kind, Kind::Text);
+  EXPECT_EQ(refusal([&] { value("[1, x]").numbers(2); }), "override 'x': a.b[1]: 'x' is no number");
+  expect_words(refusal([&] { value("[1"); }), {"override 'x': line ", "this is no YAML"});
+}
+
 TEST(Reader, ValuesOutliveTheReaderOfTheWholeFile) {
   std::optional<Reader> value;
   {

@@ -164,6 +164,16 @@ TEST_F(TaskFile, OverridesComeLastAndInOrder) {
   EXPECT_EQ(task.disturbances.seed, 3U);
 }
 
+TEST_F(TaskFile, AnOverrideIsAValueWhateverStandsInIt) {
+  const fs::path file = write("force: 20\n");
+  for (const std::string robot : {"my arm #2", "a: b", "a, b", "*x", "it's \"so\"", "- a"}) {
+    Task task = read_task(file, {"robot=" + robot});
+    EXPECT_EQ(task.robot, robot);
+    EXPECT_EQ(parse_task(task_text(task), "written").robot, robot);
+  }
+  EXPECT_EQ(read_task(file, {"robot='{a'"}).robot, "{a");
+}
+
 TEST_F(TaskFile, PointsOfAPathComeFromATable) {
   write("u [m],w [m]\n0.01,0\n0.02,-0.03\n", "corners.csv");
   const Task task = read_task(write("path: {kind: points, points: corners.csv}\n"));
