@@ -18,7 +18,7 @@ from .contact import ContactSolver, ContactSpec
 from .derivatives import CheckEntry
 from .residual import Residual
 
-__all__ = ["ActuationSpec", "CostTerm", "Discretization", "HorizonSegment", "Integrator", "NodeView",
+__all__ = ["ActuationSpec", "Constraint", "CostTerm", "Discretization", "HorizonSegment", "Integrator", "NodeView",
            "OverTime", "Penalty", "PenaltyKind", "Problem", "ProblemCheckOptions", "ProblemCheckRow",
            "ProblemReport", "ProblemSpec", "QuasiStatic", "Residual", "Signal", "Stage",
            "StateLayout", "TorqueModel", "TrajectoryExpansion", "TrajectoryValues",
@@ -89,6 +89,22 @@ class CostTerm(Spec):
     """None: a square, or what the residual says"""
 
 
+@dataclass(eq=False, repr=False)
+class Constraint(Spec):
+    """lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Evaluated,
+    differentiated, checked and reported along a trajectory. The solver minimises the costs alone: it
+    says how far a row is outside its limits, and does not keep it inside."""
+
+    residual: Residual
+    name: str = ""
+    """unique among the terms of its stage; the residual's name if left empty"""
+    lower: ArrayLike = empty()
+    """in the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
+    the margins (friction cone, center of pressure), whose rows are at least zero unless said"""
+    upper: ArrayLike = empty()
+    """likewise"""
+
+
 class Integrator(enum.Enum):
     """How the state goes from one knot to the next."""
 
@@ -137,6 +153,7 @@ class Stage(Spec):
     contacts: List[str] = items()
     """names of those that hold"""
     costs: List[CostTerm] = items()
+    constraints: List[Constraint] = items()
     step: float = 0.01
     """s"""
     integrator: Integrator = Integrator.SEMI_IMPLICIT_EULER
@@ -171,6 +188,7 @@ class ProblemSpec(Spec):
     horizon: List[HorizonSegment] = items()
     terminal: List[CostTerm] = items()
     """costs of the last state"""
+    terminal_constraints: List[Constraint] = items()
     initial_state: ArrayLike = empty()
     """(q, v), or (q, v, tau) with a torque model"""
     start_time: float = 0.0

@@ -16,7 +16,7 @@ from ._spec import Spec, items
 from .base import Status
 
 __all__ = ["CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
-           "DdpSummary", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization", "StepUpdate",
+           "DdpSummary", "LimitedRow", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization", "StepUpdate",
            "StopReason"]
 
 
@@ -181,7 +181,9 @@ class DdpSummary(Spec):
     where and what"""
     knot: int = -1
     term: int = -1
-    """cost term that is not finite, -1: none or the dynamics"""
+    """cost term that is not finite, -1: none, a row or the dynamics"""
+    row: int = -1
+    """row of a constraint that is not finite, -1: none"""
     in_derivatives: bool = False
     """NOT_EVALUATED: values are finite, derivatives are not"""
     control: int = -1
@@ -215,6 +217,22 @@ class CostKnot(Spec):
 
 
 @dataclass(eq=False, repr=False)
+class LimitedRow(Spec):
+    """A row of a constraint, where it is furthest outside its limits, or nearest to one of them from
+    inside."""
+
+    name: str
+    """as Problem.row_names has it"""
+    knot: str
+    """as Problem.knot_name has it"""
+    value: float
+    lower: float
+    upper: float
+    outside: float
+    """how far; negative: the least distance to a limit from inside"""
+
+
+@dataclass(eq=False, repr=False)
 class CostReport(Spec):
     """Where a cost comes from."""
 
@@ -223,9 +241,12 @@ class CostReport(Spec):
     """summed over knots, in order of appearance"""
     knots: List[CostKnot]
     """N + 1"""
+    rows: List[LimitedRow]
+    """of constraints, over all knots, in order of appearance"""
 
     def text(self) -> str:
-        """A table for people: terms from the largest down, and the five most expensive knots."""
+        """A table for people: terms from the largest down, and the five most expensive knots, and the
+        five rows that are furthest outside their limits."""
         return _core.cost_report_text(self)
 
 

@@ -25,11 +25,17 @@ int stage_index(const Problem& problem, const char* call, const Name& stage) {
   return index;
 }
 
+/// Empty where there are no rows, which have no limits to read.
+Eigen::VectorXd limits_of(const double* limits, int rows) {
+  if (rows == 0) return {};
+  return Eigen::Map<const Eigen::VectorXd>(limits, rows);
+}
+
 int term_index(const Problem& problem, const char* call, int knot, const Name& term) {
   check_knot(call, knot, problem.knots());
   if (const auto* name = std::get_if<std::string>(&term))
     return problem.term_index(problem.stage_of(knot), *name);
-  const int terms = static_cast<int>(problem.term_names(knot).size());
+  const int terms = problem.terms(knot);
   const int index = std::get<int>(term);
   if (index < 0 || index >= terms)
     throw Error(std::string(call) + ": term " + std::to_string(index) + "; " +
@@ -165,6 +171,15 @@ void bind_knots(ProblemClass& c) {
   of_knot(
       c, "term_names", [](const Problem& p, int k) { return p.term_names(k); },
       "Names of the cost terms of a knot.");
+  of_knot(
+      c, "row_names", [](const Problem& p, int k) { return p.row_names(k); },
+      "Names of the rows of a knot's constraints, such as 'force/z'.");
+  of_knot(
+      c, "row_lower", [](const Problem& p, int k) { return limits_of(p.row_lower(k), p.rows(k)); },
+      "Lower limits of the rows of a knot, (rows,); infinite where there is none.");
+  of_knot(
+      c, "row_upper", [](const Problem& p, int k) { return limits_of(p.row_upper(k), p.rows(k)); },
+      "Upper limits likewise.");
   of_knot(
       c, "force_names", [](const Problem& p, int k) { return p.force_names(k); },
       "Names of the entries of forces(), such as 'tool/z'.");
@@ -312,6 +327,12 @@ void bind_values_at_knots(ProblemClass& c) {
         return p.term_costs(knot, x.data(), u.data());
       },
       "Cost of each term of a knot, in the order of term_names.");
+  at_knot(
+      c, "row_values",
+      [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {
+        return p.row_values(knot, x.data(), u.data());
+      },
+      "Value of each row of a knot's constraints, in the order of row_names.");
   at_knot(
       c, "roll",
       [](Problem& p, int knot, const Vector& x, const Eigen::VectorXd& u) {

@@ -319,6 +319,15 @@ const SpecTable& AsDataclass<residual::CentroidalMomentum>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<Constraint>::table() {
+  static const SpecTable fields = SpecTable("burnish.ocp", "Constraint")
+                                      .field("name", &Constraint::name)
+                                      .field("residual", &Constraint::residual)
+                                      .numbers("lower", &Constraint::lower)
+                                      .numbers("upper", &Constraint::upper);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<CostTerm>::table() {
   static const SpecTable fields = SpecTable("burnish.ocp", "CostTerm")
                                       .field("name", &CostTerm::name)
@@ -349,6 +358,7 @@ const SpecTable& AsDataclass<Stage>::table() {
                                       .field("name", &Stage::name)
                                       .field("contacts", &Stage::contacts)
                                       .field("costs", &Stage::costs)
+                                      .field("constraints", &Stage::constraints)
                                       .field("step", &Stage::step)
                                       .field("integrator", &Stage::integrator)
                                       .field("impact", &Stage::impact);
@@ -363,19 +373,21 @@ const SpecTable& AsDataclass<HorizonSegment>::table() {
 }
 template <>
 const SpecTable& AsDataclass<ProblemSpec>::table() {
-  static const SpecTable fields = SpecTable("burnish.ocp", "ProblemSpec")
-                                      .field("model", &ProblemSpec::model)
-                                      .field("contacts", &ProblemSpec::contacts)
-                                      .field("contact_solver", &ProblemSpec::contact_solver)
-                                      .field("actuation", &ProblemSpec::actuation)
-                                      .field("torque_model", &ProblemSpec::torque_model)
-                                      .numbers("control_lower", &ProblemSpec::control_lower)
-                                      .numbers("control_upper", &ProblemSpec::control_upper)
-                                      .field("stages", &ProblemSpec::stages)
-                                      .field("horizon", &ProblemSpec::horizon)
-                                      .field("terminal", &ProblemSpec::terminal)
-                                      .field("initial_state", &ProblemSpec::initial_state)
-                                      .field("start_time", &ProblemSpec::start_time);
+  static const SpecTable fields =
+      SpecTable("burnish.ocp", "ProblemSpec")
+          .field("model", &ProblemSpec::model)
+          .field("contacts", &ProblemSpec::contacts)
+          .field("contact_solver", &ProblemSpec::contact_solver)
+          .field("actuation", &ProblemSpec::actuation)
+          .field("torque_model", &ProblemSpec::torque_model)
+          .numbers("control_lower", &ProblemSpec::control_lower)
+          .numbers("control_upper", &ProblemSpec::control_upper)
+          .field("stages", &ProblemSpec::stages)
+          .field("horizon", &ProblemSpec::horizon)
+          .field("terminal", &ProblemSpec::terminal)
+          .field("terminal_constraints", &ProblemSpec::terminal_constraints)
+          .field("initial_state", &ProblemSpec::initial_state)
+          .field("start_time", &ProblemSpec::start_time);
   return fields;
 }
 template <>

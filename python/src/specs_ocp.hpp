@@ -80,6 +80,8 @@ struct SpecOf<residual::CentroidalMomentum> : AsDataclass<residual::CentroidalMo
 template <>
 struct SpecOf<CostTerm> : AsDataclass<CostTerm> {};
 template <>
+struct SpecOf<Constraint> : AsDataclass<Constraint> {};
+template <>
 struct SpecOf<TorqueModel> : AsDataclass<TorqueModel> {};
 template <>
 struct SpecOf<ActuationSpec> : AsDataclass<ActuationSpec> {};

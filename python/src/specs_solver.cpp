@@ -130,6 +130,7 @@ const SpecTable& AsDataclass<DdpSummary>::table() {
           .field("status", &DdpSummary::status)
           .field("knot", &DdpSummary::knot)
           .field("term", &DdpSummary::term)
+          .field("row", &DdpSummary::row)
           .field("in_derivatives", &DdpSummary::in_derivatives)
           .field("control", &DdpSummary::control)
           .field("options", &DdpSummary::options)
@@ -153,11 +154,23 @@ const SpecTable& AsDataclass<CostReport::Knot>::table() {
   return fields;
 }
 template <>
+const SpecTable& AsDataclass<CostReport::Row>::table() {
+  static const SpecTable fields = SpecTable("burnish.solver", "LimitedRow")
+                                      .field("name", &CostReport::Row::name)
+                                      .field("knot", &CostReport::Row::knot)
+                                      .field("value", &CostReport::Row::value)
+                                      .field("lower", &CostReport::Row::lower)
+                                      .field("upper", &CostReport::Row::upper)
+                                      .field("outside", &CostReport::Row::outside);
+  return fields;
+}
+template <>
 const SpecTable& AsDataclass<CostReport>::table() {
   static const SpecTable fields = SpecTable("burnish.solver", "CostReport")
                                       .field("total", &CostReport::total)
                                       .field("terms", &CostReport::terms)
-                                      .field("knots", &CostReport::knots);
+                                      .field("knots", &CostReport::knots)
+                                      .field("rows", &CostReport::rows);
   return fields;
 }
 template <>

@@ -33,6 +33,8 @@ struct SpecOf<CostReport::Entry> : AsDataclass<CostReport::Entry> {};
 template <>
 struct SpecOf<CostReport::Knot> : AsDataclass<CostReport::Knot> {};
 template <>
+struct SpecOf<CostReport::Row> : AsDataclass<CostReport::Row> {};
+template <>
 struct SpecOf<CostReport> : AsDataclass<CostReport> {};
 template <>
 struct SpecOf<NamedMatrix> : AsDataclass<NamedMatrix> {};

@@ -5,7 +5,7 @@ run_all() {
   local stage began lines=() failed=0
   local options=(${cmake_arguments[@]+"${cmake_arguments[@]}"})
   [[ $setup == yes ]] || options+=(--no-setup)
-  for stage in --format --types --tidy --instructions --core --aarch64 --portable --packages --sanitize --tsan --clang --fuzz "" --bare; do
+  for stage in --format --types --api --tidy --instructions --core --aarch64 --portable --packages --sanitize --tsan --clang --fuzz "" --bare; do
     say "./test $stage"
     began=$SECONDS
     # shellcheck disable=SC2086

@@ -21,7 +21,7 @@ std::vector<std::string> read_stage_contacts(const YamlReader& stage, const File
 
 Stage read_stage(const std::string& name, const YamlReader& reader, const FileScene& scene,
                  const std::optional<YamlReader>& shared) {
-  reader.allow_only({"contacts", "costs", "step", "integrator", "impact"});
+  reader.allow_only({"contacts", "costs", "constraints", "step", "integrator", "impact"});
   Stage stage{.name = name};
   stage.contacts = read_stage_contacts(reader, scene);
   if (const auto step = reader.find("step")) stage.step = step->positive();
@@ -32,6 +32,8 @@ Stage read_stage(const std::string& name, const YamlReader& reader, const FileSc
   if (const auto impact = reader.find("impact")) stage.impact = impact->yes_or_no();
   if (const auto costs = reader.find("costs"))
     stage.costs = read_costs(scene, shared, stage.contacts, *costs);
+  if (const auto constraints = reader.find("constraints"))
+    stage.constraints = read_constraints(scene, stage.contacts, *constraints);
   return stage;
 }
 
@@ -139,19 +141,20 @@ void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spe
   for (const auto& [name, stage] : top["stages"].items()) {
     spec.stages.push_back(read_stage(name, stage, scene, shared));
     known.push_back(name);
-    terms += spec.stages.back().costs.size();
+    terms += spec.stages.back().costs.size() + spec.stages.back().constraints.size();
     if (terms > max_terms)
       stage.refuse("the stages so far have more than " + std::to_string(max_terms) +
-                   " costs; at most that many are supported");
+                   " costs and constraints; at most that many are supported");
   }
   read_horizon(top["horizon"], known, spec.horizon);
-  if (const auto terminal = top.find("terminal")) {
-    // The contacts of the last stage: with a torque model their forces are known at the end too.
-    std::vector<std::string> contacts;
-    for (const Stage& stage : spec.stages)
-      if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;
+  // The contacts of the last stage: with a torque model their forces are known at the end too.
+  std::vector<std::string> contacts;
+  for (const Stage& stage : spec.stages)
+    if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;
+  if (const auto terminal = top.find("terminal"))
     spec.terminal = read_costs(scene, shared, contacts, *terminal);
-  }
+  if (const auto constraints = top.find("terminal_constraints"))
+    spec.terminal_constraints = read_constraints(scene, contacts, *constraints);
 }
 
 }  // namespace
@@ -159,7 +162,7 @@ void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spe
 ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& folder) {
   top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
                   "torque_model", "control_bounds", "terms", "stages", "horizon", "terminal",
-                  "solver", "guess"});
+                  "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);

@@ -11,17 +11,18 @@
 namespace burnish::files {
 namespace {
 
-/// A cost term on its way: what its keys say, and what its rows are.
+/// A cost or a constraint on its way: what its keys say, and what its rows are.
 struct CostReader {
   const FileScene& scene;
   const std::vector<std::string>& contacts;
   const YamlReader& reader;
+  std::vector<std::string> common;  ///< keys beside those of the type
   PenaltyRows rows = {};
 
   const Model& model() const { return scene.model(); }
 
   void keys(std::vector<std::string> own) const {
-    own.insert(own.end(), {"type", "weight", "weights", "penalty"});
+    own.insert(own.end(), common.begin(), common.end());
     reader.allow_only(own);
   }
 
@@ -287,7 +288,7 @@ Read read_type(const YamlReader& type) {
 
 CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& contacts,
                    const std::string& name, const YamlReader& reader) {
-  CostReader cost{scene, contacts, reader};
+  CostReader cost{scene, contacts, reader, {"type", "weight", "weights", "penalty"}};
   const Read read = read_type(reader["type"]);
   CostTerm term{.name = name, .residual = (cost.*read)()};
   if (const auto weight = reader.find("weight")) term.weight = weight->not_negative();
@@ -298,7 +299,31 @@ CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& conta
   return term;
 }
 
+Constraint read_constraint(const FileScene& scene, const std::vector<std::string>& contacts,
+                           const std::string& name, const YamlReader& reader) {
+  CostReader rows{scene, contacts, reader, {"type", "lower", "upper", "limits"}};
+  const Read read = read_type(reader["type"]);
+  if (read == &CostReader::state)
+    reader["type"].refuse(
+        "a state has no limits by name; wanted 'joint_position', 'joint_velocity' or "
+        "'joint_torque'");
+  Constraint constraint{.name = name, .residual = (rows.*read)()};
+  const RowLimits limits = read_limits(rows.rows, reader);
+  constraint.lower = limits.lower;
+  constraint.upper = limits.upper;
+  return constraint;
+}
+
 }  // namespace
+
+std::vector<Constraint> read_constraints(const FileScene& scene,
+                                         const std::vector<std::string>& contacts,
+                                         const YamlReader& reader) {
+  std::vector<Constraint> constraints;
+  for (const auto& [name, value] : reader.items())
+    constraints.push_back(read_constraint(scene, contacts, name, value));
+  return constraints;
+}
 
 void check_shared(const YamlReader& shared) {
   for (const auto& [name, term] : shared.items()) read_type(term["type"]);

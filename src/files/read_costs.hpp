@@ -1,4 +1,4 @@
-// Cost terms of a problem file.
+// Costs and constraints of a problem file.
 #pragma once
 
 #include "files/read_target.hpp"
@@ -10,6 +10,12 @@ namespace burnish::files {
 std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<YamlReader>& shared,
                                  const std::vector<std::string>& contacts,
                                  const YamlReader& reader);
+
+/// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: share of the
+/// robot's}, ...}.
+std::vector<Constraint> read_constraints(const FileScene& scene,
+                                         const std::vector<std::string>& contacts,
+                                         const YamlReader& reader);
 
 /// Refuses shared terms that are badly formed even where no stage uses them.
 void check_shared(const YamlReader& shared);

@@ -8,36 +8,45 @@ namespace {
 
 /// The robot's limits, a share of them about their middle.
 void set_robot_limits(const PenaltyRows& rows, double share, const YamlReader& reader,
-                      Penalty& penalty) {
+                      RowLimits& limits) {
   if (rows.lower.size() == 0)
-    reader.refuse("the robot states no limits for this cost; wanted 'lower' or 'upper'");
-  penalty.lower = rows.lower;
-  penalty.upper = rows.upper;
+    reader.refuse("the robot states no limits for this residual; wanted 'lower' or 'upper'");
+  limits = {rows.lower, rows.upper};
   for (Eigen::Index i = 0; i < rows.lower.size(); ++i) {
     const double middle = 0.5 * (rows.lower[i] + rows.upper[i]);
     if (!std::isfinite(middle)) continue;
-    penalty.lower[i] = middle + share * (rows.lower[i] - middle);
-    penalty.upper[i] = middle + share * (rows.upper[i] - middle);
+    limits.lower[i] = middle + share * (rows.lower[i] - middle);
+    limits.upper[i] = middle + share * (rows.upper[i] - middle);
   }
 }
 
-void read_limits(const PenaltyRows& rows, const YamlReader& reader, Penalty& penalty) {
-  if (reader.is("limits")) return set_robot_limits(rows, 1.0, reader, penalty);
-  const bool log = penalty.kind == Penalty::Kind::LogBarrier;
+RowLimits read_penalty_limits(const PenaltyRows& rows, const YamlReader& reader, bool log) {
+  if (reader.is("limits")) {
+    RowLimits limits;
+    set_robot_limits(rows, 1.0, reader, limits);
+    return limits;
+  }
   reader.allow_only(log ? std::vector<std::string>{"lower", "upper", "limits", "width"}
                         : std::vector<std::string>{"lower", "upper", "limits"});
-  if (const auto share = reader.find("limits"))
-    set_robot_limits(rows, share->positive(), *share, penalty);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (const auto lower = reader.find("lower"))
-    penalty.lower = read_rows(*lower, rows.rows, -infinity);
-  if (const auto upper = reader.find("upper"))
-    penalty.upper = read_rows(*upper, rows.rows, infinity);
-  if (penalty.lower.size() == 0 && penalty.upper.size() == 0)
+  const RowLimits limits = read_limits(rows, reader);
+  if (limits.lower.size() == 0 && limits.upper.size() == 0)
     reader.refuse("it has no limits; wanted 'lower', 'upper' or 'limits'");
+  return limits;
 }
 
 }  // namespace
+
+RowLimits read_limits(const PenaltyRows& rows, const YamlReader& reader) {
+  RowLimits limits;
+  if (const auto share = reader.find("limits"))
+    set_robot_limits(rows, share->positive(), *share, limits);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (const auto lower = reader.find("lower"))
+    limits.lower = read_rows(*lower, rows.rows, -infinity);
+  if (const auto upper = reader.find("upper"))
+    limits.upper = read_rows(*upper, rows.rows, infinity);
+  return limits;
+}
 
 Penalty read_penalty(const PenaltyRows& rows, const YamlReader& reader) {
   Penalty penalty;
@@ -59,8 +68,11 @@ Penalty read_penalty(const PenaltyRows& rows, const YamlReader& reader) {
     penalty.width = value.positive();
     return penalty;
   }
-  read_limits(rows, value, penalty);
-  if (penalty.kind == Penalty::Kind::LogBarrier) penalty.width = value["width"].positive();
+  const bool log = penalty.kind == Penalty::Kind::LogBarrier;
+  const RowLimits limits = read_penalty_limits(rows, value, log);
+  penalty.lower = limits.lower;
+  penalty.upper = limits.upper;
+  if (log) penalty.width = value["width"].positive();
   return penalty;
 }
 

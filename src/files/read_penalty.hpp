@@ -1,4 +1,4 @@
-// What a residual costs, in a problem file.
+// What a residual costs and where its limits are, in a problem file.
 #pragma once
 
 #include "files/read_values.hpp"
@@ -10,6 +10,13 @@ struct PenaltyRows {
   std::vector<RowGroup> rows = {};
   Eigen::VectorXd lower = {}, upper = {};  ///< of the robot, or empty
 };
+
+struct RowLimits {
+  Eigen::VectorXd lower = {}, upper = {};  ///< per row, or empty: none
+};
+
+/// Reads the keys lower, upper and limits of a map: the last a share of the robot's.
+RowLimits read_limits(const PenaltyRows& rows, const YamlReader& reader);
 
 /// Reads square, {barrier: limits}, {barrier: {lower, upper, limits}}, {smooth_absolute: width} or
 /// {log_barrier: {lower, upper, limits, width}}.

@@ -114,14 +114,15 @@ class ProblemCheck {
       if (!regular(knot, point.x().head(problem_.layout().nq))) continue;
       std::size_t row = 0;
       if (knot < problem_.knots()) add(row++, index, "next state", state, point.next_state());
-      const std::vector<std::string> terms = problem_.term_names(knot);
-      for (std::size_t t = 0; t < terms.size(); ++t) {
-        std::vector<DerivativeBlock> blocks = point.residual(static_cast<int>(t));
-        for (DerivativeBlock& block : point.cost(static_cast<int>(t)))
+      const ocp::CompiledStage& stage = ocp::ProblemInside::of(problem_).stage(knot);
+      for (std::size_t t = 0; t < stage.terms.size(); ++t) {
+        const int term = static_cast<int>(t);
+        std::vector<DerivativeBlock> blocks = point.residual(term);
+        for (DerivativeBlock& block : t < stage.costs ? point.cost(term) : point.constraint(term))
           blocks.push_back(std::move(block));
-        add(row++, index, terms[t], state, blocks);
+        add(row++, index, stage.terms[t].name, state, blocks);
       }
-      if (!terms.empty()) add(row, index, "all costs", state, point.all_costs());
+      if (stage.costs > 0) add(row, index, "all costs", state, point.all_costs());
       return;
     }
     throw Error("check: " + problem_.knot_name(knot) +

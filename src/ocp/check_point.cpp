@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "derivatives/check_differences.hpp"
+#include "ocp/row_names.hpp"
 
 namespace burnish::ocp {
 namespace {
@@ -51,6 +52,7 @@ CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::Vec
       nz_(nu_ + problem.state().ndx),
       x_(std::move(x)),
       u_(std::move(u)),
+      costs_(static_cast<int>(ProblemInside::of(problem).stage(knot).costs)),
       terms_(ProblemInside::of(problem).stage(knot).terms) {
   int row = knot == problem.knots() ? 0 : problem.state().ndx;
   for (const CompiledTerm& term : terms_) {
@@ -66,7 +68,7 @@ CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::Vec
 }
 
 Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::VectorXd& u) {
-  Eigen::VectorXd result(first_row_.back() + static_cast<Eigen::Index>(terms_.size()));
+  Eigen::VectorXd result(first_row_.back() + costs_);
   Eigen::VectorXd next(x.size());
   const Status status = problem_.roll(0, knot_, x.data(), u.data(), next.data()).status;
   if (status != Status::Ok)
@@ -76,7 +78,7 @@ Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::Vecto
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     const int term = static_cast<int>(t);
     result.segment(first_row(term), terms_[t].rows) = problem_.residual(knot_, term, x, u);
-    result[cost_row(term)] = costs[t];
+    if (term < costs_) result[cost_row(term)] = costs[t];
   }
   return result;
 }
@@ -152,6 +154,10 @@ void CheckPoint::expand() {
   knot.dynamics = dynamics.data();
   knot.lead = lead.data();
   knot.decay = decay.data();
+  rows_.resize(problem_.rows(knot_), stride);
+  Eigen::VectorXd row_values(problem_.rows(knot_));
+  knot.rows = rows_.data();
+  knot.row_values = row_values.data();
   problem_.expand(0, {knot_, knot_ + 1}, {x.data(), u.data()}, next.data(), values.data(),
                   out.data());
   gradient_.conservativeResize(nz_);
@@ -192,6 +198,8 @@ std::vector<DerivativeBlock> CheckPoint::cost(int term) {
   auto& impl = ProblemInside::of(problem_);
   CompiledStage alone = impl.stage(knot_);
   alone.terms = {term_at(term)};
+  alone.costs = 1;
+  alone.row_lower.clear();
   NodeKernel<double>& kernel = impl.worker(0).one;
   kernel.expand(alone, x_.data(), u_.data(), impl.targets_of(knot_),
                 &impl.times[static_cast<std::size_t>(knot_)]);
@@ -201,12 +209,18 @@ std::vector<DerivativeBlock> CheckPoint::cost(int term) {
 }
 
 std::vector<DerivativeBlock> CheckPoint::all_costs() {
-  const int count = static_cast<int>(terms_.size());
-  for (int t = 0; t < count; ++t)
+  for (int t = 0; t < costs_; ++t)
     if (near_seam(t)) return {};
-  const Eigen::RowVectorXd expected = differences(cost_row(0), count).colwise().sum();
+  const Eigen::RowVectorXd expected = differences(cost_row(0), costs_).colwise().sum();
   return split("cost", {"sum"}, gradient_.transpose(), expected,
-               floor_of(here_.segment(cost_row(0), count)));
+               floor_of(here_.segment(cost_row(0), costs_)));
+}
+
+std::vector<DerivativeBlock> CheckPoint::constraint(int term) {
+  const int rows = term_at(term).rows;
+  return split("c", row_names(problem_, term_at(term)),
+               rows_.block(term_at(term).first_row, 0, rows, nz_),
+               differences(first_row(term), rows), floor_of(here_.segment(first_row(term), rows)));
 }
 
 bool CheckPoint::near_half_turn() const {
@@ -216,51 +230,6 @@ bool CheckPoint::near_half_turn() const {
       return true;
   }
   return false;
-}
-
-namespace {
-struct RowNames {
-  const Problem& problem;
-  const CompiledTerm& term;
-  using Names = std::vector<std::string>;
-  static Names directions(int first, int count) {
-    return {direction_names.begin() + first, direction_names.begin() + first + count};
-  }
-  Names operator()(const StateDifference&) const { return problem.state_names(); }
-  Names operator()(const Selection& r) const {
-    Names names;
-    for (const int entry : r.entries) {
-      const bool of_actuators =
-          r.source == Selection::Source::U || r.source == Selection::Source::TorqueState;
-      names.push_back(r.source == Selection::Source::Q ? problem.model().q_name(entry)
-                      : of_actuators ? problem.control_names()[static_cast<std::size_t>(entry)]
-                                     : problem.model().v_name(entry));
-    }
-    return names;
-  }
-  Names operator()(const FramePositionError&) const { return directions(0, 3); }
-  Names operator()(const FrameRotationError&) const { return directions(3, 3); }
-  Names operator()(const OwnForceError& r) const {
-    Names names;
-    const auto& contacts = ProblemInside::of(problem).compiled.contacts.contacts();
-    for (const int d : contacts[static_cast<std::size_t>(r.contact)].directions)
-      names.emplace_back(direction_names[static_cast<std::size_t>(d)]);
-    return names;
-  }
-  Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
-  Names operator()(const PressureMargin&) const { return {"-x", "+x", "+y", "-y"}; }
-  Names operator()(const ComError&) const { return directions(0, 3); }
-  Names operator()(const CustomResidual&) const {
-    Names names;
-    for (int i = 0; i < term.rows; ++i) names.push_back("row " + std::to_string(i));
-    return names;
-  }
-  Names operator()(const auto& /*six rows*/) const { return directions(0, 6); }
-};
-}  // namespace
-
-std::vector<std::string> row_names(const Problem& problem, const CompiledTerm& term) {
-  return std::visit(RowNames{problem, term}, term.residual);
 }
 
 }  // namespace burnish::ocp

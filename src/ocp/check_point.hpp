@@ -23,6 +23,8 @@ class CheckPoint {
   /// Empty where a barrier has its seam too close by.
   std::vector<DerivativeBlock> cost(int term);
   std::vector<DerivativeBlock> all_costs();
+  /// The rows of a constraint as expand() gives them.
+  std::vector<DerivativeBlock> constraint(int term);
 
  private:
   /// The next state as a tangent from that at x, residuals and costs of all terms.
@@ -41,16 +43,15 @@ class CheckPoint {
   Problem& problem_;
   int knot_, nu_, nz_;
   Eigen::VectorXd x_, u_;
+  int costs_;  ///< how many terms are costs; constraints follow
   const std::vector<CompiledTerm>& terms_;
   std::vector<int> first_row_;  ///< of each term in the stacked values, then of the costs
   Status status_ = Status::Ok;
   Eigen::VectorXd next_, here_;
   Eigen::MatrixXd dynamics_;  ///< ndx x nz
   Eigen::VectorXd gradient_;  ///< nz
+  RowMatrix rows_;            ///< of all constraints, by z
   std::map<std::pair<int, double>, Eigen::VectorXd> cache_;
 };
-
-/// What the rows of a residual are called.
-std::vector<std::string> row_names(const Problem& problem, const CompiledTerm& term);
 
 }  // namespace burnish::ocp

@@ -96,14 +96,14 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   if (given.impact && given.contacts.empty())
     throw Error(place + ": an impact makes no contact; wanted at least one");
   set_filter(spec, stage);
-  compile_terms(spec, problem, given.costs, place, stage);
+  compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
 }
 
 void check_weights(const std::vector<CompiledStage>& stages) {
   bool any_weight = false, any_term = false;
   for (const CompiledStage& stage : stages)
-    for (const CompiledTerm& term : stage.terms) {
+    for (const CompiledTerm& term : stage.cost_terms()) {
       any_term = true;
       any_weight = any_weight || std::any_of(term.weights.begin(), term.weights.end(),
                                              [](double w) { return w > 0.0; });
@@ -119,6 +119,7 @@ void find_largest(CompiledProblem& problem) {
         problem.has_dense_stages || (stage.integrator == Integrator::RungeKutta4 && !stage.impact);
     problem.largest_targets = std::max(problem.largest_targets, stage.targets);
     problem.largest_terms = std::max(problem.largest_terms, static_cast<int>(stage.terms.size()));
+    problem.largest_limited_rows = std::max(problem.largest_limited_rows, stage.rows());
     for (const CompiledTerm& term : stage.terms) {
       problem.largest_rows = std::max(problem.largest_rows, term.rows);
       problem.largest_jacobian = std::max(problem.largest_jacobian, term.jacobian_size);
@@ -161,7 +162,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   if (layout.filtered > 0 && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
-  compile_terms(spec, *this, spec.terminal, "terminal", terminal);
+  compile_terms(spec, *this, spec.terminal, spec.terminal_constraints, "terminal", terminal);
   stages.push_back(std::move(terminal));
   check_weights(stages);
   find_largest(*this);

@@ -1,4 +1,4 @@
-// Cost terms compiled: rows, targets, columns, and what is refused.
+// Costs and constraints compiled: rows, targets, columns, and what is refused.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 struct TermBuilder {
   const ProblemSpec& spec;
   const CompiledProblem& problem;
-  const CostTerm& cost;
+  const Residual& residual;
   CompiledStage& stage;
   CompiledTerm term;
   std::string where;
@@ -340,39 +340,55 @@ struct TermBuilder {
   }
 
   bool is_margin() const {
-    return std::holds_alternative<residual::FrictionCone>(cost.residual) ||
-           std::holds_alternative<residual::CenterOfPressure>(cost.residual);
+    return std::holds_alternative<residual::FrictionCone>(residual) ||
+           std::holds_alternative<residual::CenterOfPressure>(residual);
   }
-  void finish_penalty() {
+  void finish_penalty(const CostTerm& cost) {
     const Penalty penalty =
         cost.penalty.value_or(is_margin() ? Penalty::at_least(0.0) : Penalty::square());
     term.penalty = penalty.kind;
     term.width = penalty.width;
     if (!(penalty.width > 0.0) || !std::isfinite(penalty.width))
       refuse("the penalty's width is " + number(penalty.width) + "; wanted a positive number");
+    finish_limits(penalty.lower, penalty.upper, "the penalty's ");
+  }
+  /// Lower and upper per row; `of` whose they are, for messages.
+  void finish_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                     const std::string& of) {
     const auto rows = static_cast<std::size_t>(term.rows);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto limits = [&](const Eigen::VectorXd& given, double none, const char* name) {
       if (given.size() > 1 && given.size() != term.rows)
-        refuse("the penalty's " + std::string(name) + " limit has " + std::to_string(given.size()) +
+        refuse(of + std::string(name) + " limit has " + std::to_string(given.size()) +
                " entries; wanted 1 or " + std::to_string(term.rows));
       std::vector<double> result(rows, given.size() == 1 ? given[0] : none);
       if (given.size() == term.rows) result.assign(given.begin(), given.end());
       if (std::any_of(result.begin(), result.end(), [](double x) { return std::isnan(x); }))
-        refuse("the penalty's " + std::string(name) + " limit holds a NaN");
+        refuse(of + std::string(name) + " limit holds a NaN");
       return result;
     };
-    term.lower = limits(penalty.lower, -infinity, "lower");
-    term.upper = limits(penalty.upper, infinity, "upper");
+    term.lower = limits(lower, -infinity, "lower");
+    term.upper = limits(upper, infinity, "upper");
     for (std::size_t i = 0; i < rows; ++i) {
       if (term.lower[i] == infinity || term.upper[i] == -infinity)
-        refuse("the penalty's limits of row " + std::to_string(i) + " leave nothing inside");
+        refuse(of + "limits of row " + std::to_string(i) + " leave nothing inside");
       if (term.lower[i] > term.upper[i])
-        refuse("the penalty's lower limit " + number(term.lower[i]) + " is above the upper one " +
+        refuse(of + "lower limit " + number(term.lower[i]) + " is above the upper one " +
                number(term.upper[i]));
     }
   }
-  void finish_weights() {
+  void finish_constraint(const Constraint& constraint) {
+    Eigen::VectorXd lower = constraint.lower;
+    if (lower.size() == 0 && constraint.upper.size() == 0) {
+      if (!is_margin()) refuse("has no limits; wanted a lower or an upper one, or both");
+      lower = Eigen::VectorXd::Zero(1);
+    }
+    finish_limits(lower, constraint.upper, "the ");
+    term.first_row = stage.rows();
+    stage.row_lower.insert(stage.row_lower.end(), term.lower.begin(), term.lower.end());
+    stage.row_upper.insert(stage.row_upper.end(), term.upper.begin(), term.upper.end());
+  }
+  void finish_weights(const CostTerm& cost) {
     if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))
       refuse("weight is " + number(cost.weight) + "; wanted a number of at least 0");
     if (cost.weights.size() != 0 && cost.weights.size() != term.rows)
@@ -392,23 +408,32 @@ struct TermBuilder {
 }  // namespace
 
 void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
-                   const std::vector<CostTerm>& costs, const std::string& place,
-                   CompiledStage& stage) {
-  for (const CostTerm& cost : costs) {
-    std::string name = cost.name.empty() ? name_of(cost.residual) : cost.name;
-    TermBuilder builder{spec, problem, cost, stage, {}, place + ", term " + in_quotes(name)};
+                   const std::vector<CostTerm>& costs, const std::vector<Constraint>& constraints,
+                   const std::string& place, CompiledStage& stage) {
+  const auto add = [&](const auto& given, const char* kind, const auto& finish) {
+    std::string name = given.name.empty() ? name_of(given.residual) : given.name;
+    TermBuilder builder{spec,  problem, given.residual,
+                        stage, {},      place + ", " + kind + " " + in_quotes(name)};
     for (const CompiledTerm& other : stage.terms)
       if (other.name == name) builder.refuse("the name is used twice in this stage");
     builder.term.name = std::move(name);
-    std::visit(builder, cost.residual);
-    builder.finish_penalty();
-    builder.finish_weights();
+    std::visit(builder, given.residual);
+    finish(builder);
     CompiledTerm& term = builder.term;
     for (const JacobianBlock& block : term.blocks) term.jacobian_size += block.size();
     term.target = stage.targets;
     stage.targets += term.target_size;
     stage.terms.push_back(std::move(term));
-  }
+  };
+  for (const CostTerm& cost : costs)
+    add(cost, "term", [&](TermBuilder& builder) {
+      builder.finish_penalty(cost);
+      builder.finish_weights(cost);
+    });
+  stage.costs = stage.terms.size();
+  for (const Constraint& constraint : constraints)
+    add(constraint, "constraint",
+        [&](TermBuilder& builder) { builder.finish_constraint(constraint); });
 }
 
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out) {

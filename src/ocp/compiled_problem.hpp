@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 namespace burnish::ocp {
 
+/// A cost, or a constraint: that has limits and neither weights nor a penalty.
 struct CompiledTerm {
   std::string name;
   CompiledResidual residual;
@@ -27,6 +29,7 @@ struct CompiledTerm {
   double width = 1.0;
   std::vector<JacobianBlock> blocks;
   int jacobian_size = 0;
+  int first_row = 0;  ///< of a constraint, in the stage's rows
 };
 
 struct CompiledStage {
@@ -34,7 +37,12 @@ struct CompiledStage {
   std::vector<char> active;  ///< per contact of the problem
   std::vector<CompiledFrame> frames;
   std::vector<std::string> frame_names;
-  std::vector<CompiledTerm> terms;
+  std::vector<CompiledTerm> terms;           ///< costs, then constraints
+  std::size_t costs = 0;                     ///< how many are costs
+  std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
+  std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
+  std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
+  int rows() const { return static_cast<int>(row_lower.size()); }
   int targets = 0;  ///< entries of all targets
   int nu = 0;
   bool terminal = false, impact = false;
@@ -62,6 +70,7 @@ struct CompiledProblem {
   int largest_jacobian = 0;
   int largest_targets = 0;  ///< of a stage
   int largest_terms = 0;
+  int largest_limited_rows = 0;  ///< of all constraints of a stage
   bool has_impacts = false;
   bool has_dense_stages = false;  ///< RungeKutta4
   bool has_custom = false;        ///< residuals
@@ -74,7 +83,7 @@ void load_target(const CompiledTerm& term, double time, Eigen::VectorXd& scratch
 
 /// Makes the terms of a stage. `place` says where for messages, such as "stage 'press'".
 void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
-                   const std::vector<CostTerm>& costs, const std::string& place,
-                   CompiledStage& stage);
+                   const std::vector<CostTerm>& costs, const std::vector<Constraint>& constraints,
+                   const std::string& place, CompiledStage& stage);
 
 }  // namespace burnish::ocp

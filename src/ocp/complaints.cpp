@@ -75,13 +75,18 @@ void about_targets(const Problem& problem, std::vector<std::string>& sentences) 
   const ProblemSpec& spec = problem.spec();
   for (std::size_t s = 0; s < impl.compiled.stages.size(); ++s) {
     const ocp::CompiledStage& stage = impl.compiled.stages[s];
-    const std::vector<CostTerm>& costs = stage.terminal ? spec.terminal : spec.stages[s].costs;
-    for (std::size_t t = 0; t < costs.size(); ++t) {
+    std::vector<const Residual*> residuals;
+    for (const CostTerm& cost : stage.terminal ? spec.terminal : spec.stages[s].costs)
+      residuals.push_back(&cost.residual);
+    for (const Constraint& constraint :
+         stage.terminal ? spec.terminal_constraints : spec.stages[s].constraints)
+      residuals.push_back(&constraint.residual);
+    for (std::size_t t = 0; t < residuals.size(); ++t) {
       Finding finding;
       for (int k = 0; k <= problem.knots(); ++k) {
         if (problem.stage_of(k) != static_cast<int>(s)) continue;
         const std::string what =
-            target_complaint(problem, k, stage.terms[t], reaching_frame(costs[t].residual));
+            target_complaint(problem, k, stage.terms[t], reaching_frame(*residuals[t]));
         if (!what.empty()) finding.add(k, what);
       }
       if (finding.knot < 0) continue;
@@ -220,6 +225,19 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
+void about_constraints(const Problem& problem, std::vector<std::string>& sentences) {
+  std::string names;
+  std::size_t count = 0;
+  for (const ocp::CompiledStage& stage : ProblemInside::of(problem).compiled.stages)
+    for (const ocp::CompiledTerm& term : stage.constraints())
+      names += (count++ == 0 ? "" : ", ") + in_quotes(term.name) + " of " + in_quotes(stage.name);
+  if (count == 0) return;
+  sentences.push_back(
+      "the solver minimises the costs alone and reports how far constraints are "
+      "outside their limits: " +
+      names);
+}
+
 /// False where joints move no mass, which leaves nothing to say of contacts.
 bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
@@ -237,6 +255,7 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_targets(problem, sentences);
   about_initial_state(problem, sentences);
   about_bounds(problem, sentences);
+  about_constraints(problem, sentences);
   if (about_mass(problem, sentences)) about_contacts(problem, sentences);
   return sentences;
 }

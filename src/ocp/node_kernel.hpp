@@ -16,16 +16,16 @@ class NodeKernel {
   explicit NodeKernel(const CompiledProblem& problem);
 
   /// Evaluates a stage at x (nx), u (nu), targets (stage.targets entries) and the time of each
-  /// lane, s. Fills next, cost, term_costs.
+  /// lane, s. Fills next, cost, term_costs, row_values.
   void values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
               const double* times);
-  /// The same, and gradient, hessian, dynamics, lead.
+  /// The same, and gradient, hessian, rows, dynamics, lead.
   void expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
               const double* times);
 
   Status status(int lane) const { return status_[static_cast<std::size_t>(lane)]; }
-  /// First term whose cost is not finite in a lane, or -1.
-  int bad_term(const CompiledStage& stage, int lane) const;
+  /// Outcome of a lane, and what is to blame where it is not finite.
+  KnotValue outcome(const CompiledStage& stage, int lane) const;
   /// r and J (its blocks; may be null) of one term at x and u.
   void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x, const S* u,
                    const S* targets, const double* times, S* r, S* J);
@@ -35,7 +35,9 @@ class NodeKernel {
 
   std::vector<S> next;  ///< nx
   S cost;
-  std::vector<S> term_costs;     ///< of the stage's terms
+  std::vector<S> term_costs;     ///< of the stage's costs
+  std::vector<S> row_values;     ///< of the stage's constraints, one after the other
+  std::vector<S> rows;           ///< their derivative by z, nz each; only what expand() fills
   std::vector<S> gradient;       ///< nz
   std::vector<S> hessian;        ///< nz x nz, lower triangle
   std::vector<S> dynamics_by_z;  ///< P (nv x nz), or F (ndx x nz) of Runge-Kutta stages
@@ -45,6 +47,8 @@ class NodeKernel {
   void residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
                 const double* times, S* r, S* J);
   void add_costs(const CompiledStage& stage, const S* targets, const double* times, bool expand);
+  void add_constraints(const CompiledStage& stage, const S* targets, const double* times,
+                       bool expand);
   void add_block(const JacobianBlock& block, const S* J, const S* slope, const S* curvature);
   void euler(const CompiledStage& stage, const S* x, const S* u);
   void euler_derivative(const CompiledStage& stage);

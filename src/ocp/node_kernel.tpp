@@ -26,6 +26,8 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
   const int nz = layout.nz();
   next.assign(room(layout.nx()), S(0.0));
   term_costs.assign(room(problem.largest_terms), S(0.0));
+  row_values.assign(room(problem.largest_limited_rows), S(0.0));
+  rows.assign(room(problem.largest_limited_rows * nz), S(0.0));
   gradient.assign(room(nz), S(0.0));
   hessian.assign(room(nz * nz), S(0.0));
   dynamics_by_z.assign(room((problem.has_dense_stages ? layout.ndx() : layout.nv) * nz), S(0.0));
@@ -91,7 +93,7 @@ void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* s
       gradient[block.columns[k]] += J[i * columns + k] * slope[i];
       weighted_[i * columns + k] = J[i * columns + k] * curvature[i];
     }
-  const std::span<const int> rows(row_list_.data(), static_cast<std::size_t>(block.rows));
+  const std::span<const int> all(row_list_.data(), static_cast<std::size_t>(block.rows));
   const Strided<const S> left{weighted_.data(), columns}, right{J, columns};
   const int first = block.columns[0];
   const bool contiguous = block.columns[columns - 1] - first + 1 == columns;
@@ -99,10 +101,10 @@ void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* s
   for (int i = 0; i < columns; i += 4) {
     const int end = std::min(i + 4, columns);
     if (contiguous) {
-      gram<Gram::Add>(left, right, rows, i, end, 0, end,
+      gram<Gram::Add>(left, right, all, i, end, 0, end,
                       Strided<S>{hessian.data() + first * nz + first, nz});
     } else {
-      gram<Gram::Set>(left, right, rows, i, end, 0, end, Strided<S>{product_.data(), columns});
+      gram<Gram::Set>(left, right, all, i, end, 0, end, Strided<S>{product_.data(), columns});
     }
   }
   if (contiguous) return;
@@ -115,7 +117,7 @@ template <class S>
 void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, const double* times,
                               bool expand) {
   cost = S(0.0);
-  for (std::size_t t = 0; t < stage.terms.size(); ++t) {
+  for (std::size_t t = 0; t < stage.costs; ++t) {
     const CompiledTerm& term = stage.terms[t];
     residual(stage, term, targets, times, r_.data(), expand ? jacobian_.data() : nullptr);
     S sum(0.0), largest(0.0);
@@ -135,6 +137,31 @@ void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, cons
     const S* J = jacobian_.data();
     for (const JacobianBlock& block : term.blocks) {
       add_block(block, J, slope_.data() + block.row, curvature_.data() + block.row);
+      J += block.size();
+    }
+  }
+}
+
+template <class S>
+void NodeKernel<S>::add_constraints(const CompiledStage& stage, const S* targets,
+                                    const double* times, bool expand) {
+  const int nz = problem_->layout.nz();
+  if (expand) std::fill_n(rows.begin(), stage.rows() * nz, S(0.0));
+  for (const CompiledTerm& term : stage.constraints()) {
+    residual(stage, term, targets, times, row_values.data() + term.first_row,
+             expand ? jacobian_.data() : nullptr);
+    if (!expand) continue;
+    const S* J = jacobian_.data();
+    for (const JacobianBlock& block : term.blocks) {
+      const int columns = static_cast<int>(block.columns.size());
+      for (int i = 0; i < block.rows; ++i) {
+        S* const row = rows.data() + (term.first_row + block.row + i) * nz;
+        if (block.diagonal) {
+          row[block.columns[i]] = J[i];
+        } else {
+          for (int k = 0; k < columns; ++k) row[block.columns[k]] = J[i * columns + k];
+        }
+      }
       J += block.size();
     }
   }
@@ -205,6 +232,7 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
                            const double* times) {
   dynamics_.values(stage, x, u);
   add_costs(stage, targets, times, false);
+  add_constraints(stage, targets, times, false);
   if (stage.impact) {
     jump(stage, x, false);
   } else if (!stage.terminal) {
@@ -228,6 +256,7 @@ void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, c
   std::fill(gradient.begin(), gradient.end(), S(0.0));
   std::fill(hessian.begin(), hessian.end(), S(0.0));
   add_costs(stage, targets, times, true);
+  add_constraints(stage, targets, times, true);
   load_status();
   if (stage.impact) {
     jump(stage, x, true);
@@ -249,8 +278,12 @@ void NodeKernel<S>::check_finite(const CompiledStage& stage, bool expanded) {
   S zero = cost * S(0.0);
   if (!stage.terminal)
     for (const S& entry : next) zero += entry * S(0.0);
-  if (expanded)
+  const int limited = stage.rows();
+  for (int i = 0; i < limited; ++i) zero += row_values[i] * S(0.0);
+  if (expanded) {
     for (const S& entry : gradient) zero += entry * S(0.0);
+    for (int i = 0; i < limited * problem_->layout.nz(); ++i) zero += rows[i] * S(0.0);
+  }
   const auto bad = mask_not(less(absolute(zero), S(1.0)));
   if (!any(bad)) [[likely]]
     return;
@@ -259,10 +292,18 @@ void NodeKernel<S>::check_finite(const CompiledStage& stage, bool expanded) {
 }
 
 template <class S>
-int NodeKernel<S>::bad_term(const CompiledStage& stage, int lane) const {
-  for (std::size_t t = 0; t < stage.terms.size(); ++t)
-    if (!std::isfinite(Lanes<S>::get(term_costs[t], lane))) return static_cast<int>(t);
-  return -1;
+KnotValue NodeKernel<S>::outcome(const CompiledStage& stage, int lane) const {
+  KnotValue value{Lanes<S>::get(cost, lane), status(lane)};
+  if (value.status != Status::NotFinite) [[likely]]
+    return value;
+  const auto first_bad = [&](const std::vector<S>& entries, int count) {
+    for (int i = 0; i < count; ++i)
+      if (!std::isfinite(Lanes<S>::get(entries[i], lane))) return i;
+    return -1;
+  };
+  value.term = first_bad(term_costs, static_cast<int>(stage.costs));
+  if (value.term < 0) value.row = first_bad(row_values, stage.rows());
+  return value;
 }
 
 }  // namespace burnish::ocp

@@ -6,6 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "ocp/problem_impl.hpp"
+#include "ocp/row_names.hpp"
 
 namespace burnish {
 
@@ -42,9 +43,11 @@ int Problem::term_index(int stage, const std::string& name) const {
     names.push_back(term.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw Error("unknown cost term " + in_quotes(name) + did_you_mean(name, names));
+    throw Error("unknown term " + in_quotes(name) + did_you_mean(name, names));
   return static_cast<int>(found - names.begin());
 }
+
+int Problem::terms(int knot) const { return static_cast<int>(impl_->stage(knot).terms.size()); }
 
 Status Problem::set_initial_state(const ConstVectorRef& x) { return impl_->set_initial_state(x); }
 
@@ -170,6 +173,15 @@ const double* Problem::control_upper(int knot) const {
   return controls(knot) == 0 || impl_->upper.empty() ? nullptr : impl_->upper.data();
 }
 
+int Problem::rows(int knot) const { return impl_->stage(knot).rows(); }
+int Problem::max_rows() const { return impl_->compiled.largest_limited_rows; }
+const double* Problem::row_lower(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_lower.data();
+}
+const double* Problem::row_upper(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_upper.data();
+}
+
 void Problem::prepare(int workers) { impl_->prepare(workers); }
 std::span<const KnotRange> Problem::ranges() const { return impl_->ranges; }
 
@@ -200,7 +212,14 @@ std::vector<std::string> Problem::control_names() const {
 }
 std::vector<std::string> Problem::term_names(int knot) const {
   std::vector<std::string> names;
-  for (const ocp::CompiledTerm& term : impl_->stage(knot).terms) names.push_back(term.name);
+  for (const ocp::CompiledTerm& term : impl_->stage(knot).cost_terms()) names.push_back(term.name);
+  return names;
+}
+std::vector<std::string> Problem::row_names(int knot) const {
+  std::vector<std::string> names;
+  for (const ocp::CompiledTerm& term : impl_->stage(knot).constraints())
+    for (const std::string& row : ocp::row_names(*this, term))
+      names.push_back(term.name + "/" + row);
   return names;
 }
 std::vector<double> Problem::term_costs(int knot, const double* x, const double* u) {
@@ -208,7 +227,13 @@ std::vector<double> Problem::term_costs(int knot, const double* x, const double*
   const ocp::CompiledStage& stage = impl_->stage(knot);
   kernel.values(stage, x, u, impl_->targets_of(knot), &impl_->times[knot]);
   return {kernel.term_costs.begin(),
-          kernel.term_costs.begin() + static_cast<std::ptrdiff_t>(stage.terms.size())};
+          kernel.term_costs.begin() + static_cast<std::ptrdiff_t>(stage.costs)};
+}
+std::vector<double> Problem::row_values(int knot, const double* x, const double* u) {
+  ocp::NodeKernel<double>& kernel = impl_->worker(0).one;
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  kernel.values(stage, x, u, impl_->targets_of(knot), &impl_->times[knot]);
+  return {kernel.row_values.begin(), kernel.row_values.begin() + stage.rows()};
 }
 std::string Problem::knot_name(int knot) const {
   return impl_->stage(knot).terminal ? "the terminal state"

@@ -229,8 +229,7 @@ KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double
   const ocp::CompiledStage& at = stage(knot);
   kernel.values(at, x, u, targets_of(knot), &times[static_cast<std::size_t>(knot)]);
   if (!at.terminal) std::copy(kernel.next.begin(), kernel.next.end(), next);
-  return {kernel.cost, kernel.status(0),
-          kernel.status(0) == Status::NotFinite ? kernel.bad_term(at, 0) : -1};
+  return kernel.outcome(at, 0);
 }
 
 void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView at) {
@@ -271,9 +270,7 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
       for (int i = 0; i < nx; ++i)
         next[static_cast<std::ptrdiff_t>(k) * nx + i] =
             w.pack.next[static_cast<std::size_t>(i)].v[l];
-    const Status status = w.pack.status(l);
-    values[k] = {w.pack.cost.v[l], status,
-                 status == Status::NotFinite ? w.pack.bad_term(at_stage, l) : -1};
+    values[k] = w.pack.outcome(at_stage, l);
   }
 }
 
@@ -293,6 +290,12 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   collect(&KnotExpansion::hessian);
   ocp::scatter_rows(w.pack.hessian.data() + skip * nz + skip, nz - skip, nz - skip, nz, lanes, to,
                     stride);
+  if (const int rows = at_stage.rows(); rows > 0 && out[range.begin].rows != nullptr) {
+    collect(&KnotExpansion::row_values);
+    ocp::scatter_rows(w.pack.row_values.data(), 1, rows, rows, lanes, to, rows);
+    collect(&KnotExpansion::rows);
+    ocp::scatter_rows(w.pack.rows.data() + skip, rows, nz - skip, nz, lanes, to, stride);
+  }
   if (at_stage.terminal) return;
   const bool dense = at_stage.integrator == Integrator::RungeKutta4 && !at_stage.impact;
   collect(&KnotExpansion::dynamics);

@@ -85,6 +85,14 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
   const CostReport report = solver.cost_report();
   Json terms = Json::object();
   for (const CostReport::Entry& term : report.terms) terms[term.name] = number_json(term.cost);
+  Json rows = Json::array();
+  for (const CostReport::Row& row : report.rows)
+    rows.push_back({{"row", row.name},
+                    {"knot", row.knot},
+                    {"value", number_json(row.value)},
+                    {"lower", number_json(row.lower)},
+                    {"upper", number_json(row.upper)},
+                    {"outside", number_json(row.outside)}});
   Json log = Json::array();
   for (const DdpProgress& p : s.log)
     log.push_back({{"iteration", p.iteration},
@@ -115,6 +123,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
             {"backward", s.seconds.backward},
             {"trial", s.seconds.trial}}},
           {"cost_by_term", terms},
+          {"constraints", rows},
           {"log", log}};
 }
 

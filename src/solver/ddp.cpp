@@ -96,6 +96,32 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
   return {names, names, value_hessian(knot)};
 }
 
+namespace {
+/// The rows of a knot, each where it is worst so far.
+void add_rows(ShootingProblem& problem, int knot, const double* x, const double* u,
+              std::vector<CostReport::Row>& rows) {
+  if (problem.rows(knot) == 0) return;
+  const std::vector<std::string> names = problem.row_names(knot);
+  const std::vector<double> values = problem.row_values(knot, x, u);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    CostReport::Row row{names[i],
+                        problem.knot_name(knot),
+                        values[i],
+                        problem.row_lower(knot)[i],
+                        problem.row_upper(knot)[i],
+                        0.0};
+    row.outside = std::max(row.lower - row.value, row.value - row.upper);
+    const auto known = std::find_if(rows.begin(), rows.end(),
+                                    [&](const CostReport::Row& r) { return r.name == row.name; });
+    if (known == rows.end()) {
+      rows.push_back(std::move(row));
+    } else if (!(row.outside <= known->outside)) {
+      *known = std::move(row);
+    }
+  }
+}
+}  // namespace
+
 CostReport DdpSolver::cost_report() const {
   const Impl& s = *impl_;
   CostReport report;
@@ -115,6 +141,7 @@ CostReport DdpSolver::cost_report() const {
       else
         known->cost += costs[t];
     }
+    add_rows(s.problem, k, s.current.xs.data() + k * s.nx, u, report.rows);
     report.total += knot.cost;
     report.knots.push_back(std::move(knot));
   }

@@ -37,6 +37,7 @@ bool DdpSolver::Impl::fail_at(int knot, const KnotValue& value) {
   summary.status = value.status <= Status::NotConverged ? Status::NotFinite : value.status;
   summary.knot = knot;
   summary.term = value.term;
+  summary.row = value.row;
   return false;
 }
 

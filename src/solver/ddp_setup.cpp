@@ -165,7 +165,7 @@ void DdpSolver::Impl::start() {
   summary.expected_improvement = 0.0;
   summary.status = Status::Ok;
   summary.in_derivatives = false;
-  summary.knot = summary.term = summary.control = -1;
+  summary.knot = summary.term = summary.row = summary.control = -1;
   summary.seconds = {};
   summary.log.clear();
 }

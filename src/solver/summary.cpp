@@ -33,6 +33,8 @@ std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
     if (s.in_derivatives) return "not finite: derivatives" + where;
     if (s.term >= 0)
       return "not finite: cost term " + name_or_number(problem.term_names(s.knot), s.term) + where;
+    if (s.row >= 0)
+      return "not finite: constraint " + name_or_number(problem.row_names(s.knot), s.row) + where;
     return "not finite: dynamics" + where;
   }
   return "not evaluated" + where + ": " + std::string(describe(s.status));
@@ -67,6 +69,25 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   return "unknown";
 }
 
+/// The rows that are furthest outside their limits, or that none is.
+std::string rows_text(const std::vector<CostReport::Row>& rows) {
+  if (rows.empty()) return "";
+  std::vector<CostReport::Row> broken;
+  for (const CostReport::Row& row : rows)
+    if (!(row.outside <= 0.0)) broken.push_back(row);
+  if (broken.empty()) return "constraints: every row is inside its limits\n";
+  std::stable_sort(broken.begin(), broken.end(), [](const auto& a, const auto& b) {
+    return a.outside > b.outside || (std::isnan(a.outside) && !std::isnan(b.outside));
+  });
+  std::string lines = "constraints: " + std::to_string(broken.size()) + " of " +
+                      std::to_string(rows.size()) + " rows are outside their limits\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(broken.size(), 5); ++i)
+    lines += "  " + number(broken[i].outside) + "  " + broken[i].name + ": " +
+             number(broken[i].value) + ", limits " + number(broken[i].lower) + " and " +
+             number(broken[i].upper) + ", at " + broken[i].knot + "\n";
+  return lines;
+}
+
 }  // namespace
 
 std::string DdpSummary::text(const ShootingProblem& problem) const {
@@ -92,7 +113,7 @@ std::string CostReport::text() const {
   for (const Entry& e : by_term) lines += "  " + number(e.cost) + "  " + e.name + "\n";
   lines += "most expensive knots\n";
   for (const Entry& e : by_knot) lines += "  " + number(e.cost) + "  " + e.name + "\n";
-  return lines;
+  return lines + rows_text(rows);
 }
 
 }  // namespace burnish

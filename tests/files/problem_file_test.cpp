@@ -174,6 +174,29 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }
 
+TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
+  const ProblemFile file =
+      read(small("    costs:\n",
+                 "    constraints:\n"
+                 "      range: {type: joint_position, limits: 0.9}\n"
+                 "      band: {type: contact_force, contact: pad, lower: 25, upper: {z: 35}}\n"
+                 "    costs:\n",
+                 "terminal_constraints:\n"
+                 "  stopped: {type: joint_velocity, lower: 0, upper: 0}\n"));
+  const ProblemSpec& spec = file.spec;
+  const std::vector<Constraint>& constraints = spec.stages[0].constraints;
+  ASSERT_EQ(constraints.size(), 2U);
+  EXPECT_EQ(constraints[0].name, "range");
+  EXPECT_NEAR(constraints[0].upper[1], 0.95 * spec.model.q_upper[1] + 0.05 * spec.model.q_lower[1],
+              1e-12);
+  EXPECT_EQ(constraints[1].lower, Eigen::VectorXd::Constant(1, 25.0));
+  EXPECT_EQ(constraints[1].upper, Eigen::VectorXd::Constant(1, 35.0));
+  ASSERT_EQ(spec.terminal_constraints.size(), 1U);
+  const Problem problem(spec);
+  EXPECT_EQ(problem.row_names(0).back(), "band/z");
+  EXPECT_EQ(problem.rows(problem.knots()), spec.model.nv);
+}
+
 TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
   write("time [s],x [m],y [m],z [m]\n0,0,0,0\n1,1,0,2\n2,1,1,2\n", "path.csv");
   const ProblemFile file =
@@ -256,6 +279,18 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},
       {"contacts: [pad]", "contacts: [pod]", "", {"stages.press.contacts", "'pad'?"}},
       {"contacts: [pad]", "contacts: []", "", {"term 'force'", "'pad'", "does not hold"}},
+      {"step: 0.02",
+       "constraints: {still: {type: joint_velocity, weight: 1}}",
+       "",
+       {"stages.press.constraints.still: key 'weight' is unknown"}},
+      {"step: 0.02",
+       "constraints: {still: {type: state, lower: 0}}",
+       "",
+       {"constraints.still.type: a state", "'joint_velocity'"}},
+      {"step: 0.02",
+       "constraints: {still: {type: joint_velocity}}",
+       "",
+       {"constraint 'still'", "no limits"}},
       {"step: 0.02", "step: 0", "", {"stages.press.step: it is 0; wanted more than 0"}},
       {"step: 0.02", "step: 0.02\n    impact: maybe", "", {"stages.press.impact", "true or false"}},
       {"step: 0.02", "integrator: euler", "", {"stages.press.integrator", "is unknown"}},

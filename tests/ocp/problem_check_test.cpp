@@ -24,7 +24,8 @@ ProblemSpec checked_spec(const OcpCase& test, const Model& model) {
                  {.residual = residual::FrictionCone{"pad"}, .weight = 1e-3},
                  {.residual = residual::custom(
                       WithJacobian{.frames = {tool}, .contacts = {"pad", "brace"}}),
-                  .weight = 1e-4}}},
+                  .weight = 1e-4}},
+       .constraints = {{"enough", residual::ContactForce{"pad"}, inside, {}}}},
       {.name = "move",
        .costs = {{.residual = residual::State{}},
                  {.residual = residual::JointVelocity{},
@@ -51,11 +52,11 @@ TEST_P(CheckOf, ARightProblemPasses) {
   std::vector<std::string> rows;
   for (const ProblemCheckRow& row : report.rows) rows.push_back(row.stage + ": " + row.term);
   const std::vector<std::string> wanted{
-      "press: next state", "press: contact force",       "press: friction cone",
-      "press: custom",     "press: all costs",           "move: next state",
-      "move: state",       "move: joint velocity",       "move: all costs",
-      "touch: next state", "touch: centroidal momentum", "touch: all costs",
-      "terminal: state",   "terminal: all costs"};
+      "press: next state", "press: contact force", "press: friction cone",
+      "press: custom",     "press: enough",        "press: all costs",
+      "move: next state",  "move: state",          "move: joint velocity",
+      "move: all costs",   "touch: next state",    "touch: centroidal momentum",
+      "touch: all costs",  "terminal: state",      "terminal: all costs"};
   EXPECT_EQ(rows, wanted);
   // The stage on no knot borrowed one and gave it back.
   EXPECT_EQ(problem.stage_of(0), 0);
@@ -236,6 +237,15 @@ TEST(Complaints, OfBoundsThatCannotHoldTheRobot) {
   spec.contact_solver.mu = 1e-3;
   spec.stages[0].contacts = {"pad"};
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+}
+
+TEST(Complaints, OfConstraintsThatNothingKeeps) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  spec.stages[0].constraints = {
+      {"slowly", residual::JointVelocity{}, {}, Eigen::VectorXd::Constant(1, 0.5)}};
+  testing::expect_words(only_complaint(spec),
+                        {"solver", "costs alone", "reports", "'slowly' of 'go'"});
 }
 
 TEST(Complaints, OfJointsThatMoveNoMass) {

@@ -169,6 +169,33 @@ std::vector<BadSpec> bad_costs() {
   };
 }
 
+std::vector<BadSpec> bad_constraints() {
+  const auto with = [](const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                       const std::string& name) {
+    return [=](ProblemSpec& s) {
+      s.stages[0].constraints = {
+          {name, residual::FramePosition{"tool", Eigen::Vector3d(0.3, 0.0, 0.4)}, lower, upper}};
+    };
+  };
+  const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  const Eigen::VectorXd none;
+  return {
+      {"constraint_without_limits",
+       with(none, none, "box"),
+       {"stage 'press'", "constraint 'box'", "no limits", "lower or an upper"}},
+      {"constraint_limits_size",
+       with(Eigen::Vector2d(0.0, 0.0), none, "box"),
+       {"the lower limit has 2 entries", "wanted 1 or 3"}},
+      {"constraint_limit_nan", with(none, one(nan), "box"), {"the upper limit holds a NaN"}},
+      {"constraint_crossed",
+       with(one(1.0), one(0.0), "box"),
+       {"lower limit 1", "above the upper one 0"}},
+      {"constraint_named_as_a_cost",
+       with(one(0.0), none, "position"),
+       {"constraint 'position'", "used twice"}},
+  };
+}
+
 std::vector<BadSpec> bad_stages() {
   return {
       {"stage_contact",
@@ -264,6 +291,8 @@ const auto name_of_case = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Targets, Refusal, ::testing::ValuesIn(bad_targets()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Residuals, Refusal, ::testing::ValuesIn(bad_residuals()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Costs, Refusal, ::testing::ValuesIn(bad_costs()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Constraints, Refusal, ::testing::ValuesIn(bad_constraints()),
+                         name_of_case);
 INSTANTIATE_TEST_SUITE_P(Stages, Refusal, ::testing::ValuesIn(bad_stages()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Robots, Refusal, ::testing::ValuesIn(bad_robots()), name_of_case);
 

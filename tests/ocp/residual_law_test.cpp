@@ -1,6 +1,6 @@
 // What every residual must do on every robot, with and without a torque model: agree with
-// differences and automatic differentiation, cost what its penalty says, and give the same in every
-// lane of a pack as for one knot.
+// differences and automatic differentiation, cost what its penalty says, be a constraint as well,
+// and give the same in every lane of a pack as for one knot.
 #include <gtest/gtest.h>
 
 #include "derivatives/check_differences.hpp"
@@ -169,6 +169,44 @@ TEST_P(ResidualLaw, RollAndEvaluateGiveWhatExpandGives) {
     EXPECT_LT(relative_error(rolled, horizon.next_of(problem, knot)), 1e-9);
   }
   EXPECT_EQ(horizon.next, next);
+}
+
+TEST_P(ResidualLaw, IsAConstraintToo) {
+  ProblemSpec spec = problem.spec();
+  const auto limited = [](const CostTerm& cost, const std::string& name) {
+    return Constraint{name, cost.residual, Eigen::VectorXd::Constant(1, -0.2), {}};
+  };
+  for (Stage& stage : spec.stages) {
+    stage.constraints = {limited(stage.costs[0], "alone"), limited(stage.costs[0], "again")};
+    stage.costs = {{.residual = residual::JointVelocity{}}};
+  }
+  for (const CostTerm& cost : std::exchange(spec.terminal, {}))
+    spec.terminal_constraints.push_back(limited(cost, cost.name));
+  Problem constrained(spec);
+  OcpHorizon horizon(constrained, generator);
+  horizon.expand(constrained);
+  for (int knot = 0; knot <= constrained.knots(); ++knot) {
+    SCOPED_TRACE(constrained.knot_name(knot));
+    const Eigen::VectorXd x = horizon.x_of(constrained, knot), u = horizon.u_of(constrained, knot);
+    const auto at = static_cast<std::size_t>(knot);
+    ASSERT_EQ(horizon.values[at].status, Status::Ok);
+    const int costs = static_cast<int>(constrained.term_names(knot).size());
+    int row = 0;
+    for (int term = costs; term < constrained.terms(knot); ++term) {
+      const Eigen::VectorXd r = constrained.residual(knot, term, x, u);
+      const int skip = layout().nz() - layout().ndx() - constrained.controls(knot);
+      const Eigen::MatrixXd J =
+          constrained.residual_derivative(knot, term, x, u).rightCols(layout().nz() - skip);
+      EXPECT_LT(relative_error(horizon.row_values[at].segment(row, r.size()), r, 1e-3), 1e-9);
+      EXPECT_LT(relative_error(horizon.rows[at].block(row, 0, r.size(), J.cols()), J, 1e-3), 1e-9);
+      row += static_cast<int>(r.size());
+    }
+    EXPECT_EQ(row, constrained.rows(knot));
+    EXPECT_EQ(constrained.row_names(knot).size(), static_cast<std::size_t>(row));
+    EXPECT_EQ(constrained.row_values(knot, x.data(), u.data()).size(),
+              static_cast<std::size_t>(row));
+    for (int i = 0; i < row; ++i) EXPECT_EQ(constrained.row_lower(knot)[i], -0.2);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, ResidualLaw, ::testing::ValuesIn(ocp_cases()),

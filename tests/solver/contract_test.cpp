@@ -225,6 +225,31 @@ TEST(Solver, reports_cost_by_term_and_by_knot) {
   EXPECT_NE(report.text().find("work"), std::string::npos);
 }
 
+TEST(Solver, reports_rows_where_they_are_furthest_outside_their_limits) {
+  TestProblem p = unicycle();
+  DdpSolver solver(p);
+  solver.solve();
+  EXPECT_TRUE(solver.cost_report().rows.empty());
+  const RowMatrix xs = solver.xs();
+  Eigen::Index first = 0, second = 0;
+  const double most = xs.col(0).maxCoeff(&first), highest = xs.col(1).maxCoeff(&second);
+  p.row_limits_below = {-1e3, -1e3};
+  p.row_limits_above = {most - 0.25, highest + 0.5};
+  const CostReport report = solver.cost_report();
+  ASSERT_EQ(report.rows.size(), 2U);
+  EXPECT_EQ(report.rows[0].name, "limit/x0");
+  EXPECT_EQ(report.rows[0].knot, p.knot_name(static_cast<int>(first)));
+  EXPECT_EQ(report.rows[0].value, most);
+  EXPECT_NEAR(report.rows[0].outside, 0.25, 1e-12);
+  EXPECT_NEAR(report.rows[1].outside, -0.5, 1e-12);
+  const std::string text = report.text();
+  EXPECT_NE(text.find("1 of 2 rows are outside"), std::string::npos) << text;
+  EXPECT_NE(text.find("limit/x0"), std::string::npos) << text;
+  EXPECT_EQ(text.find("limit/x1"), std::string::npos) << text;
+  p.row_limits_above[0] = most;
+  EXPECT_NE(solver.cost_report().text().find("every row is inside"), std::string::npos);
+}
+
 TEST(Solver, gains_come_with_names) {
   TestProblem p = unicycle();
   DdpSolver solver(p);

@@ -28,6 +28,8 @@ class TestProblem final : public ShootingProblem {
   std::vector<double> start;
   std::vector<std::vector<double>> lower, upper;  ///< per knot; empty: unbounded
   int most_controls = 0;
+  /// Of rows of every knot: the entries of the state.
+  std::vector<double> row_limits_below, row_limits_above;
   int poisoned_knot = -1;  ///< its cost is not a number, in the term 'nothing'
   int poisoned_derivatives = -1;
   mutable int prepared = 0;
@@ -55,6 +57,16 @@ class TestProblem final : public ShootingProblem {
   }
   const double* control_upper(int knot) const override {
     return upper.empty() ? nullptr : upper[knot].data();
+  }
+  int rows(int /*knot*/) const override { return static_cast<int>(row_limits_below.size()); }
+  int max_rows() const override { return rows(0); }
+  const double* row_lower(int /*knot*/) const override { return row_limits_below.data(); }
+  const double* row_upper(int /*knot*/) const override { return row_limits_above.data(); }
+  std::vector<std::string> row_names(int knot) const override {
+    return numbered("limit/x", rows(knot));
+  }
+  std::vector<double> row_values(int knot, const double* x, const double* /*u*/) override {
+    return {x, x + rows(knot)};
   }
   void prepare(int workers) override { prepared = workers; }
   std::span<const KnotRange> ranges() const override { return ranges_; }

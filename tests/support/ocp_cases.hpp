@@ -308,6 +308,8 @@ struct OcpHorizon {
       dynamics.emplace_back(stride, stride);
       lead.emplace_back(lead_size);
       decay.emplace_back(shape.filtered);
+      rows.emplace_back(problem.rows(static_cast<int>(k)), stride);
+      row_values.emplace_back(problem.rows(static_cast<int>(k)));
     }
     for (std::size_t k = 0; k < knots; ++k) {
       KnotExpansion knot;
@@ -317,6 +319,8 @@ struct OcpHorizon {
       knot.dynamics = dynamics[k].data();
       knot.lead = lead[k].data();
       knot.decay = decay[k].data();
+      knot.rows = rows[k].data();
+      knot.row_values = row_values[k].data();
       out.push_back(knot);
     }
   }
@@ -345,8 +349,8 @@ struct OcpHorizon {
   int stride = 0;
   std::vector<double> x, u, next;
   std::vector<KnotValue> values;
-  std::vector<Eigen::VectorXd> gradient, lead, decay;
-  std::vector<RowMatrix> hessian, dynamics;
+  std::vector<Eigen::VectorXd> gradient, lead, decay, row_values;
+  std::vector<RowMatrix> hessian, dynamics, rows;
   std::vector<KnotExpansion> out;
 };
 

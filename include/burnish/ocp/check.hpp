@@ -29,10 +29,11 @@ struct ProblemCheckOptions {
   std::function<void(int done, int total)> progress = {};
 };
 
-/// The next state, one cost term or the costs together, of one stage at all its states.
+/// The next state, one cost term, the costs together or one constraint, of one stage at all its
+/// states.
 struct ProblemCheckRow {
   std::string stage;
-  std::string term;  ///< name of a cost term, "next state" or "all costs"
+  std::string term;  ///< name of a cost term or a constraint, "next state" or "all costs"
   int states = 0;
   double worst_error = 0.0;  ///< relative to the block's largest entry; infinite after a NaN
   CheckEntry worst = {};     ///< blocks: such as "dnext_dq", "dr_du", "dcost_dv"
@@ -51,7 +52,8 @@ struct ProblemReport {
 
 /// Compares at random states, for every stage of the specification and the terminal state,
 ///  - the next state by z = (u, q, v, tau), as expand() gives it,
-///  - every residual by z, and the gradient of its cost,
+///  - every residual by z, and the gradient of its cost; of a constraint the rows as expand() gives
+///    them,
 ///  - the gradient of all costs together, as expand() gives it,
 /// with differences of what roll() and residual() say: central differences at three steps,
 /// extrapolated (Richardson), again at smaller steps where the three disagree.
@@ -70,6 +72,7 @@ ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options
 ///  - targets that are not finite, quaternions over time that are not of unit length;
 ///  - positions that a frame cannot reach: further from the first joint than the joints' origins
 ///    are apart (never said of robots that fly, drive or slide without limit);
+///  - constraints, which the solver reports and does not keep;
 ///  - an initial state outside the limits of joints: position, velocity, torque;
 ///  - control bounds that cannot hold the initial posture at rest;
 ///  - joints that move no mass at the initial posture;

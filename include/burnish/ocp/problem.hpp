@@ -36,9 +36,11 @@ class Problem final : public ShootingProblem {
   int stage_of(int knot) const;
   double time_of(int knot) const;  ///< s
   double step_of(int knot) const;  ///< s; 0 at impacts and at the end
-  /// Index of a stage or of a term in a stage. Throw Error with the nearest known name.
+  /// Index of a stage, or of a term in a stage: its costs first, then its constraints. Throw Error
+  /// with the nearest known name.
   int stage_index(const std::string& name) const;
   int term_index(int stage, const std::string& name) const;
+  int terms(int knot) const;  ///< how many: costs and constraints
 
   /// nx entries. Returns WrongSize, NotFinite, NotNormalized or Ok; a state that is refused changes
   /// nothing. Targets that are the specification's initial state stay that.
@@ -88,6 +90,10 @@ class Problem final : public ShootingProblem {
   void difference(const double* x0, const double* x1, double* dx) const override;
   const double* control_lower(int knot) const override;
   const double* control_upper(int knot) const override;
+  int rows(int knot) const override;
+  int max_rows() const override;
+  const double* row_lower(int knot) const override;
+  const double* row_upper(int knot) const override;
   void prepare(int workers) override;
   std::span<const KnotRange> ranges() const override;
   KnotValue roll(int worker, int knot, const double* x, const double* u, double* next) override;
@@ -98,7 +104,10 @@ class Problem final : public ShootingProblem {
   std::vector<std::string> state_names() const override;
   std::vector<std::string> control_names() const override;
   std::vector<std::string> term_names(int knot) const override;
+  /// "CONSTRAINT/ROW", such as "force/z" or "range/arm_right_2_joint".
+  std::vector<std::string> row_names(int knot) const override;
   std::vector<double> term_costs(int knot, const double* x, const double* u) override;
+  std::vector<double> row_values(int knot, const double* x, const double* u) override;
   std::string knot_name(int knot) const override;
 
  private:

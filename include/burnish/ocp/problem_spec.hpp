@@ -24,6 +24,18 @@ struct CostTerm {
   std::optional<Penalty> penalty = {};
 };
 
+/// lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Evaluated,
+/// differentiated, checked and reported along a trajectory. The solver minimises the costs alone:
+/// it says how far a row is outside its limits, and does not keep it inside.
+struct Constraint {
+  std::string name =
+      {};  ///< unique among the terms of its stage; the residual's name if left empty
+  Residual residual;
+  /// In the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
+  /// the margins (friction cone, center of pressure), whose rows are at least zero unless said.
+  Eigen::VectorXd lower = {}, upper = {};
+};
+
 /// How the state goes from one knot to the next.
 enum class Integrator {
   SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
@@ -57,6 +69,7 @@ struct Stage {
   std::string name = {};
   std::vector<std::string> contacts = {};  ///< names of those that hold
   std::vector<CostTerm> costs = {};
+  std::vector<Constraint> constraints = {};
   double step = 0.01;  ///< s
   Integrator integrator = Integrator::SemiImplicitEuler;
   /// The contacts are made here: velocities jump so that they hold (inelastic), no time passes,
@@ -84,8 +97,9 @@ struct ProblemSpec {
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< costs of the last state
-  Eigen::VectorXd initial_state = {};   ///< (q, v), or (q, v, tau) with a torque model
-  double start_time = 0.0;              ///< s, of the first knot
+  std::vector<Constraint> terminal_constraints = {};
+  Eigen::VectorXd initial_state = {};  ///< (q, v), or (q, v, tau) with a torque model
+  double start_time = 0.0;             ///< s, of the first knot
 };
 
 }  // namespace burnish

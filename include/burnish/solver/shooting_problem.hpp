@@ -2,7 +2,8 @@
 // There is no robot here: a state is a point x of nx numbers that moves along tangents dx of ndx.
 //
 // A horizon has N knots with a state, a control and a cost each, and a terminal state with a cost:
-//   minimise sum over k < N of l_k(x_k, u_k) + l_N(x_N)  subject to  x_(k+1) = f_k(x_k, u_k).
+//   minimise sum over k < N of l_k(x_k, u_k) + l_N(x_N)  subject to  x_(k+1) = f_k(x_k, u_k)
+// A knot may have rows with limits beside its cost, lower <= c_k(x_k, u_k) <= upper.
 // Derivatives are by z = (du, dx), controls first, dx the right tangent increment.
 #pragma once
 
@@ -49,7 +50,10 @@ struct KnotExpansion {
   /// SecondOrder: per lead block, size x size each: A, then B (without step).
   double* lead = nullptr;
   double* decay = nullptr;  ///< SecondOrder: `filtered` entries
-  double step = 0.0;        ///< s
+  /// rows(knot) values of c, and d(c)/dz of as many rows; null: not asked for.
+  double* row_values = nullptr;
+  double* rows = nullptr;
+  double step = 0.0;  ///< s
   DynamicsForm form = DynamicsForm::Dense;
 };
 
@@ -57,8 +61,9 @@ struct KnotExpansion {
 struct KnotValue {
   double cost = 0.0;
   Status status = Status::Ok;
-  /// Cost term that is not finite, an index into term_names(knot); -1: none, or the dynamics.
+  /// Cost term that is not finite, an index into term_names(knot); -1: none, a row or the dynamics.
   int term = -1;
+  int row = -1;  ///< Row that is not finite, an index into row_names(knot); -1: none.
 };
 
 /// Knots begin to end - 1, evaluated together.
@@ -93,6 +98,13 @@ class ShootingProblem {
   virtual const double* control_lower(int /*knot*/) const { return nullptr; }
   virtual const double* control_upper(int /*knot*/) const { return nullptr; }
 
+  /// Rows with limits of a knot, and the limits, rows(knot) entries each, infinite where there is
+  /// none; null where there are no rows.
+  virtual int rows(int /*knot*/) const { return 0; }
+  virtual int max_rows() const { return 0; }
+  virtual const double* row_lower(int /*knot*/) const { return nullptr; }
+  virtual const double* row_upper(int /*knot*/) const { return nullptr; }
+
   /// Makes room for this many workers. May allocate and throw.
   virtual void prepare(int workers) = 0;
 
@@ -116,8 +128,13 @@ class ShootingProblem {
   virtual std::vector<std::string> state_names() const = 0;
   virtual std::vector<std::string> control_names() const = 0;
   virtual std::vector<std::string> term_names(int knot) const = 0;
+  virtual std::vector<std::string> row_names(int /*knot*/) const { return {}; }
   /// Cost of each term of a knot, in the order of term_names.
   virtual std::vector<double> term_costs(int knot, const double* x, const double* u) = 0;
+  /// Values of a knot's rows, in the order of row_names.
+  virtual std::vector<double> row_values(int /*knot*/, const double* /*x*/, const double* /*u*/) {
+    return {};
+  }
   virtual std::string knot_name(int knot) const = 0;  ///< such as "press, knot 12"
 };
 

@@ -44,7 +44,8 @@ struct DdpSummary {
   /// where and what.
   Status status = Status::Ok;
   int knot = -1;
-  int term = -1;                ///< cost term that is not finite, -1: none or the dynamics
+  int term = -1;                ///< cost term that is not finite, -1: none, a row or the dynamics
+  int row = -1;                 ///< row of a constraint that is not finite, -1: none
   bool in_derivatives = false;  ///< NotEvaluated: values are finite, derivatives are not
   int control = -1;             ///< NotPositiveDefinite: the first one whose pivot is not positive
   DdpOptions options;           ///< those it was solved with, without callback
@@ -66,11 +67,20 @@ struct CostReport {
     double cost;
     std::vector<Entry> terms;
   };
+  /// A row with limits, where it is furthest outside them, or nearest to one of them from inside.
+  struct Row {
+    std::string name;  ///< as the problem's row_names
+    std::string knot;  ///< as the problem's knot_name
+    double value, lower, upper;
+    double outside;  ///< how far; negative: the least distance to a limit from inside
+  };
   double total = 0.0;
   std::vector<Entry> terms;  ///< summed over knots, in order of appearance
   std::vector<Knot> knots;   ///< N + 1
+  std::vector<Row> rows;     ///< over all knots, in order of appearance
 
-  /// A table for people: terms from the largest down, and the five most expensive knots.
+  /// A table for people: terms from the largest down, the five most expensive knots, and the five
+  /// rows that are furthest outside their limits.
   std::string text() const;
 };
 
