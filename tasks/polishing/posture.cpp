@@ -210,9 +210,6 @@ class Search {
     const auto joint = [&](int index) -> const Joint& {
       return model_.joints[static_cast<std::size_t>(index)];
     };
-    const auto origin = [&](int index) {
-      return Eigen::Vector3d(body_.placement(body_.frame(joint(index).name)).translation());
-    };
     const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(task_.tool))].body;
     c.body = std::numeric_limits<double>::infinity();
     c.body_wanted = options_.body_distance;
@@ -243,14 +240,28 @@ class Search {
             (frame.body >= 0 && hangs_on(frame.body, last)))
           continue;
         const Eigen::Vector3d at = body_.placement(body_.frame(frame.name)).translation();
-        const double to_body =
-            frame.body >= 0 && to_joint[static_cast<std::size_t>(frame.body)] >= 0.0
-                ? to_joint[static_cast<std::size_t>(frame.body)] + (at - origin(frame.body)).norm()
-                : std::numeric_limits<double>::infinity();
-        look((p - at).norm(), to_body);
+        look((p - at).norm(), along_to(frame.body, at, to_joint));
       }
     }
   }
+  /// m along the robot to a point of a body: over the joint at which its branch leaves the arm, so
+  /// that a finger beside the tool is as near as it is. Infinite where it does not hang on the arm.
+  double along_to(int body, Eigen::Vector3d at, const std::vector<double>& to_joint) {
+    double off_the_arm = 0.0;
+    for (; body >= 0; body = model_.joints[static_cast<std::size_t>(body)].parent) {
+      const Eigen::Vector3d joint = origin(body);
+      off_the_arm += (at - joint).norm();
+      const double to_here = to_joint[static_cast<std::size_t>(body)];
+      if (to_here >= 0.0) return to_here + off_the_arm;
+      at = joint;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+  Eigen::Vector3d origin(int joint) {
+    return body_.placement(body_.frame(model_.joints[static_cast<std::size_t>(joint)].name))
+        .translation();
+  }
+
   /// Looks at a straight part of the arm from a, which is `along` m from p, to b.
   template <class Look>
   static void look_along(const Eigen::Vector3d& p, const Eigen::Vector3d& a,

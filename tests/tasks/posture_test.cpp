@@ -9,6 +9,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -131,6 +132,31 @@ TEST(Posture, BodyDistanceIsAKeyOfTheTask) {
                {"m of the robot's body; wanted at least", "(search.body_distance)"});
   override_task(task, {"search.body_distance=0.25", "search.joint_margin=2"});
   expect_words(refusal([&] { make_setting(task); }), {"rad of its limit; wanted at least 2"});
+}
+
+TEST(Posture, AFingerMayPressBesideAnother) {
+  // Two fingers of a gripper, one follows the other: they are near each other wherever the arm is.
+  std::string text = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / "arm7/arm7.urdf");
+  const auto finger = [](const std::string& side, const std::string& y, const std::string& mimic) {
+    return "<joint name='" + side +
+           "_joint' type='prismatic'><parent link='flange'/><child link='" + side +
+           "'/><origin xyz='0 " + y + " 0.1'/><axis xyz='0 1 0'/>" + mimic +
+           "<limit lower='0' upper='0.04' effort='20' velocity='0.2'/></joint><link name='" + side +
+           "'><inertial><mass value='0.02'/><inertia ixx='1e-5' iyy='1e-5' izz='1e-5' ixy='0' "
+           "ixz='0' iyz='0'/></inertial></link>";
+  };
+  text.replace(text.find("</robot>"), 8,
+               finger("finger", "-0.03", "") +
+                   finger("thumb", "0.03", "<mimic joint='finger_joint' multiplier='-1'/>") +
+                   "</robot>");
+  const Scratch scratch;
+  Task task;
+  task.robot = scratch.write("gripper.urdf", text).string();
+  task.posture = searched_posture;
+  task.tool = "finger";
+  override_task(task, {"tool.axis=[0, 0, 1]"});
+  const Robot robot = load_task_robot(task);
+  EXPECT_TRUE(find_posture(task, robot).reach.ok());
 }
 
 TEST(Posture, AToolOfTheDescriptionPressesAlongTheAxisThatCarriesIt) {
