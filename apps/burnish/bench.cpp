@@ -58,10 +58,12 @@ std::string time_text(double seconds) {
 /// In Markdown, to paste.
 std::string report_text(const BenchReport& report) {
   std::string text = fmt::format(
-      "{}: nq = {}, nv = {}; {} held along z; horizon of {} knots, nx = {}, nu = {}\n"
+      "{}: nq = {}, nv = {}; {} held along z, {}; horizon of {} knots, nx = {}, nu = {}\n"
       "packs of {} states, {} of {} cores; peak of one core: {:.1f} multiply-adds per ns\n\n",
-      report.robot, report.nq, report.nv, report.tool, report.knots, report.nx, report.nu,
-      report.pack_width, report.threads, std::thread::hardware_concurrency(), 1e-9 * report.peak);
+      report.robot, report.nq, report.nv, report.tool,
+      report.posture.empty() ? "at zero" : "posture " + report.posture, report.knots, report.nx,
+      report.nu, report.pack_width, report.threads, std::thread::hardware_concurrency(),
+      1e-9 * report.peak);
   constexpr const char* row = "| {:<9} | {:<41} | {:>8} | {:>8} | {:>8} | {:>7} | {:>11} |\n";
   text += fmt::format(row, "per", "work", "median", "best", "p99", "of peak", "allocations");
   text += fmt::format("|:{:-<9}-|:{:-<41}-|-{:->8}:|-{:->8}:|-{:->8}:|-{:->7}:|-{:->11}:|\n", "",

@@ -48,7 +48,7 @@ TEST(Bench, PrintsATableToPaste) {
   const Outcome outcome = run("bench arm7 --posture ready" + quick);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* words :
-       {"arm7: nq = 7, nv = 7", "| per ", "backward pass", "| tick ", "packs of"})
+       {"arm7: nq = 7, nv = 7", "| per ", "backward pass", "posture ready", "| tick ", "packs of"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 }
 
