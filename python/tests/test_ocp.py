@@ -69,7 +69,7 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
     with pytest.raises(bn.Error, match="ProblemSpec.model: got .*wanted a Model"):
         compile_with(model=robot)
     problem = bn.Problem(spec_of(robot, base_costs()))
-    with pytest.raises(bn.Error, match="unknown cost term 'stat'; did you mean 'state'"):
+    with pytest.raises(bn.Error, match="unknown term 'stat'; did you mean 'state'"):
         problem.residual(0, "stat", problem.initial_state, np.zeros(7))
     with pytest.raises(bn.Error, match="unknown stage 'moving'"):
         problem.advance("moving")
@@ -255,3 +255,24 @@ def test_one_problem_is_used_by_one_thread(robot):
         go_on.set()
         thread.join()
     problem.evaluate(xs, us)
+
+
+def test_constraints_have_rows_with_limits_and_a_report(robot):
+    spec = spec_of(robot, base_costs())
+    spec.stages[0].constraints = [
+        bn.ocp.Constraint(residual.JointVelocity(), name="slowly", lower=-0.5, upper=0.5)]
+    spec.terminal_constraints = [
+        bn.ocp.Constraint(residual.JointVelocity(), name="stopped", lower=0.0, upper=0.0)]
+    problem = bn.Problem(spec)
+    names = problem.row_names(0)
+    assert names[0].startswith("slowly/") and len(names) == robot.model.nv
+    np.testing.assert_array_equal(problem.row_upper(0), np.full(robot.model.nv, 0.5))
+    x = problem.initial_state.copy()
+    x[-robot.model.nv:] = 0.25
+    np.testing.assert_allclose(problem.row_values(0, x, np.zeros(robot.model.nv)), 0.25)
+    assert any("costs alone" in c for c in bn.ocp.complaints(problem))
+    solver = bn.DdpSolver(problem)
+    solver.solve()
+    rows = {row.name: row for row in solver.cost_report().rows}
+    assert set(names) < set(rows)
+    assert rows["stopped/" + names[0].split("/")[1]].upper == 0.0

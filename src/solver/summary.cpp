@@ -69,12 +69,18 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   return "unknown";
 }
 
+/// Rounding breaks no limit.
+bool is_broken(const CostReport::Row& row) {
+  const double limit = row.value > row.upper ? row.upper : row.lower;
+  return !(row.outside <= 1e-9 * std::max(1.0, std::abs(limit)));
+}
+
 /// The rows that are furthest outside their limits, or that none is.
 std::string rows_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
   std::vector<CostReport::Row> broken;
   for (const CostReport::Row& row : rows)
-    if (!(row.outside <= 0.0)) broken.push_back(row);
+    if (is_broken(row)) broken.push_back(row);
   if (broken.empty()) return "constraints: every row is inside its limits\n";
   std::stable_sort(broken.begin(), broken.end(), [](const auto& a, const auto& b) {
     return a.outside > b.outside || (std::isnan(a.outside) && !std::isnan(b.outside));
