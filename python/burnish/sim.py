@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Callable, List, Optional
 
@@ -53,69 +54,72 @@ class Push(Spec):
 
 @dataclass(eq=False, repr=False)
 class Disturbances(Spec):
-    """All that makes a plant differ from what its controller believes. Nothing is switched on unless
-    it is named: zero, empty, False or None is off. What is drawn at random comes from the seed.
-    Joints are the entries of v; those of a floating base have neither motors nor encoders and are
-    spared."""
+    """All that makes a plant differ from what its controller believes. Nothing is switched on
+    unless it is named: zero, empty, false or "no value" is off. What is drawn at random comes from
+    the seed. Joints are the entries of v; those of a floating base have neither motors nor encoders
+    and are spared. Units are those of revolute joints; prismatic ones have m and N in place of rad
+    and Nm."""
 
     seed: int = 0
+    """of everything that is drawn at random"""
 
     # From command to joint torque, in the order in which they act.
     command_delay: float = 0.0
-    """s, rounded to plant steps"""
+    """s from the controller to the motors; rounded to plant steps"""
     torque_cutoff: float = 0.0
-    """rad/s: dtau/dt = cutoff (command - tau); 0: at once"""
+    """rad/s, first-order lag of the motors; 0: none; dtau/dt = cutoff (command - tau)"""
     torque_scale_range: float = 0.0
-    """every joint gives 1 + r times its torque, |r| <= range"""
+    """each joint gives 1 + r times its torque, |r| <= this"""
     torque_scale: ArrayLike = empty()
     """nv factors in place of drawn ones, or empty"""
     torque_bias_range: float = 0.0
-    """Nm (N): every joint adds b, |b| <= range"""
+    """Nm: each joint adds b, |b| <= this"""
     torque_bias: ArrayLike = empty()
-    """nv biases in place of drawn ones, or empty"""
+    """nv, Nm (N), in place of drawn ones, or empty"""
     torque_noise: float = 0.0
-    """Nm (N), deviation, new at every plant step"""
+    """Nm, deviation; new at every plant step"""
     torque_limits: bool = True
-    """joints give no more than the model's effort_limit"""
+    """joints give no more than the robot's effort limits"""
     torque_loop: bool = False
-    """a torque loop closed around a torque sensor, ideal in its bandwidth: it takes away scale, bias
-    and joint friction, and follows the sensor's noise instead"""
+    """a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
+    bandwidth; it follows the sensor's noise instead"""
     torque_sensor_noise: float = 0.0
-    """Nm (N), deviation"""
+    """Nm, deviation"""
 
     # In the joints of the plant.
     joint_coulomb: float = 0.0
-    """Nm (N)"""
+    """Nm, joint friction"""
     joint_viscous: float = 0.0
-    """Nms/rad (Ns/m)"""
+    """Nms/rad, joint friction"""
 
     # From plant to measurement.
     encoder_bits: int = 0
-    """per turn, of revolute and continuous joints"""
+    """per turn; 0: exact; of revolute and continuous joints"""
     position_noise: float = 0.0
-    """rad (m), deviation, before the encoder rounds"""
+    """rad, deviation, before the encoder rounds"""
     velocity_noise: float = 0.0
-    """rad/s (m/s), deviation"""
+    """rad/s, deviation"""
     finite_difference_velocity: bool = False
-    """from measured positions, in place of the true ones"""
+    """velocities from measured positions; in place of the true ones"""
     velocity_cutoff: float = 0.0
-    """rad/s, low-pass on the differences; 0: none"""
+    """rad/s, low-pass on those; 0: none"""
     force_noise: float = 0.0
-    """N, deviation per axis"""
+    """N, deviation per axis of the force sensor"""
     force_cutoff: float = 0.0
     """rad/s, low-pass behind the noise; 0: none"""
 
     # In the plant's model and scene: plant_model() and plant_scene().
     mass_scale: float = 1.0
-    """of all masses and inertias"""
+    """of all masses and inertias of the plant"""
     surface_tilt_deg: ArrayLike = zeros(2)
-    """2, degrees by which the surface is turned about its own two tangents, first and second, through
-    its point: about the first tangent after the second"""
+    """2, degrees about the surface's two tangents, unknown to the controller; through its point,
+    about the first tangent after the second"""
     surface_height: float = 0.0
-    """m, along the normal before the tilt"""
+    """m along the normal; before the tilt"""
     surface_friction: Optional[float] = None
-    """in place of the scene's"""
+    """Coulomb coefficient in place of the scene's"""
     pushes: List[Push] = items()
+    """on the tool"""
 
 
 @dataclass(eq=False, repr=False)
@@ -128,15 +132,15 @@ class SurfaceSpec(Spec):
     """3, out of the material, towards the robot"""
     friction: float = 0.0
     """Coulomb coefficient mu"""
-    stiffness: float = 1e5
+    stiffness: float = 100000.0
     """N/m; rigid plants pass it over"""
     damping: float = 500.0
     """Ns/m; rigid plants pass it over. MuJoCo's convex friction cone lifts a sliding tip by mu *
-    damping * speed: contact is lost unless damping < force / (mu * speed), and below a third of that
-    the force is clean."""
-    extent: float = float("inf")
-    """m, half the side of the square about `point` that is there to be touched; infinite: the plane
-    has no end"""
+    damping * speed: contact is lost unless damping < force / (mu * speed), and below a third of
+    that the force is clean."""
+    extent: float = math.inf
+    """m, half the side of the square about `point` that is there to be touched, its sides along the
+    columns of Reference.surface_with_normal(); infinite: the plane has no end"""
     half_size: float = 0.4
     """m, of the square that is drawn where the plane has no end"""
 
@@ -338,11 +342,13 @@ class ImpedanceSpec(Spec):
 
 @dataclass(eq=False, repr=False)
 class IdealPlantOptions(Spec):
-    dt: float = 5e-4
+    """How make_ideal_plant()'s plant steps."""
+
+    dt: float = 0.0005
     """s"""
     tip_viscous: float = 0.0
     """Ns/m, against the contact point's sliding, besides Coulomb"""
-    stabilize_kp: float = 1e4
+    stabilize_kp: float = 10000.0
     """1/s^2, on the gap while in contact"""
     stabilize_kd: float = 200.0
     """1/s, on its rate"""
@@ -367,7 +373,9 @@ class MujocoPlantOptions(Spec):
 
 @dataclass(eq=False, repr=False)
 class ClosedLoopOptions(Spec):
-    control_period: float = 1e-3
+    """How a ClosedLoop runs, and what it records."""
+
+    control_period: float = 0.001
     """s, a multiple of the plant's step"""
     max_duration: float = 20.0
     """s that the trace has room for"""

@@ -8,6 +8,7 @@ namespace burnish::python {
 namespace py = pybind11;
 
 void bind_specs(py::module_& m);  ///< what all dataclasses have
+void bind_described(py::module_& m);
 void bind_base(py::module_& m);
 void bind_model(py::module_& m);
 void bind_contact(py::module_& m);

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <map>
 
+#include "bind.hpp"
+
 namespace burnish::python {
 
 namespace {
@@ -25,7 +27,8 @@ std::string shown(py::handle value) {
 }  // namespace
 
 py::handle PythonClass::get() const {
-  if (!class_) class_ = py::object(py::module_::import(module_).attr(name_)).release();
+  if (!class_)
+    class_ = py::object(py::module_::import(module_.c_str()).attr(name_.c_str())).release();
   return class_;
 }
 
@@ -38,8 +41,7 @@ bool EnumTable::load(py::handle from, int& value) const {
   const auto word = py::cast<std::string>(from);
   const auto found = std::find(words_.begin(), words_.end(), small(word));
   if (found == words_.end())
-    throw Error(std::string(class_.name()) + ": there is no '" + word + "'" +
-                did_you_mean(small(word), words_));
+    throw Error(class_.name() + ": there is no '" + word + "'" + did_you_mean(small(word), words_));
   value = static_cast<int>(found - words_.begin());
   return true;
 }
@@ -57,17 +59,17 @@ py::object EnumTable::make(int value) const {
 bool SpecTable::load(py::handle from, void* spec) const {
   if (!py::isinstance(from, class_.get())) return false;
   for (const Field& field : fields_) {
-    const py::object value = from.attr(field.name);
+    const py::object value = from.attr(field.name.c_str());
     if (!field.set(spec, value))
-      throw Error(std::string(class_.name()) + "." + field.name + ": got " + shown(value) +
-                  ", wanted " + field.wanted());
+      throw Error(class_.name() + "." + field.name + ": got " + shown(value) + ", wanted " +
+                  field.wanted());
   }
   return true;
 }
 
 py::object SpecTable::make(const void* spec) const {
   py::dict values;
-  for (const Field& field : fields_) values[field.name] = field.get(spec);
+  for (const Field& field : fields_) values[py::str(field.name)] = field.get(spec);
   return py::reinterpret_borrow<py::object>(class_.get())(**values);
 }
 
@@ -82,13 +84,20 @@ std::vector<const EnumTable& (*)()>& known_enums() {
 
 namespace {
 
-const KnownSpec& known_spec(const std::string& name) {
+KnownSpec known_spec(const std::string& name) {
   std::vector<std::string> names;
   for (const KnownSpec& spec : known_specs()) {
     names.push_back(spec.table().full_name());
     if (names.back() == name) return spec;
   }
   throw Error("there is no dataclass '" + name + "'" + did_you_mean(name, names));
+}
+
+/// The description of burnish.layer.Name; null without one.
+const Description* described(const std::string& name) {
+  const auto specs = described_specs();
+  const auto found = specs.find(name.substr(std::min(name.size(), std::string("burnish.").size())));
+  return found == specs.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -99,11 +108,18 @@ void bind_specs(py::module_& m) {
       [] {
         std::vector<std::string> names;
         for (const KnownSpec& spec : known_specs()) names.push_back(spec.table().full_name());
+        for (const auto& [name, description] : described_specs())
+          names.push_back("burnish." + name);
         return names;
       },
       "Dataclasses that have a struct in C++, as 'burnish.contact.ContactSpec'.");
   m.def(
-      "spec_default", [](const std::string& name) { return known_spec(name).make_default(); },
+      "spec_default",
+      [](const std::string& name) {
+        if (const Description* description = described(name))
+          return table_of(*description).make(description->defaults.get());
+        return known_spec(name).make_default();
+      },
       py::arg("name"), "The struct with C++'s defaults, as a dataclass.");
   m.def(
       "spec_round_trip",
@@ -111,7 +127,11 @@ void bind_specs(py::module_& m) {
         const py::handle type = py::type::handle_of(value);
         const auto name = py::str(type.attr("__module__")).cast<std::string>() + "." +
                           py::str(type.attr("__qualname__")).cast<std::string>();
-        return known_spec(name).round_trip(value);
+        const Description* description = described(name);
+        if (description == nullptr) return known_spec(name).round_trip(value);
+        const std::shared_ptr<void> spec = description->make();
+        if (!table_of(*description).load(value, spec.get())) return py::object();
+        return table_of(*description).make(spec.get());
       },
       py::arg("value"), "The dataclass after a way into the struct and back.");
   m.def(
@@ -119,9 +139,11 @@ void bind_specs(py::module_& m) {
       [] {
         std::map<std::string, std::vector<std::string>> words;
         for (const auto table : known_enums()) words[table().full_name()] = table().words();
+        for (const auto& [name, of] : described_enums()) words["burnish." + name] = of->list();
         return words;
       },
       "Names of the members of every enumeration, in the order of their values.");
+  bind_described(m);
 }
 
 std::string wanted_array(Eigen::Index rows, Eigen::Index columns) {

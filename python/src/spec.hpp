@@ -1,6 +1,7 @@
 // Values cross the border between Python and C++ by value: a dataclass on one side, a struct on the
-// other, and between them a table of fields. So a value in Python is Python's own: it is copied,
-// pickled, compared and printed as such, and what is appended to its lists stays there.
+// other, and between them its description, or a table of fields. So a value in Python is Python's
+// own: it is copied, pickled, compared and printed as such, and what is appended to its lists stays
+// there.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -10,12 +11,16 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <typeindex>
+#include <unordered_map>
 #include <vector>
 
 #include "arrays.hpp"
+#include "base/description.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::python {
@@ -48,8 +53,9 @@ struct TypeName {
   static constexpr auto name = py::detail::descr<size>(text.letters);
 };
 
-/// What a struct that is a dataclass in Python derives its SpecOf from, before it is first used in
-/// a binding; table() is defined in the specs_*.cpp of its layer. EnumOf likewise.
+/// What a struct that is a dataclass in Python and has no description derives its SpecOf from,
+/// before it is first used in a binding; table() is defined in the specs_*.cpp of its layer. EnumOf
+/// likewise.
 template <class T>
 struct AsDataclass : TypeName<T> {
   static const SpecTable& table();
@@ -64,28 +70,46 @@ template <class T>
 struct EnumOf {};
 
 template <class T>
-concept IsSpec = std::is_base_of_v<AsDataclass<T>, SpecOf<T>>;
+concept IsSpec = Described<T> || std::is_base_of_v<AsDataclass<T>, SpecOf<T>>;
 template <class T>
-concept IsEnum = std::is_base_of_v<AsEnum<T>, EnumOf<T>>;
+concept IsEnum = Worded<T> || std::is_base_of_v<AsEnum<T>, EnumOf<T>>;
+
+const SpecTable& table_of(const Description& description);
+const EnumTable& table_of(const Words& words);
+template <IsSpec T>
+const SpecTable& spec_table() {
+  if constexpr (Described<T>)
+    return table_of(description_of(static_cast<const T*>(nullptr)));
+  else
+    return SpecOf<T>::table();
+}
+template <IsEnum T>
+const EnumTable& enum_table() {
+  if constexpr (Worded<T>)
+    return table_of(words_of(T{}));
+  else
+    return EnumOf<T>::table();
+}
 
 /// The class of a dataclass or enumeration, looked up in Python when it is first needed.
 class PythonClass {
  public:
-  PythonClass(const char* module, const char* name) : module_(module), name_(name) {}
-  const char* name() const { return name_; }
-  std::string full_name() const { return std::string(module_) + "." + name_; }
+  PythonClass(std::string module, std::string name)
+      : module_(std::move(module)), name_(std::move(name)) {}
+  const std::string& name() const { return name_; }
+  std::string full_name() const { return module_ + "." + name_; }
   py::handle get() const;
 
  private:
-  const char *module_, *name_;
+  std::string module_, name_;
   mutable py::handle class_ = {};  // never released: lives as long as the interpreter
 };
 
 /// An enumeration whose values count from 0.
 class EnumTable {
  public:
-  EnumTable(const char* module, const char* name, std::vector<std::string> words)
-      : class_(module, name), words_(std::move(words)) {}
+  EnumTable(std::string module, std::string name, std::vector<std::string> words)
+      : class_(std::move(module), std::move(name)), words_(std::move(words)) {}
   const std::vector<std::string>& words() const { return words_; }
   std::string full_name() const { return class_.full_name(); }
   /// Reads a member, or its name in small letters. False for anything else; throws Error for a name
@@ -109,32 +133,55 @@ struct KnownSpec {
   py::object (*make_default)();             ///< of the struct's own defaults
   py::object (*round_trip)(py::handle of);  ///< into the struct and back
 };
-/// All that are used in some binding; likewise enumerations.
+/// All that are used in some binding; likewise enumerations, and what is described.
 std::vector<KnownSpec>& known_specs();
 std::vector<const EnumTable& (*)()>& known_enums();
+std::vector<const Description& (*)()>& known_descriptions();
+std::vector<const Words& (*)()>& known_words();
+/// Those and all that they hold, by "layer.Name".
+std::map<std::string, const Description*> described_specs();
+std::map<std::string, const Words*> described_enums();
+
+/// How an entry crosses that descriptions know nothing of.
+struct Carried {
+  const char* annotation;  ///< in Python
+  std::string (*wanted)();
+  py::object (*get)(const void*);
+  bool (*set)(void*, py::handle);
+};
+std::unordered_map<std::type_index, Carried>& carried();
+
+template <class Value>
+py::object value_get(const void* at) {
+  if constexpr (py::detail::is_pyobject<Value>::value)
+    return *static_cast<const Value*>(at);
+  else
+    return py::cast(*static_cast<const Value*>(at), py::return_value_policy::copy);
+}
+template <class Value>
+bool value_set(void* at, py::handle from) {
+  py::detail::make_caster<Value> caster;
+  if (!caster.load(from, true)) return false;
+  // Copied: a caster may hand out an object that Python goes on using.
+  const Value& loaded = py::detail::cast_op<Value&>(caster);
+  *static_cast<Value*>(at) = loaded;
+  return true;
+}
 
 class SpecTable {
  public:
   /// `module` has the dataclass `name`.
   SpecTable(const char* module, const char* name) : class_(module, name) {}
+  explicit SpecTable(const Description& description);
 
   template <class Spec, class Value>
   SpecTable& field(const char* name, Value Spec::*member) {
     fields_.push_back({name, wanted<Value>,
-                       [member](const void* spec) -> py::object {
-                         const Value& value = static_cast<const Spec*>(spec)->*member;
-                         if constexpr (py::detail::is_pyobject<Value>::value)
-                           return value;
-                         else
-                           return py::cast(value, py::return_value_policy::copy);
+                       [member](const void* spec) {
+                         return value_get<Value>(&(static_cast<const Spec*>(spec)->*member));
                        },
                        [member](void* spec, py::handle value) {
-                         py::detail::make_caster<Value> caster;
-                         if (!caster.load(value, true)) return false;
-                         // Copied: a caster may hand out an object that Python goes on using.
-                         const Value& loaded = py::detail::cast_op<Value&>(caster);
-                         static_cast<Spec*>(spec)->*member = loaded;
-                         return true;
+                         return value_set<Value>(&(static_cast<Spec*>(spec)->*member), value);
                        }});
     return *this;
   }
@@ -173,8 +220,8 @@ class SpecTable {
 
  private:
   struct Field {
-    const char* name;
-    std::string (*wanted)();
+    std::string name;
+    std::function<std::string()> wanted;
     std::function<py::object(const void*)> get;
     std::function<bool(void*, py::handle)> set;
   };
@@ -194,23 +241,38 @@ inline constexpr bool is_optional<std::optional<Value>> = true;
 /// Filling the lists above, when the module is loaded.
 template <class Spec>
 inline const bool is_known_spec = [] {
-  known_specs().push_back({&SpecOf<Spec>::table,
-                           [] {
-                             const Spec spec{};
-                             return SpecOf<Spec>::table().make(&spec);
-                           },
-                           [](py::handle of) {
-                             Spec spec{};
-                             if (!SpecOf<Spec>::table().load(of, &spec)) return py::object();
-                             return SpecOf<Spec>::table().make(&spec);
-                           }});
+  if constexpr (Described<Spec>)
+    known_descriptions().push_back(
+        []() -> const Description& { return description_of(static_cast<const Spec*>(nullptr)); });
+  else
+    known_specs().push_back({&SpecOf<Spec>::table,
+                             [] {
+                               const Spec spec{};
+                               return SpecOf<Spec>::table().make(&spec);
+                             },
+                             [](py::handle of) {
+                               Spec spec{};
+                               if (!SpecOf<Spec>::table().load(of, &spec)) return py::object();
+                               return SpecOf<Spec>::table().make(&spec);
+                             }});
   return true;
 }();
 template <class Enum>
 inline const bool is_known_enum = [] {
-  known_enums().push_back(&EnumOf<Enum>::table);
+  if constexpr (Worded<Enum>)
+    known_words().push_back([]() -> const Words& { return words_of(Enum{}); });
+  else
+    known_enums().push_back(&EnumOf<Enum>::table);
   return true;
 }();
+/// To be said once of every kind of entry that descriptions know nothing of.
+template <class Value>
+bool carry(const char* annotation) {
+  return carried()
+      .insert({typeid(Value),
+               {annotation, [] { return wanted<Value>(); }, value_get<Value>, value_set<Value>}})
+      .second;
+}
 
 std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any number
 
@@ -218,7 +280,7 @@ template <class Value>
 std::string wanted() {
   if constexpr (IsEnum<Value>) {
     std::string text = "one of";
-    for (const std::string& word : EnumOf<Value>::table().words()) text += " '" + word + "'";
+    for (const std::string& word : enum_table<Value>().words()) text += " '" + word + "'";
     return text;
   } else if constexpr (std::is_same_v<Value, bool>) {
     return "True or False";
@@ -248,30 +310,30 @@ namespace pybind11::detail {
 
 template <class T>
 struct type_caster<T, std::enable_if_t<burnish::python::IsSpec<T>>> {
-  PYBIND11_TYPE_CASTER(T, burnish::python::SpecOf<T>::name);
+  PYBIND11_TYPE_CASTER(T, burnish::python::TypeName<T>::name);
   bool load(handle from, bool) {
     static_cast<void>(&burnish::python::is_known_spec<T>);
-    return burnish::python::SpecOf<T>::table().load(from, &value);
+    return burnish::python::spec_table<T>().load(from, &value);
   }
   static handle cast(const T& from, return_value_policy, handle) {
     static_cast<void>(&burnish::python::is_known_spec<T>);
-    return burnish::python::SpecOf<T>::table().make(&from).release();
+    return burnish::python::spec_table<T>().make(&from).release();
   }
 };
 
 template <class T>
 struct type_caster<T, std::enable_if_t<burnish::python::IsEnum<T>>> {
-  PYBIND11_TYPE_CASTER(T, burnish::python::EnumOf<T>::name);
+  PYBIND11_TYPE_CASTER(T, burnish::python::TypeName<T>::name);
   bool load(handle from, bool) {
     static_cast<void>(&burnish::python::is_known_enum<T>);
     int number = 0;
-    if (!burnish::python::EnumOf<T>::table().load(from, number)) return false;
+    if (!burnish::python::enum_table<T>().load(from, number)) return false;
     value = static_cast<T>(number);
     return true;
   }
   static handle cast(T from, return_value_policy, handle) {
     static_cast<void>(&burnish::python::is_known_enum<T>);
-    return burnish::python::EnumOf<T>::table().make(static_cast<int>(from)).release();
+    return burnish::python::enum_table<T>().make(static_cast<int>(from)).release();
   }
 };
 

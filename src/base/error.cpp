@@ -44,8 +44,8 @@ std::string one_line(std::string_view text) {
 constexpr std::size_t most_problems = 50;
 
 /// What Error::sentences() gives.
-std::vector<std::string> listed(const std::string& origin,
-                                const std::vector<std::string>& problems) {
+std::vector<std::string> sentences_of(const std::string& origin,
+                                      const std::vector<std::string>& problems) {
   const std::string start = origin.empty() ? "" : origin + ": ";
   std::vector<std::string> sentences;
   for (const std::string& problem : problems) {
@@ -96,7 +96,7 @@ Error::Error(const std::string& sentence)
     : Error(std::vector{one_line(sentence)}, one_line(sentence)) {}
 
 Error::Error(const std::string& origin, const std::vector<std::string>& problems)
-    : Error(listed(origin, problems), numbered(origin, problems)) {}
+    : Error(sentences_of(origin, problems), numbered(origin, problems)) {}
 
 Error::Error(std::vector<std::string> sentences, const std::string& joined)
     : std::runtime_error(joined),

@@ -11,6 +11,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "sim/coulomb.hpp"
+#include "sim/descriptions.hpp"
 #include "sim/manifold_step.hpp"
 #include "sim/small_product.hpp"
 #include "sim/state_check.hpp"
@@ -21,19 +22,8 @@ namespace {
 constexpr double smallest_gap = 1e-6;  // m: a gap below this at reset is contact
 
 void check(const IdealPlantOptions& options) {
-  const auto refuse = [](const char* name, double value, const char* wanted) {
-    throw Error(std::string("the ideal plant's ") + name + " is " + number(value) + "; wanted " +
-                wanted);
-  };
-  if (!(std::isfinite(options.dt) && options.dt > 0.0))
-    refuse("dt", options.dt, "a positive number of seconds");
-  const std::array<std::pair<const char*, double>, 3> others{
-      {{"tip_viscous", options.tip_viscous},
-       {"stabilize_kp", options.stabilize_kp},
-       {"stabilize_kd", options.stabilize_kd}}};
-  for (const auto& [name, value] : others)
-    if (!(std::isfinite(value) && value >= 0.0))
-      refuse(name, value, "a number that is not negative");
+  check_ranges(description_of(&options), &options,
+               [](const std::string& entry) { return "the ideal plant's " + entry; });
 }
 
 /// One row along the normal, at the distance of the tip's radius.

@@ -5,33 +5,15 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/reference.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "sim/descriptions.hpp"
 
 namespace burnish {
-namespace {
-
-void check_number(double value, const char* what, bool zero_is_fine) {
-  if (std::isfinite(value) && (zero_is_fine ? value >= 0.0 : value > 0.0)) return;
-  throw Error(std::string(what) + " is " + number(value) + "; wanted a " +
-              (zero_is_fine ? "number that is not negative" : "positive number"));
-}
-
-}  // namespace
-
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   const SurfaceSpec& surface = scene.surface;
-  if (!surface.point.allFinite() || !surface.normal.allFinite())
-    throw Error("the surface's point or normal holds a NaN or an infinity; wanted numbers");
-  if (!(surface.normal.norm() > 1e-9))
-    throw Error("the surface's normal has length " + number(surface.normal.norm()) +
-                "; wanted a direction");
-  check_number(surface.friction, "the surface's friction", true);
-  check_number(surface.stiffness, "the surface's stiffness", false);
-  check_number(surface.damping, "the surface's damping", true);
-  if (!(surface.extent > 0.0))
-    throw Error("the surface's extent is " + number(surface.extent) +
-                " m; wanted a positive number, or infinity for a plane without end");
-  check_number(surface.half_size, "the surface's half_size", false);
-  check_number(scene.tip.radius, "the tip's radius", false);
+  check_ranges(description_of(&surface), &surface,
+               [](const std::string& entry) { return "the surface's " + entry; });
+  check_ranges(description_of(&scene.tip), &scene.tip,
+               [](const std::string& entry) { return "the tip's " + entry; });
   const int frame = model.frame_index(scene.tip.frame);
   if (model.frames[static_cast<std::size_t>(frame)].body < 0)
     throw Error("the tip's frame " + in_quotes(scene.tip.frame) +

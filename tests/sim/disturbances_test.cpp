@@ -386,19 +386,19 @@ TEST(DisturbancesTest, are_refused_by_name) {
     return testing::refusal([&] { check_disturbances(model, d); });
   };
   testing::expect_words(refused([](Disturbances& d) { d.torque_noise = -0.1; }),
-                        {"'torque_noise'", "-0.1", "not negative"});
+                        {"'torque_noise'", "-0.1", "wanted at least 0"});
   testing::expect_words(refused([](Disturbances& d) { d.mass_scale = 0.0; }),
-                        {"'mass_scale'", "positive"});
+                        {"'mass_scale'", "wanted more than 0"});
   testing::expect_words(refused([](Disturbances& d) { d.torque_scale = Eigen::Vector2d::Ones(); }),
                         {"'torque_scale'", "2 entries", std::to_string(model.nv)});
   testing::expect_words(refused([](Disturbances& d) { d.encoder_bits = 64; }),
                         {"'encoder_bits'", "64"});
   testing::expect_words(refused([](Disturbances& d) { d.surface_tilt_deg[1] = 90.0; }),
-                        {"'surface_tilt_deg'", "below 90"});
+                        {"'surface_tilt_deg'", "is 90; wanted more than -90 and less than 90"});
   testing::expect_words(refused([](Disturbances& d) {
                           d.pushes.push_back({0.0, -1.0, {}});
                         }),
-                        {"push"});
+                        {"'pushes[0].duration'", "-1; wanted at least 0"});
   EXPECT_EQ(refused([](Disturbances&) {}), "");
 }
 

@@ -178,7 +178,7 @@ TEST_F(IdealPlant, slides_on_a_viscous_surface_with_a_force_proportional_to_the_
 TEST_F(IdealPlant, refuses_options_with_a_sentence) {
   IdealPlantOptions options;
   options.dt = 0.0;
-  testing::expect_words(testing::refusal([&] { on_surface(0.0, options); }), {"dt", "positive"});
+  testing::expect_words(testing::refusal([&] { on_surface(0.0, options); }), {"dt", "more than 0"});
   options = {};
   options.tip_viscous = -1.0;
   testing::expect_words(testing::refusal([&] { on_surface(0.0, options); }), {"tip_viscous", "-1"});

@@ -301,7 +301,8 @@ TEST_P(PlantLaw, refuses_scenes_with_a_sentence) {
   testing::expect_words(refused([](SceneSpec& s) { s.surface.normal.setZero(); }), {"normal"});
   testing::expect_words(refused([](SceneSpec& s) { s.surface.friction = -1.0; }),
                         {"friction", "-1"});
-  testing::expect_words(refused([](SceneSpec& s) { s.tip.radius = 0.0; }), {"radius", "positive"});
+  testing::expect_words(refused([](SceneSpec& s) { s.tip.radius = 0.0; }),
+                        {"radius", "more than 0"});
 }
 
 TEST_P(PlantLaw, allocates_nothing_while_it_runs) {

@@ -14,51 +14,55 @@ namespace burnish {
 
 /// A force on the tool for a while.
 struct Push {
-  double start = 0.0;                                     ///< s
-  double duration = 0.0;                                  ///< s
-  Eigen::Vector3d force_world = Eigen::Vector3d::Zero();  ///< N, at the tip frame's origin
+  double start = 0.0;     ///< s
+  double duration = 0.0;  ///< s
+  /// N, world axes, at the tip frame's origin
+  Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
 };
-
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
+/// have neither motors nor encoders and are spared. Units are those of revolute joints; prismatic
+/// ones have m and N in place of rad and Nm.
 /// have neither motors nor encoders and are spared.
 struct Disturbances {
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;  ///< of everything that is drawn at random
 
   // From command to joint torque, in the order in which they act (class Actuation).
-  double command_delay = 0.0;         ///< s, rounded to plant steps
-  double torque_cutoff = 0.0;         ///< rad/s: dtau/dt = cutoff (command - tau); 0: at once
-  double torque_scale_range = 0.0;    ///< every joint gives 1 + r times its torque, |r| <= range
+  double command_delay = 0.0;  ///< s from the controller to the motors; rounded to plant steps
+  /// rad/s, first-order lag of the motors; 0: none; dtau/dt = cutoff (command - tau)
+  double torque_cutoff = 0.0;
+  double torque_scale_range = 0.0;    ///< each joint gives 1 + r times its torque, |r| <= this
   Eigen::VectorXd torque_scale = {};  ///< nv factors in place of drawn ones, or empty
-  double torque_bias_range = 0.0;     ///< Nm (N): every joint adds b, |b| <= range
-  Eigen::VectorXd torque_bias = {};   ///< nv biases in place of drawn ones, or empty
-  double torque_noise = 0.0;          ///< Nm (N), deviation, new at every plant step
-  bool torque_limits = true;          ///< joints give no more than the model's effort_limit
-  /// A torque loop closed around a torque sensor, ideal in its bandwidth: it takes away scale, bias
-  /// and joint friction, and follows the sensor's noise instead.
+  double torque_bias_range = 0.0;     ///< Nm: each joint adds b, |b| <= this
+  Eigen::VectorXd torque_bias = {};   ///< nv, Nm (N), in place of drawn ones, or empty
+  double torque_noise = 0.0;          ///< Nm, deviation; new at every plant step
+  bool torque_limits = true;          ///< joints give no more than the robot's effort limits
+  /// a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
+  /// bandwidth; it follows the sensor's noise instead
   bool torque_loop = false;
-  double torque_sensor_noise = 0.0;  ///< Nm (N), deviation
+  double torque_sensor_noise = 0.0;  ///< Nm, deviation
 
   // In the joints of the plant.
-  double joint_coulomb = 0.0;  ///< Nm (N)
-  double joint_viscous = 0.0;  ///< Nms/rad (Ns/m)
+  double joint_coulomb = 0.0;  ///< Nm, joint friction
+  double joint_viscous = 0.0;  ///< Nms/rad, joint friction
 
   // From plant to measurement (class Sensing).
-  int encoder_bits = 0;                     ///< per turn, of revolute and continuous joints
-  double position_noise = 0.0;              ///< rad (m), deviation, before the encoder rounds
-  double velocity_noise = 0.0;              ///< rad/s (m/s), deviation
-  bool finite_difference_velocity = false;  ///< from measured positions, in place of the true ones
-  double velocity_cutoff = 0.0;             ///< rad/s, low-pass on the differences; 0: none
-  double force_noise = 0.0;                 ///< N, deviation per axis
-  double force_cutoff = 0.0;                ///< rad/s, low-pass behind the noise; 0: none
+  int encoder_bits = 0;         ///< per turn; 0: exact; of revolute and continuous joints
+  double position_noise = 0.0;  ///< rad, deviation, before the encoder rounds
+  double velocity_noise = 0.0;  ///< rad/s, deviation
+  /// velocities from measured positions; in place of the true ones
+  bool finite_difference_velocity = false;
+  double velocity_cutoff = 0.0;  ///< rad/s, low-pass on those; 0: none
+  double force_noise = 0.0;      ///< N, deviation per axis of the force sensor
+  double force_cutoff = 0.0;     ///< rad/s, low-pass behind the noise; 0: none
 
   // In the plant's model and scene (plant_model() and plant_scene()).
-  double mass_scale = 1.0;  ///< of all masses and inertias
-  /// Degrees by which the surface is turned about its own two tangents, first and second, through
-  /// its point: about the first tangent after the second.
+  double mass_scale = 1.0;  ///< of all masses and inertias of the plant
+  /// degrees about the surface's two tangents, unknown to the controller; through its point, about
+  /// the first tangent after the second
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
-  double surface_height = 0.0;                  ///< m, along the normal before the tilt
-  std::optional<double> surface_friction = {};  ///< in place of the scene's
-  std::vector<Push> pushes = {};
+  double surface_height = 0.0;                  ///< m along the normal; before the tilt
+  std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
+  std::vector<Push> pushes = {};                ///< on the tool
 };
 
 /// Throws Error with a sentence that names the entry that is not finite, negative where it may not

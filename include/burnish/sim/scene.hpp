@@ -20,7 +20,7 @@ struct SurfaceSpec {
   /// of that the force is clean.
   double damping = 500.0;
   /// m, half the side of the square about `point` that is there to be touched, its sides along the
-  /// columns of Reference::surface_with_normal(); infinite: the plane has no end.
+  /// columns of Reference::surface_with_normal(); infinite: the plane has no end
   double extent = std::numeric_limits<double>::infinity();
   double half_size = 0.4;  ///< m, of the square that is drawn where the plane has no end
 };

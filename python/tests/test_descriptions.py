@@ -1,0 +1,36 @@
+"""What follows from the descriptions of specifications and is committed is what they say."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from burnish import _core
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "describe"
+
+
+@pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
+def test_headers_dataclasses_and_docs_are_as_described() -> None:
+    done = subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__)],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_every_entry_says_what_it_is() -> None:
+    for spec in _core.descriptions():
+        assert spec["meaning"], spec["name"]
+        keys = [field["key"] for field in spec["fields"]]
+        assert len(set(keys)) == len(keys), spec["name"]
+        for field in spec["fields"]:
+            assert not field["unit"] or field["unit"] in field["comment"]
+
+
+def test_a_number_that_an_entry_has_no_room_for_is_refused() -> None:
+    from burnish import Disturbances, Error
+    with pytest.raises(Error, match="Disturbances.encoder_bits: got 4294967297, wanted a whole"):
+        _core.spec_round_trip(Disturbances(encoder_bits=2**32 + 1))
+    assert _core.spec_round_trip(Disturbances(seed=2**64 - 1)).seed == 2**64 - 1

@@ -1,0 +1,122 @@
+#include "base/description.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/sentence.hpp"
+
+namespace burnish {
+
+using Kind = ValueType::Kind;
+
+bool Range::holds(double value) const {
+  if (!std::isfinite(value)) return infinite && value > 0.0;
+  return open ? value > least && value < most : value >= least && value <= most;
+}
+
+std::string Range::text() const {
+  const bool from = std::isfinite(least), to = std::isfinite(most);
+  const std::string low = (open ? "more than " : "at least ") + number(least),
+                    high = (open ? "less than " : "at most ") + number(most);
+  if (direction) return "a vector that is not zero";
+  if (least == 0.0 && most == 1.0 && !open) return "a share between 0 and 1";
+  if (from && to) return open ? low + " and " + high : number(least) + " to " + number(most);
+  return from ? low : to ? high : "";
+}
+
+std::vector<std::string> Words::list() const {
+  std::vector<std::string> result;
+  for (const Word& word : words) result.push_back(word.word);
+  return result;
+}
+
+int Words::value_of(const std::string& word) const {
+  const std::vector<std::string> all = list();
+  const auto found = std::find(all.begin(), all.end(), word);
+  if (found == all.end())
+    throw Error(name + ": there is no " + in_quotes(word) + did_you_mean(word, all));
+  return static_cast<int>(found - all.begin());
+}
+
+namespace {
+
+/// Where the unit of a meaning stands, between its braces: begin and end.
+std::pair<std::size_t, std::size_t> place_of_unit(const std::string& meaning) {
+  const std::size_t begin = meaning.find('{'), end = meaning.find('}');
+  const std::string inside =
+      begin < end && end != std::string::npos ? meaning.substr(begin + 1, end - begin - 1) : "";
+  if (inside.empty() || inside.find(':') != std::string::npos) return {0, 0};
+  return {begin + 1, end};
+}
+
+}  // namespace
+
+std::string Field::unit() const {
+  const auto [begin, end] = place_of_unit(meaning);
+  return meaning.substr(begin, end - begin);
+}
+
+std::string Field::comment() const {
+  const auto [begin, end] = place_of_unit(meaning);
+  if (begin == end) return meaning;
+  return meaning.substr(0, begin - 1) + meaning.substr(begin, end - begin) +
+         meaning.substr(end + 1);
+}
+
+std::string Field::text() const {
+  const std::string brief = in_code.empty() ? comment() : in_code;
+  if (more.empty() || brief.empty()) return brief + more;
+  return brief + (std::isupper(static_cast<unsigned char>(more.front())) ? ". " : "; ") + more;
+}
+
+const Field& Description::field(const std::string& name_of_field) const {
+  for (const Field& candidate : fields)
+    if (candidate.name == name_of_field) return candidate;
+  throw Error(name + " has no entry " + in_quotes(name_of_field));
+}
+
+namespace {
+
+using Subject = std::function<std::string(const std::string&)>;
+
+[[noreturn]] void refuse_value(const std::string& subject, double value, const Range& range) {
+  const std::string wanted = range.text();
+  throw Error(subject + " is " + number(value) + "; wanted " +
+              (!wanted.empty() ? wanted : "a finite number"));
+}
+
+void check_value(const Field& field, const ValueType& type, const void* at, const std::string& way,
+                 const Subject& subject) {
+  const Range& range = field.range;
+  const auto check = [&](double value) {
+    if (!range.holds(value)) refuse_value(subject(way), value, range);
+  };
+  if (type.kind == Kind::Number) {
+    check(*static_cast<const double*>(at));
+  } else if (type.kind == Kind::Count && !type.is_unsigned) {
+    check(static_cast<double>(type.get(at)));
+  } else if (type.kind == Kind::Array) {
+    const double* numbers = type.numbers(const_cast<void*>(at));
+    const Eigen::Index size = type.rows_of(at) * type.columns_of(at);
+    std::for_each(numbers, numbers + size, check);
+    constexpr double shortest = 1e-9;
+    if (range.direction && !(Eigen::Map<const Eigen::VectorXd>(numbers, size).norm() > shortest))
+      throw Error(subject(way) + " has no direction; wanted " + range.text());
+  } else if (type.kind == Kind::List || type.kind == Kind::Optional) {
+    for (std::size_t i = 0; i < type.size(at); ++i)
+      check_value(field, type.element(), type.entry(const_cast<void*>(at), i),
+                  type.kind == Kind::List ? way + "[" + std::to_string(i) + "]" : way, subject);
+  } else if (type.kind == Kind::Struct) {
+    check_ranges(type.description(), at,
+                 [&](const std::string& entry) { return subject(way + "." + entry); });
+  }
+}
+
+}  // namespace
+
+void check_ranges(const Description& description, const void* spec, const Subject& subject) {
+  for (const Field& field : description.fields)
+    check_value(field, *field.type, field.in(spec), field.name, subject);
+}
+
+}  // namespace burnish

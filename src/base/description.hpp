@@ -1,0 +1,274 @@
+// What a specification holds, told once: its entries with unit, range and meaning. From it come
+// files and their comments, range checks, dataclasses in Python and tables in the docs
+// (scripts/describe).
+//
+// A struct is described where a function `const Description& description_of(const Spec*)` is found
+// beside it, an enumeration by `const Words& words_of(Enum)`: declared in its layer's
+// descriptions.hpp, which whoever asks includes.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <typeindex>
+#include <vector>
+
+namespace burnish {
+
+/// The numbers that an entry takes, each of them where it has several.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool open = false;       ///< the ends themselves are out of it
+  bool infinite = false;   ///< infinity is in it
+  bool direction = false;  ///< of a vector: any length but zero
+  bool holds(double value) const;
+  std::string text() const;  ///< such as "more than 0"; empty where any number will do
+};
+
+namespace range {
+inline constexpr double end = std::numeric_limits<double>::infinity();
+inline constexpr Range any{}, not_negative{.least = 0.0}, positive{.least = 0.0, .open = true},
+    positive_or_infinite{.least = 0.0, .open = true, .infinite = true},
+    not_negative_or_infinite{.least = 0.0, .infinite = true}, share{.least = 0.0, .most = 1.0},
+    direction{.direction = true};
+constexpr Range from(double least, double most = end) { return {.least = least, .most = most}; }
+constexpr Range between(double least, double most) {
+  return {.least = least, .most = most, .open = true};
+}
+}  // namespace range
+
+/// An enumeration whose values count from 0, and its words in files, requests and Python.
+struct Words {
+  struct Word {
+    std::string word, meaning = {};
+  };
+  std::string layer, name, meaning;
+  std::vector<Word> words;
+
+  std::vector<std::string> list() const;
+  /// Throws Error with the nearest word: "<name>: there is no '...'".
+  int value_of(const std::string& word) const;
+};
+
+struct Description;
+
+template <class T>
+concept Described = requires(const T* spec) {
+  { description_of(spec) } -> std::same_as<const Description&>;
+};
+template <class T>
+concept Worded = std::is_enum_v<T> && requires(T value) {
+  { words_of(value) } -> std::same_as<const Words&>;
+};
+
+/// What an entry is, and how to get at it by its address.
+struct ValueType {
+  enum class Kind { Number, Count, Flag, Word, Text, Array, List, Optional, Struct, Other };
+  Kind kind = Kind::Other;
+  std::type_index id = typeid(void);
+  bool is_unsigned = false;                        ///< Count
+  Eigen::Index rows = 1, columns = 1;              ///< Array; -1: any number
+  const Words& (*words)() = nullptr;               ///< Word
+  const Description& (*description)() = nullptr;   ///< Struct
+  const ValueType& (*element)() = nullptr;         ///< List, Optional
+  std::int64_t (*get)(const void*) = nullptr;      ///< Count, Word
+  void (*set)(void*, std::int64_t) = nullptr;      ///< Count, Word
+  std::size_t (*size)(const void*) = nullptr;      ///< List; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;    ///< List, Optional
+  void* (*entry)(void*, std::size_t) = nullptr;    ///< List, Optional
+  double* (*numbers)(void*) = nullptr;             ///< Array, column by column
+  Eigen::Index (*rows_of)(const void*) = nullptr;  ///< Array
+  Eigen::Index (*columns_of)(const void*) = nullptr;
+  void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
+};
+
+struct Field {
+  std::string name;     ///< of the member, here and in Python
+  std::string key;      ///< in files
+  std::string meaning;  ///< the unit in braces: "{N}, deviation"
+  std::string in_code;  ///< in place of it where the form in files is no matter; or empty
+  std::string more;     ///< what files do not say
+  std::string word;     ///< in files, for what is not there or has no end; or empty
+  Range range;
+  std::size_t offset = 0;
+  const ValueType* type = nullptr;
+  bool required = false;  ///< of a value that Python's users make, without default there
+
+  void* in(void* spec) const { return static_cast<char*>(spec) + offset; }
+  const void* in(const void* spec) const { return static_cast<const char*>(spec) + offset; }
+  std::string unit() const;     ///< empty: none
+  std::string comment() const;  ///< as files have it
+  std::string text() const;     ///< with all that there is to say
+};
+
+/// Entries that belong together: those from `begin` to the next group.
+struct Group {
+  std::size_t begin;
+  std::string key;  ///< the section of a file that has them; or empty
+  std::string meaning;
+};
+
+struct Description {
+  std::string layer, name, meaning;
+  std::vector<Field> fields = {};
+  std::vector<Group> groups = {};
+  bool is_result = false;  ///< comes out of the library rather than going in
+  std::shared_ptr<void> (*make)() = nullptr;
+
+  std::shared_ptr<const void> defaults = {};
+
+  const Field& field(const std::string& name_of_field) const;
+};
+
+/// Throws Error "<subject> is <value>; wanted <range>" for the first number that is NaN or out of
+/// its range, in all that the value holds. `subject` is asked with the way to the entry, as
+/// "pushes[0].duration".
+void check_ranges(const Description& description, const void* spec,
+                  const std::function<std::string(const std::string& entry)>& subject);
+
+template <class T>
+const ValueType& type_of();
+
+namespace detail {
+
+template <class T>
+struct Element {};
+template <class T>
+struct Element<std::vector<T>> {
+  using type = T;
+};
+template <class T>
+struct Element<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+concept List = std::same_as<T, std::vector<typename Element<T>::type>>;
+template <class T>
+concept Optional = std::same_as<T, std::optional<typename Element<T>::type>>;
+template <class T>
+concept Array = std::derived_from<T, Eigen::PlainObjectBase<T>> &&
+    std::same_as<typename T::Scalar, double> && !(T::IsRowMajor && T::RowsAtCompileTime != 1);
+
+template <class T>
+void count(ValueType& type) {
+  type.get = [](const void* at) { return static_cast<std::int64_t>(*static_cast<const T*>(at)); };
+  type.set = [](void* at, std::int64_t value) { *static_cast<T*>(at) = static_cast<T>(value); };
+}
+template <class T>
+void array(ValueType& type) {
+  type.kind = ValueType::Kind::Array;
+  type.rows = T::RowsAtCompileTime;
+  type.columns = T::ColsAtCompileTime;
+  type.numbers = [](void* at) { return static_cast<T*>(at)->data(); };
+  type.rows_of = [](const void* at) { return static_cast<const T*>(at)->rows(); };
+  type.columns_of = [](const void* at) { return static_cast<const T*>(at)->cols(); };
+  type.resize_array = [](void* at, Eigen::Index rows, Eigen::Index columns) {
+    static_cast<T*>(at)->resize(rows, columns);
+  };
+}
+template <class T>
+void list(ValueType& type) {
+  type.kind = ValueType::Kind::List;
+  type.element = &type_of<typename Element<T>::type>;
+  type.size = [](const void* at) { return static_cast<const T*>(at)->size(); };
+  type.resize = [](void* at, std::size_t size) { static_cast<T*>(at)->resize(size); };
+  type.entry = [](void* at, std::size_t i) -> void* { return &(*static_cast<T*>(at))[i]; };
+}
+template <class T>
+void optional(ValueType& type) {
+  type.kind = ValueType::Kind::Optional;
+  type.element = &type_of<typename Element<T>::type>;
+  type.size = [](const void* at) -> std::size_t { return static_cast<const T*>(at)->has_value(); };
+  type.resize = [](void* at, std::size_t size) {
+    if (size == 0)
+      static_cast<T*>(at)->reset();
+    else
+      static_cast<T*>(at)->emplace();
+  };
+  type.entry = [](void* at, std::size_t) -> void* { return &**static_cast<T*>(at); };
+}
+
+template <class T>
+ValueType make_type() {
+  using Kind = ValueType::Kind;
+  ValueType type;
+  type.id = typeid(T);
+  if constexpr (std::same_as<T, bool>) {
+    type.kind = Kind::Flag;
+  } else if constexpr (Worded<T>) {
+    type.kind = Kind::Word;
+    type.words = []() -> const Words& { return words_of(T{}); };
+    count<T>(type);
+  } else if constexpr (std::integral<T>) {
+    type.kind = Kind::Count;
+    type.is_unsigned = std::is_unsigned_v<T>;
+    count<T>(type);
+  } else if constexpr (std::same_as<T, double>) {
+    type.kind = Kind::Number;
+  } else if constexpr (std::same_as<T, std::string>) {
+    type.kind = Kind::Text;
+  } else if constexpr (Array<T>) {
+    array<T>(type);
+  } else if constexpr (List<T>) {
+    list<T>(type);
+  } else if constexpr (Optional<T>) {
+    optional<T>(type);
+  } else if constexpr (Described<T>) {
+    type.kind = Kind::Struct;
+    type.description = []() -> const Description& {
+      return description_of(static_cast<const T*>(nullptr));
+    };
+  }
+  return type;  // Other: only those who know the type can do something with it
+}
+
+}  // namespace detail
+
+template <class T>
+const ValueType& type_of() {
+  static const ValueType type = detail::make_type<T>();
+  return type;
+}
+
+/// Makes a Description, entry by entry in the order of the members.
+template <class Spec>
+class Describe : public Description {
+ public:
+  Describe(const char* of_layer, const char* of_name, const char* means)
+      : Description{of_layer, of_name, means}, example_(std::make_shared<Spec>()) {
+    defaults = example_;
+    make = []() -> std::shared_ptr<void> { return std::make_shared<Spec>(); };
+  }
+  template <class Value, class Owner>
+  Describe& field(const char* of_name, Value Owner::*member, const char* means,
+                  const Range& numbers = range::any) {
+    const char *begin = reinterpret_cast<const char*>(example_.get()),
+               *at = reinterpret_cast<const char*>(&(example_.get()->*member));
+    fields.push_back({of_name, of_name, means, "", "", numbers.infinite ? "never" : "", numbers,
+                      static_cast<std::size_t>(at - begin), &type_of<Value>()});
+    return *this;
+  }
+  using Description::field;
+  // Of the entry before.
+  Describe& in_code(const char* text) { return fields.back().in_code = text, *this; }
+  Describe& more(const char* text) { return fields.back().more = text, *this; }
+  Describe& key(const char* text) { return fields.back().key = text, *this; }
+  Describe& word(const char* text) { return fields.back().word = text, *this; }
+  Describe& required() { return fields.back().required = true, *this; }
+  /// Begins one.
+  Describe& group(const char* means, const char* section = "") {
+    return groups.push_back({fields.size(), section, means}), *this;
+  }
+  Describe& result() { return is_result = true, *this; }
+
+ private:
+  std::shared_ptr<Spec> example_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,19 @@
+// Described specifications as YAML: read strictly, written as they read back.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/description.hpp"
+#include "files/yaml_reader.hpp"
+
+namespace burnish::files {
+
+/// Refuses what the entry does not take, with the place.
+void read_entry(const Field& field, void* spec, const YamlReader& reader);
+/// Of a map, the keys that it states; the others stay as they are.
+void read_entries(const Description& description, void* spec, const YamlReader& reader);
+/// On one line; nothing for an empty text, which is not written.
+std::optional<std::string> entry_text(const Field& field, const void* spec);
+
+}  // namespace burnish::files

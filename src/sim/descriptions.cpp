@@ -1,0 +1,184 @@
+#include "sim/descriptions.hpp"
+
+namespace burnish {
+
+const Description& description_of(const Push* /*of*/) {
+  static const Description all =
+      Describe<Push>("sim", "Push", "A force on the tool for a while.")
+          .field("start", &Push::start, "{s}")
+          .field("duration", &Push::duration, "{s}", range::not_negative)
+          .field("force_world", &Push::force_world, "{N}, world axes, at the tip frame's origin")
+          .key("force");
+  return all;
+}
+
+const Description& description_of(const Disturbances* /*of*/) {
+  using D = Disturbances;
+  constexpr Range size = range::not_negative;
+  static const Description all =
+      Describe<D>(
+          "sim", "Disturbances",
+          "All that makes a plant differ from what its controller believes. Nothing is "
+          "switched on unless it is named: zero, empty, false or \"no value\" is off. What is "
+          "drawn at random comes from the seed. Joints are the entries of v; those of a "
+          "floating base have neither motors nor encoders and are spared. Units are those of "
+          "revolute joints; prismatic ones have m and N in place of rad and Nm.")
+          .field("seed", &D::seed, "of everything that is drawn at random")
+          .group("From command to joint torque, in the order in which they act.")
+          .field("command_delay", &D::command_delay, "{s} from the controller to the motors", size)
+          .more("rounded to plant steps")
+          .field("torque_cutoff", &D::torque_cutoff,
+                 "{rad/s}, first-order lag of the motors; 0: none", size)
+          .more("dtau/dt = cutoff (command - tau)")
+          .field("torque_scale_range", &D::torque_scale_range,
+                 "each joint gives 1 + r times its torque, |r| <= this", size)
+          .field("torque_scale", &D::torque_scale,
+                 "factors per joint in place of drawn ones, or none")
+          .in_code("nv factors in place of drawn ones, or empty")
+          .word("none")
+          .field("torque_bias_range", &D::torque_bias_range, "{Nm}: each joint adds b, |b| <= this",
+                 size)
+          .field("torque_bias", &D::torque_bias, "{Nm} per joint in place of drawn ones, or none")
+          .in_code("nv, Nm (N), in place of drawn ones, or empty")
+          .word("none")
+          .field("torque_noise", &D::torque_noise, "{Nm}, deviation", size)
+          .more("new at every plant step")
+          .field("torque_limits", &D::torque_limits,
+                 "joints give no more than the robot's effort limits")
+          .field("torque_loop", &D::torque_loop,
+                 "a loop around a torque sensor takes away scale, bias and joint friction")
+          .more("ideal in its bandwidth; it follows the sensor's noise instead")
+          .field("torque_sensor_noise", &D::torque_sensor_noise, "{Nm}, deviation", size)
+          .group("In the joints of the plant.")
+          .field("joint_coulomb", &D::joint_coulomb, "{Nm}, joint friction", size)
+          .field("joint_viscous", &D::joint_viscous, "{Nms/rad}, joint friction", size)
+          .group("From plant to measurement.")
+          .field("encoder_bits", &D::encoder_bits, "per turn; 0: exact", range::from(0, 40))
+          .more("of revolute and continuous joints")
+          .field("position_noise", &D::position_noise,
+                 "{rad}, deviation, before the encoder rounds", size)
+          .field("velocity_noise", &D::velocity_noise, "{rad/s}, deviation", size)
+          .field("finite_difference_velocity", &D::finite_difference_velocity,
+                 "velocities from measured positions")
+          .more("in place of the true ones")
+          .field("velocity_cutoff", &D::velocity_cutoff, "{rad/s}, low-pass on those; 0: none",
+                 size)
+          .field("force_noise", &D::force_noise, "{N}, deviation per axis of the force sensor",
+                 size)
+          .field("force_cutoff", &D::force_cutoff, "{rad/s}, low-pass behind the noise; 0: none",
+                 size)
+          .group("In the plant's model and scene: plant_model() and plant_scene().")
+          .field("mass_scale", &D::mass_scale, "of all masses and inertias of the plant",
+                 range::positive)
+          .field("surface_tilt_deg", &D::surface_tilt_deg,
+                 "{degrees} about the surface's two tangents, unknown to the controller",
+                 range::between(-90, 90))
+          .more("through its point, about the first tangent after the second")
+          .field("surface_height", &D::surface_height, "{m} along the normal")
+          .more("before the tilt")
+          .field("surface_friction", &D::surface_friction,
+                 "Coulomb coefficient in place of the surface's, or none", size)
+          .in_code("Coulomb coefficient in place of the scene's")
+          .word("none")
+          .field("pushes", &D::pushes,
+                 "on the tool: [{start: s, duration: s, force: [x, y, z] in N, world}, ...]")
+          .in_code("on the tool");
+  return all;
+}
+
+const Description& description_of(const SurfaceSpec* /*of*/) {
+  using S = SurfaceSpec;
+  static const Description all =
+      Describe<S>("sim", "SurfaceSpec", "A plane, or a square of one. All vectors in the world.")
+          .field("point", &S::point, "any point on it, {m}; of a square, its middle")
+          .field("normal", &S::normal, "out of the material, towards the robot", range::direction)
+          .field("friction", &S::friction, "Coulomb coefficient mu", range::not_negative)
+          .field("stiffness", &S::stiffness, "{N/m}; rigid plants pass it over", range::positive)
+          .field("damping", &S::damping, "{Ns/m}; rigid plants pass it over", range::not_negative)
+          .more(
+              "MuJoCo's convex friction cone lifts a sliding tip by mu * damping * speed: contact "
+              "is lost unless damping < force / (mu * speed), and below a third of that the force "
+              "is clean.")
+          .field("extent", &S::extent,
+                 "{m}, half the side of the square about `point` that is there to be touched, its "
+                 "sides along the columns of Reference::surface_with_normal(); infinite: the plane "
+                 "has no end",
+                 range::positive_or_infinite)
+          .field("half_size", &S::half_size,
+                 "{m}, of the square that is drawn where the plane has no end", range::positive);
+  return all;
+}
+
+const Description& description_of(const ToolTipSpec* /*of*/) {
+  static const Description all =
+      Describe<ToolTipSpec>(
+          "sim", "ToolTipSpec",
+          "A sphere about the origin of a frame. It touches a plane at one point, "
+          "and the normal force passes through the frame's origin.")
+          .field("frame", &ToolTipSpec::frame, "")
+          .field("radius", &ToolTipSpec::radius, "{m}", range::positive);
+  return all;
+}
+
+const Description& description_of(const SceneSpec* /*of*/) {
+  static const Description all =
+      Describe<SceneSpec>("sim", "SceneSpec",
+                          "What the tool meets: a flat surface, and a round tip.")
+          .field("surface", &SceneSpec::surface, "")
+          .field("tip", &SceneSpec::tip, "");
+  return all;
+}
+
+const Description& description_of(const PlantSnapshot* /*of*/) {
+  static const Description all =
+      Describe<PlantSnapshot>(
+          "sim", "PlantSnapshot",
+          "A moment of a plant, to go back to. What it holds belongs to the kind "
+          "of plant that saved it.")
+          .field("numbers", &PlantSnapshot::numbers, "");
+  return all;
+}
+
+const Description& description_of(const ActuationStep* /*of*/) {
+  using A = ActuationStep;
+  static const Description all =
+      Describe<A>("sim", "ActuationStep",
+                  "One plant step of the actuation: the torque after each part, nv each, Nm or N.")
+          .result()
+          .field("command", &A::command, "as it came")
+          .field("delayed", &A::delayed, "")
+          .field("tracked", &A::tracked, "behind the first-order lag")
+          .field("noise", &A::noise, "added to what follows scale and bias")
+          .field("applied", &A::applied, "to the plant: scaled, biased, noisy, within the limits")
+          .field("limited", &A::limited, "joints at their effort limit")
+          .field("held", &A::held, "the command was not finite: the one before it was taken");
+  return all;
+}
+
+const Description& description_of(const IdealPlantOptions* /*of*/) {
+  using I = IdealPlantOptions;
+  static const Description all =
+      Describe<I>("sim", "IdealPlantOptions", "How make_ideal_plant()'s plant steps.")
+          .field("dt", &I::dt, "{s}", range::positive)
+          .field("tip_viscous", &I::tip_viscous,
+                 "{Ns/m}, against the contact point's sliding, besides Coulomb",
+                 range::not_negative)
+          .field("stabilize_kp", &I::stabilize_kp, "{1/s^2}, on the gap while in contact",
+                 range::not_negative)
+          .field("stabilize_kd", &I::stabilize_kd, "{1/s}, on its rate", range::not_negative);
+  return all;
+}
+
+const Description& description_of(const ClosedLoopOptions* /*of*/) {
+  using C = ClosedLoopOptions;
+  static const Description all =
+      Describe<C>("sim", "ClosedLoopOptions", "How a ClosedLoop runs, and what it records.")
+          .field("control_period", &C::control_period, "{s}, a multiple of the plant's step",
+                 range::positive)
+          .field("max_duration", &C::max_duration, "{s} that the trace has room for")
+          .field("record_every", &C::record_every, "plant steps per row of the trace",
+                 range::from(1));
+  return all;
+}
+
+}  // namespace burnish

@@ -1,0 +1,24 @@
+// What the layer's specifications hold.
+#pragma once
+
+#include "base/description.hpp"
+#include "burnish/sim/actuation.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "burnish/sim/plant.hpp"
+#include "burnish/sim/scene.hpp"
+
+namespace burnish {
+
+const Description& description_of(const Push*);
+const Description& description_of(const Disturbances*);
+const Description& description_of(const SurfaceSpec*);
+const Description& description_of(const ToolTipSpec*);
+const Description& description_of(const SceneSpec*);
+const Description& description_of(const PlantSnapshot*);
+const Description& description_of(const ActuationStep*);
+const Description& description_of(const IdealPlantOptions*);
+const Description& description_of(const ClosedLoopOptions*);
+
+}  // namespace burnish

@@ -1,0 +1,75 @@
+// Descriptions of specifications: the words that come from them, and what they refuse.
+#include "base/description.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/refusal.hpp"
+
+namespace burnish {
+namespace {
+
+struct Inner {
+  double share = 0.5;
+};
+struct Outer {
+  int count = 3;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  std::optional<double> friction = {};
+  std::vector<Inner> inner = {};
+};
+
+const Description& description_of(const Inner* /*of*/) {
+  static const Description all =
+      Describe<Inner>("base", "Inner", "").field("share", &Inner::share, "of it", range::share);
+  return all;
+}
+const Description& description_of(const Outer* /*of*/) {
+  static const Description all =
+      Describe<Outer>("base", "Outer", "")
+          .field("count", &Outer::count, "{turns}, whole ones", range::from(1, 5))
+          .more("of the crank")
+          .field("axis", &Outer::axis, "[{x: 1}] in {m}; any length", range::direction)
+          .field("friction", &Outer::friction, "or none", range::positive)
+          .field("inner", &Outer::inner, "");
+  return all;
+}
+
+std::string refused(const Outer& value) {
+  return testing::refusal([&] {
+    check_ranges(description_of(&value), &value, [](const std::string& entry) { return entry; });
+  });
+}
+
+TEST(Descriptions, find_the_unit_among_the_words) {
+  const Description& outer = description_of(static_cast<const Outer*>(nullptr));
+  EXPECT_EQ(outer.field("count").unit(), "turns");
+  EXPECT_EQ(outer.field("count").comment(), "turns, whole ones");
+  EXPECT_EQ(outer.field("count").text(), "turns, whole ones; of the crank");
+  EXPECT_EQ(outer.field("friction").unit(), "");
+  EXPECT_EQ(outer.field("axis").comment(), "[{x: 1}] in {m}; any length");
+}
+
+TEST(Descriptions, refuse_the_first_number_out_of_its_range_by_the_way_to_it) {
+  EXPECT_EQ(refused({}), "");
+  EXPECT_EQ(refused({.count = 6}), "count is 6; wanted 1 to 5");
+  EXPECT_EQ(refused({.axis = Eigen::Vector3d::Zero()}),
+            "axis has no direction; wanted a vector that is not zero");
+  EXPECT_EQ(refused({.axis = {0.0, NAN, 1.0}}), "axis is nan; wanted a vector that is not zero");
+  EXPECT_EQ(refused({.friction = 0.0}), "friction is 0; wanted more than 0");
+  EXPECT_EQ(refused({.inner = {{}, {-1.0}}}),
+            "inner[1].share is -1; wanted a share between 0 and 1");
+}
+
+TEST(Descriptions, give_ranges_their_ends) {
+  EXPECT_TRUE(range::positive_or_infinite.holds(range::end));
+  EXPECT_FALSE(range::positive_or_infinite.holds(-range::end));
+  EXPECT_FALSE(range::positive.holds(range::end));
+  EXPECT_FALSE(range::any.holds(NAN));
+  EXPECT_FALSE(range::positive.holds(0.0));
+  EXPECT_TRUE(range::not_negative.holds(0.0));
+  EXPECT_FALSE(range::between(-90, 90).holds(90.0));
+  EXPECT_TRUE(range::share.holds(1.0));
+}
+
+}  // namespace
+}  // namespace burnish
