@@ -61,7 +61,7 @@ class JsonEvents {
     return true;
   }
   bool key(std::string& value) { return string(value); }
-  bool binary(json::binary_t& /*value*/) { return false; }
+  static bool binary(json::binary_t& /*value*/) { return false; }
   bool start_object(std::size_t /*size*/) { return begin(Kind::Map); }
   bool start_array(std::size_t /*size*/) { return begin(Kind::List); }
   bool end_object() { return end(); }

@@ -69,7 +69,7 @@ class Reader {
   std::string text() const;
   std::vector<std::string> texts() const;  ///< a text or a list of them
   Eigen::VectorXd numbers() const;         ///< a list of any length, not empty
-  Eigen::VectorXd numbers(Eigen::Index size) const;
+  Eigen::VectorXd numbers(Eigen::Index wanted) const;
   Eigen::Vector3d vector3() const { return numbers(3); }
   /// One of these words; refuses others with the nearest one.
   std::string word(const std::vector<std::string>& known) const;

@@ -94,7 +94,7 @@ ContactSolver read_contact_solver(const YamlReader& reader) {
   ContactSolver solver;
   if (const auto mu = reader.find("mu")) solver.mu = mu->not_negative();
   if (const auto most = reader.find("max_proximal_iterations"))
-    solver.max_proximal_iterations = most->count(0);
+    solver.max_proximal_iterations = most->count(0, 10'000);
   if (const auto tolerance = reader.find("proximal_tolerance"))
     solver.proximal_tolerance = tolerance->not_negative();
   return solver;

@@ -296,6 +296,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
         Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
                 "solver.max_proximal_iterations: it is 1.5; wanted a whole number"},
+        Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1000000000}})",
+                "solver.max_proximal_iterations: it is 1e+09; wanted at most 10000"},
         Refused{R"({"robot": "arm7", "frames": [{"name": "tool", "parent": "tool"}]})",
                 "frames[0].name: the name 'tool' is taken"},
         Refused{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
