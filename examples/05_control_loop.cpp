@@ -9,6 +9,7 @@
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 
 using namespace burnish;
 using Eigen::Vector3d;
@@ -33,7 +34,7 @@ int main() {
   speed[2] = -0.02;  // m/s, towards the board
   along_normal[2] = 1.0;
 
-  MpcSpec mpc{.problem = {.model = robot.model}, .normal_world = n, .target = target};
+  MpcSpec mpc{.problem = {.model = robot.model}, .normal_world = n};
   ContactSpec board{.name = "board", .tool = "tool", .directions = Directions::z()};
   board.reference = Reference::surface(axes);
   mpc.problem.contacts = {board.with_gains(0.0, 40.0)};
@@ -53,10 +54,9 @@ int main() {
       {.name = "press", .contacts = {"board"}, .costs = {state, torque, across, force}}};
   mpc.problem.terminal = {state, across};
   mpc.problem.horizon = {{"approach", 50}};  // half a second
-  mpc.schedule = {
-      {.phase = Phase::Approach, .stage = "approach", .duration = 0.5, .until_contact = true},
-      {.phase = Phase::Ramp, .stage = "press", .duration = 0.5},
-      {.phase = Phase::Track, .stage = "press"}};
+  mpc.schedule = {{.name = "approach", .stage = "approach", .duration = 0.5, .until = "contact"},
+                  {.name = "press", .stage = "press"}};
+  mpc.task = PressingTask{.touch = {Touch::Due, Touch::Wanted}, .target = target};
   mpc.tick_period = mpc.update_period = 1e-3;
   mpc.model_error.bandwidth = 150.0;
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import burnish
-from burnish import CostTerm, FrameAxes, Phase, SchedulePhase, Stage, residual
+from burnish import CostTerm, FrameAxes, SchedulePhase, Stage, Touch, residual
 
 robot = burnish.load_robot("arm7")
 q = robot.posture("ready")
@@ -53,12 +53,12 @@ mpc = burnish.MpcSpec(
         initial_state=rest,
     ),
     schedule=[
-        SchedulePhase(Phase.APPROACH, "approach", duration=0.5, until_contact=True),
-        SchedulePhase(Phase.RAMP, "press", duration=0.5),
-        SchedulePhase(Phase.TRACK, "press"),
+        SchedulePhase("approach", "approach", duration=0.5, until="contact"),
+        SchedulePhase("press", "press"),
     ],
     normal_world=n,
-    target=lambda t: burnish.TaskTarget(place(t), push(t)),
+    task=burnish.PressingTask([Touch.DUE, Touch.WANTED],
+                              lambda t: burnish.TaskTarget(place(t), push(t))),
     tick_period=1e-3,
     update_period=1e-3,
     model_error=burnish.ModelErrorOptions(bandwidth=150.0),

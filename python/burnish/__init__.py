@@ -13,6 +13,7 @@ from .files import *
 from .model import *
 from .mpc import *
 from .ocp import *
+from .pressing import *
 from .report import *
 from .sim import *
 from .solver import *

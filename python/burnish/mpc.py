@@ -6,7 +6,7 @@ import abc
 import enum
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Callable, List, Optional, Union
+from typing import TYPE_CHECKING, List, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,24 +16,14 @@ from ._core import FeedbackPlan, MpcController, Schedule, TorqueErrorObserver, T
 from ._spec import Spec, empty, items, vector, zeros
 from .base import Status
 from .ocp import ProblemSpec
+from .pressing import PressingTask
 from .solver import DdpOptions, StepUpdate
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
-    "MpcSpec", "Phase", "SafetyLimits", "Schedule", "SchedulePhase", "TaskTarget",
-    "TorqueErrorObserver",
+    "MpcSpec", "SafetyLimits", "Schedule", "SchedulePhase", "TorqueErrorObserver",
 ]
-
-
-class Phase(enum.Enum):
-    """Where a polishing task stands."""
-
-    REACH = 0
-    APPROACH = 1
-    RAMP = 2
-    TRACK = 3
-    RETREAT = 4
 
 
 class FaultKind(enum.Enum):
@@ -62,6 +52,8 @@ class FaultKind(enum.Enum):
     """the tool is pushed harder than allowed"""
     SPEED_LIMIT = 11
     """a joint or the tool is faster than allowed"""
+    WATCHED = 12
+    """a quantity of the task, FaultReport.quantity, is beyond its limit"""
 
 
 class ModelErrorKind(enum.Enum):
@@ -99,7 +91,8 @@ class Command(Spec):
 
     tau: ArrayLike = empty()
     """nv, Nm or N; zero for a floating base"""
-    phase: Phase = Phase.REACH
+    phase: int = 0
+    """where the task stands: of an MpcController, its place in the schedule"""
     target_force: float = 0.0
     """N, how hard the surface shall push back along its normal"""
     p_target_world: ArrayLike = zeros(3)
@@ -117,41 +110,25 @@ class Command(Spec):
 
 @dataclass(eq=False, repr=False)
 class SchedulePhase(Spec):
-    phase: Phase = Phase.REACH
+    name: str = ""
+    """such as approach"""
     stage: str = ""
     """of the optimal control problem"""
     duration: float = math.inf
     """s; infinite for the last one only"""
-    until_contact: bool = False
-    """ends when contact is made and not before. When it is made early, the clock jumps to the end;
-    when it is late, the clock stands still `hold` s before it, so that the horizon goes on
-    approaching and plans the contact soon. Of the last phase it means nothing."""
+    until: str = ""
+    """event, such as "contact", that ends it, and not before; empty: its duration does. When the event
+    is early, the clock jumps to the end; when it is late, the clock stands still `hold` s before it,
+    so that the horizon goes on with the phase and plans the next one soon. Of the last phase it means
+    nothing."""
     hold: float = 0.05
     """s; longer than the phase: the clock stands still at its start"""
 
 
 @dataclass(eq=False, repr=False)
-class TaskTarget(Spec):
-    """What the task asks of the tool at a time of the schedule, for the record. What the controller
-    aims at is what the costs of the problem say."""
-
-    p_world: ArrayLike = zeros(3)
-    """3, m"""
-    force: float = 0.0
-    """N, along the normal; 0: no contact wanted"""
-
-
-@dataclass(eq=False, repr=False)
 class SafetyLimits(Spec):
-    """When a run is given up. Infinite: never."""
+    """When a run is given up, whatever the task; the task's own limits are its. Infinite: never."""
 
-    force: float = 100.0
-    """N, measured at the tool, of the mean over `force_window`: a rigid impact's force at a single
-    instant is its impulse over the sampling time and says little"""
-    force_window: float = 5e-3
-    """s, rounded to ticks, one at least"""
-    tool_speed: float = 1.0
-    """m/s"""
     joint_speed_ratio: float = 1.2
     """of the model's velocity limits"""
     joint_margin: float = 0.05
@@ -160,22 +137,6 @@ class SafetyLimits(Spec):
     """s without a new measurement; longer than a tick"""
     bad: float = 0.01
     """s of bad measurements that the last good one bridges"""
-    contact_lost: float = 0.15
-    """s without force in RAMP and TRACK"""
-    contact_threshold: float = 2.0
-    """N of normal force that count as contact. Where the sensor's noise comes near it, which is found
-    out in REACH, it is the mean over 5 ms that counts, against six of its own deviations."""
-    late_contact_travel: float = 0.03
-    """m along the normal without contact, from when the schedule's clock began to wait for it in
-    APPROACH: how far the surface may lie behind where it is thought to be"""
-    late_contact_time: float = 3.0
-    """s, likewise"""
-    unexpected_force: float = 15.0
-    """N of normal force, mean over `force_window`: in REACH, and in RETREAT once the tool has come
-    off (its force fell below `contact_threshold`) or `release` s are over. More where noise reaches
-    further: six deviations of that mean."""
-    release: float = 0.5
-    """s"""
     failed_solves: int = 5
     """in a row; the first solve may not fail"""
     deadline: float = math.inf
@@ -225,6 +186,8 @@ class FaultReport(Spec):
     """what was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s"""
     limit: float = 0.0
     """what was allowed, in the same unit"""
+    quantity: str = ""
+    """of FaultKind.WATCHED: its name and unit"""
     last_second: Trace = field(default_factory=Trace)
     """oldest row first, the fault's tick last; empty while there is no fault"""
 
@@ -248,18 +211,21 @@ class LinearFeedback(Spec):
 
 @dataclass(eq=False, repr=False)
 class MpcSpec(Spec):
-    """Model predictive control of a contact task: a horizon that moves with time, solved again and
+    """Model predictive control of a task: a horizon that moves with time, solved again and
     again from the measured state, and its policy in between."""
 
     problem: ProblemSpec
     """horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
     segments matter for the number of knots alone; all stages have the same step."""
     schedule: List[SchedulePhase] = items()
+    task: Optional[PressingTask] = None
+    """events of the schedule, what is watched; None: neither"""
     tool: str = "tool"
+    """frame that Measurement.tool_force_world acts at"""
     normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
-    """3, of the surface, towards the robot"""
-    target: Optional[Callable[[float], TaskTarget]] = None
-    """by time of the schedule, asked at each tick; must be given"""
+    """3, that the tool presses along: of the surface, towards the robot"""
+    contact_threshold: float = 2.0
+    """N along the normal that count as contact"""
     tick_period: float = 5e-4
     """s"""
     update_period: float = 0.01

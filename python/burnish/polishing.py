@@ -45,6 +45,7 @@ from ._core import (
 from ._spec import Spec, items, vector, zeros
 from .model import Robot
 from .mpc import Fallback, ModelErrorOptions, SafetyLimits
+from .pressing import ToolLimits
 from .report import PlotSpec
 from .sim import Disturbances, SceneSpec, has_mujoco
 from .solver import StepUpdate
@@ -264,6 +265,9 @@ class Task(Spec):
     """Riccati policy between updates"""
     model_error: ModelErrorOptions = field(default_factory=lambda: ModelErrorOptions(bandwidth=150.0))
     limits: SafetyLimits = field(default_factory=SafetyLimits)
+    tool_limits: ToolLimits = field(default_factory=ToolLimits)
+    contact_threshold: float = 2.0
+    """N of measured normal force that count as contact"""
     fallback: Fallback = field(default_factory=Fallback)
     weights: Weights = field(default_factory=Weights)
 

@@ -48,7 +48,7 @@ void bind_schedule(py::module_& m) {
                        "A clock that runs along phases. Its time is the time of a task's targets.")
       .def(py::init<std::vector<SchedulePhase>>(), py::arg("phases"),
            "Raises Error for no phases, durations that are not positive, an infinite one before "
-           "the last, and a hold that is not a positive time where contact is waited for.")
+           "the last, and a hold that is not a positive time where an event is waited for.")
       .def_property_readonly(
           "phases", [](const Schedule& self) { return self.phases(); }, "As given.")
       .def(
@@ -60,8 +60,13 @@ void bind_schedule(py::module_& m) {
           },
           py::arg("phase"), "Planned start of a phase, s.")
       .def("reset", &Schedule::reset, "Back to time zero.")
-      .def("advance", &Schedule::advance, py::arg("dt"), py::arg("contact"),
-           "Lets dt s pass. True if the clock jumped or stood still.")
+      .def_property_readonly(
+          "events", [](const Schedule& self) { return self.events(); },
+          "Those that phases wait for, in their order.")
+      .def("advance", &Schedule::advance, py::arg("dt"), py::arg("happened"),
+           "Lets dt s pass. happened: bit e for entry e of `events`; of one event True will do. "
+           "True "
+           "if the clock jumped or stood still.")
       .def(
           "jump_to",
           [](Schedule& self, int phase) {
@@ -72,7 +77,7 @@ void bind_schedule(py::module_& m) {
           py::arg("phase"), "Goes to the start of a phase; past the last one, to the last one.")
       .def_property_readonly("time", &Schedule::time, "s.")
       .def_property_readonly("waits", &Schedule::waits,
-                             "The last advance() found the clock standing still for contact.")
+                             "The last advance() found the clock standing still for an event.")
       .def_property_readonly("phase", &Schedule::phase, "Index of the phase now.")
       .def("phase_at", &Schedule::phase_at, py::arg("time"),
            "Index of the phase at a time of the clock; the last one after the end.")
@@ -247,7 +252,7 @@ void bind_mpc_plan(MpcClass& c) {
 void bind_mpc_controller(py::module_& m) {
   MpcClass c(
       m, "MpcController",
-      "Model predictive control of a contact task. A new controller is ready; reset() makes it so "
+      "Model predictive control of a task. A new controller is ready; reset() makes it so "
       "again, and the same measurements then give the same torques to the last bit. tick() is to "
       "be called once per tick_period; the first call solves the problem to its end. An update "
       "that fails is bridged by the plan before it; the first fault latches the fallback until "

@@ -3,9 +3,8 @@
 namespace burnish::python {
 
 template <>
-const EnumTable& AsEnum<Phase>::table() {
-  static const EnumTable words("burnish.mpc", "Phase",
-                               {"reach", "approach", "ramp", "track", "retreat"});
+const EnumTable& AsEnum<Touch>::table() {
+  static const EnumTable words("burnish.pressing", "Touch", {"free", "due", "wanted", "leaving"});
   return words;
 }
 template <>
@@ -14,7 +13,7 @@ const EnumTable& AsEnum<FaultKind>::table() {
       "burnish.mpc", "FaultKind",
       {"none", "stale_measurement", "bad_measurement", "out_of_range", "solver_failed",
        "solver_late", "contact_lost", "no_contact", "contact_late", "unexpected_contact",
-       "force_limit", "speed_limit"});
+       "force_limit", "speed_limit", "watched"});
   return words;
 }
 template <>
@@ -49,40 +48,52 @@ const SpecTable& AsDataclass<Command>::table() {
 template <>
 const SpecTable& AsDataclass<SchedulePhase>::table() {
   static const SpecTable fields = SpecTable("burnish.mpc", "SchedulePhase")
-                                      .field("phase", &SchedulePhase::phase)
+                                      .field("name", &SchedulePhase::name)
                                       .field("stage", &SchedulePhase::stage)
                                       .field("duration", &SchedulePhase::duration)
-                                      .field("until_contact", &SchedulePhase::until_contact)
+                                      .field("until", &SchedulePhase::until)
                                       .field("hold", &SchedulePhase::hold);
   return fields;
 }
 template <>
 const SpecTable& AsDataclass<TaskTarget>::table() {
-  static const SpecTable fields = SpecTable("burnish.mpc", "TaskTarget")
+  static const SpecTable fields = SpecTable("burnish.pressing", "TaskTarget")
                                       .field("p_world", &TaskTarget::p_world)
                                       .field("force", &TaskTarget::force);
   return fields;
 }
 template <>
 const SpecTable& AsDataclass<SafetyLimits>::table() {
+  static const SpecTable fields = SpecTable("burnish.mpc", "SafetyLimits")
+                                      .field("joint_speed_ratio", &SafetyLimits::joint_speed_ratio)
+                                      .field("joint_margin", &SafetyLimits::joint_margin)
+                                      .field("stale", &SafetyLimits::stale)
+                                      .field("bad", &SafetyLimits::bad)
+                                      .field("failed_solves", &SafetyLimits::failed_solves)
+                                      .field("deadline", &SafetyLimits::deadline)
+                                      .field("late_solves", &SafetyLimits::late_solves);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ToolLimits>::table() {
   static const SpecTable fields =
-      SpecTable("burnish.mpc", "SafetyLimits")
-          .field("force", &SafetyLimits::force)
-          .field("force_window", &SafetyLimits::force_window)
-          .field("tool_speed", &SafetyLimits::tool_speed)
-          .field("joint_speed_ratio", &SafetyLimits::joint_speed_ratio)
-          .field("joint_margin", &SafetyLimits::joint_margin)
-          .field("stale", &SafetyLimits::stale)
-          .field("bad", &SafetyLimits::bad)
-          .field("contact_lost", &SafetyLimits::contact_lost)
-          .field("contact_threshold", &SafetyLimits::contact_threshold)
-          .field("late_contact_travel", &SafetyLimits::late_contact_travel)
-          .field("late_contact_time", &SafetyLimits::late_contact_time)
-          .field("unexpected_force", &SafetyLimits::unexpected_force)
-          .field("release", &SafetyLimits::release)
-          .field("failed_solves", &SafetyLimits::failed_solves)
-          .field("deadline", &SafetyLimits::deadline)
-          .field("late_solves", &SafetyLimits::late_solves);
+      SpecTable("burnish.pressing", "ToolLimits")
+          .field("force", &ToolLimits::force)
+          .field("force_window", &ToolLimits::force_window)
+          .field("tool_speed", &ToolLimits::tool_speed)
+          .field("contact_lost", &ToolLimits::contact_lost)
+          .field("late_contact_travel", &ToolLimits::late_contact_travel)
+          .field("late_contact_time", &ToolLimits::late_contact_time)
+          .field("unexpected_force", &ToolLimits::unexpected_force)
+          .field("release", &ToolLimits::release);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<PressingTask>::table() {
+  static const SpecTable fields = SpecTable("burnish.pressing", "PressingTask")
+                                      .field("touch", &PressingTask::touch)
+                                      .field("target", &PressingTask::target)
+                                      .field("limits", &PressingTask::limits);
   return fields;
 }
 template <>
@@ -109,6 +120,7 @@ const SpecTable& AsDataclass<FaultReport>::table() {
                                       .field("joint", &FaultReport::joint)
                                       .field("value", &FaultReport::value)
                                       .field("limit", &FaultReport::limit)
+                                      .field("quantity", &FaultReport::quantity)
                                       .field("last_second", &FaultReport::last_second);
   return fields;
 }
@@ -125,9 +137,10 @@ const SpecTable& AsDataclass<MpcSpec>::table() {
   static const SpecTable fields = SpecTable("burnish.mpc", "MpcSpec")
                                       .field("problem", &MpcSpec::problem)
                                       .field("schedule", &MpcSpec::schedule)
+                                      .field("task", &MpcSpec::task)
                                       .field("tool", &MpcSpec::tool)
                                       .field("normal_world", &MpcSpec::normal_world)
-                                      .field("target", &MpcSpec::target)
+                                      .field("contact_threshold", &MpcSpec::contact_threshold)
                                       .field("tick_period", &MpcSpec::tick_period)
                                       .field("update_period", &MpcSpec::update_period)
                                       .field("solver_delay", &MpcSpec::solver_delay)

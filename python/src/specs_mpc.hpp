@@ -1,7 +1,7 @@
-// Values of the mpc layer.
+// Values of the mpc layer, and of tasks that press.
 #pragma once
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"
 #include "time_function.hpp"
@@ -9,7 +9,7 @@
 namespace burnish::python {
 
 template <>
-struct EnumOf<Phase> : AsEnum<Phase> {};
+struct EnumOf<Touch> : AsEnum<Touch> {};
 template <>
 struct EnumOf<FaultKind> : AsEnum<FaultKind> {};
 template <>
@@ -24,6 +24,10 @@ template <>
 struct SpecOf<TaskTarget> : AsDataclass<TaskTarget> {};
 template <>
 struct SpecOf<SafetyLimits> : AsDataclass<SafetyLimits> {};
+template <>
+struct SpecOf<ToolLimits> : AsDataclass<ToolLimits> {};
+template <>
+struct SpecOf<PressingTask> : AsDataclass<PressingTask> {};
 template <>
 struct SpecOf<Fallback> : AsDataclass<Fallback> {};
 template <>
@@ -42,5 +46,25 @@ namespace pybind11::detail {
 template <>
 struct type_caster<std::function<burnish::TaskTarget(double)>>
     : burnish::python::TimeFunctionCaster<burnish::TaskTarget> {};
+
+/// None is no task.
+template <>
+struct type_caster<burnish::MakeTask> {
+  PYBIND11_TYPE_CASTER(burnish::MakeTask, const_name("Optional[PressingTask]"));
+  bool load(handle from, bool convert) {
+    value = nullptr;
+    if (from.is_none()) return true;
+    make_caster<burnish::PressingTask> caster;
+    if (!caster.load(from, convert)) return false;
+    value = cast_op<burnish::PressingTask&>(caster);
+    return true;
+  }
+  static handle cast(const burnish::MakeTask& from, return_value_policy policy, handle parent) {
+    if (!from) return none().release();
+    if (const auto* task = from.target<burnish::PressingTask>())
+      return make_caster<burnish::PressingTask>::cast(*task, policy, parent);
+    throw burnish::Error("MpcSpec.task: it is of C++ alone; wanted is a PressingTask");
+  }
+};
 
 }  // namespace pybind11::detail

@@ -132,6 +132,8 @@ const SpecTable& AsDataclass<Task>::table() {
                                       .field("feedback", &Task::feedback)
                                       .field("model_error", &Task::model_error)
                                       .field("limits", &Task::limits)
+                                      .field("tool_limits", &Task::tool_limits)
+                                      .field("contact_threshold", &Task::contact_threshold)
                                       .field("fallback", &Task::fallback)
                                       .field("weights", &Task::weights)
                                       .field("disturbances", &Task::disturbances);

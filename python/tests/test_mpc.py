@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish import FaultKind, Phase, SchedulePhase, Status, residual
+from burnish import FaultKind, SchedulePhase, Status, Touch, residual
 
 TILTED = [0.2, -0.1, 1.0]
 
@@ -50,10 +50,10 @@ class Press:
                 horizon=[burnish.HorizonSegment("approach", 20)],
                 initial_state=rest,
             ),
-            schedule=[SchedulePhase(Phase.APPROACH, "approach", 0.15, until_contact=True),
-                      SchedulePhase(Phase.TRACK, "press")],
+            schedule=[SchedulePhase("approach", "approach", 0.15, until="contact"),
+                      SchedulePhase("press", "press")],
+            task=burnish.PressingTask([Touch.DUE, Touch.WANTED], self.target),
             normal_world=TILTED,
-            target=self.target,
             tick_period=1e-3,
             update_period=5e-3,
             model_error=burnish.ModelErrorOptions(bandwidth=100.0),
@@ -96,8 +96,8 @@ def test_it_presses_and_gives_the_same_bits_again(press):
     controller = loop.controller
     assert controller.fault().kind == FaultKind.NONE and len(controller.fault().last_second) == 0
     assert abs(loop.plant.contact_force_world @ press.n - 10.0) < 0.2
-    assert loop.trace["phase"][0] == Phase.APPROACH.value
-    assert loop.trace["phase"][-1] == Phase.TRACK.value and loop.command.target_force == 10.0
+    assert loop.trace["phase"][0] == 0
+    assert loop.trace["phase"][-1] == 1 and loop.command.target_force == 10.0
     first = rows(loop)
     loop.reset(press.q)
     loop.run(0.6)
@@ -133,7 +133,7 @@ def test_what_it_knows_can_be_asked(press):
     schedule.reset()
     assert controller.schedule.phase == 1, "it was a copy"
     assert controller.spec.update_period == 5e-3
-    assert controller.spec.target == press.target
+    assert controller.spec.task.target == press.target
     assert controller.spec.problem.stages[1].contacts == ["board"]
     controller.reset()
     assert controller.schedule.time == 0.0
@@ -152,7 +152,7 @@ def test_ticks_can_be_made_by_hand(press):
 
 
 def test_a_fault_is_reported_and_pickled(press):
-    press.spec.limits.force = 3.0
+    press.spec.task.limits.force = 3.0
     loop = press.loop()
     loop.run(0.5)
     fault = loop.controller.fault()
@@ -177,7 +177,7 @@ def test_what_a_target_raises_comes_out_and_ends_the_run(press):
             raise Broken("no such target")
         return press.target(t)
 
-    press.spec.target = target
+    press.spec.task.target = target
     loop = press.loop()
     with pytest.raises(Broken, match="no such target"):
         loop.run(5.0)
@@ -231,6 +231,7 @@ def test_what_a_signal_raises_at_the_first_solve(press):
 
     press.spec.problem.stages[1].costs[3].residual.target = Wild()
     press.spec.schedule = [SchedulePhase("track", "press")]
+    press.spec.task.touch = ["wanted"]
     with pytest.raises(Broken, match="no signal"):
         burnish.MpcController(press.spec).tick(
             burnish.Measurement(0.0, press.q, np.zeros(7), np.zeros(7)))
@@ -238,20 +239,22 @@ def test_what_a_signal_raises_at_the_first_solve(press):
 
 
 def test_what_a_target_gives_that_does_not_fit_is_said(press):
-    press.spec.target = lambda t: 3.0
+    press.spec.task.target = lambda t: 3.0
     with pytest.raises(burnish.Error, match="gave 3.0 at 0.0 s; wanted is a TaskTarget"):
         press.loop().run(0.1)
-    press.spec.target = 3.0
-    with pytest.raises(burnish.Error, match=r"MpcSpec.target: got 3.0, wanted Callable"):
+    press.spec.task.target = 3.0
+    with pytest.raises(burnish.Error, match=r"PressingTask.target: got 3.0, wanted Callable"):
         burnish.MpcController(press.spec)
 
 
 def test_specifications_that_do_not_fit_are_refused(press):
     for changes, sentence in (
-        ({"target": None}, "no target"),
+        ({"task": press.spec.task.replace(target=None)}, "no target"),
+        ({"task": press.spec.task.replace(touch=[])}, "0 entries for a schedule of 2 phases"),
+        ({"task": None}, "waits for 'contact', which is no event of its task"),
         ({"update_period": 7.5e-4}, "multiple of the tick"),
         ({"tool": "tol"}, "did you mean 'tool'"),
-        ({"schedule": []}, "phase"),
+        ({"schedule": [], "task": None}, "no phases"),
         ({"solver_delay": 1.0}, "solver delay"),
         ({"normal_world": [0, 0, 0]}, "normal"),
     ):
@@ -259,8 +262,8 @@ def test_specifications_that_do_not_fit_are_refused(press):
             burnish.MpcController(press.spec.replace(**changes))
     with pytest.raises(burnish.Error, match="MpcSpec.tick_period: got 'fast', wanted a number"):
         burnish.MpcController(press.spec.replace(tick_period="fast"))
-    with pytest.raises(burnish.Error, match="SafetyLimits.force: got None"):
-        burnish.MpcController(press.spec.replace(limits=burnish.SafetyLimits(force=None)))
+    with pytest.raises(burnish.Error, match="SafetyLimits.bad: got None"):
+        burnish.MpcController(press.spec.replace(limits=burnish.SafetyLimits(bad=None)))
 
 
 def test_a_plant_in_python_gives_the_same_bits(press):
@@ -307,8 +310,9 @@ def test_ctrl_c_ends_a_run(press):
 
 def test_a_schedule_waits_for_contact():
     schedule = burnish.Schedule([
-        SchedulePhase(Phase.APPROACH, "a", 0.5, until_contact=True, hold=0.1),
-        SchedulePhase(Phase.TRACK, "b")])
+        SchedulePhase("near", "a", 0.5, until="contact", hold=0.1),
+        SchedulePhase("far", "b")])
+    assert schedule.events == ["contact"]
     assert schedule.start_of(1) == 0.5 and schedule.phase_at(0.6) == 1
     for _ in range(60):
         moved = schedule.advance(0.01, False)

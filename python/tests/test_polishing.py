@@ -222,8 +222,8 @@ class TestSetting:
         task = polishing.make_task("table", force=22.0)
         setting = polishing.make_setting(task)
         mpc = polishing.make_mpc(task, setting)
-        assert [p.phase for p in mpc.schedule] == list(burnish.Phase)
-        assert mpc.target(setting.ramp_end + 1.0).force == 22.0
+        assert [p.name for p in mpc.schedule] == [p.name.lower() for p in burnish.Phase]
+        assert mpc.task.target(setting.ramp_end + 1.0).force == 22.0
         baseline = polishing.make_baseline(task, setting)
         assert baseline.task(1.0).force == 22.0
         np.testing.assert_array_equal(baseline.posture, setting.q_start)

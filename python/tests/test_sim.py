@@ -47,7 +47,7 @@ class Posture(burnish.Controller):
         self.ticks += 1
         return burnish.Command(
             tau=self.kp * (self.q - measurement.q) - self.kd * measurement.v,
-            phase="track",
+            phase=burnish.Phase.TRACK,
             target_force=1.5,
             p_target_world=[1.0, 2.0, 3.0],
         )

@@ -130,7 +130,8 @@ def test_every_dataclass_has_a_struct_in_cpp_and_the_other_way_round() -> None:
 
 
 def test_every_enumeration_has_the_members_of_cpp_in_their_order() -> None:
-    assert sorted(ENUMS) == sorted(_core.enum_words())
+    # What a Phase is in C++ is a number in Command.phase.
+    assert sorted(set(ENUMS) - {"burnish.pressing.Phase"}) == sorted(_core.enum_words())
     for name, words in _core.enum_words().items():
         members: List[enum.Enum] = list(ENUMS[name])
         assert [m.name.lower() for m in members] == words, name

@@ -30,6 +30,8 @@ std::string_view name_of(FaultKind kind) {
       return "force limit";
     case FaultKind::SpeedLimit:
       return "speed limit";
+    case FaultKind::Watched:
+      return "beyond a limit";
   }
   return "no fault";
 }
@@ -61,6 +63,8 @@ const char* words(FaultKind kind) {
       return "%s at %.4f s: %.4g N at the tool; allowed are %.4g N";
     case FaultKind::SpeedLimit:
       return "%s at %.4f s: a speed of %.4g; allowed is %.4g";
+    case FaultKind::Watched:
+      return "%s at %.4f s: %.4g; allowed is %.4g";
     case FaultKind::None:
       break;
   }
@@ -77,6 +81,7 @@ std::string FaultReport::text() const {
                 limit);
 #pragma GCC diagnostic pop
   std::string sentence = buffer;
+  if (!quantity.empty()) sentence += " (" + quantity + ")";
   if (joint >= 0) sentence += " (entry " + std::to_string(joint) + " of v)";
   return sentence;
 }

@@ -15,13 +15,13 @@ void MpcController::reset() noexcept { impl_->reset(); }
 const Command& MpcController::tick(const Measurement& measurement) noexcept {
   return impl_->tick(measurement);
 }
-const FaultReport& MpcController::fault() const { return impl_->fault; }
+const FaultReport& MpcController::fault() const { return impl_->fault.report; }
 std::exception_ptr MpcController::take_exception() noexcept {
   return std::exchange(impl_->thrown, nullptr);
 }
-const LinearFeedback& MpcController::feedback() const { return impl_->policy; }
-const Eigen::VectorXd& MpcController::torque_error() const { return impl_->torque_error; }
-double MpcController::force_error() const { return impl_->force_error; }
+const LinearFeedback& MpcController::feedback() const { return impl_->policy.feedback(); }
+const Eigen::VectorXd& MpcController::torque_error() const { return impl_->error.torque_error(); }
+double MpcController::force_error() const { return impl_->error.force_error(); }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 const Problem& MpcController::problem() const { return impl_->problem; }
 MatrixView MpcController::plan() const { return impl_->solver.xs(); }

@@ -8,8 +8,28 @@
 
 namespace burnish {
 
-Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases)) {
+namespace {
+
+std::vector<std::string> named_events(const std::vector<SchedulePhase>& phases) {
+  std::vector<std::string> events;
+  for (const SchedulePhase& phase : phases)
+    if (!phase.until.empty() &&
+        std::find(events.begin(), events.end(), phase.until) == events.end())
+      events.push_back(phase.until);
+  return events;
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): read for its events before it is copied
+Schedule::Schedule(std::vector<SchedulePhase> phases) : Schedule(phases, named_events(phases)) {}
+
+Schedule::Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> events)
+    : phases_(std::move(phases)), events_(std::move(events)) {
   if (phases_.empty()) throw Error("a schedule has no phases; wanted at least one");
+  if (events_.size() > 32)
+    throw Error("a schedule knows " + std::to_string(events_.size()) +
+                " events; wanted at most 32");
   double start = 0.0;
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const double duration = phases_[i].duration;
@@ -19,10 +39,15 @@ Schedule::Schedule(std::vector<SchedulePhase> phases) : phases_(std::move(phases
     if (std::isinf(duration) && i + 1 < phases_.size())
       throw Error("phase " + std::to_string(i) + " of a schedule never ends, but " +
                   std::to_string(phases_.size() - i - 1) + " follow it");
-    if (phases_[i].until_contact && !(phases_[i].hold > 0.0 && std::isfinite(phases_[i].hold)))
-      throw Error("phase " + std::to_string(i) +
-                  " of a schedule waits for contact with a hold of " + number(phases_[i].hold) +
-                  " s; wanted a positive time");
+    const std::string& until = phases_[i].until;
+    const auto event = std::find(events_.begin(), events_.end(), until);
+    if (!until.empty() && event == events_.end())
+      throw Error("phase " + std::to_string(i) + " of a schedule waits for " + in_quotes(until) +
+                  ", which is no event of its task" + did_you_mean(until, events_));
+    if (!until.empty() && !(phases_[i].hold > 0.0 && std::isfinite(phases_[i].hold)))
+      throw Error("phase " + std::to_string(i) + " of a schedule waits for " + in_quotes(until) +
+                  " with a hold of " + number(phases_[i].hold) + " s; wanted a positive time");
+    until_.push_back(until.empty() ? 0U : 1U << (event - events_.begin()));
     starts_.push_back(start);
     start += duration;
   }
@@ -53,19 +78,20 @@ void Schedule::jump_to(int phase) noexcept {
   waits_ = false;
 }
 
-bool Schedule::advance(double dt, bool contact) noexcept {
+bool Schedule::advance(double dt, unsigned happened) noexcept {
   time_ += dt;
   waits_ = false;
   for (; current_ + 1 < static_cast<int>(phases_.size()); ++current_) {
     const SchedulePhase& phase = phases_[static_cast<std::size_t>(current_)];
     const double end = start_of(current_ + 1);
-    if (phase.until_contact && contact) {
+    const unsigned until = until_[static_cast<std::size_t>(current_)];
+    if ((until & happened) != 0) {
       const bool jumped = time_ != end;
       time_ = end;
       ++current_;
       return jumped;
     }
-    if (phase.until_contact) {
+    if (until != 0) {
       const double latest = std::max(start_of(current_), end - phase.hold);
       waits_ = time_ > latest;
       time_ = std::min(time_, latest);

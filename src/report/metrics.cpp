@@ -97,7 +97,7 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
     if (touched < 0 && in_contact[row] != 0.0) touched = row;
     if (touched >= 0 && time[row] <= time[touched] + impact_time)
       metrics.impact_peak = std::max(metrics.impact_peak.value_or(0.0), force[row]);
-    if (phase[row] == static_cast<double>(Phase::Track) && row < first)
+    if (row < first && phase[row] == phase[first])
       metrics.overshoot =
           std::max({metrics.overshoot.value_or(0.0), smooth[row] - target[row], 0.0});
   }

@@ -112,14 +112,16 @@ void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
     fill.copy("tau_command_" + model.v_name(k), "tau_command_" + model.v_name(k));
 }
 
-std::vector<PagePhase> phases_of(const Trace& trace) {
-  constexpr const char* names[] = {"reach", "approach", "ramp", "track", "retreat"};
+std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::string>& names) {
+  const auto name_of = [&](double phase) {
+    const auto place = static_cast<std::size_t>(std::max(0.0, phase));
+    return place < names.size() ? names[place] : std::to_string(place);
+  };
   const auto time = trace.column("time"), phase = trace.column("phase");
   std::vector<PagePhase> phases;
   for (int row = 0; row < trace.rows(); ++row) {
     const bool same = row > 0 && phase[row] == phase[row - 1];
-    if (!same)
-      phases.push_back({names[std::clamp(static_cast<int>(phase[row]), 0, 4)], time[row], 0.0});
+    if (!same) phases.push_back({name_of(phase[row]), time[row], 0.0});
     phases.back().end = time[row];
     if (!same && phases.size() > 1) phases[phases.size() - 2].end = time[row];
   }
@@ -183,7 +185,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_forces(fill, page, trace);
   add_motion(fill, page, trace);
   add_joints(fill, model, trace);
-  page.phases = phases_of(trace);
+  page.phases = phases_of(trace, page.phase_names);
   PageSolver solver = page.solver.value_or(PageSolver{});
   add_solver(solver, trace, size.most_plans);
   if (solver.time.size() > 0) {

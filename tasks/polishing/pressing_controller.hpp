@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "burnish/mpc/mpc.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish::polishing {
 
@@ -37,8 +37,9 @@ class PressingController {
                       const DdpOptions& threads) {
     MpcSpec result{.problem = problem};
     result.tool = tool;
-    result.schedule = {{.phase = Phase::Track, .stage = "press"}};
-    result.target = [](double) { return TaskTarget{.force = force}; };
+    result.schedule = {{.stage = "press"}};
+    result.task = PressingTask{.touch = {Touch::Wanted},
+                               .target = [](double) { return TaskTarget{.force = force}; }};
     result.tick_period = result.update_period = period;
     result.solver.threads = threads.threads;
     result.solver.pin_threads = threads.pin_threads;

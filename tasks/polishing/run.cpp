@@ -106,7 +106,7 @@ constexpr double most_plans = 20e3;
 /// s that contact may come later than planned: longer than the controller waits, if it has a limit.
 double patience_of(const RunSpec& spec) {
   constexpr double usual = 3.0;
-  const double limit = spec.task.limits.late_contact_time;
+  const double limit = spec.task.tool_limits.late_contact_time;
   if (spec.controller != ControllerKind::Mpc || !std::isfinite(limit)) return usual;
   return std::max(usual, limit);
 }
@@ -145,7 +145,7 @@ class Watch {
   }
   /// Whether it goes on after `now`.
   bool goes_on(double now, const Command& command) {
-    if (track_begin_ < 0.0 && command.phase == Phase::Track) track_begin_ = now;
+    if (track_begin_ < 0.0 && command.phase == number_of(Phase::Track)) track_begin_ = now;
     if (track_begin_ < 0.0) return now < pieces_.planned_end + pieces_.patience;
     return now < end() - 1e-9;
   }
@@ -211,11 +211,6 @@ void judge(const RunSpec& spec, const Plant& plant, const Watch& watch, RunResul
                                    plant.scene().surface.normal, begin, end);
 }
 
-std::string phase_name(Phase phase) {
-  constexpr const char* names[] = {"reach", "approach", "ramp", "track", "retreat"};
-  return names[static_cast<int>(phase)];
-}
-
 /// `failure`: what the verdict says, empty if nothing.
 std::string outcome_of(const RunResult& result, const Watch& watch, double now, Phase phase,
                        const std::string& failure) {
@@ -223,9 +218,9 @@ std::string outcome_of(const RunResult& result, const Watch& watch, double now, 
   if (result.plant_status > Status::NotConverged)
     return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
   if (result.fault.kind != FaultKind::None) return result.fault.text();
-  if (result.interrupted) return "interrupted" + when + ", in phase " + phase_name(phase);
+  if (result.interrupted) return "interrupted" + when + ", in phase " + name_of(phase);
   if (watch.track_begin() < 0.0)
-    return "no contact was made: the run was given up" + when + ", in phase " + phase_name(phase);
+    return "no contact was made: the run was given up" + when + ", in phase " + name_of(phase);
   if (!failure.empty()) return failure;
   if (!watch.tracked(now)) return "the path was not followed to its end: the run ended" + when;
   char text[80];
@@ -283,7 +278,8 @@ RunResult run_task(const RunSpec& spec) {
   judge(spec, *plant, watch, result);
   const std::string failure =
       result.verdict ? verdict_failure(spec.task, *result.verdict) : std::string();
-  result.outcome = outcome_of(result, watch, plant->time(), loop.command().phase, failure);
+  result.outcome =
+      outcome_of(result, watch, plant->time(), static_cast<Phase>(loop.command().phase), failure);
   result.polished = result.plant_status <= Status::NotConverged &&
                     result.fault.kind == FaultKind::None && !result.interrupted &&
                     watch.tracked(plant->time()) && failure.empty();

@@ -310,20 +310,25 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const int knots = static_cast<int>(std::lround(task.horizon / task.step));
   problem.horizon = {{"reach", knots}};
 
-  mpc.schedule = {{.phase = Phase::Reach, .stage = "reach", .duration = setting.reach_end},
-                  {.phase = Phase::Approach,
-                   .stage = "approach",
-                   .duration = setting.touch - setting.reach_end,
-                   .until_contact = true},
-                  {.phase = Phase::Ramp, .stage = "press", .duration = task.ramp_duration},
-                  {.phase = Phase::Track, .stage = "press", .duration = task.polish_duration},
-                  {.phase = Phase::Retreat, .stage = "retreat"}};
+  // The phases of Phase, in its order.
+  mpc.schedule = {
+      {.stage = "reach", .duration = setting.reach_end},
+      {.stage = "approach", .duration = setting.touch - setting.reach_end, .until = "contact"},
+      {.stage = "press", .duration = task.ramp_duration},
+      {.stage = "press", .duration = task.polish_duration},
+      {.stage = "retreat"}};
+  for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
   mpc.normal_world = setting.scene.surface.normal;
-  mpc.target = [task, setting, path](double time) {
+  PressingTask pressing{
+      .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
+      .limits = task.tool_limits};
+  pressing.target = [task, setting, path](double time) {
     const TaskPoint point = task_point(task, setting, *path, time);
     return TaskTarget{point.p_world, point.force};
   };
+  mpc.task = pressing;
+  mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;

@@ -53,7 +53,7 @@ void check_times(const Task& task) {
     refuse_together("controller.tick_rate is " + number(task.tick_rate) + " Hz; wanted at most " +
                     number(most_rate) + " Hz");
   const double approach = task.clearance / task.approach_speed;
-  const double late = task.limits.late_contact_time;
+  const double late = task.tool_limits.late_contact_time;
   double sum = 0.0;
   for (const auto& [name, time] :
        {std::pair("phases.reach_duration", task.reach_duration),
@@ -168,9 +168,9 @@ void check_task(const Task& task) {
   if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
     refuse_together("solver_delay is " + number(task.solver_delay) + " s; wanted at most the " +
                     number(1.0 / task.update_rate) + " s between two updates");
-  if (task.limits.force <= task.force)
+  if (task.tool_limits.force <= task.force)
     refuse_together("the force of " + number(task.force) + " N reaches limits.force of " +
-                    number(task.limits.force) + " N; wanted less");
+                    number(task.tool_limits.force) + " N; wanted less");
   const Path path(task.path);
   check_verdict(task.verdict);
 }

@@ -74,8 +74,14 @@ TaskSection model_error_section() {
 }
 
 TaskSection limits_section() {
-  const auto limit = [](const char* name, const char* meaning, double SafetyLimits::*member) {
-    return number_key(name, meaning, Range::PositiveOrNever, at(&Task::limits, member));
+  const auto key = [](const char* name, const char* meaning, const auto& entry) {
+    return number_key(name, meaning, Range::PositiveOrNever, entry);
+  };
+  const auto limit = [key](const char* name, const char* meaning, double SafetyLimits::*member) {
+    return key(name, meaning, at(&Task::limits, member));
+  };
+  const auto tool = [key](const char* name, const char* meaning, double ToolLimits::*member) {
+    return key(name, meaning, at(&Task::tool_limits, member));
   };
   const auto count = [](const char* name, const char* meaning, int SafetyLimits::*member) {
     return count_key(name, meaning, 1, at(&Task::limits, member));
@@ -85,24 +91,23 @@ TaskSection limits_section() {
       "Beyond these a run is given up: the arm is braked and held (fallback), and there is a "
       "report.\n"
       "Each may be never.",
-      {limit("force", "N at the tool, mean over force_window", &SafetyLimits::force),
-       limit("force_window", "s", &SafetyLimits::force_window),
-       limit("tool_speed", "m/s", &SafetyLimits::tool_speed),
+      {tool("force", "N at the tool, mean over force_window", &ToolLimits::force),
+       tool("force_window", "s", &ToolLimits::force_window),
+       tool("tool_speed", "m/s", &ToolLimits::tool_speed),
        limit("joint_speed_ratio", "of the robot's velocity limits",
              &SafetyLimits::joint_speed_ratio),
        number_key("joint_margin", "rad that a joint may be beyond its limit", Range::NotNegative,
                   at(&Task::limits, &SafetyLimits::joint_margin)),
        limit("stale", "s without a new measurement", &SafetyLimits::stale),
        limit("bad", "s of measurements that are no state", &SafetyLimits::bad),
-       limit("contact_lost", "s without force while it is wanted", &SafetyLimits::contact_lost),
-       limit("contact_threshold", "N that count as contact", &SafetyLimits::contact_threshold),
-       limit("late_contact_travel", "m that the tool may go on after contact was due",
-             &SafetyLimits::late_contact_travel),
-       limit("late_contact_time", "s that contact may come late", &SafetyLimits::late_contact_time),
-       limit("unexpected_force", "N while moving through free space",
-             &SafetyLimits::unexpected_force),
-       limit("release", "s into the retreat after which it is free space at the latest",
-             &SafetyLimits::release),
+       tool("contact_lost", "s without force while it is wanted", &ToolLimits::contact_lost),
+       key("contact_threshold", "N that count as contact", at(&Task::contact_threshold)),
+       tool("late_contact_travel", "m that the tool may go on after contact was due",
+            &ToolLimits::late_contact_travel),
+       tool("late_contact_time", "s that contact may come late", &ToolLimits::late_contact_time),
+       tool("unexpected_force", "N while moving through free space", &ToolLimits::unexpected_force),
+       tool("release", "s into the retreat after which it is free space at the latest",
+            &ToolLimits::release),
        count("failed_solves", "in a row", &SafetyLimits::failed_solves),
        limit("deadline", "s of computing time per plan", &SafetyLimits::deadline),
        count("late_solves", "in a row", &SafetyLimits::late_solves)}};

@@ -9,7 +9,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
-#include "mpc/contact_detector.hpp"
+#include "pressing/contact_detector.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish {
@@ -79,6 +79,7 @@ class ImpedanceController final : public Controller {
   ContactDetector touch_;
   FrameDerivatives motion_;
   Command command_;
+  Phase phase_ = Phase::Approach;
   double since_ = 0.0;     ///< s in the phase
   double integral_ = 0.0;  ///< N
   double measured_ = 0.0;  ///< N, along the normal
@@ -114,7 +115,8 @@ void ImpedanceController::reset() noexcept {
   since_ = integral_ = measured_ = lag_ = 0.0;
   touch_.reset();
   command_.tau.setZero();
-  command_.phase = Phase::Approach;
+  phase_ = Phase::Approach;
+  command_.phase = number_of(phase_);
   command_.status = Status::Ok;
 }
 
@@ -154,18 +156,18 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
 /// Moves on to the next phase where its time has come; what is aimed at now.
 TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
   measured_ = measurement.tool_force_world.dot(spec_.normal_world);
-  Phase& phase = command_.phase;
-  const Phase before = phase;
-  touch_.add(measured_, phase == Phase::Approach);
-  if (phase == Phase::Approach && touch_.touches()) phase = Phase::Ramp;
-  if (phase == Phase::Ramp && since_ >= spec_.ramp) phase = Phase::Track;
-  since_ = phase == before ? since_ + spec_.period : 0.0;
-  TaskPoint target = spec_.task(phase == Phase::Track ? since_ : 0.0);
-  if (phase == Phase::Approach) target.force = 0.0;
-  if (phase == Phase::Ramp)
+  const Phase before = phase_;
+  touch_.add(measured_, phase_ == Phase::Approach);
+  if (phase_ == Phase::Approach && touch_.touches()) phase_ = Phase::Ramp;
+  if (phase_ == Phase::Ramp && since_ >= spec_.ramp) phase_ = Phase::Track;
+  command_.phase = number_of(phase_);
+  since_ = phase_ == before ? since_ + spec_.period : 0.0;
+  TaskPoint target = spec_.task(phase_ == Phase::Track ? since_ : 0.0);
+  if (phase_ == Phase::Approach) target.force = 0.0;
+  if (phase_ == Phase::Ramp)
     target.force = spec_.contact_threshold +
                    (target.force - spec_.contact_threshold) * smooth(since_ / spec_.ramp);
-  if (phase != Phase::Track) target.v_world.setZero(), target.a_world.setZero();
+  if (phase_ != Phase::Track) target.v_world.setZero(), target.a_world.setZero();
   command_.target_force = target.force;
   command_.p_target_world = target.p_world;
   command_.force_estimate_world = measurement.tool_force_world;
@@ -181,7 +183,7 @@ Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   const Eigen::Vector3d wanted =
       target.a_world + spec_.kp * error + spec_.kd * (target.v_world - v);
   double normal = -spec_.kd_normal * n.dot(v);
-  if (command_.phase == Phase::Approach) {
+  if (phase_ == Phase::Approach) {
     const double slower = -spec_.approach_speed - n.dot(v);
     lag_ = std::clamp(lag_ + spec_.period * slower, -longest_lag, longest_lag);
     normal = spec_.kd_normal * slower + spec_.kp * lag_;
@@ -194,7 +196,7 @@ Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
   // Without joint accelerations, the tip's acceleration is dJ/dt v.
   const Eigen::Vector3d drift = body_.acceleration(tool_, FrameAxes::Centered).head<3>();
   Eigen::Vector3d force = inertia_.solve(Eigen::Vector3d(acceleration(target) - drift));
-  if (command_.phase == Phase::Approach) return force;
+  if (phase_ == Phase::Approach) return force;
   integral_ += spec_.ki * spec_.period * (target.force - measured_);
   integral_ = std::clamp(integral_, -spec_.integral_limit, spec_.integral_limit);
   force -= (target.force + integral_) * spec_.normal_world;

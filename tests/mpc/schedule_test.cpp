@@ -13,14 +13,10 @@ using testing::expect_words;
 using testing::refusal;
 
 std::vector<SchedulePhase> phases() {
-  return {{.phase = Phase::Reach, .stage = "reach", .duration = 0.5},
-          {.phase = Phase::Approach,
-           .stage = "approach",
-           .duration = 0.4,
-           .until_contact = true,
-           .hold = 0.05},
-          {.phase = Phase::Ramp, .stage = "press", .duration = 0.3},
-          {.phase = Phase::Retreat, .stage = "reach"}};
+  return {{.stage = "reach", .duration = 0.5},
+          {.stage = "approach", .duration = 0.4, .until = "contact", .hold = 0.05},
+          {.stage = "press", .duration = 0.3},
+          {.stage = "reach"}};
 }
 
 /// Until the clock shows this time, in steps of 1 ms; the number of ticks that were off.
@@ -126,6 +122,26 @@ TEST(Schedule, jumps_to_phases_that_there_are) {
   EXPECT_EQ(schedule.phase(), 0);
 }
 
+TEST(Schedule, tells_events_apart) {
+  std::vector<SchedulePhase> two = phases();
+  two[2].until = "told";
+  Schedule schedule(two);
+  EXPECT_EQ(schedule.events(), (std::vector<std::string>{"contact", "told"}));
+  advance_to(schedule, 0.6, false);
+  EXPECT_FALSE(schedule.advance(1e-3, 2U)) << "told before anybody waits for it";
+  EXPECT_EQ(schedule.phase(), 1);
+  EXPECT_TRUE(schedule.advance(1e-3, 1U));
+  EXPECT_EQ(schedule.phase(), 2);
+  for (int i = 0; i < 1000; ++i) schedule.advance(1e-3, 1U);
+  EXPECT_TRUE(schedule.waits());
+  EXPECT_TRUE(schedule.advance(1e-3, 3U));
+  EXPECT_EQ(schedule.phase(), 3);
+  // In the order that the events are given in.
+  Schedule given(two, {"told", "contact"});
+  advance_to(given, 0.6, false);
+  EXPECT_TRUE(given.advance(1e-3, 2U));
+}
+
 TEST(Schedule, refuses_what_is_no_schedule) {
   expect_words(refusal([] { Schedule({}); }), {"no phases"});
   const auto with = [](int phase, auto&& change) {
@@ -141,6 +157,10 @@ TEST(Schedule, refuses_what_is_no_schedule) {
                {"phase 2", "never ends"});
   expect_words(with(1, [](SchedulePhase& p) { p.hold = 0.0; }), {"phase 1", "hold", "positive"});
   EXPECT_EQ(with(0, [](SchedulePhase& p) { p.hold = 0.0; }), "");
+  expect_words(refusal([] { Schedule(phases(), {"contacts"}); }),
+               {"phase 1", "'contact'", "no event", "contacts"});
+  expect_words(refusal([] { Schedule(phases(), std::vector<std::string>(33, "contact")); }),
+               {"33 events", "at most 32"});
 }
 
 }  // namespace

@@ -112,6 +112,7 @@ inline RunPage page_of_run(int rows = 1000, int record_every = 10) {
   page.outcome = "polished";
   page.polished = true;
   page.metrics = page_metrics(std::nullopt);
+  page.phase_names = {"reach", "approach", "ramp", "track", "retreat"};
   page.robot.model = page_model();
   page.tool_frame = "wheel";
   page.tip_radius = 0.02;

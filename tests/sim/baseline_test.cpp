@@ -71,7 +71,7 @@ TEST(BaselineMujoco, allocates_nothing_in_a_run) {
   const Status status = run.run(1.0);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_EQ(status, Status::Ok);
-  EXPECT_EQ(run.loop().command().phase, Phase::Track);
+  EXPECT_EQ(run.loop().command().phase, number_of(Phase::Track));
 }
 
 TEST(BaselineMujoco, feels_a_tilt_a_height_error_and_pushes_that_it_does_not_know) {

@@ -128,7 +128,7 @@ TEST(ClosedLoop, allocates_nothing_in_a_step_with_everything_switched_on) {
   const Status status = run.run(0.8);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_EQ(status, Status::Ok);
-  EXPECT_EQ(run.loop().command().phase, Phase::Track);
+  EXPECT_EQ(run.loop().command().phase, number_of(Phase::Track));
 }
 
 TEST(ClosedLoop, refuses_what_does_not_fit) {

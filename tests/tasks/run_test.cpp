@@ -137,8 +137,8 @@ TEST(PolishingRun, ASurfaceThatIsNotThereIsAFaultOfTheController) {
   EXPECT_EQ(result.outcome, result.fault.text());
   expect_words(result.outcome, {"no contact at 2.", "went on 0.03", "m without a force"});
   // As long as the controller waits, so does the run.
-  spec.task.limits.late_contact_travel = std::numeric_limits<double>::infinity();
-  spec.task.limits.late_contact_time = 5.0;
+  spec.task.tool_limits.late_contact_travel = std::numeric_limits<double>::infinity();
+  spec.task.tool_limits.late_contact_time = 5.0;
   spec.task.disturbances.surface_height = -0.3;
   const RunResult late = run_task(spec);
   EXPECT_EQ(late.fault.kind, FaultKind::ContactLate) << late.outcome;
@@ -222,7 +222,7 @@ TEST(PolishingRun, OutOfReachIsRefusedBeforeAnythingMoves) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.force = 300.0;
   expect_words(refusal([&] { run_task(spec); }), {"force of 300 N reaches limits.force"});
-  spec.task.limits.force = 1000.0;
+  spec.task.tool_limits.force = 1000.0;
   spec.task.force = 500.0;
   expect_words(refusal([&] { run_task(spec); }), {"out of reach", "pressing with 500 N"});
 }

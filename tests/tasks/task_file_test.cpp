@@ -64,10 +64,10 @@ Task unusual_task() {
   task.feedback = false;
   task.model_error.kind = ModelErrorKind::Force;
   task.limits.deadline = 0.003;
-  task.limits.force = std::numeric_limits<double>::infinity();
-  task.limits.late_contact_travel = std::numeric_limits<double>::infinity();
-  task.limits.late_contact_time = 7.5;
-  task.limits.release = 0.25;
+  task.tool_limits.force = std::numeric_limits<double>::infinity();
+  task.tool_limits.late_contact_travel = std::numeric_limits<double>::infinity();
+  task.tool_limits.late_contact_time = 7.5;
+  task.tool_limits.release = 0.25;
   task.fallback = {.stiffness = 0.0, .damping = 12.0, .give = 0.3};
   task.verdict = {.contact_share = 0.5, .force_rmse = 0.25, .path_share = 0.0};
   task.weights.terminal = 1e-7;
@@ -99,7 +99,7 @@ TEST_F(TaskFile, WhatIsWrittenReadsBackAsItWas) {
   EXPECT_FALSE(back.feedback);
   EXPECT_EQ(back.model_error.kind, ModelErrorKind::Force);
   EXPECT_EQ(back.limits.deadline, 0.003);
-  EXPECT_TRUE(std::isinf(back.limits.force));
+  EXPECT_TRUE(std::isinf(back.tool_limits.force));
   EXPECT_EQ(back.disturbances.seed, 41U);
   EXPECT_EQ(back.disturbances.torque_scale, task.disturbances.torque_scale);
   EXPECT_EQ(back.disturbances.surface_tilt_deg, task.disturbances.surface_tilt_deg);

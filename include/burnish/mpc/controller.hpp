@@ -18,14 +18,11 @@ struct Measurement {
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
 };
 
-/// Where a polishing task stands.
-enum class Phase { Reach, Approach, Ramp, Track, Retreat };
-
 /// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at
 /// and how it fares, for the record.
 struct Command {
   Eigen::VectorXd tau;  ///< nv, Nm or N; zero for a floating base
-  Phase phase = Phase::Reach;
+  int phase = 0;        ///< where the task stands: of an MpcController, its place in the schedule
   double target_force = 0.0;  ///< N, how hard the surface shall push back along its normal
   Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();  ///< m, of the tip frame's origin
   /// What the controller believes the surface's force on the tool to be, N, world axes.

@@ -21,6 +21,7 @@ enum class FaultKind {
   UnexpectedContact,  ///< a force while the tool moves through free space
   ForceLimit,         ///< the tool is pushed harder than allowed
   SpeedLimit,         ///< a joint or the tool is faster than allowed
+  Watched,            ///< a quantity of the task, FaultReport::quantity, is beyond its limit
 };
 
 /// Such as "contact lost".
@@ -33,8 +34,9 @@ struct FaultReport {
   int joint = -1;     ///< entry of v that it is about, or -1
   /// What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.
   double value = 0.0;
-  double limit = 0.0;  ///< what was allowed, in the same unit
-  Trace last_second;   ///< oldest row first, the fault's tick last; empty while there is no fault
+  double limit = 0.0;         ///< what was allowed, in the same unit
+  std::string quantity = {};  ///< of FaultKind::Watched: its name and unit
+  Trace last_second;  ///< oldest row first, the fault's tick last; empty while there is no fault
 
   /// One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;
   /// allowed are 0.15 s". Allocates.

@@ -1,5 +1,5 @@
-// Model predictive control of a contact task: a horizon that moves with time, solved again and
-// again from the measured state, and its policy in between.
+// Model predictive control of a task: a horizon that moves with time, solved again and again from
+// the measured state, and its policy in between. What the task is, it gives: mpc/task.hpp.
 #pragma once
 
 #include <exception>
@@ -14,46 +14,19 @@
 #include "burnish/mpc/feedback.hpp"
 #include "burnish/mpc/model_error.hpp"
 #include "burnish/mpc/schedule.hpp"
+#include "burnish/mpc/task.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "burnish/solver/options.hpp"
 
 namespace burnish {
 
-/// What the task asks of the tool at a time of the schedule. What the controller aims at is what
-/// the costs of the problem say; this is for the record, and for friction, which goes with the
-/// force.
-struct TaskTarget {
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
-  /// N, along the normal; 0: no contact wanted, and no friction is reckoned with
-  double force = 0.0;
-};
-
-/// When a run is given up. Infinite: never.
+/// When a run is given up, whatever the task; the task's own limits are its. Infinite: never.
 struct SafetyLimits {
-  /// N, measured at the tool, of the mean over `force_window`: how large the force of an impact is
-  /// at a single instant says little, a rigid one's is its impulse over the sampling time.
-  double force = 100.0;
-  double force_window = 5e-3;      ///< s, rounded to ticks, one at least
-  double tool_speed = 1.0;         ///< m/s
   double joint_speed_ratio = 1.2;  ///< of the model's velocity limits
   double joint_margin = 0.05;      ///< rad (m) that a joint may be beyond its limit
   double stale = 0.02;             ///< s without a new measurement; longer than a tick
   double bad = 0.01;               ///< s of bad measurements that the last good one bridges
-  double contact_lost = 0.15;      ///< s without force in Ramp and Track
-  /// N of normal force that count as contact. Where the sensor's noise comes near it, which is
-  /// found out in Reach, it is the mean over 5 ms that counts, against six of its own deviations.
-  double contact_threshold = 2.0;
-  /// m along the normal, and s, without contact from when the schedule's clock began to wait for it
-  /// (SchedulePhase::hold before it was due) in Approach: how far the surface may lie behind where
-  /// it is thought to be.
-  double late_contact_travel = 0.03;
-  double late_contact_time = 3.0;
-  /// N of normal force, mean over `force_window`: in Reach, and in Retreat once the tool has come
-  /// off (its force fell below `contact_threshold`) or `release` s are over. More where noise
-  /// reaches further: six deviations of that mean.
-  double unexpected_force = 15.0;
-  double release = 0.5;
-  int failed_solves = 5;  ///< in a row; the first solve may not fail
+  int failed_solves = 5;           ///< in a row; the first solve may not fail
   /// s of wall clock per update; the first one, made at rest, may take longer.
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
@@ -83,11 +56,13 @@ struct MpcSpec {
   /// segments matter for the number of knots alone; all stages have the same step.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
-  std::string tool = "tool";
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of the surface, towards the robot
-  std::function<TaskTarget(double time)> target = {};       ///< by time of the schedule, each tick
-  double tick_period = 5e-4;                                ///< s
-  double update_period = 0.01;  ///< s between solves, a multiple of the tick
+  MakeTask task = {};         ///< events of the schedule, what is watched; none: neither
+  std::string tool = "tool";  ///< frame that Measurement::tool_force_world acts at
+  /// That the tool presses along: of the surface, towards the robot. Friction is across it.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  double contact_threshold = 2.0;  ///< N along the normal that count as contact
+  double tick_period = 5e-4;       ///< s
+  double update_period = 0.01;     ///< s between solves, a multiple of the tick
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
   /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;
@@ -109,8 +84,8 @@ struct MpcSpec {
 ///
 /// Each tick: (1) the measurement is checked; (2) the model error is estimated, from the torque
 /// commanded at the tick before, and the force at the tool from torques, positions and velocities
-/// by forward dynamics; (3) the schedule's clock goes on, contact being a measured normal force
-/// above the threshold and the sensor's noise; (4) limits are checked; (5) when an update is due,
+/// by forward dynamics; (3) the schedule's clock goes on, with the events that the task found; (4)
+/// limits are checked, the controller's and then the task's; (5) when an update is due,
 /// the horizon is given its stages and targets, warm-started from the last solution, and solved
 /// from the measured state, or from the one that the policy is predicted to lead to after
 /// `solver_delay`; (6) the policy gives the torque, within the effort limits.

@@ -47,8 +47,8 @@ struct Metrics {
   double estimate_rmse = 0.0;         ///< N, of what the controller believes, along the normal
   double without_contact = 0.0;       ///< share of rows
   std::optional<double> impact_peak;  ///< N, in the 50 ms from the first contact of the run on
-  std::optional<double> overshoot;    ///< N, averaged force above the target, from the end of the
-                                      ///< ramp to the window's start; at least 0
+  std::optional<double> overshoot;    ///< N, averaged force above the target, in the phase that the
+                                      ///< window begins in and before it; at least 0
 
   double position_mean = 0.0;      ///< m, distance to the target across the normal
   double position_rmse = 0.0;      ///< m

@@ -121,6 +121,7 @@ struct RunPage {
   std::vector<PageColumn> columns = {};
   std::vector<PageEnvelope> envelopes = {};
   std::vector<PagePhase> phases = {};
+  std::vector<std::string> phase_names = {};  ///< of the numbers in a trace; none: the numbers
   std::optional<PageSolver> solver = {};
   std::optional<PagePlans> plans = {};
 };

@@ -47,7 +47,8 @@ BatchRun run_of(const ExperimentSpec& spec, const Sweep& sweep, double weight, F
   task.weights.rotation = weight;
   task.axes = axes;
   // What a wrist that may hardly turn does when it leaves is not the question here.
-  task.limits.force = task.limits.unexpected_force = std::numeric_limits<double>::infinity();
+  task.tool_limits.force = task.tool_limits.unexpected_force =
+      std::numeric_limits<double>::infinity();
   // Compared, not judged: bad weights are part of it.
   task.verdict = {.contact_share = 0.0,
                   .force_rmse = std::numeric_limits<double>::infinity(),

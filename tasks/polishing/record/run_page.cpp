@@ -98,6 +98,7 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
     page.fault =
         PageFault{std::string(name_of(result.fault.kind)), result.fault.time, result.fault.text()};
   if (result.metrics) page.window = {result.metrics->start, result.metrics->end};
+  page.phase_names = phase_names();
   add_scene(page, task, result.setting);
   if (job.spec.controller == ControllerKind::Mpc) {
     page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};

@@ -9,6 +9,7 @@
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/scene.hpp"
 #include "burnish/tasks/polishing/path.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish::polishing {
 
@@ -102,6 +103,8 @@ struct Task {
   bool feedback = true;  ///< Riccati policy between updates
   ModelErrorOptions model_error = {.bandwidth = 150.0};
   SafetyLimits limits = {};
+  ToolLimits tool_limits = {};
+  double contact_threshold = 2.0;  ///< N of measured normal force that count as contact
   Fallback fallback = {};
   Weights weights = {};
 

@@ -12,6 +12,7 @@
 #include "burnish/model/model.hpp"
 #include "burnish/mpc/controller.hpp"
 #include "burnish/tasks/pressing/circle_path.hpp"
+#include "burnish/tasks/pressing/phase.hpp"
 
 namespace burnish {
 
@@ -32,7 +33,7 @@ struct ImpedanceSpec {
   double posture_kd = 6.0;       ///< 1/s
   double friction = 0.0;         ///< of the surface, fed forward along the path's velocity
   double approach_speed = 0.05;  ///< m/s, of a point that draws the tip against the normal
-  /// N of measured normal force that end the approach; see SafetyLimits::contact_threshold
+  /// N of measured normal force that end the approach; see PressingTask
   double contact_threshold = 2.0;
   double ramp = 0.5;  ///< s from the threshold to the task's force
 };

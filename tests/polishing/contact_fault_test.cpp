@@ -82,12 +82,12 @@ TEST(Fault, no_contact_where_the_surface_is_not) {
   expect_rest(run);
 
   // Limits are what they say, and may be never.
-  wanted.task.limits.late_contact_travel = 0.05;
+  wanted.task.tool_limits.late_contact_travel = 0.05;
   MpcRun farther(wanted);
   ASSERT_EQ(farther.run(3.0), Status::Ok);
   EXPECT_EQ(farther.mpc().fault().kind, FaultKind::NoContact);
   EXPECT_NEAR(farther.mpc().fault().time - fault.time, 0.8, 0.1);
-  wanted.task.limits.late_contact_travel = infinity;
+  wanted.task.tool_limits.late_contact_travel = infinity;
   MpcRun endless(wanted);
   ASSERT_EQ(endless.run(2.5), Status::Ok);
   EXPECT_EQ(endless.mpc().fault().kind, FaultKind::None) << endless.mpc().fault().text();
@@ -116,7 +116,7 @@ struct HandFed {
 
 TEST(Fault, contact_late_when_the_tool_does_not_get_on) {
   MpcCase wanted;
-  wanted.task.limits.late_contact_time = 0.2;
+  wanted.task.tool_limits.late_contact_time = 0.2;
   // The clock waits from 0.25 s on.
   HandFed late(wanted);
   late.feed(0.449, 1.9);
@@ -140,9 +140,7 @@ TEST(Fault, unexpected_contact_in_the_retreat) {
   wanted.task.polish_duration = 0.1;
   const auto pressed_until_the_retreat = [&](HandFed& run) {
     run.feed(0.25, 0.0);
-    while (
-        run.mpc.schedule().phases()[static_cast<std::size_t>(run.mpc.schedule().phase())].phase !=
-        Phase::Retreat)
+    while (run.mpc.schedule().phase() != number_of(Phase::Retreat))
       run.feed(run.m.time + 5e-4, 30.0);
     EXPECT_EQ(run.mpc.fault().kind, FaultKind::None) << run.mpc.fault().text();
     return run.m.time;

@@ -332,7 +332,6 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   using S = MpcSpec;
   const double nan = std::nan("");
   EXPECT_EQ(with([](S&) {}), "");
-  expect_words(with([](S& s) { s.target = nullptr; }), {"target"});
   expect_words(with([](S& s) { s.normal_world.setZero(); }), {"normal"});
   expect_words(with([&](S& s) { s.normal_world[1] = nan; }), {"normal"});
   expect_words(with([](S& s) { s.tool = "tolo"; }), {"tolo", "tool"});
@@ -354,12 +353,23 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "not negative"});
   expect_words(with([](S& s) { s.fallback.give = 1.5; }), {"give", "1.5", "between 0 and 1"});
-  expect_words(with([](S& s) { s.limits.late_contact_travel = -0.1; }), {"late_contact_travel"});
-  expect_words(with([&](S& s) { s.limits.late_contact_time = nan; }), {"late_contact_time"});
-  expect_words(with([](S& s) { s.limits.release = -1.0; }), {"release"});
-  expect_words(with([&](S& s) { s.limits.force = nan; }), {"limit", "force"});
+  const auto without = [&](auto&& change) {
+    return with([&](S& s) {
+      PressingTask pressing = *s.task.target<PressingTask>();
+      change(pressing);
+      s.task = pressing;
+    });
+  };
+  using P = PressingTask;
+  EXPECT_EQ(without([](P&) {}), "");
+  expect_words(without([](P& p) { p.target = nullptr; }), {"target"});
+  expect_words(without([](P& p) { p.touch.pop_back(); }), {"touch has 4 entries", "5 phases"});
+  expect_words(without([](P& p) { p.limits.late_contact_travel = -0.1; }), {"late_contact_travel"});
+  expect_words(without([&](P& p) { p.limits.late_contact_time = nan; }), {"late_contact_time"});
+  expect_words(without([](P& p) { p.limits.release = -1.0; }), {"release"});
+  expect_words(without([&](P& p) { p.limits.force = nan; }), {"limit", "force"});
+  expect_words(without([](P& p) { p.limits.force_window = 2.0; }), {"force window"});
   expect_words(with([](S& s) { s.limits.bad = -1.0; }), {"bad", "-1"});
-  expect_words(with([](S& s) { s.limits.force_window = 2.0; }), {"force window"});
   expect_words(with([](S& s) { s.limits.stale = 5e-4; }), {"stale", "tick"});
   expect_words(with([](S& s) { s.limits.failed_solves = 0; }), {"0 failed or late"});
   expect_words(with([](S& s) { s.model_error.bandwidth = 0.0; }), {"bandwidth"});

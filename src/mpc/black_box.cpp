@@ -1,8 +1,7 @@
-// The last second of an MpcController, kept for its fault report.
+#include "mpc/black_box.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "mpc/mpc_impl.hpp"
 
 namespace burnish {
 namespace {
@@ -48,36 +47,39 @@ std::vector<TraceColumn> history_columns(const Model& model) {
 
 }  // namespace
 
-void MpcController::Impl::make_history() {
+BlackBox::BlackBox(const MpcSpec& spec, FaultLatch& latch) : normal_world_(spec.normal_world) {
   const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / spec.tick_period)));
-  fault.last_second = Trace(history_columns(problem.model()), rows);
-  history_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(fault.last_second.columns().size()));
+  Trace& trace = latch.report.last_second;
+  trace = Trace(history_columns(spec.problem.model), rows);
+  rows_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(trace.columns().size()));
 }
 
-void MpcController::Impl::record(double now) noexcept {
-  const bool frozen = fault.last_second.rows() > 0;
+void BlackBox::record(double now, double schedule_time, const Measurement& m,
+                      const Command& command, FaultLatch& latch) noexcept {
+  FaultReport& report = latch.report;
+  const bool frozen = report.last_second.rows() > 0;
   if (frozen) return;
-  auto row = history_.row(history_rows_ % history_.rows());
-  ++history_rows_;
-  const Eigen::Index nq = q_.size(), nv = v_.size();
+  auto row = rows_.row(count_ % rows_.rows());
+  ++count_;
+  const Eigen::Index nq = m.q.size(), nv = m.v.size();
   row[0] = now;
-  row[1] = schedule.time();
-  row[2] = static_cast<double>(command_.phase);
-  row[3] = static_cast<double>(fault.kind);
-  row.segment<3>(4) = tool_force.transpose();
-  row[7] = command_.force_estimate_world.dot(spec.normal_world);
-  row[8] = command_.target_force;
-  row[9] = command_.solve_time;
-  row[10] = static_cast<double>(command_.status);
-  row.segment(11, nq) = q_.transpose();
-  row.segment(11 + nq, nv) = v_.transpose();
-  row.segment(11 + nq + nv, nv) = tau_.transpose();
-  row.segment(11 + nq + 2 * nv, nv) = command_.tau.transpose();
-  if (fault.kind == FaultKind::None) return;
-  const long count = std::min<long>(history_rows_, history_.rows());
-  for (long i = history_rows_ - count; i < history_rows_; ++i) {
-    double* const out = fault.last_second.add_row();
-    if (out != nullptr) std::copy_n(history_.row(i % history_.rows()).data(), history_.cols(), out);
+  row[1] = schedule_time;
+  row[2] = static_cast<double>(command.phase);
+  row[3] = static_cast<double>(report.kind);
+  row.segment<3>(4) = m.tool_force_world.transpose();
+  row[7] = command.force_estimate_world.dot(normal_world_);
+  row[8] = command.target_force;
+  row[9] = command.solve_time;
+  row[10] = static_cast<double>(command.status);
+  row.segment(11, nq) = m.q.transpose();
+  row.segment(11 + nq, nv) = m.v.transpose();
+  row.segment(11 + nq + nv, nv) = m.tau.transpose();
+  row.segment(11 + nq + 2 * nv, nv) = command.tau.transpose();
+  if (!latch.is_set()) return;
+  const long count = std::min<long>(count_, rows_.rows());
+  for (long i = count_ - count; i < count_; ++i) {
+    double* const out = report.last_second.add_row();
+    if (out != nullptr) std::copy_n(rows_.row(i % rows_.rows()).data(), rows_.cols(), out);
   }
 }
 

@@ -1,6 +1,6 @@
 // Touch and loss beside the noise of a force sensor: what noise is not taken for, and how late what
 // is none is found.
-#include "mpc/contact_detector.hpp"
+#include "pressing/contact_detector.hpp"
 
 #include <gtest/gtest.h>
 

@@ -152,10 +152,12 @@ TEST(Fault, solver_failed_when_a_function_throws) {
     aim(spec, [](double t, const Eigen::Ref<Eigen::VectorXd>&) {
       if (t > 1.0) throw std::runtime_error("no such point");
     });
-    spec.target = [target = spec.target](double t) {
+    PressingTask pressing = *spec.task.target<PressingTask>();
+    pressing.target = [target = pressing.target](double t) {
       if (t > 0.72) throw std::runtime_error("no such target");
       return target(t);
     };
+    spec.task = pressing;
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.73), Status::Ok);
@@ -282,7 +284,7 @@ TEST(Fault, force_limit_is_not_a_single_sample) {
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
 
   MpcCase strict;
-  strict.task.limits.force_window = 0.0;
+  strict.task.tool_limits.force_window = 0.0;
   MpcRun hasty(strict);
   ASSERT_EQ(hasty.polish(), Status::Ok);
   EXPECT_EQ(hasty.mpc().fault().kind, FaultKind::ForceLimit);
@@ -290,7 +292,7 @@ TEST(Fault, force_limit_is_not_a_single_sample) {
 
 TEST(Fault, speed_limit_of_the_tool_and_of_a_joint) {
   MpcCase wanted;
-  wanted.task.limits.tool_speed = 0.2;
+  wanted.task.tool_limits.tool_speed = 0.2;
   wanted.task.disturbances.pushes = {{0.05, 0.2, Eigen::Vector3d(0.0, 100.0, 0.0)}};
   MpcRun tool(wanted);
   ASSERT_EQ(tool.run(0.3), Status::Ok);
@@ -300,7 +302,7 @@ TEST(Fault, speed_limit_of_the_tool_and_of_a_joint) {
   expect_fallback(tool);
   expect_rest(tool);
 
-  wanted.task.limits.tool_speed = 100.0;
+  wanted.task.tool_limits.tool_speed = 100.0;
   wanted.task.limits.joint_speed_ratio = 0.05;
   MpcRun joint(wanted);
   ASSERT_EQ(joint.run(0.3), Status::Ok);
@@ -326,7 +328,7 @@ TEST(Fault, is_cleared_by_a_reset) {
 
 TEST(Fault, has_a_name_for_every_kind) {
   std::vector<std::string> names;
-  for (int kind = 0; kind <= static_cast<int>(FaultKind::SpeedLimit); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(FaultKind::Watched); ++kind) {
     FaultReport report;
     report.kind = static_cast<FaultKind>(kind);
     names.emplace_back(name_of(report.kind));

@@ -1,4 +1,4 @@
-#include "mpc/contact_detector.hpp"
+#include "pressing/contact_detector.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,66 @@
+// What a task that presses a tool on a surface tells an MpcController: when contact is made, which
+// forces and ways are too much, and what is aimed at.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "burnish/mpc/mpc.hpp"
+
+namespace burnish {
+
+/// What the tool has to do with the surface in a phase.
+enum class Touch {
+  Free,    ///< nothing touches: a force is a fault, and what is felt is the sensor's noise
+  Due,     ///< contact is to be made: SchedulePhase::until "contact"
+  Wanted,  ///< pressed
+  Leaving  ///< pressed at first; free once the tool has come off, or `release` s are over
+};
+
+/// When a run is given up for what happens at the tool. Infinite: never.
+struct ToolLimits {
+  /// N, measured at the tool, of the mean over `force_window`: how large the force of an impact is
+  /// at a single instant says little, a rigid one's is its impulse over the sampling time.
+  double force = 100.0;
+  double force_window = 5e-3;  ///< s, rounded to ticks, one at least
+  double tool_speed = 1.0;     ///< m/s
+  double contact_lost = 0.15;  ///< s without force where it is wanted
+  /// m along the normal, and s, without contact from when the schedule's clock began to wait for it
+  /// (SchedulePhase::hold before it was due): how far the surface may lie behind where it is
+  /// thought to be.
+  double late_contact_travel = 0.03;
+  double late_contact_time = 3.0;
+  /// N of normal force, mean over `force_window`, while free: more where noise reaches further, six
+  /// deviations of that mean.
+  double unexpected_force = 15.0;
+  /// s of leaving after which a force is unexpected even if the tool has not come off: its force
+  /// fell below MpcSpec::contact_threshold.
+  double release = 0.5;
+};
+
+/// What the task asks of the tool at a time of the schedule. What the controller aims at is what
+/// the costs of the problem say; this is for the record, and for friction, which goes with the
+/// force.
+struct TaskTarget {
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
+  /// N, along the normal; 0: no contact wanted, and no friction is reckoned with
+  double force = 0.0;
+};
+
+/// Put into MpcSpec::task. Its event is "contact": a measured normal force above the
+/// specification's threshold and the sensor's noise, which is found out while nothing touches
+/// (where there is no such phase, while contact is due). Where the noise comes near the threshold,
+/// it is the mean over 5 ms that counts, against six of its own deviations. Its faults are
+/// SpeedLimit, UnexpectedContact, NoContact, ContactLate, ForceLimit and ContactLost.
+struct PressingTask {
+  std::vector<Touch> touch = {};                       ///< one for each phase of the schedule
+  std::function<TaskTarget(double time)> target = {};  ///< by time of the schedule, each tick
+  ToolLimits limits = {};
+
+  /// Throws Error for entries of touch that the schedule has no phases for, or the reverse, for no
+  /// target, and for limits out of range.
+  std::unique_ptr<MpcTask> operator()(const MpcSpec& spec) const;
+};
+
+}  // namespace burnish

@@ -1,0 +1,23 @@
+// The force of a stage's contacts by forward dynamics, at torques that are known.
+#pragma once
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+
+namespace burnish {
+
+class ContactForceEstimate {
+ public:
+  explicit ContactForceEstimate(const ProblemSpec& problem);
+  bool has_contact(int stage) const noexcept;
+  /// Of all contacts of the stage, N, world axes, at tau (nv). False and zero where it has none, or
+  /// the dynamics no solution.
+  bool force_at(int stage, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
+
+ private:
+  ContactDynamics dynamics_;
+  std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
+};
+
+}  // namespace burnish

@@ -1,0 +1,95 @@
+#include "mpc/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
+    : options_(spec.model_error),
+      filter_(spec.problem.torque_model),
+      normal_world_(spec.normal_world),
+      contact_threshold_(spec.contact_threshold),
+      observer_(spec.problem.model, spec.tool, spec.model_error),
+      contact_force_(spec.problem) {
+  const RigidBody body(spec.problem.model);
+  tool_ = body.frame(spec.tool);
+  body.frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);  // sized here, not in a tick
+  acted_ = torque_offset_ = torque_error_ = total_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
+}
+
+void ErrorEstimate::reset() noexcept {
+  observer_.reset();
+  acted_.setZero();
+  torque_offset_.setZero();
+  torque_error_.setZero();
+  friction_force_.setZero();
+  force_world_.setZero();
+  pressed_ = force_error_ = 0.0;
+}
+
+void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, int stage) noexcept {
+  const Measurement& m = gate.last();
+  const double share = -std::expm1(-options_.bandwidth * gate.dt());
+  follow_command(gate, before);
+  total_ = m.tau;
+  if (options_.kind == ModelErrorKind::Torque) {
+    // What cannot be evaluated changes nothing, of either estimate.
+    const Status seen = observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt());
+    if (seen <= Status::NotConverged) torque_offset_ += share * (m.tau - acted_ - torque_offset_);
+    follow_friction(gate, before, share);
+    // Section IV-C: at the measured torques. What the torque error knows of them counts once.
+    total_ += observer_.torque_error() - torque_offset_;
+    total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
+  }
+  if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, share);
+  (void)contact_force_.force_at(stage, m.q, m.v, total_, force_world_);
+}
+
+/// What the model believes to act on the joints: the command of the tick before, behind the torque
+/// model's filter if there is one. What is lost between motor and link, joint friction above all,
+/// is to be known too, so that errors are told from the command and not from the torque sensors.
+void ErrorEstimate::follow_command(const MeasurementGate& gate, const Command& before) noexcept {
+  if (!filter_) {
+    acted_ = before.tau;
+  } else if (gate.is_first()) {
+    acted_ = gate.last().tau;
+  } else {
+    acted_ += -std::expm1(-filter_->cutoff * gate.dt()) * (before.tau - acted_);
+  }
+}
+
+/// Friction is no error of its own: it goes with the normal force. Given back as measured it would
+/// close a loop from the normal force through friction and the arm's inertia to itself, with the
+/// observer's lag in it, which rings where pressing harder and sliding hang together (a light wrist
+/// on a heavy arm). So what is kept is its ratio to the normal force, and what is given back is
+/// that ratio times the force that is asked for.
+void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& before,
+                                    double share) noexcept {
+  const Measurement& m = gate.last();
+  const Eigen::Vector3d& n = normal_world_;
+  pressed_ += share * (normal_force(m) - pressed_);
+  friction_force_ += share * (m.tool_force_world - normal_force(m) * n - friction_force_);
+  const double asked = std::max(before.target_force, 0.0);
+  const bool presses = pressed_ > contact_threshold_;
+  // What is larger than the normal force is no friction.
+  const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
+  gate.body().frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);
+  torque_error_ = observer_.torque_error();
+  torque_error_.noalias() +=
+      ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
+}
+
+void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double share) noexcept {
+  const bool pressed = normal_force(m) > contact_threshold_;
+  double error = 0.0;
+  if (pressed && contact_force_.has_contact(stage)) {
+    Eigen::Vector3d model_force;
+    if (!contact_force_.force_at(stage, m.q, m.v, acted_, model_force)) return;
+    error = normal_force(m) - model_force.dot(normal_world_);
+  }
+  force_error_ += share * (error - force_error_);
+  force_error_ = std::clamp(force_error_, -options_.limit, options_.limit);
+}
+
+}  // namespace burnish

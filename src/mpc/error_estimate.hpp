@@ -1,0 +1,52 @@
+// What the model gets wrong, as an MpcController estimates it from tick to tick: see
+// ModelErrorKind.
+#pragma once
+
+#include "mpc/contact_force_estimate.hpp"
+#include "mpc/measurement_gate.hpp"
+
+namespace burnish {
+
+class ErrorEstimate {
+ public:
+  /// spec: of a normal of length one.
+  explicit ErrorEstimate(const MpcSpec& spec);
+
+  void reset() noexcept;
+  /// After a good measurement, with the command of the tick before and the stage that the schedule
+  /// is in. What cannot be evaluated changes nothing.
+  void update(const MeasurementGate& gate, const Command& before, int stage) noexcept;
+
+  /// nv, observed and of friction, Nm (N).
+  const Eigen::VectorXd& torque_error() const { return torque_error_; }
+  double force_error() const { return force_error_; }  ///< N
+  /// nv, slow part of measured minus acted torque, Nm (N).
+  const Eigen::VectorXd& torque_offset() const { return torque_offset_; }
+  /// Of the stage's contacts on the tool, N, world axes.
+  const Eigen::Vector3d& force_world() const { return force_world_; }
+
+ private:
+  double normal_force(const Measurement& m) const noexcept {
+    return m.tool_force_world.dot(normal_world_);
+  }
+  void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
+  void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
+  void follow_force_error(const Measurement& m, int stage, double share) noexcept;
+
+  ModelErrorOptions options_;
+  std::optional<TorqueModel> filter_;
+  Eigen::Vector3d normal_world_;
+  double contact_threshold_;  ///< N
+  TorqueErrorObserver observer_;
+  ContactForceEstimate contact_force_;
+  int tool_;
+  FrameDerivatives tool_motion_;
+  Eigen::VectorXd acted_;  ///< nv, torque that the model believes to act
+  Eigen::VectorXd torque_offset_, torque_error_, total_;
+  double pressed_ = 0.0;  ///< N, normal force behind the bandwidth
+  Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();  ///< N, along the surface, alike
+  Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();
+  double force_error_ = 0.0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,49 @@
+// The horizon of an MpcController: which stage each knot is of as time goes on, and where a solve
+// begins.
+#pragma once
+
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/solver/ddp.hpp"
+
+namespace burnish {
+
+class Horizon {
+ public:
+  /// Both must outlive it; the problem's knots are its. Throws Error for a phase whose stage there
+  /// is not.
+  Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule);
+
+  double step() const { return step_; }  ///< s
+  int stage_at(double schedule_time) const noexcept;
+  /// N that contact forces of one row are to be lower than their targets: ModelErrorKind::Force.
+  void set_force_error(double error) noexcept { force_error_ = error; }
+
+  /// Stage and time of a knot, of all of them. May throw what targets throw.
+  void place_knot(int knot, double schedule_time);
+  void place(double schedule_time);
+
+  /// Where a solve begins, of x: resting there with the controls u, or the solver's solution as a
+  /// function of the schedule's time, from this time on: between its knots, the last one repeated.
+  void guess_rest(const Eigen::VectorXd& x, const Eigen::VectorXd& u) noexcept;
+  void guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
+                     double schedule_time) noexcept;
+  const RowMatrix& guess_x() const { return guess_x_; }
+  const RowMatrix& guess_u() const { return guess_u_; }
+  /// The solver's solution begins at this time of the schedule.
+  void solved_from(double schedule_time) noexcept { guess_time_ = schedule_time; }
+
+ private:
+  Problem& problem_;
+  const Schedule& schedule_;
+  double step_;
+  std::vector<int> stage_of_phase_;
+  bool corrects_force_;
+  double force_error_ = 0.0;
+  std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row
+  std::vector<std::vector<Signal>> force_targets_;
+  Eigen::VectorXd dx_, one_;
+  RowMatrix guess_x_, guess_u_;
+  double guess_time_ = 0.0;  ///< s of the schedule, of the last solution's first knot
+};
+
+}  // namespace burnish

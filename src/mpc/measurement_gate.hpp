@@ -1,0 +1,45 @@
+// Which measurements are states, and what time it is while there are none.
+#pragma once
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/mpc/mpc.hpp"
+#include "mpc/fault_latch.hpp"
+
+namespace burnish {
+
+/// Keeps the last good measurement. One that is none (NaN, wrong sizes, time that stands still) is
+/// bridged: time goes on by ticks until the limits' `bad` or `stale` is over.
+class MeasurementGate {
+ public:
+  explicit MeasurementGate(const MpcSpec& spec);
+
+  void reset() noexcept;
+  /// At each tick. While a fault is latched a position and a velocity will do. Status: NotEvaluated
+  /// for time that stands still, NotFinite for what is no state, else as it was.
+  void take(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
+
+  bool is_fresh() const { return fresh_; }  ///< this tick's is good
+  bool is_first() const { return first_; }  ///< and no good one was before
+  double dt() const { return dt_; }         ///< s from the good one before to this one
+  double now() const { return now_; }       ///< s, of this tick
+  const Measurement& last() const { return last_; }
+  const RigidBody& body() const { return body_; }  ///< at last()
+  /// Of the velocity, what stays, where it is of long ago.
+  void fade_velocity(double share) noexcept { last_.v *= share; }
+
+ private:
+  bool accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
+  bool take_state(const Measurement& m) noexcept;
+  void bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept;
+
+  SafetyLimits limits_;
+  double tick_period_;
+  Eigen::VectorXd q_start_;
+  RigidBody body_;
+  Measurement last_;  ///< its time is that of the last good one
+  double now_ = 0.0, dt_ = 0.0;
+  bool started_ = false;  ///< there was a good measurement before any fault
+  bool fresh_ = false, first_ = false;
+};
+
+}  // namespace burnish

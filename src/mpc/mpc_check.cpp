@@ -1,0 +1,102 @@
+#include "mpc/mpc_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+
+namespace burnish {
+namespace {
+
+int knots_of(const ProblemSpec& problem) {
+  int knots = 0;
+  for (const HorizonSegment& segment : problem.horizon) knots += segment.knots;
+  return knots;
+}
+
+double step_of(const ProblemSpec& problem) {
+  if (problem.stages.empty()) throw Error("MPC: the problem has no stages");
+  for (const Stage& stage : problem.stages) {
+    if (stage.impact)
+      throw Error("MPC: stage " + in_quotes(stage.name) + " is an impact; wanted steps of time");
+    if (stage.step != problem.stages[0].step)
+      throw Error("MPC: stage " + in_quotes(stage.name) + " has a step of " + number(stage.step) +
+                  " s; wanted that of the others, " + number(problem.stages[0].step) + " s");
+  }
+  return problem.stages[0].step;
+}
+
+int ticks_per_update(const MpcSpec& spec) {
+  constexpr double shortest = 1e-5;  // s: the record of the last second has a row for each
+  if (!(spec.tick_period >= shortest))
+    throw Error("MPC: a tick of " + number(spec.tick_period) + " s; wanted at least " +
+                number(shortest) + " s");
+  const double ratio = spec.update_period / spec.tick_period;
+  if (!(ratio > 0.5) || !(ratio < 1e9) || std::abs(ratio - std::round(ratio)) > 1e-6)
+    throw Error("MPC: an update period of " + number(spec.update_period) +
+                " s; wanted a multiple of the tick of " + number(spec.tick_period) + " s");
+  return static_cast<int>(std::lround(ratio));
+}
+
+void check_limits(const SafetyLimits& limits, double tick_period) {
+  const std::pair<const char*, double> numbers[] = {{"joint_speed_ratio", limits.joint_speed_ratio},
+                                                    {"joint_margin", limits.joint_margin},
+                                                    {"bad", limits.bad},
+                                                    {"deadline", limits.deadline}};
+  for (const auto& [name, value] : numbers)
+    if (!(value >= 0.0))
+      throw Error("MPC: the limit " + std::string(name) + " is " + number(value) +
+                  "; wanted a number that is not negative");
+  if (!(limits.stale > tick_period))
+    throw Error("MPC: measurements are stale after " + number(limits.stale) +
+                " s; wanted longer than the tick of " + number(tick_period) + " s");
+  if (limits.failed_solves < 1 || limits.late_solves < 1)
+    throw Error("MPC: the run ends after " +
+                std::to_string(std::min(limits.failed_solves, limits.late_solves)) +
+                " failed or late updates; wanted at least 1");
+}
+
+void check_fallback(const Fallback& fallback) {
+  const auto refuse = [](const char* what, double value, const char* wanted) {
+    throw Error("MPC: the fallback's " + std::string(what) + " is " + number(value) + "; wanted " +
+                wanted);
+  };
+  constexpr const char* not_negative = "a number that is not negative";
+  if (!(fallback.stiffness >= 0.0) || !std::isfinite(fallback.stiffness))
+    refuse("stiffness in 1/s^2", fallback.stiffness, not_negative);
+  if (!(fallback.damping >= 0.0) || !std::isfinite(fallback.damping))
+    refuse("damping in 1/s", fallback.damping, not_negative);
+  if (!(fallback.give >= 0.0 && fallback.give <= 1.0))
+    refuse("give", fallback.give, "a share between 0 and 1");
+}
+
+}  // namespace
+
+int checked_ticks_per_update(const MpcSpec& spec) {
+  const int ticks = ticks_per_update(spec);
+  if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
+    throw Error("MPC: the normal is not finite or has no length; wanted a direction");
+  if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)
+    throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
+                " s; wanted between 0 and the update period of " + number(spec.update_period) +
+                " s");
+  if (!(knots_of(spec.problem) * step_of(spec.problem) > 2.0 * spec.update_period))
+    throw Error("MPC: a horizon of " + number(knots_of(spec.problem) * step_of(spec.problem)) +
+                " s; wanted longer than two update periods of " + number(spec.update_period) +
+                " s");
+  if (spec.first_iterations < 1 || spec.jump_iterations < 1 || spec.solver.max_iterations < 1)
+    throw Error("MPC: a solve of " +
+                std::to_string(std::min(
+                    {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
+                " iterations; wanted at least 1");
+  check_fallback(spec.fallback);
+  check_limits(spec.limits, spec.tick_period);
+  if (!(spec.contact_threshold >= 0.0))
+    throw Error("MPC: a contact threshold of " + number(spec.contact_threshold) +
+                " N; wanted a number that is not negative");
+  return ticks;
+}
+
+}  // namespace burnish

@@ -1,0 +1,47 @@
+// The plan in use and the one that is to follow it, as a controller between two solves.
+#pragma once
+
+#include "burnish/mpc/mpc.hpp"
+#include "mpc/horizon.hpp"
+
+namespace burnish {
+
+class Policy {
+ public:
+  /// Room for as many knots as are needed until a run is given up for want of plans.
+  Policy(const MpcSpec& spec, const Problem& problem);
+
+  void reset() noexcept;
+  /// The solver's plan, to be used from `time` (s) on.
+  void load(const DdpSolver& solver, double time) noexcept;
+  /// Goes over to the plan that waits, if its time has come.
+  void take_over(double now) noexcept;
+  /// Of the plan in use at a time (s) and a state x (nx): u (nu), within the effort limits.
+  void control(double time, const Eigen::VectorXd& x, Eigen::VectorXd& u) noexcept;
+  const LinearFeedback& feedback() const { return feedback_; }  ///< at the last control()
+
+ private:
+  FeedbackPlan plan_, next_;
+  LinearFeedback feedback_;
+  Eigen::VectorXd effort_;  ///< nu, Nm (N)
+  bool feeds_back_;
+  double rounding_;          ///< s
+  double next_time_ = 0.0;   ///< s, when next_ takes over
+  bool next_ready_ = false;  ///< next_ waits for its time
+};
+
+/// Where a policy leads in a while, for plans that are used later than they are begun.
+class Prediction {
+ public:
+  explicit Prediction(const Problem& problem);
+  /// Moves x (nx) to where the policy leads within `duration` s from now on, by knots as they are
+  /// at the schedule's time; the first knot is then to be placed anew. False and x as it was where
+  /// there is no prediction. May throw what targets throw.
+  bool advance(Problem& problem, Horizon& horizon, Policy& policy, double now, double schedule_time,
+               double duration, Eigen::VectorXd& x);
+
+ private:
+  Eigen::VectorXd start_, next_, dx_, u_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,38 @@
+#include "mpc/watch.hpp"
+
+#include <cmath>
+
+namespace burnish {
+
+void watch_joints(const Model& model, const SafetyLimits& limits, const MeasurementGate& gate,
+                  FaultLatch& latch) noexcept {
+  const double now = gate.now();
+  for (const Joint& joint : model.joints) {
+    for (int k = joint.v_index; k < joint.v_index + joint.nv; ++k) {
+      const double fastest = limits.joint_speed_ratio * model.velocity_limit[k];
+      const double speed = std::abs(gate.last().v[k]);
+      if (speed > fastest) latch.raise(now, FaultKind::SpeedLimit, speed, fastest, k);
+    }
+    if (joint.nq != 1) continue;
+    const double q = gate.last().q[joint.q_index];
+    const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
+    if (q < lower - limits.joint_margin)
+      latch.raise(now, FaultKind::OutOfRange, q, lower, joint.v_index);
+    if (q > upper + limits.joint_margin)
+      latch.raise(now, FaultKind::OutOfRange, q, upper, joint.v_index);
+  }
+}
+
+bool PlanWatch::judge(double now, bool usable, bool first, double seconds,
+                      FaultLatch& latch) noexcept {
+  failed_ = usable ? 0 : failed_ + 1;
+  const int allowed = first ? 1 : limits_.failed_solves;
+  if (failed_ >= allowed) latch.raise(now, FaultKind::SolverFailed, failed_, allowed);
+  const bool late = !first && seconds > limits_.deadline;
+  late_ = late ? late_ + 1 : 0;
+  if (late_ >= limits_.late_solves)
+    latch.raise(now, FaultKind::SolverLate, late_, limits_.late_solves);
+  return late;
+}
+
+}  // namespace burnish

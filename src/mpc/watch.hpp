@@ -1,0 +1,27 @@
+// What every controller watches, whatever its task: the robot's own limits, and its plans.
+#pragma once
+
+#include "mpc/fault_latch.hpp"
+#include "mpc/measurement_gate.hpp"
+
+namespace burnish {
+
+/// Joints beyond their limits of velocity and position, of the last good measurement.
+void watch_joints(const Model& model, const SafetyLimits& limits, const MeasurementGate& gate,
+                  FaultLatch& latch) noexcept;
+
+/// Updates in a row without a plan, or with a late one.
+class PlanWatch {
+ public:
+  explicit PlanWatch(const SafetyLimits& limits) : limits_(limits) {}
+  void reset() noexcept { failed_ = late_ = 0; }
+  /// An update at `now` (s) that took `seconds` of wall clock. The first one may take longer, and
+  /// may not fail. Whether it came later than it was due.
+  bool judge(double now, bool usable, bool first, double seconds, FaultLatch& latch) noexcept;
+
+ private:
+  SafetyLimits limits_;
+  int failed_ = 0, late_ = 0;
+};
+
+}  // namespace burnish

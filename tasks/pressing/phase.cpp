@@ -1,0 +1,14 @@
+#include "burnish/tasks/pressing/phase.hpp"
+
+namespace burnish {
+
+const std::vector<std::string>& phase_names() {
+  static const std::vector<std::string> names{"reach", "approach", "ramp", "track", "retreat"};
+  return names;
+}
+
+std::string name_of(Phase phase) {
+  return phase_names()[static_cast<std::size_t>(number_of(phase))];
+}
+
+}  // namespace burnish

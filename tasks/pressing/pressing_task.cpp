@@ -1,0 +1,121 @@
+#include "burnish/tasks/pressing/pressing_task.hpp"
+
+#include <algorithm>
+
+#include "base/sentence.hpp"
+#include "pressing/tool_watch.hpp"
+
+namespace burnish {
+namespace {
+
+void check_tool_limits(const ToolLimits& limits) {
+  const std::pair<const char*, double> numbers[] = {
+      {"force", limits.force},
+      {"force_window", limits.force_window},
+      {"tool_speed", limits.tool_speed},
+      {"contact_lost", limits.contact_lost},
+      {"late_contact_travel", limits.late_contact_travel},
+      {"late_contact_time", limits.late_contact_time},
+      {"unexpected_force", limits.unexpected_force},
+      {"release", limits.release}};
+  for (const auto& [name, value] : numbers)
+    if (!(value >= 0.0))
+      throw Error("pressing task: the limit " + std::string(name) + " is " + number(value) +
+                  "; wanted a number that is not negative");
+  if (!(limits.force_window < 1.0))
+    throw Error("pressing task: a force window of " + number(limits.force_window) +
+                " s; wanted less than a second");
+}
+
+class Pressing final : public MpcTask {
+ public:
+  Pressing(const PressingTask& task, const MpcSpec& spec)
+      : touch_(task.touch),
+        target_(task.target),
+        limits_(task.limits),
+        normal_world_(spec.normal_world),
+        tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+        detector_(spec.contact_threshold, pressing::samples_of(touch_window, spec.tick_period)),
+        mean_(pressing::samples_of(task.limits.force_window, spec.tick_period)),
+        free_space_(task.limits, spec.contact_threshold),
+        approach_(task.limits),
+        loss_(task.limits) {}
+
+  std::vector<std::string> events() const override { return {"contact"}; }
+  std::vector<WatchedQuantity> watched() const override {
+    return {{"speed of the tool", "m/s", FaultKind::SpeedLimit},
+            {"force in free space", "N", FaultKind::UnexpectedContact},
+            {"way since contact was due", "m", FaultKind::NoContact},
+            {"time since contact was due", "s", FaultKind::ContactLate},
+            {"force at the tool", "N", FaultKind::ForceLimit},
+            {"time without contact", "s", FaultKind::ContactLost}};
+  }
+
+  void reset() noexcept override {
+    detector_.reset();
+    mean_.reset();
+    free_space_.reset();
+    approach_.reset();
+    loss_.reset();
+  }
+
+  unsigned sense(const TaskView& view) noexcept override {
+    const Eigen::Vector3d& force = view.measurement.tool_force_world;
+    mean_.add(force);
+    // Where nothing is free, what is due shows the noise.
+    const Touch phase = phase_of(view);
+    const bool in_air = phase == Touch::Free || (phase == Touch::Due && !detector_.knows_noise());
+    detector_.add(force.dot(normal_world_), in_air);
+    return detector_.touches() ? 1U : 0U;
+  }
+
+  void watch(const TaskView& view, std::span<Reading> out) noexcept override {
+    const Touch phase = phase_of(view);
+    out[0] = {view.body.velocity(tool_, FrameAxes::Centered).head<3>().norm(), limits_.tool_speed};
+    out[1] = free_space_.look(phase, view.dt, mean_.value().dot(normal_world_), mean_, detector_);
+    approach_.look(view.schedule.waits(), view.dt,
+                   view.body.placement(tool_).translation().dot(normal_world_));
+    out[2] = approach_.travel();
+    out[3] = approach_.lateness();
+    out[4] = {mean_.value().norm(), limits_.force};
+    out[5] =
+        loss_.look(phase == Touch::Wanted && detector_.is_lost(view.command.target_force), view.dt);
+  }
+
+  void aim(double time, Command& command) override {
+    const TaskTarget target = target_(time);
+    command.target_force = target.force;
+    command.p_target_world = target.p_world;
+  }
+
+ private:
+  static constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
+
+  Touch phase_of(const TaskView& view) const noexcept {
+    return touch_[static_cast<std::size_t>(view.schedule.phase())];
+  }
+
+  std::vector<Touch> touch_;
+  std::function<TaskTarget(double)> target_;
+  ToolLimits limits_;
+  Eigen::Vector3d normal_world_;
+  int tool_;
+  ContactDetector detector_;
+  pressing::MeanForce mean_;
+  pressing::FreeSpaceWatch free_space_;
+  pressing::ApproachWatch approach_;
+  pressing::LossWatch loss_;
+};
+
+}  // namespace
+
+std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
+  if (touch.size() != spec.schedule.size())
+    throw Error("pressing task: touch has " + std::to_string(touch.size()) +
+                " entries for a schedule of " + std::to_string(spec.schedule.size()) + " phases");
+  if (!target) throw Error("pressing task: there is no target function");
+  check_tool_limits(limits);
+  return std::make_unique<Pressing>(*this, spec);
+}
+
+}  // namespace burnish

@@ -1,0 +1,239 @@
+// The parts of an MpcController, each by itself: what passes for a measurement, horizon and shift,
+// plans that take over, prediction, watches, the last second.
+#include <gtest/gtest.h>
+
+#include "mpc/black_box.hpp"
+#include "mpc/horizon.hpp"
+#include "mpc/measurement_gate.hpp"
+#include "mpc/policy.hpp"
+#include "mpc/watch.hpp"
+#include "support/toy_task.hpp"
+
+namespace burnish::test {
+namespace {
+
+TEST(MeasurementGate, takes_states_and_counts_time_over_what_is_none) {
+  const MpcSpec spec = toy_spec();
+  MeasurementGate gate(spec);
+  FaultLatch latch;
+  Status status = Status::Ok;
+  Measurement m = toy_measurement(spec);
+  m.time = 5.0;
+  gate.take(m, latch, status);
+  EXPECT_TRUE(gate.is_fresh() && gate.is_first());
+  EXPECT_EQ(gate.dt(), 0.0);
+  // Time that stands still, what is not finite, what has another size.
+  gate.take(m, latch, status);
+  EXPECT_FALSE(gate.is_fresh());
+  EXPECT_EQ(status, Status::NotEvaluated);
+  EXPECT_DOUBLE_EQ(gate.now(), 5.001);
+  for (const auto& spoil : std::vector<std::function<void(Measurement&)>>{
+           [](Measurement& s) { s.tau[0] = std::nan(""); },
+           [](Measurement& s) { s.q.conservativeResize(3); },
+           [](Measurement& s) { s.time = std::nan(""); }}) {
+    Measurement bad = m;
+    bad.time = gate.now() + 1e-3;
+    spoil(bad);
+    gate.take(bad, latch, status);
+    EXPECT_FALSE(gate.is_fresh());
+    EXPECT_EQ(status, Status::NotFinite);
+  }
+  m.time = 5.006;
+  m.q[0] += 0.1;
+  gate.take(m, latch, status);
+  EXPECT_TRUE(gate.is_fresh() && !gate.is_first());
+  EXPECT_NEAR(gate.dt(), 6e-3, 1e-12);
+  EXPECT_EQ(gate.last().q, m.q);
+  EXPECT_FALSE(latch.is_set());
+}
+
+TEST(MeasurementGate, gives_up_after_as_long_as_the_limits_bear) {
+  const MpcSpec spec = toy_spec();
+  const Measurement good = toy_measurement(spec);
+  const auto ticks_until_fault = [&](FaultKind kind,
+                                     const std::function<void(Measurement&)>& spoil) {
+    MeasurementGate gate(spec);
+    FaultLatch latch;
+    Status status = Status::Ok;
+    Measurement m = good;
+    gate.take(m, latch, status);
+    int ticks = 0;
+    for (; ticks < 100 && !latch.is_set(); ++ticks) {
+      m = good;
+      m.time = 1e-3 * (ticks + 1);
+      spoil(m);
+      gate.take(m, latch, status);
+    }
+    EXPECT_EQ(latch.report.kind, kind);
+    EXPECT_NEAR(latch.report.value, 1e-3 * ticks, 1e-12);
+    // While it is latched, a position and a velocity will do.
+    m = good;
+    m.time = 1.0;
+    m.tau.setConstant(std::nan(""));
+    gate.take(m, latch, status);
+    EXPECT_TRUE(gate.is_fresh());
+    return ticks;
+  };
+  EXPECT_EQ(ticks_until_fault(FaultKind::BadMeasurement, [](Measurement& m) { m.v[1] = NAN; }), 11);
+  EXPECT_EQ(ticks_until_fault(FaultKind::StaleMeasurement, [](Measurement& m) { m.time = 0.0; }),
+            21);
+}
+
+/// A toy that is planned for once.
+struct Planned {
+  Planned()
+      : problem(spec.problem), solver(problem, {.max_iterations = 50}), schedule(spec.schedule) {
+    horizon.place(0.0);
+    const Eigen::VectorXd rest = problem.quasi_static(0, spec.problem.initial_state).control;
+    horizon.guess_rest(spec.problem.initial_state, rest);
+    solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
+    solver.solve();
+    horizon.solved_from(0.0);
+  }
+  MpcSpec spec = toy_spec();
+  Problem problem;
+  DdpSolver solver;
+  Schedule schedule;
+  Horizon horizon{spec, problem, schedule};
+};
+
+TEST(Horizon, puts_the_stages_of_the_schedule_where_they_are_due) {
+  Planned plan;
+  EXPECT_EQ(plan.horizon.stage_at(0.049), 0);
+  EXPECT_EQ(plan.horizon.stage_at(0.051), 1);
+  plan.horizon.place(0.0);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(plan.problem.stage_of(k), k >= 5 ? 1 : 0) << k;
+  plan.horizon.place(0.025);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(plan.problem.stage_of(k), k >= 3 ? 1 : 0) << k;
+}
+
+TEST(Horizon, shifts_the_solution_along_with_the_clock) {
+  Planned plan;
+  const MatrixView xs = plan.solver.xs(), us = plan.solver.us();
+  Eigen::VectorXd x = xs.row(2);
+  x[0] += 0.01;  // as measured
+  plan.horizon.guess_shifted(x, plan.solver, 0.02);
+  EXPECT_EQ(plan.horizon.guess_x().row(0).transpose(), x);
+  for (int k = 1; k <= 6; ++k)
+    EXPECT_LT((plan.horizon.guess_x().row(k) - xs.row(std::min(k + 2, 6))).norm(), 1e-12) << k;
+  for (int k = 0; k < 6; ++k)
+    EXPECT_EQ(plan.horizon.guess_u().row(k), us.row(std::min(k + 2, 5))) << k;
+  // Half way between two knots, half way in between.
+  plan.horizon.guess_shifted(x, plan.solver, 0.015);
+  EXPECT_LT((plan.horizon.guess_x().row(3) - 0.5 * (xs.row(4) + xs.row(5))).norm(), 1e-12);
+}
+
+TEST(Policy, takes_a_plan_over_when_its_time_has_come) {
+  Planned plan;
+  Policy policy(plan.spec, plan.problem);
+  const Eigen::VectorXd x = plan.spec.problem.initial_state;
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(7);
+  policy.load(plan.solver, 0.01);
+  policy.take_over(0.009);
+  policy.control(0.009, x, u);
+  EXPECT_TRUE(u.isZero(0.0)) << "there is no plan yet";
+  policy.take_over(0.01);
+  policy.control(0.01, x, u);
+  EXPECT_LT((u - plan.solver.us().row(0).transpose()).norm(), 1e-12);
+  EXPECT_EQ(policy.feedback().gain, plan.solver.gain(0));
+  // Within the effort limits, wherever the state is.
+  Eigen::VectorXd far = x;
+  far.head(7).array() += 100.0;
+  policy.control(0.01, far, u);
+  const Eigen::ArrayXd limit = plan.spec.problem.model.effort_limit.array();
+  EXPECT_TRUE((u.array().abs() <= limit).all() && (u.array().abs() == limit).any());
+  policy.reset();
+  policy.take_over(1.0);
+  EXPECT_EQ(policy.feedback().gain, plan.solver.gain(0)) << "an empty plan changes nothing";
+}
+
+TEST(Prediction, goes_where_the_policy_leads) {
+  Planned plan;
+  Policy policy(plan.spec, plan.problem);
+  policy.load(plan.solver, 0.0);
+  policy.take_over(0.0);
+  Prediction prediction(plan.problem);
+  Eigen::VectorXd x = plan.spec.problem.initial_state;
+  ASSERT_TRUE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, x));
+  // Positions are of second order, and plans of first: half a step of the acceleration apart.
+  const Eigen::VectorXd planned = plan.solver.xs().row(3);
+  EXPECT_LT((x - planned).tail(7).norm(), 0.02 * planned.tail(7).norm());
+  EXPECT_LT((x - planned).head(7).norm(), 0.01 * planned.tail(7).norm());
+  // Where there is none, the state stays.
+  Eigen::VectorXd broken = Eigen::VectorXd::Constant(14, std::nan(""));
+  EXPECT_FALSE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, broken));
+  EXPECT_TRUE(broken.array().isNaN().all());
+}
+
+TEST(JointWatch, finds_speed_and_position_beyond_the_limits_of_the_joint) {
+  MpcSpec spec = toy_spec();
+  const Model& model = spec.problem.model;
+  const auto fault_of = [&](const std::function<void(Measurement&)>& change) {
+    MeasurementGate gate(spec);
+    FaultLatch latch;
+    Status status = Status::Ok;
+    Measurement m = toy_measurement(spec);
+    change(m);
+    gate.take(m, latch, status);
+    watch_joints(model, spec.limits, gate, latch);
+    return latch.report;
+  };
+  EXPECT_EQ(fault_of([](Measurement&) {}).kind, FaultKind::None);
+  const FaultReport fast =
+      fault_of([&](Measurement& m) { m.v[2] = -1.21 * model.velocity_limit[2]; });
+  EXPECT_EQ(fast.kind, FaultKind::SpeedLimit);
+  EXPECT_EQ(fast.joint, 2);
+  const FaultReport near = fault_of([&](Measurement& m) { m.q[3] = model.q_upper[3] + 0.04; });
+  EXPECT_EQ(near.kind, FaultKind::None);
+  const FaultReport out = fault_of([&](Measurement& m) { m.q[3] = model.q_lower[3] - 0.06; });
+  EXPECT_EQ(out.kind, FaultKind::OutOfRange);
+  EXPECT_EQ(out.joint, 3);
+  EXPECT_EQ(out.limit, model.q_lower[3]);
+}
+
+TEST(PlanWatch, counts_updates_in_a_row) {
+  PlanWatch watch(SafetyLimits{.failed_solves = 3, .deadline = 0.1, .late_solves = 2});
+  FaultLatch latch;
+  EXPECT_FALSE(watch.judge(0.0, true, true, 100.0, latch)) << "the first one may take its time";
+  for (const bool usable : {false, false, true, false, false})
+    watch.judge(0.0, usable, false, 0.0, latch);
+  EXPECT_FALSE(latch.is_set());
+  watch.judge(1.0, false, false, 0.0, latch);
+  EXPECT_EQ(latch.report.kind, FaultKind::SolverFailed);
+  EXPECT_EQ(latch.report.value, 3.0);
+  latch.reset();
+  watch.reset();
+  EXPECT_TRUE(watch.judge(0.0, true, false, 0.2, latch));
+  EXPECT_FALSE(latch.is_set());
+  watch.judge(2.0, true, false, 0.2, latch);
+  EXPECT_EQ(latch.report.kind, FaultKind::SolverLate);
+  EXPECT_EQ(latch.report.time, 2.0);
+  latch.reset();
+  watch.reset();
+  watch.judge(0.0, false, true, 0.0, latch);
+  EXPECT_EQ(latch.report.kind, FaultKind::SolverFailed) << "the first one may not fail";
+}
+
+TEST(BlackBox, keeps_the_last_second_and_nothing_after_the_fault) {
+  const MpcSpec spec = toy_spec();
+  FaultLatch latch;
+  BlackBox box(spec, latch);
+  Command command{Eigen::VectorXd::Constant(7, 2.0)};
+  const Measurement m = toy_measurement(spec);
+  for (int tick = 0; tick < 1500; ++tick) {
+    if (tick == 1499) latch.raise(1e-3 * tick, FaultKind::Watched, 2.0, 1.0);
+    box.record(1e-3 * tick, 0.5, m, command, latch);
+  }
+  const Trace& trace = latch.report.last_second;
+  ASSERT_EQ(trace.rows(), 1000);
+  EXPECT_DOUBLE_EQ(trace.column("time")[0], 0.5);
+  EXPECT_DOUBLE_EQ(trace.column("time")[999], 1.499);
+  EXPECT_EQ(trace.column("fault")[999], static_cast<double>(FaultKind::Watched));
+  EXPECT_EQ(trace.column("fault")[998], 0.0);
+  EXPECT_EQ(trace.column("q_" + spec.problem.model.q_name(0))[3], m.q[0]);
+  box.record(2.0, 0.5, m, command, latch);
+  EXPECT_EQ(trace.rows(), 1000);
+}
+
+}  // namespace
+}  // namespace burnish::test

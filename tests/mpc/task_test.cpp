@@ -1,0 +1,135 @@
+// What a controller asks of a task and does with the answers, with a task that is a toy.
+#include "burnish/mpc/task.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
+#include "support/toy_task.hpp"
+
+namespace burnish::test {
+namespace {
+
+using testing::expect_words;
+using testing::refusal;
+
+struct Toyed {
+  explicit Toyed(const std::function<void(MpcSpec&)>& change = nullptr) {
+    MpcSpec spec = toy_spec(toy);
+    if (change) change(spec);
+    m = toy_measurement(spec);
+    mpc = std::make_unique<MpcController>(spec);
+  }
+  /// Ticks until this time, the robot resting.
+  const Command& tick_to(double time) {
+    const Command* command = nullptr;
+    for (; m.time < time - 1e-9; m.time = 1e-3 * ++ticks) command = &mpc->tick(m);
+    return command != nullptr ? *command : mpc->tick(m);
+  }
+  std::shared_ptr<Toy> toy = std::make_shared<Toy>();
+  std::unique_ptr<MpcController> mpc;
+  Measurement m;
+  int ticks = 0;
+};
+
+TEST(MpcTask, ends_a_phase_with_its_event_and_no_sooner) {
+  Toyed run;
+  EXPECT_EQ(run.tick_to(0.015).phase, 0);
+  run.toy->rings = true;  // where nobody waits for it
+  run.tick_to(0.019);
+  EXPECT_EQ(run.mpc->schedule().phase(), 0);
+  run.toy->rings = false;
+  EXPECT_EQ(run.tick_to(0.2).phase, 1);
+  EXPECT_TRUE(run.mpc->schedule().waits());
+  EXPECT_DOUBLE_EQ(run.mpc->schedule().time(), 0.04);
+  // The stage that follows is within the horizon of the plan.
+  EXPECT_GT(std::abs(run.mpc->plan()(6, 1) - run.m.q[1]), 1e-3);
+  run.toy->rings = true;
+  EXPECT_EQ(run.tick_to(0.202).phase, 2);
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << run.mpc->fault().text();
+}
+
+TEST(MpcTask, is_asked_once_in_every_tick_with_a_good_measurement) {
+  Toyed run;
+  run.tick_to(0.01);
+  EXPECT_EQ(run.toy->senses, 10);
+  EXPECT_EQ(run.toy->watches, 10);
+  run.m.q[0] = std::nan("");
+  run.tick_to(0.013);
+  EXPECT_EQ(run.toy->senses, 10);
+  run.m.q = arm7::ready();
+  run.tick_to(0.014);
+  EXPECT_EQ(run.toy->senses, 11);
+  EXPECT_NEAR(run.toy->dt, 4e-3, 1e-12) << "over the ticks that were bridged";
+  run.mpc->reset();
+  EXPECT_EQ(run.toy->resets, 1);
+}
+
+TEST(MpcTask, raises_the_first_quantity_beyond_its_limit_by_its_name) {
+  Toyed run;
+  run.toy->heat = 1.0;
+  run.toy->sway = std::nan("");
+  run.tick_to(0.005);
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "the limit itself is within";
+  run.toy->heat = 1.25;
+  run.toy->sway = 7.0;
+  const AllocationGuard guard;
+  run.tick_to(0.006);
+  if (AllocationGuard::unavailable() == nullptr) {
+    EXPECT_EQ(guard.count(), 0);
+  }
+  const FaultReport& fault = run.mpc->fault();
+  EXPECT_EQ(fault.kind, FaultKind::Watched);
+  EXPECT_EQ(fault.value, 1.25);
+  EXPECT_EQ(fault.limit, 1.0);
+  expect_words(fault.text(), {"beyond a limit at 0.0050 s", "1.25; allowed is 1", "(heat, K)"});
+  EXPECT_EQ(fault.last_second.rows(), 6);
+
+  Toyed named;
+  named.toy->sway = 2.0;
+  named.tick_to(0.001);
+  EXPECT_EQ(named.mpc->fault().kind, FaultKind::SpeedLimit);
+  EXPECT_EQ(named.mpc->fault().quantity, "");
+  named.mpc->reset();
+  EXPECT_EQ(named.mpc->fault().text(), "no fault");
+}
+
+TEST(MpcTask, says_what_is_aimed_at_by_the_schedules_time) {
+  Toyed run;
+  run.toy->aim = [](double time, Command& command) {
+    if (time > 0.01) throw std::runtime_error("no aim");
+    command.target_force = 100.0 * time;
+    command.p_target_world.x() = time;
+  };
+  const Command& command = run.tick_to(0.006);
+  EXPECT_DOUBLE_EQ(command.target_force, 0.5);
+  EXPECT_DOUBLE_EQ(command.p_target_world.x(), 0.005);
+  EXPECT_NE(run.tick_to(0.013).status, Status::Ok);
+  EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "it is for the record alone";
+  EXPECT_THROW(std::rethrow_exception(run.mpc->take_exception()), std::runtime_error);
+}
+
+TEST(MpcTask, need_not_be_there) {
+  MpcSpec spec = toy_spec();
+  MpcController mpc(spec);
+  Measurement m = toy_measurement(spec);
+  for (int tick = 0; tick < 100; ++tick, m.time = 1e-3 * tick) mpc.tick(m);
+  EXPECT_EQ(mpc.fault().kind, FaultKind::None) << mpc.fault().text();
+  EXPECT_EQ(mpc.tick(m).phase, 2);
+  EXPECT_EQ(mpc.tick(m).target_force, 0.0);
+}
+
+TEST(MpcTask, is_refused_where_the_schedule_waits_for_what_it_does_not_know) {
+  const auto with = [](const std::function<void(MpcSpec&)>& change) {
+    return refusal([&] { Toyed{change}; });
+  };
+  expect_words(with([](MpcSpec& s) { s.schedule[1].until = "bel"; }),
+               {"phase 1", "'bel'", "no event of its task", "bell"});
+  expect_words(with([](MpcSpec& s) { s.task = nullptr; }), {"phase 1", "'bell'"});
+  expect_words(with([](MpcSpec& s) { s.task = [](const MpcSpec&) { return nullptr; }; }),
+               {"makes none"});
+  expect_words(with([](MpcSpec& s) { s.contact_threshold = -1.0; }), {"contact threshold", "-1"});
+}
+
+}  // namespace
+}  // namespace burnish::test

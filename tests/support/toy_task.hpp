@@ -1,0 +1,84 @@
+// A task that is none: an arm in the air whose stages, events and quantities a test decides on.
+#pragma once
+
+#include <memory>
+
+#include "burnish/mpc/mpc.hpp"
+#include "support/arm7.hpp"
+
+namespace burnish::test {
+
+/// What the toy says; the test and the controller's task look at the same.
+struct Toy {
+  bool rings = false;             ///< the event "bell"
+  double heat = 0.0, sway = 0.0;  ///< watched, in this order; 1 is allowed
+  std::function<void(double, Command&)> aim = nullptr;
+  int resets = 0, senses = 0, watches = 0;
+  double dt = 0.0;  ///< s, as seen last
+};
+
+class ToyTask final : public MpcTask {
+ public:
+  explicit ToyTask(std::shared_ptr<Toy> toy) : toy_(std::move(toy)) {}
+  std::vector<std::string> events() const override { return {"bell"}; }
+  std::vector<WatchedQuantity> watched() const override {
+    return {{"heat", "K"}, {"sway", "m", FaultKind::SpeedLimit}};
+  }
+  void reset() noexcept override { ++toy_->resets; }
+  unsigned sense(const TaskView& view) noexcept override {
+    ++toy_->senses;
+    toy_->dt = view.dt;
+    return toy_->rings ? 1U : 0U;
+  }
+  void watch(const TaskView& /*view*/, std::span<Reading> out) noexcept override {
+    ++toy_->watches;
+    out[0] = {toy_->heat, 1.0};
+    out[1] = {toy_->sway, 1.0};
+  }
+  void aim(double time, Command& command) override {
+    if (toy_->aim) toy_->aim(time, command);
+  }
+
+ private:
+  std::shared_ptr<Toy> toy_;
+};
+
+/// Rests for 20 ms, then until the bell rings, 30 ms later by plan, then waves; ticks of 1 ms.
+inline MpcSpec toy_spec(const std::shared_ptr<Toy>& toy = nullptr) {
+  MpcSpec spec;
+  spec.problem.model = arm7::model(Base::Fixed);
+  const Model& model = spec.problem.model;
+  spec.problem.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+  spec.problem.initial_state.head(model.nq) = arm7::ready();
+  Eigen::VectorXd aside = spec.problem.initial_state;
+  aside[1] += 0.3;
+  const CostTerm torque{.residual = residual::Control{}, .weight = 1e-6};
+  spec.problem.stages = {
+      {.name = "rest",
+       .costs = {{.residual = residual::State{spec.problem.initial_state}, .weight = 10.0}, torque},
+       .step = 0.01},
+      {.name = "wave",
+       .costs = {{.residual = residual::State{aside}, .weight = 10.0}, torque},
+       .step = 0.01}};
+  spec.problem.horizon = {{"rest", 6}};
+  spec.schedule = {
+      {.name = "settle", .stage = "rest", .duration = 0.02},
+      {.name = "wait", .stage = "rest", .duration = 0.03, .until = "bell", .hold = 0.01},
+      {.name = "wave", .stage = "wave"}};
+  if (!toy) spec.schedule[1].until.clear();
+  if (toy) spec.task = [toy](const MpcSpec&) { return std::make_unique<ToyTask>(toy); };
+  spec.tick_period = 1e-3;
+  spec.update_period = 5e-3;
+  spec.model_error.kind = ModelErrorKind::None;
+  return spec;
+}
+
+/// At rest in the toy's first state.
+inline Measurement toy_measurement(const MpcSpec& spec) {
+  Measurement m;
+  m.q = spec.problem.initial_state.head(spec.problem.model.nq);
+  m.v = m.tau = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  return m;
+}
+
+}  // namespace burnish::test
