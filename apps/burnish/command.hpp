@@ -32,6 +32,7 @@ void add_check(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
 void add_solve(CLI::App& app, int& exit_code);
 void add_polish(CLI::App& app, int& exit_code);
+void add_run(CLI::App& app, int& exit_code);
 void add_experiment(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);

@@ -117,6 +117,7 @@ int run(int count, char** words) {
   add_eval(app, exit_code);
   add_solve(app, exit_code);
   add_polish(app, exit_code);
+  add_run(app, exit_code);
   add_experiment(app, exit_code);
   add_report(app, exit_code);
   add_bench(app, exit_code);

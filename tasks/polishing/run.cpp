@@ -6,11 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/sim/closed_loop.hpp"
-#include "burnish/sim/ideal_plant.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#ifdef BURNISH_HAS_MUJOCO
-#include "burnish/mujoco/mujoco_plant.hpp"
-#endif
 
 namespace burnish::polishing {
 namespace {
@@ -69,22 +65,6 @@ TickTimes summarise(std::vector<double> times, double period) {
     result.late += time > period ? 1 : 0;
   }
   return result;
-}
-
-/// Largest step up to the plants' usual one that control periods are a multiple of.
-double plant_step(double control_period) {
-  constexpr double usual = 5e-4;  // s
-  return control_period / std::max(1.0, std::ceil(control_period / usual - 1e-9));
-}
-
-std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const SceneSpec& scene,
-                                  double dt) {
-  if (kind == PlantKind::Ideal) return make_ideal_plant(model, scene, {.dt = dt});
-#ifdef BURNISH_HAS_MUJOCO
-  return make_mujoco_plant(model, scene, {.dt = dt});
-#else
-  throw Error("this build has no MuJoCo; wanted the plant 'ideal', or a build with MuJoCo");
-#endif
 }
 
 /// The pieces of a run that live as long as it does.
@@ -233,16 +213,6 @@ std::string outcome_of(const RunResult& result, const Watch& watch, double now, 
 std::string name_of(ControllerKind kind) {
   return kind == ControllerKind::Mpc ? "mpc" : "baseline";
 }
-std::string name_of(PlantKind kind) { return kind == PlantKind::Mujoco ? "mujoco" : "ideal"; }
-
-bool has_mujoco() {
-#ifdef BURNISH_HAS_MUJOCO
-  return true;
-#else
-  return false;
-#endif
-}
-
 RunResult run_task(const RunSpec& spec) {
   check_task(spec.task);
   RunResult result;

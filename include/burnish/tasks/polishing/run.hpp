@@ -13,6 +13,7 @@
 #include "burnish/tasks/polishing/plan_record.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/verdict.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
 
 namespace burnish::polishing {
 
@@ -20,14 +21,9 @@ enum class ControllerKind {
   Mpc,       ///< model predictive control (MpcController)
   Baseline,  ///< impedance with force feedback, no optimisation (make_impedance_controller())
 };
-enum class PlantKind {
-  Mujoco,  ///< an engine that shares no code with this library
-  Ideal,   ///< the library's own contact dynamics, a rigid surface
-};
 std::string name_of(ControllerKind kind);  ///< "mpc" or "baseline"
-std::string name_of(PlantKind kind);       ///< "mujoco" or "ideal"
-/// Whether PlantKind::Mujoco is there in this build.
-bool has_mujoco();
+using burnish::has_mujoco;
+using burnish::PlantKind;
 
 struct RunSpec {
   Task task;

@@ -1,0 +1,68 @@
+// burnish run from outside: files, exit codes, bad input.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string shipped = contents(std::filesystem::path(BURNISH_ROBOTS_DIR) / ".." / "tasks" /
+                                     "press_hold" / "arm7.yaml");
+
+Outcome run_task_text(const Scratch& scratch, const std::string& text, const std::string& more) {
+  const auto file = scratch.folder / "my_task.yaml";
+  std::ofstream(file) << text;
+  return run("run " + quoted(file) + " --plant ideal --out " + quoted(scratch.folder / "out") +
+             more);
+}
+
+TEST(Run, LeavesTheTasksFiguresAndItsPage) {
+  const Scratch scratch;
+  const Outcome outcome = run_task_text(scratch, shipped, "");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("my_task: held: "), std::string::npos) << outcome.out;
+  const auto out = scratch.folder / "out";
+  const Json figures = Json::parse(contents(out / "metrics.json"));
+  EXPECT_TRUE(figures["done"].get<bool>());
+  EXPECT_LT(figures["metrics"]["force_rmse_N"].get<double>(), 0.5);
+  EXPECT_GT(figures["metrics"]["moved_aside"].get<double>(), 0.2);
+  EXPECT_EQ(contents(out / "trace.csv").rfind("time [s],phase [-]", 0), 0U);
+  const Json page = Json::parse(contents(out / "run.json"));
+  const Json& phases = page["runs"][0]["phases"];
+  ASSERT_EQ(phases.size(), 5U);
+  EXPECT_EQ(phases[2]["name"], "aside");
+  // The task that it leaves is the one that it read.
+  const Scratch again;
+  EXPECT_EQ(run_task_text(again, contents(out / "task.yaml"), " --no-page --quiet").exit_code, 0);
+  EXPECT_EQ(Json::parse(contents(again.folder / "out" / "metrics.json"))["metrics"],
+            figures["metrics"]);
+  EXPECT_FALSE(std::filesystem::exists(again.folder / "out" / "run.json"));
+}
+
+TEST(Run, SaysWhatFailed) {
+  const Scratch far;
+  std::string text = shipped;
+  text.replace(text.find("surface_height: 0 "), 18, "surface_height: -0.2 ");
+  const Outcome failed = run_task_text(far, text, " --quiet");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_NE(failed.out.find("no contact at"), std::string::npos) << failed.out;
+  EXPECT_TRUE(std::filesystem::exists(far.folder / "out" / "last_second.csv"));
+}
+
+TEST(Run, RefusesWhatIsNoTask) {
+  const Scratch scratch;
+  for (const auto& [text, words] :
+       {std::pair("robot: arm7\n", "task"), std::pair("task: polishing\n", "press_hold"),
+        std::pair("task: press_hold\nrobot: arm8\n", "arm8")}) {
+    const Outcome outcome = run_task_text(scratch, text, "");
+    EXPECT_EQ(outcome.exit_code, 2) << text;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("my_task.yaml"), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace burnish::testing
