@@ -11,7 +11,7 @@ namespace burnish::files {
 namespace {
 
 /// Names of the contacts that hold in a stage.
-std::vector<std::string> read_stage_contacts(const YamlReader& stage, const FileScene& scene) {
+std::vector<std::string> read_stage_contacts(const Reader& stage, const FileScene& scene) {
   const auto given = stage.find("contacts");
   if (!given || (given->is_list() && given->entries().empty())) return {};
   std::vector<std::string> names = given->texts();
@@ -19,8 +19,8 @@ std::vector<std::string> read_stage_contacts(const YamlReader& stage, const File
   return names;
 }
 
-Stage read_stage(const std::string& name, const YamlReader& reader, const FileScene& scene,
-                 const std::optional<YamlReader>& shared) {
+Stage read_stage(const std::string& name, const Reader& reader, const FileScene& scene,
+                 const std::optional<Reader>& shared) {
   reader.allow_only({"contacts", "costs", "constraints", "step", "integrator", "impact"});
   Stage stage{.name = name};
   stage.contacts = read_stage_contacts(reader, scene);
@@ -38,9 +38,9 @@ Stage read_stage(const std::string& name, const YamlReader& reader, const FileSc
 }
 
 /// A list of {stage: knots} and {repeat: times, of: [...]}; `known` are the stages.
-void read_horizon(const YamlReader& reader, const std::vector<std::string>& known,
+void read_horizon(const Reader& reader, const std::vector<std::string>& known,
                   std::vector<HorizonSegment>& horizon) {
-  for (const YamlReader& entry : reader.entries()) {
+  for (const Reader& entry : reader.entries()) {
     if (entry.has("repeat")) {
       entry.allow_only({"repeat", "of"});
       std::vector<HorizonSegment> once;
@@ -64,7 +64,7 @@ void read_horizon(const YamlReader& reader, const std::vector<std::string>& know
 }
 
 /// Reads start: configuration, velocity and time; torques come when the stages are known.
-void read_start(const YamlReader& reader, const Robot& robot, ProblemSpec& spec) {
+void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
   reader.allow_only({"posture", "q", "velocity", "torques", "time"});
   if (reader.has("posture") && reader.has("q"))
     reader.refuse("keys 'posture' and 'q' are both stated; state one");
@@ -79,7 +79,7 @@ void read_start(const YamlReader& reader, const Robot& robot, ProblemSpec& spec)
 }
 
 /// Torques at the start, where they are part of the state: those that hold the robot, unless said.
-void set_torques(const std::optional<YamlReader>& given, const std::vector<std::string>& contacts,
+void set_torques(const std::optional<Reader>& given, const std::vector<std::string>& contacts,
                  const FileScene& scene, ProblemSpec& spec) {
   if (!spec.torque_model) {
     if (given) given->refuse("torques are part of the state only with a 'torque_model'");
@@ -97,9 +97,9 @@ void set_torques(const std::optional<YamlReader>& given, const std::vector<std::
 }
 
 /// Name of the stage that the horizon begins with; empty where the horizon is badly formed.
-std::string first_stage(const YamlReader& horizon) {
+std::string first_stage(const Reader& horizon) {
   if (horizon.is_list()) {
-    const std::vector<YamlReader> entries = horizon.entries();
+    const std::vector<Reader> entries = horizon.entries();
     return entries.empty() ? "" : first_stage(entries.front());
   }
   if (const auto repeated = horizon.find("of")) return first_stage(*repeated);
@@ -107,13 +107,13 @@ std::string first_stage(const YamlReader& horizon) {
 }
 
 /// Its contacts.
-std::vector<std::string> first_contacts(const YamlReader& top, const FileScene& scene) {
+std::vector<std::string> first_contacts(const Reader& top, const FileScene& scene) {
   const auto stage = top["stages"].find(first_stage(top["horizon"]));
   return stage ? read_stage_contacts(*stage, scene) : std::vector<std::string>();
 }
 
 /// What does not depend on the stages: everything that `hold` and `here` need.
-void read_scene(const YamlReader& top, ProblemFile& result) {
+void read_scene(const Reader& top, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -131,7 +131,7 @@ void read_scene(const YamlReader& top, ProblemFile& result) {
     spec.torque_model = read_torque_model(*torque_model);
 }
 
-void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spec) {
+void read_stages(const Reader& top, const FileScene& scene, ProblemSpec& spec) {
   const auto shared = top.find("terms");
   if (shared) check_shared(*shared);
   // An alias may give every stage a long list of costs.
@@ -159,7 +159,7 @@ void read_stages(const YamlReader& top, const FileScene& scene, ProblemSpec& spe
 
 }  // namespace
 
-ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& folder) {
+ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
   top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
                   "torque_model", "control_bounds", "terms", "stages", "horizon", "terminal",
                   "terminal_constraints", "solver", "guess"});
@@ -190,7 +190,7 @@ ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& fol
 namespace burnish {
 
 ProblemFile read_problem_file(const std::filesystem::path& file) {
-  return files::read_problem(files::YamlReader::load(file), file.parent_path());
+  return files::read_problem(files::Reader::load(file), file.parent_path());
 }
 
 }  // namespace burnish

@@ -20,14 +20,14 @@ std::string locate(const std::string& name, const fs::path& folder) {
                                                                                 : name;
 }
 
-Vector6 read_gains(const YamlReader& reader) {
+Vector6 read_gains(const Reader& reader) {
   if (reader.is_list()) return reader.numbers(6);
   return Vector6::Constant(reader.number());
 }
 
 }  // namespace
 
-RobotOverrides read_overrides(const YamlReader& reader) {
+RobotOverrides read_overrides(const Reader& reader) {
   RobotOverrides overrides;
   if (const auto base = reader.find("base"))
     overrides.base = base->word({"fixed", "free_flyer"}) == "fixed" ? Base::Fixed : Base::FreeFlyer;
@@ -38,8 +38,7 @@ RobotOverrides read_overrides(const YamlReader& reader) {
   return overrides;
 }
 
-Robot read_robot(const YamlReader& reader, const fs::path& folder,
-                 const RobotOverrides& overrides) {
+Robot read_robot(const Reader& reader, const fs::path& folder, const RobotOverrides& overrides) {
   if (!reader.is_map())
     return reader.named([&] { return load_robot(locate(reader.text(), folder), overrides); });
   reader.allow_only({"name", "variant", "base", "lock", "free", "lock_posture", "strict"});
@@ -48,14 +47,14 @@ Robot read_robot(const YamlReader& reader, const fs::path& folder,
   return reader.named([&] { return load_robot(name, read_overrides(reader)); });
 }
 
-std::vector<std::pair<std::string, YamlReader>> contacts_in(const YamlReader& reader) {
+std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader) {
   if (!reader.is_list()) return reader.items();
-  std::vector<std::pair<std::string, YamlReader>> contacts;
-  for (const YamlReader& entry : reader.entries()) contacts.emplace_back("", entry);
+  std::vector<std::pair<std::string, Reader>> contacts;
+  for (const Reader& entry : reader.entries()) contacts.emplace_back("", entry);
   return contacts;
 }
 
-ContactSpec read_contact(const std::string& name, const YamlReader& reader, const Model& model,
+ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
                          const Eigen::VectorXd& q) {
   std::vector<std::string> keys{"tool",  "base", "reference", "directions", "acceleration",
                                 "error", "kp",   "kd",        "target"};
@@ -63,7 +62,7 @@ ContactSpec read_contact(const std::string& name, const YamlReader& reader, cons
   reader.allow_only(keys);
   ContactSpec spec{.name = name, .tool = reader["tool"].text()};
   if (const auto own = reader.find("name")) spec.name = own->text();
-  const auto placed = [&](const YamlReader& frame) {
+  const auto placed = [&](const Reader& frame) {
     return frame.named([&] { return frame_placement(model, q, frame.text()); });
   };
   const Eigen::Isometry3d tool = placed(reader["tool"]);
@@ -89,7 +88,7 @@ ContactSpec read_contact(const std::string& name, const YamlReader& reader, cons
   return spec;
 }
 
-ContactSolver read_contact_solver(const YamlReader& reader) {
+ContactSolver read_contact_solver(const Reader& reader) {
   reader.allow_only({"mu", "max_proximal_iterations", "proximal_tolerance"});
   ContactSolver solver;
   if (const auto mu = reader.find("mu")) solver.mu = mu->not_negative();
@@ -100,7 +99,7 @@ ContactSolver read_contact_solver(const YamlReader& reader) {
   return solver;
 }
 
-ActuationSpec read_actuation(const YamlReader& reader, const Model& model) {
+ActuationSpec read_actuation(const Reader& reader, const Model& model) {
   reader.allow_only({"joints", "passive_torques", "slip_velocity"});
   ActuationSpec actuation;
   if (const auto joints = reader.find("joints")) {
@@ -114,7 +113,7 @@ ActuationSpec read_actuation(const YamlReader& reader, const Model& model) {
   return actuation;
 }
 
-TorqueModel read_torque_model(const YamlReader& reader) {
+TorqueModel read_torque_model(const Reader& reader) {
   reader.allow_only({"cutoff", "discretization"});
   TorqueModel model{.cutoff = reader["cutoff"].positive()};
   if (const auto kind = reader.find("discretization"))
@@ -124,7 +123,7 @@ TorqueModel read_torque_model(const YamlReader& reader) {
   return model;
 }
 
-void read_bounds(const YamlReader& reader, const FileScene& scene, ProblemSpec& spec) {
+void read_bounds(const Reader& reader, const FileScene& scene, ProblemSpec& spec) {
   std::vector<RowGroup> rows;
   Eigen::VectorXd effort(scene.controls());
   int row = 0;

@@ -6,19 +6,19 @@
 namespace burnish::files {
 
 /// base, lock, free, lock_posture and strict, as far as the map states them.
-RobotOverrides read_overrides(const YamlReader& reader);
+RobotOverrides read_overrides(const Reader& reader);
 /// A name, which goes with `overrides`, or {name: ..., variant: ...} with overrides of its own.
-Robot read_robot(const YamlReader& reader, const std::filesystem::path& folder,
+Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
                  const RobotOverrides& overrides = {});
 /// {name: contact, ...}, or a list of contacts with a key `name` each, which may be missing.
-std::vector<std::pair<std::string, YamlReader>> contacts_in(const YamlReader& reader);
+std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader);
 /// A contact whose target, unless said, is where the tool is at q. An empty name: it may state one.
-ContactSpec read_contact(const std::string& name, const YamlReader& reader, const Model& model,
+ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
                          const Eigen::VectorXd& q);
-ContactSolver read_contact_solver(const YamlReader& reader);
-ActuationSpec read_actuation(const YamlReader& reader, const Model& model);
-TorqueModel read_torque_model(const YamlReader& reader);
+ContactSolver read_contact_solver(const Reader& reader);
+ActuationSpec read_actuation(const Reader& reader, const Model& model);
+TorqueModel read_torque_model(const Reader& reader);
 /// Fills control_lower and control_upper.
-void read_bounds(const YamlReader& reader, const FileScene& scene, ProblemSpec& spec);
+void read_bounds(const Reader& reader, const FileScene& scene, ProblemSpec& spec);
 
 }  // namespace burnish::files

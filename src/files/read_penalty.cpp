@@ -7,7 +7,7 @@ namespace burnish::files {
 namespace {
 
 /// The robot's limits, a share of them about their middle.
-void set_robot_limits(const PenaltyRows& rows, double share, const YamlReader& reader,
+void set_robot_limits(const PenaltyRows& rows, double share, const Reader& reader,
                       RowLimits& limits) {
   if (rows.lower.size() == 0)
     reader.refuse("the robot states no limits for this residual; wanted 'lower' or 'upper'");
@@ -20,7 +20,7 @@ void set_robot_limits(const PenaltyRows& rows, double share, const YamlReader& r
   }
 }
 
-RowLimits read_penalty_limits(const PenaltyRows& rows, const YamlReader& reader, bool log) {
+RowLimits read_penalty_limits(const PenaltyRows& rows, const Reader& reader, bool log) {
   if (reader.is("limits")) {
     RowLimits limits;
     set_robot_limits(rows, 1.0, reader, limits);
@@ -36,7 +36,7 @@ RowLimits read_penalty_limits(const PenaltyRows& rows, const YamlReader& reader,
 
 }  // namespace
 
-RowLimits read_limits(const PenaltyRows& rows, const YamlReader& reader) {
+RowLimits read_limits(const PenaltyRows& rows, const Reader& reader) {
   RowLimits limits;
   if (const auto share = reader.find("limits"))
     set_robot_limits(rows, share->positive(), *share, limits);
@@ -48,7 +48,7 @@ RowLimits read_limits(const PenaltyRows& rows, const YamlReader& reader) {
   return limits;
 }
 
-Penalty read_penalty(const PenaltyRows& rows, const YamlReader& reader) {
+Penalty read_penalty(const PenaltyRows& rows, const Reader& reader) {
   Penalty penalty;
   if (!reader.is_map()) {
     penalty.kind = reader.named([&] { return parse_penalty(reader.text()); });

@@ -16,10 +16,10 @@ struct RowLimits {
 };
 
 /// Reads the keys lower, upper and limits of a map: the last a share of the robot's.
-RowLimits read_limits(const PenaltyRows& rows, const YamlReader& reader);
+RowLimits read_limits(const PenaltyRows& rows, const Reader& reader);
 
 /// Reads square, {barrier: limits}, {barrier: {lower, upper, limits}}, {smooth_absolute: width} or
 /// {log_barrier: {lower, upper, limits, width}}.
-Penalty read_penalty(const PenaltyRows& rows, const YamlReader& reader);
+Penalty read_penalty(const PenaltyRows& rows, const Reader& reader);
 
 }  // namespace burnish::files

@@ -7,6 +7,6 @@
 namespace burnish::files {
 
 /// `folder`: where relative names are looked up.
-ProblemFile read_problem(const YamlReader& top, const std::filesystem::path& folder);
+ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder);
 
 }  // namespace burnish::files

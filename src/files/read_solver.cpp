@@ -5,13 +5,13 @@
 namespace burnish::files {
 namespace {
 
-void set(const YamlReader& reader, const char* key, double& value) {
+void set(const Reader& reader, const char* key, double& value) {
   if (const auto given = reader.find(key)) value = given->number();
 }
 
 }  // namespace
 
-DdpOptions read_solver(const YamlReader& reader) {
+DdpOptions read_solver(const Reader& reader) {
   DdpOptions options;
   reader.allow_only({"update", "max_iterations", "time_budget", "threads", "pin_threads",
                      "share_knots", "segments", "stop_tolerance", "gap_tolerance", "line_search",
@@ -54,7 +54,7 @@ DdpOptions read_solver(const YamlReader& reader) {
   return options;
 }
 
-WarmStart read_guess(const YamlReader& reader, const std::filesystem::path& folder) {
+WarmStart read_guess(const Reader& reader, const std::filesystem::path& folder) {
   if (reader.is_map()) {
     reader.allow_only({"file"});
     return {WarmStart::Kind::File, beside(folder, reader["file"].text())};

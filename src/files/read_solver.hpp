@@ -6,8 +6,8 @@
 
 namespace burnish::files {
 
-DdpOptions read_solver(const YamlReader& reader);
+DdpOptions read_solver(const Reader& reader);
 /// `folder`: of the problem file.
-WarmStart read_guess(const YamlReader& reader, const std::filesystem::path& folder);
+WarmStart read_guess(const Reader& reader, const std::filesystem::path& folder);
 
 }  // namespace burnish::files

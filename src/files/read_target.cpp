@@ -12,13 +12,13 @@ namespace {
 
 using Out = Eigen::Ref<Eigen::VectorXd>;
 
-Eigen::VectorXd here_of(const TargetSpace& space, const YamlReader& reader) {
+Eigen::VectorXd here_of(const TargetSpace& space, const Reader& reader) {
   if (!space.here) reader.refuse("'here' means nothing for this cost; wanted numbers");
   return *space.here;
 }
 
 /// A fixed point of the space: numbers, `here`, or {here: offset}.
-Eigen::VectorXd read_point(const TargetSpace& space, const YamlReader& reader) {
+Eigen::VectorXd read_point(const TargetSpace& space, const Reader& reader) {
   if (reader.is("here")) return here_of(space, reader);
   if (reader.is_number()) return Eigen::VectorXd::Constant(space.size(), reader.number());
   if (reader.is_list()) return reader.numbers(space.size());
@@ -29,17 +29,17 @@ Eigen::VectorXd read_point(const TargetSpace& space, const YamlReader& reader) {
   return read_rows(reader, space.rows, 0.0);
 }
 
-double number_at(const YamlReader& reader, const char* key, double otherwise) {
+double number_at(const Reader& reader, const char* key, double otherwise) {
   const auto found = reader.find(key);
   return found ? found->number() : otherwise;
 }
 
-Signal read_circle(const TargetSpace& space, const YamlReader& reader) {
+Signal read_circle(const TargetSpace& space, const Reader& reader) {
   if (space.size() != 3) reader.refuse("a circle is for targets of 3 entries");
   reader.allow_only({"center", "start", "radius", "rate", "axes", "phase"});
   Eigen::Vector3d a = Eigen::Vector3d::UnitX(), b = Eigen::Vector3d::UnitY();
   if (const auto axes = reader.find("axes")) {
-    const std::vector<YamlReader> two = axes->entries();
+    const std::vector<Reader> two = axes->entries();
     if (two.size() != 2) axes->refuse("wanted two axes of 3 numbers each");
     a = two[0].vector3();
     b = two[1].vector3();
@@ -64,7 +64,7 @@ Signal read_circle(const TargetSpace& space, const YamlReader& reader) {
   });
 }
 
-Signal read_line(const TargetSpace& space, const YamlReader& reader) {
+Signal read_line(const TargetSpace& space, const Reader& reader) {
   reader.allow_only({"from", "to", "start", "duration", "profile"});
   const Eigen::VectorXd from = read_point(space, reader["from"]);
   const Eigen::VectorXd to = read_point(space, reader["to"]);
@@ -80,7 +80,7 @@ Signal read_line(const TargetSpace& space, const YamlReader& reader) {
   });
 }
 
-Signal read_sine(const TargetSpace& space, const YamlReader& reader) {
+Signal read_sine(const TargetSpace& space, const Reader& reader) {
   reader.allow_only({"center", "amplitude", "rate", "phase"});
   const Eigen::VectorXd center = read_point(space, reader["center"]);
   const Eigen::VectorXd amplitude = read_rows(reader["amplitude"], space.rows, 0.0);
@@ -97,11 +97,11 @@ std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double tim
   return {after - 1, (time - times[after - 1]) / (times[after] - times[after - 1])};
 }
 
-Signal read_points(const FileScene& scene, const TargetSpace& space, const YamlReader& reader) {
+Signal read_points(const FileScene& scene, const TargetSpace& space, const Reader& reader) {
   reader.allow_only({"file", "columns", "relative_to"});
-  const YamlReader file = reader["file"];
+  const Reader file = reader["file"];
   const CsvTable table = file.named([&] { return read_csv(beside(scene.folder, file.text())); });
-  const YamlReader columns = reader["columns"];
+  const Reader columns = reader["columns"];
   const std::vector<std::string> names = columns.texts();
   if (static_cast<int>(names.size()) != space.size())
     columns.refuse("it names " + std::to_string(names.size()) + " columns; wanted " +
@@ -132,7 +132,7 @@ Signal read_points(const FileScene& scene, const TargetSpace& space, const YamlR
   });
 }
 
-Signal read_constant(const TargetSpace& space, const YamlReader& reader) {
+Signal read_constant(const TargetSpace& space, const Reader& reader) {
   if (space.kind == TargetSpace::Kind::Rotation) {
     const Eigen::Quaterniond rotation = read_rotation(reader);
     Eigen::VectorXd xyzw(4);
@@ -159,7 +159,7 @@ std::vector<RowGroup> direction_rows(Directions directions) {
   return rows;
 }
 
-Signal read_target(const FileScene& scene, const TargetSpace& space, const YamlReader& reader) {
+Signal read_target(const FileScene& scene, const TargetSpace& space, const Reader& reader) {
   static const std::vector<std::string> paths{"circle", "line", "sine", "points"};
   if (reader.is("here")) return here_of(space, reader);
   for (const std::string& name : paths) {

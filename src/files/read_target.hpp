@@ -25,6 +25,6 @@ struct TargetSpace {
 std::vector<RowGroup> direction_rows(Directions directions);
 
 /// Reads a target. Refuses what does not fit the space.
-Signal read_target(const FileScene& scene, const TargetSpace& space, const YamlReader& reader);
+Signal read_target(const FileScene& scene, const TargetSpace& space, const Reader& reader);
 
 }  // namespace burnish::files

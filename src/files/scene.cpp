@@ -93,10 +93,10 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
   return result;
 }
 
-bool is_hold(const YamlReader& reader) { return reader.is("hold") || reader.has("hold"); }
+bool is_hold(const Reader& reader) { return reader.is("hold") || reader.has("hold"); }
 
 HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
-                            const YamlReader& reader) {
+                            const Reader& reader) {
   HeldForces forces;
   if (reader.is("hold")) return forces;
   reader.allow_only({"hold"});

@@ -46,9 +46,9 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
 
 /// Reads `hold` or `{hold: {contact: force rows}}`.
 HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
-                            const YamlReader& reader);
+                            const Reader& reader);
 
 /// True for `hold` and `{hold: ...}`.
-bool is_hold(const YamlReader& reader);
+bool is_hold(const Reader& reader);
 
 }  // namespace burnish::files

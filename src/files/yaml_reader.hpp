@@ -5,7 +5,8 @@
 
 namespace burnish::files {
 
-using YamlReader = document::Reader;
 using document::either;
+using document::Reader;
+using YamlReader = document::Reader;
 
 }  // namespace burnish::files

@@ -6,7 +6,7 @@ namespace burnish::fuzz {
 namespace {
 
 void read(const std::string& text) {
-  files::read_problem(files::YamlReader::parse(text, "input.yaml"), "nowhere");
+  files::read_problem(document::Reader::parse(text, "input.yaml"), "nowhere");
 }
 
 }  // namespace
