@@ -9,8 +9,8 @@ namespace {
 
 constexpr double deviations = 6.0;           // that noise does not reach
 constexpr double median_of_normal = 0.6745;  // of |x|, x of deviation 1
-constexpr std::size_t enough = 8;            // blocks, to know a deviation
-constexpr std::size_t most = 200;            // blocks that are learned from
+constexpr std::size_t enough_blocks = 8;     // to know a deviation
+constexpr std::size_t most_blocks = 200;     // that are learned from
 
 }  // namespace
 
@@ -22,8 +22,8 @@ void RunningMedian::add(double size) noexcept {
 ContactDetector::ContactDetector(double threshold, int window)
     : threshold_(threshold),
       window_(Eigen::VectorXd::Zero(std::max(1, window))),
-      sample_strays_(most),
-      mean_strays_(most) {}
+      sample_strays_(most_blocks),
+      mean_strays_(most_blocks) {}
 
 void ContactDetector::reset() noexcept {
   count_ = 0;
@@ -59,7 +59,7 @@ void ContactDetector::learn(double force) noexcept {
   in_block_ = 0;
 }
 
-bool ContactDetector::knows_noise() const noexcept { return mean_strays_.count() >= enough; }
+bool ContactDetector::knows_noise() const noexcept { return mean_strays_.count() >= enough_blocks; }
 
 double ContactDetector::deviation() const noexcept {
   return sample_strays_.value() / median_of_normal;

@@ -79,7 +79,7 @@ struct RunResult {
 /// Runs the task in simulated time. `progress` is called now and then with the simulated time and
 /// about when it will be over (s); returning false stops the run. Throws Error for a task that does
 /// not fit together and a plant that is not there.
-RunResult run_task(const Task& task, PlantKind plant,
+RunResult run_task(const Task& task, PlantKind kind,
                    const std::function<bool(double time, double end)>& progress = nullptr);
 
 /// Of the schedule, as the numbers of a trace: approach, ramp, aside, hold, retreat.
