@@ -1,4 +1,5 @@
-// One contact in the four references: the same motion and the same force, in different numbers.
+// One contact in the four references and in the axes of a third body: the same motion and the same
+// force, in different numbers.
 // Then the trap: as soon as some directions are free, the reference decides which ones are held.
 #include <cmath>
 #include <cstdio>
@@ -25,11 +26,12 @@ int main() {
   const burnish::Robot robot = burnish::load_robot("arm7");
   const burnish::Reference references[] = {
       burnish::Reference::local(), burnish::Reference::centered(),
-      burnish::Reference::surface_with_normal({0.0, -1.0, 1.0}), burnish::Reference::world()};
+      burnish::Reference::surface_with_normal({0.0, -1.0, 1.0}), burnish::Reference::world(),
+      burnish::Reference{.axes = "link_4"}};  // at the tool, turning with the elbow
 
   for (const auto& [title, directions] : {std::pair{"All six held", burnish::Directions::all()},
                                           std::pair{"Only z held", burnish::Directions::z()}}) {
-    std::printf("%s\n%-9s %29s %30s\n", title, "", "force (N)  and  moment (Nm)", "a (rad/s^2)");
+    std::printf("%s\n%-25s %29s %30s\n", title, "", "force (N)  and  moment (Nm)", "a (rad/s^2)");
     double spread = 0.0;
     Eigen::VectorXd first;
     for (const burnish::Reference& reference : references) {
@@ -39,7 +41,7 @@ int main() {
               &lambda);
       if (first.size() == 0) first = a;
       spread = std::max(spread, (a - first).cwiseAbs().maxCoeff());
-      std::printf("%-9s", reference.name().c_str());
+      std::printf("%-25s", reference.name().c_str());
       for (const double entry : lambda) std::printf(" %6.1f", std::abs(entry) < 0.05 ? 0.0 : entry);
       std::printf("  |");
       for (const double entry : a.head<4>()) std::printf(" %6.2f", entry);

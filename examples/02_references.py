@@ -1,5 +1,5 @@
-"""One contact in the four references: the same motion and the same force, in different numbers.
-Then the trap: as soon as some directions are free, the reference decides which ones are held."""
+"""One contact in the four references and in the axes of a third body: the same motion and the same
+force, in different numbers. Then the trap: as soon as some directions are free, the reference decides which ones are held."""
 
 import numpy as np
 
@@ -12,11 +12,12 @@ references = [
     burnish.Reference.centered(),
     burnish.Reference.surface_with_normal([0.0, -1.0, 1.0]),
     burnish.Reference.world(),
+    burnish.Reference(axes="link_4"),  # at the tool, turning with the elbow
 ]
 
 for title, directions in [("All six held", "all"), ("Only z held", "z")]:
     print(title)
-    print(f"{'':9} {'force (N)  and  moment (Nm)':>29} {'a (rad/s^2)':>30}")
+    print(f"{'':25} {'force (N)  and  moment (Nm)':>29} {'a (rad/s^2)':>30}")
     accelerations = []
     for reference in references:
         # The motors are off, the tool is held by the contact, and the robot sags from rest.
@@ -26,6 +27,6 @@ for title, directions in [("All six held", "all"), ("Only z held", "z")]:
         a, wrench = dynamics.a, dynamics.force(0).value
         accelerations.append(a)
         forces = "".join(f" {0.0 if abs(entry) < 0.05 else entry:6.1f}" for entry in wrench)
-        print(f"{reference.name:<9}{forces}  |" + "".join(f" {x:6.2f}" for x in a[:4]) + " ...")
+        print(f"{reference.name:<25}{forces}  |" + "".join(f" {x:6.2f}" for x in a[:4]) + " ...")
     spread = np.ptp(accelerations, axis=0).max()
     print(f"-> {'the same' if spread < 1e-8 else 'different'} accelerations\n")

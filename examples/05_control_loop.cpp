@@ -41,10 +41,10 @@ int main() {
   mpc.problem.initial_state.setZero(robot.model.nq + robot.model.nv);
   mpc.problem.initial_state.head(robot.model.nq) = q;
   const CostTerm state{.residual = residual::State{mpc.problem.initial_state}, .weight = 0.1};
-  const CostTerm across{.residual = residual::FramePosition{"tool", place, axes},
+  const CostTerm across{.residual = residual::FramePosition{"tool", place, Reference::world(axes)},
                         .weight = 1e4,
                         .weights = Vector3d(1, 1, 0)};
-  const CostTerm down{.residual = residual::FrameVelocity{"tool", FrameAxes::Centered, speed, axes},
+  const CostTerm down{.residual = residual::FrameVelocity{"tool", Reference::centered(axes), speed},
                       .weight = 1e2,
                       .weights = along_normal};
   const CostTerm force{.residual = residual::ContactForce{"board", {}, push}, .weight = 1.0};

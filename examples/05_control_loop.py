@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import burnish
-from burnish import CostTerm, FrameAxes, SchedulePhase, Stage, Touch, residual
+from burnish import CostTerm, Reference, SchedulePhase, Stage, Touch, residual
 
 robot = burnish.load_robot("arm7")
 q = robot.posture("ready")
@@ -34,9 +34,10 @@ def push(t: float) -> float:
 rest = np.concatenate([q, np.zeros(robot.model.nv)])
 board = burnish.ContactSpec("board", tool="tool", reference=surface, directions="z")
 state = CostTerm(residual.State(rest), weight=0.1)
-across = CostTerm(residual.FramePosition("tool", place, axes), weight=1e4, weights=[1, 1, 0])
+across = CostTerm(residual.FramePosition("tool", place, Reference.world(axes)), weight=1e4,
+                  weights=[1, 1, 0])
 speed = [0.0, 0.0, -0.02, 0.0, 0.0, 0.0]  # m/s, towards the board
-down = CostTerm(residual.FrameVelocity("tool", FrameAxes.CENTERED, speed, axes), weight=1e2,
+down = CostTerm(residual.FrameVelocity("tool", Reference.centered(axes), speed), weight=1e2,
                 weights=[0, 0, 1, 0, 0, 0])
 force = CostTerm(residual.ContactForce("board", target=push))
 torque = CostTerm(residual.Control(), weight=1e-4)

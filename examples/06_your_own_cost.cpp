@@ -25,8 +25,8 @@ struct DistanceWithDerivative : Distance {
     const Eigen::Vector3d apart = at.placement(0).translation() - at.placement(1).translation();
     const Eigen::RowVector3d direction = apart.normalized().transpose();
     auto dq = out.middleCols(at.layout().column_q(), at.layout().nv);
-    dq = direction * at.jacobian(0, FrameAxes::Centered).topRows(3);   // a view is read before the
-    dq -= direction * at.jacobian(1, FrameAxes::Centered).topRows(3);  // next one is asked for
+    dq = direction * at.jacobian(0, Reference::centered()).topRows(3);  // a view is read before the
+    dq -= direction * at.jacobian(1, Reference::centered()).topRows(3);  // next one is asked for
   }
 };
 

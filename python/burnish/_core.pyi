@@ -165,7 +165,6 @@ def force_text(force: ContactForce) -> str: ...
 # dynamics
 # ---------------------------------------------------------------------------
 
-from .dynamics import FrameAxes
 
 def frame_placement(model: Model, q: ArrayLike, frame: str) -> Array: ...  # (4, 4)
 def frame_placements(model: Model, q: ArrayLike) -> Array: ...  # (frames, 4, 4)
@@ -255,7 +254,9 @@ class ContactDynamics:
     def proximal_iterations(self) -> int: ...
     @property
     def proximal_residual(self) -> float: ...
-    def force(self, contact: Union[int, str]) -> ContactForce: ...
+    def force(
+        self, contact: Union[int, str], reference: Optional[Union[Reference, str]] = None
+    ) -> ContactForce: ...
     def wrench(self, contact: Union[int, str], reference: Reference) -> Array: ...  # (6,)
     def wrench_derivatives(
         self, contact: Union[int, str], reference: Reference
@@ -320,12 +321,12 @@ class RigidBody:
     def update(self, q: ArrayLike, v: ArrayLike, a: Optional[ArrayLike] = None) -> None: ...
     def update_derivatives(self) -> None: ...
     def placement(self, frame: Union[int, str]) -> Array: ...  # (4, 4)
-    def velocity(self, frame: Union[int, str], axes: Union[FrameAxes, str]) -> Array: ...  # (6,)
+    def velocity(self, frame: Union[int, str], reference: Union[Reference, str]) -> Array: ...  # (6,)
     def acceleration(
-        self, frame: Union[int, str], axes: Union[FrameAxes, str]
+        self, frame: Union[int, str], reference: Union[Reference, str]
     ) -> Array: ...  # (6,)
     def frame_derivatives(
-        self, frame: Union[int, str], axes: Union[FrameAxes, str]
+        self, frame: Union[int, str], reference: Union[Reference, str]
     ) -> FrameDerivatives: ...
     def placement_error(self, frame: Union[int, str], target: ArrayLike) -> Array: ...  # (6,)
     def placement_derivatives(
@@ -392,7 +393,6 @@ def contact_diagnosis_text(diagnosis: ContactDiagnosis) -> str: ...
 # ocp
 # ---------------------------------------------------------------------------
 
-from .dynamics import FrameAxes
 from .ocp import (
     ProblemCheckOptions,
     ProblemReport,
@@ -421,9 +421,9 @@ class NodeView:
     @property
     def acceleration(self) -> Array: ...  # (nv,)
     def placement(self, frame: Place) -> Array: ...  # (4, 4)
-    def velocity(self, frame: Place, axes: Union[FrameAxes, str]) -> Array: ...  # (6,)
+    def velocity(self, frame: Place, reference: Union[Reference, str]) -> Array: ...  # (6,)
     def force(self, contact: Place) -> Array: ...  # (rows held,)
-    def jacobian(self, frame: Place, axes: Union[FrameAxes, str]) -> Array: ...  # (6, nv)
+    def jacobian(self, frame: Place, reference: Union[Reference, str]) -> Array: ...  # (6, nv)
     def force_derivative(self, contact: Place) -> Array: ...  # (rows held, nz)
 
 class SignalFunction:

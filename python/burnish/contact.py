@@ -12,49 +12,35 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._spec import Spec, identity, zeros
 
-__all__ = ["Acceleration", "Axes", "ContactForce", "ContactSolver", "ContactSpec", "Origin",
-           "PoseError", "Reference"]
-
-
-class Origin(enum.Enum):
-    """Where a reference's origin is."""
-
-    TOOL = 0
-    WORLD = 1
-
-
-class Axes(enum.Enum):
-    """What the axes of a reference are fixed in."""
-
-    TOOL = 0
-    BASE = 1
-    WORLD = 2
+__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Reference"]
 
 
 @dataclass(eq=False, repr=False)
 class Reference(Spec):
-    """Where motions and forces of a contact are written: an origin and axes. See docs/frames.md."""
+    """Where motions and forces are written: an origin and axes. See docs/frames.md."""
 
-    origin: Origin = Origin.TOOL
-    axes: Axes = Axes.WORLD
+    origin: str = "tool"
+    """"tool", "base", "world" or the name of a frame; a frame called so itself: "frame tool\""""
+    axes: str = "world"
+    """what the axes are fixed in, likewise"""
     rotation: ArrayLike = identity(3)
     """3 x 3, from the reference's axes to the axes that it is fixed in"""
 
     @classmethod
     def local(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
         """The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation`."""
-        return cls(Origin.TOOL, Axes.TOOL, np.array(rotation, dtype=float))
+        return cls("tool", "tool", np.array(rotation, dtype=float))
 
     @classmethod
-    def centered(cls) -> Reference:
-        """World axes at the tool's origin (the paper's heart frame)."""
-        return cls()
+    def centered(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
+        """World axes at the tool's origin (the paper's heart frame), or the columns of `rotation`."""
+        return cls("tool", "world", np.array(rotation, dtype=float))
 
     @classmethod
     def surface(cls, rotation: ArrayLike) -> Reference:
         """Axes fixed in the base frame, at the tool's origin; the columns of `rotation` (3 x 3) are
         the axes of the surface in the base."""
-        return cls(Origin.TOOL, Axes.BASE, np.array(rotation, dtype=float))
+        return cls("tool", "base", np.array(rotation, dtype=float))
 
     @classmethod
     def surface_with_normal(cls, normal: ArrayLike) -> Reference:
@@ -62,9 +48,9 @@ class Reference(Spec):
         return _core.surface_with_normal(normal)
 
     @classmethod
-    def world(cls) -> Reference:
-        """World axes at the world's origin."""
-        return cls(Origin.WORLD, Axes.WORLD)
+    def world(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
+        """The same at the world's origin."""
+        return cls("world", "world", np.array(rotation, dtype=float))
 
     @classmethod
     def parse(cls, name: str) -> Reference:
@@ -73,7 +59,7 @@ class Reference(Spec):
 
     @property
     def name(self) -> str:
-        """ "local", "centered", "surface" or "world"."""
+        """ "local", "centered", "surface" or "world"; of others such as "axes of torso at the tool"."""
         return _core.reference_name(self)
 
 
@@ -159,9 +145,16 @@ class ContactForce(Spec):
     """3 x 3, world axes, at that state"""
     tool_position: NDArray[np.float64]
     """3, m, world"""
+    base_position: NDArray[np.float64]
+    """3, m, world"""
+    frame_rotation: NDArray[np.float64]
+    """3 x 3, world axes, of what the reference's axes are fixed in"""
+    frame_position: NDArray[np.float64]
+    """3, m, world, of the reference's origin"""
 
     def in_(self, other: Reference) -> ContactForce:
-        """The same wrench written in another reference."""
+        """The same wrench written in another reference. Raises Error where that names a frame: ask
+        ContactDynamics.force(contact, reference)."""
         return _core.force_in(self, other)
 
     def axes(self) -> NDArray[np.float64]:

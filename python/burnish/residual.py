@@ -4,16 +4,15 @@ A target may be left None where that is said; its size is the residual's unless 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Callable, List, Optional, Protocol, Union
 
 from numpy.typing import ArrayLike
 
 from ._core import NodeView
 from ._signal import Signal
-from ._spec import Spec, identity, items
+from ._spec import Spec, items
 from .contact import Reference
-from .dynamics import FrameAxes
 
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "Control",
            "Custom", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
@@ -70,13 +69,14 @@ class JointTorque(Spec):
 
 @dataclass(eq=False, repr=False)
 class FramePosition(Spec):
-    """Origin of a frame minus the target, 3 rows, m, written in `axes`."""
+    """Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose
+    base is the world. Its origin must not be the frame itself."""
 
     frame: str = ""
     target: Signal = None
-    """3, world, m"""
-    axes: ArrayLike = identity(3)
-    """3 x 3, its columns are the axes, in the world"""
+    """3, m: from the reference's origin, in the axes that its rotation is fixed in; of
+    Reference.world(...) a point of the world"""
+    reference: Reference = field(default_factory=Reference.world)
 
 
 @dataclass(eq=False, repr=False)
@@ -99,15 +99,13 @@ class FramePlacement(Spec):
 
 @dataclass(eq=False, repr=False)
 class FrameVelocity(Spec):
-    """Velocity of a frame minus the target, 6 rows: m/s, rad/s."""
+    """Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written in the
+    reference, whose tool is the frame and whose base is the world."""
 
     frame: str = ""
-    axes: FrameAxes = FrameAxes.CENTERED
+    reference: Reference = field(default_factory=Reference.centered)
     target: Signal = None
     """None: zero"""
-    rotation: ArrayLike = identity(3)
-    """3 x 3, columns: the axes that both parts are written in, seen in `axes`; such as those of a
-    surface"""
 
 
 @dataclass(eq=False, repr=False)

@@ -194,16 +194,16 @@ void bind_results(DynamicsClass& of) {
 void bind_forces(DynamicsClass& of) {
   of.def(
         "force",
-        [](Dynamics& self, const NumberOrName& contact) {
+        [](Dynamics& self, const NumberOrName& contact, const std::optional<Reference>& reference) {
           constexpr const char* name = "ContactDynamics.force";
           const Busy::Lock lock(self.busy, name);
           const int number = contact_number(name, contact, self.names);
           self.require_result("force", forward | inverse, false);
-          return self.machine.force(number);
+          return reference ? self.machine.force(number, *reference) : self.machine.force(number);
         },
-        py::arg("contact"),
-        "The force of a contact (name or number) at the last forward(), in the contact's own "
-        "reference; zero for one that is not active.")
+        py::arg("contact"), py::arg("reference") = py::none(),
+        "The force of a contact (name or number) at the last forward(), in a reference, by default "
+        "the contact's own; zero for one that is not active.")
       .def(
           "wrench",
           [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {

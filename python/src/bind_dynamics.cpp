@@ -1,7 +1,7 @@
 // Where frames are, and what their motions are written in.
 #include "bind.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "specs_dynamics.hpp"
+#include "specs_contact.hpp"
 
 namespace burnish::python {
 

@@ -42,10 +42,10 @@ void bind_node_view(py::module_& m) {
           py::arg("frame"), "(4, 4), of the frame in the world, m.")
       .def(
           "velocity",
-          [](const NodeHandle& at, const NodeHandle::Place& frame, FrameAxes axes) {
-            return at.view().velocity(at.frame(frame), axes);
+          [](const NodeHandle& at, const NodeHandle::Place& frame, const Reference& reference) {
+            return at.view().velocity(at.frame(frame), reference);
           },
-          py::arg("frame"), py::arg("axes"), "(6,), m/s and rad/s, in those axes.")
+          py::arg("frame"), py::arg("reference"), "(6,), m/s and rad/s, in that reference.")
       .def(
           "force",
           [](const NodeHandle& at, const NodeHandle::Place& contact) {
@@ -54,11 +54,11 @@ void bind_node_view(py::module_& m) {
           py::arg("contact"), "(rows held,), force of a contact in its own reference, N and Nm.")
       .def(
           "jacobian",
-          [](const NodeHandle& at, const NodeHandle::Place& frame, FrameAxes axes) {
-            return copied(at.view().jacobian(at.frame(frame), axes));
+          [](const NodeHandle& at, const NodeHandle::Place& frame, const Reference& reference) {
+            return copied(at.view().jacobian(at.frame(frame), reference));
           },
-          py::arg("frame"), py::arg("axes"),
-          "(6, nv), d(velocity)/dv in those axes; its linear rows in centered axes are dp/dq.")
+          py::arg("frame"), py::arg("reference"),
+          "(6, nv), d(velocity)/dv in that reference; its linear rows in 'centered' are dp/dq.")
       .def(
           "force_derivative",
           [](const NodeHandle& at, const NodeHandle::Place& contact) {

@@ -94,28 +94,29 @@ void bind_frames(BodyClass& of) {
           py::arg("frame"), "(4, 4), of a frame (name or number) in the world.")
       .def(
           "velocity",
-          [](Body& self, const NumberOrName& frame, FrameAxes axes) {
+          [](Body& self, const NumberOrName& frame, const Reference& reference) {
             const Busy::Lock lock(self.busy, "RigidBody.velocity");
-            return self.machine.velocity(self.frame("velocity", frame), axes);
+            return self.machine.velocity(self.frame("velocity", frame), reference);
           },
-          py::arg("frame"), py::arg("axes"), "(6,), m/s and rad/s, in the axes.")
+          py::arg("frame"), py::arg("reference"), "(6,), m/s and rad/s, in the reference.")
       .def(
           "acceleration",
-          [](Body& self, const NumberOrName& frame, FrameAxes axes) {
+          [](Body& self, const NumberOrName& frame, const Reference& reference) {
             const Busy::Lock lock(self.busy, "RigidBody.acceleration");
-            return self.machine.acceleration(self.frame("acceleration", frame), axes);
+            return self.machine.acceleration(self.frame("acceleration", frame), reference);
           },
-          py::arg("frame"), py::arg("axes"),
+          py::arg("frame"), py::arg("reference"),
           "(6,), time derivative of velocity(): m/s^2 and rad/s^2.")
       .def(
           "frame_derivatives",
-          [](Body& self, const NumberOrName& frame, FrameAxes axes) {
+          [](Body& self, const NumberOrName& frame, const Reference& reference) {
             const Busy::Lock lock(self.busy, "RigidBody.frame_derivatives");
             FrameDerivatives result;
-            self.machine.frame_derivatives(self.frame("frame_derivatives", frame), axes, result);
+            self.machine.frame_derivatives(self.frame("frame_derivatives", frame), reference,
+                                           result);
             return result;
           },
-          py::arg("frame"), py::arg("axes"),
+          py::arg("frame"), py::arg("reference"),
           "Derivatives of velocity() and acceleration(), (6, nv) each.")
       .def(
           "placement_error",

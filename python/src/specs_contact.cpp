@@ -3,16 +3,6 @@
 namespace burnish::python {
 
 template <>
-const EnumTable& AsEnum<Reference::Origin>::table() {
-  static const EnumTable words("burnish.contact", "Origin", {"tool", "world"});
-  return words;
-}
-template <>
-const EnumTable& AsEnum<Reference::Axes>::table() {
-  static const EnumTable words("burnish.contact", "Axes", {"tool", "base", "world"});
-  return words;
-}
-template <>
 const EnumTable& AsEnum<Acceleration>::table() {
   static const EnumTable words("burnish.contact", "Acceleration",
                                {"time_derivative", "spatial", "classical"});
@@ -22,14 +12,6 @@ template <>
 const EnumTable& AsEnum<PoseError>::table() {
   static const EnumTable words("burnish.contact", "PoseError", {"split", "log6"});
   return words;
-}
-template <>
-const SpecTable& AsDataclass<Reference>::table() {
-  static const SpecTable fields = SpecTable("burnish.contact", "Reference")
-                                      .field("origin", &Reference::origin)
-                                      .field("axes", &Reference::axes)
-                                      .field("rotation", &Reference::rotation);
-  return fields;
 }
 template <>
 const SpecTable& AsDataclass<ContactSpec>::table() {
@@ -65,7 +47,10 @@ const SpecTable& AsDataclass<ContactForce>::table() {
                                       .field("value", &ContactForce::value)
                                       .field("tool_rotation", &ContactForce::tool_rotation)
                                       .field("base_rotation", &ContactForce::base_rotation)
-                                      .field("tool_position", &ContactForce::tool_position);
+                                      .field("tool_position", &ContactForce::tool_position)
+                                      .field("base_position", &ContactForce::base_position)
+                                      .field("frame_rotation", &ContactForce::frame_rotation)
+                                      .field("frame_position", &ContactForce::frame_position);
   return fields;
 }
 

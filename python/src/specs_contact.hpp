@@ -4,20 +4,14 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/solver_options.hpp"
-#include "specs_model.hpp"
+#include "specs_dynamics.hpp"
 
 namespace burnish::python {
 
 template <>
-struct EnumOf<Reference::Origin> : AsEnum<Reference::Origin> {};
-template <>
-struct EnumOf<Reference::Axes> : AsEnum<Reference::Axes> {};
-template <>
 struct EnumOf<Acceleration> : AsEnum<Acceleration> {};
 template <>
 struct EnumOf<PoseError> : AsEnum<PoseError> {};
-template <>
-struct SpecOf<Reference> : AsDataclass<Reference> {};
 template <>
 struct SpecOf<ContactSpec> : AsDataclass<ContactSpec> {};
 template <>

@@ -6,7 +6,7 @@
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "specs_base.hpp"
-#include "specs_dynamics.hpp"
+#include "specs_contact.hpp"
 
 namespace burnish::python {
 

@@ -3,9 +3,12 @@
 namespace burnish::python {
 
 template <>
-const EnumTable& AsEnum<FrameAxes>::table() {
-  static const EnumTable words("burnish.dynamics", "FrameAxes", {"local", "centered", "world"});
-  return words;
+const SpecTable& AsDataclass<Reference>::table() {
+  static const SpecTable fields = SpecTable("burnish.contact", "Reference")
+                                      .field("origin", &Reference::origin)
+                                      .field("axes", &Reference::axes)
+                                      .field("rotation", &Reference::rotation);
+  return fields;
 }
 
 }  // namespace burnish::python

@@ -1,12 +1,47 @@
-// Values of the dynamics layer.
+// Values of the dynamics layer. What a reference is fixed in is a text, as Anchor reads it.
 #pragma once
 
-#include "burnish/dynamics/frame_axes.hpp"
-#include "specs_contact.hpp"
+#include "burnish/dynamics/reference.hpp"
+#include "specs_model.hpp"
 
 namespace burnish::python {
 
 template <>
-struct EnumOf<FrameAxes> : AsEnum<FrameAxes> {};
+struct SpecOf<Reference> : AsDataclass<Reference> {};
 
 }  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::Anchor> {
+  PYBIND11_TYPE_CASTER(burnish::Anchor, const_name("str"));
+  bool load(handle from, bool convert) {
+    make_caster<std::string> text;
+    if (!text.load(from, convert)) return false;
+    value = burnish::Anchor::parse(cast_op<std::string&>(text));
+    return true;
+  }
+  static handle cast(const burnish::Anchor& from, return_value_policy, handle) {
+    return pybind11::cast(from.text()).release();
+  }
+};
+
+/// The dataclass, or a name that Reference::parse knows.
+template <>
+struct type_caster<burnish::Reference> {
+  PYBIND11_TYPE_CASTER(burnish::Reference, const_name("Reference"));
+  bool load(handle from, bool convert) {
+    static_cast<void>(&burnish::python::is_known_spec<burnish::Reference>);
+    make_caster<std::string> word;
+    if (!word.load(from, convert))
+      return burnish::python::spec_table<burnish::Reference>().load(from, &value);
+    value = burnish::Reference::parse(cast_op<std::string&>(word));
+    return true;
+  }
+  static handle cast(const burnish::Reference& from, return_value_policy, handle) {
+    return burnish::python::spec_table<burnish::Reference>().make(&from).release();
+  }
+};
+
+}  // namespace pybind11::detail

@@ -255,7 +255,7 @@ const SpecTable& AsDataclass<residual::FramePosition>::table() {
   static const SpecTable fields = SpecTable("burnish.residual", "FramePosition")
                                       .field("frame", &residual::FramePosition::frame)
                                       .field("target", &residual::FramePosition::target)
-                                      .field("axes", &residual::FramePosition::axes);
+                                      .field("reference", &residual::FramePosition::reference);
   return fields;
 }
 template <>
@@ -276,9 +276,8 @@ template <>
 const SpecTable& AsDataclass<residual::FrameVelocity>::table() {
   static const SpecTable fields = SpecTable("burnish.residual", "FrameVelocity")
                                       .field("frame", &residual::FrameVelocity::frame)
-                                      .field("axes", &residual::FrameVelocity::axes)
-                                      .field("target", &residual::FrameVelocity::target)
-                                      .field("rotation", &residual::FrameVelocity::rotation);
+                                      .field("reference", &residual::FrameVelocity::reference)
+                                      .field("target", &residual::FrameVelocity::target);
   return fields;
 }
 template <>

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish import Axes, ContactSpec, Origin, Reference
+from burnish import ContactSpec, Reference
 
 ROBOT = burnish.load_robot("talos:right_arm")
 REFERENCES = [Reference.local(), Reference.centered(),
@@ -30,9 +30,9 @@ class TestReferences:
 
     def test_are_an_origin_and_axes(self) -> None:
         assert Reference() == Reference.centered()
-        assert (Reference.local().origin, Reference.local().axes) == (Origin.TOOL, Axes.TOOL)
-        assert (Reference.world().origin, Reference.world().axes) == (Origin.WORLD, Axes.WORLD)
-        assert Reference.surface(np.eye(3)).axes is Axes.BASE
+        assert (Reference.local().origin, Reference.local().axes) == ("tool", "tool")
+        assert (Reference.world().origin, Reference.world().axes) == ("world", "world")
+        assert Reference.surface(np.eye(3)).axes == "base"
 
     def test_a_surface_has_its_normal_as_z(self) -> None:
         normal = np.array([1.0, -2.0, 2.0]) / 3.0

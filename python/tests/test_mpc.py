@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish import FaultKind, SchedulePhase, Status, Touch, residual
+from burnish import FaultKind, Reference, SchedulePhase, Status, Touch, residual
 
 TILTED = [0.2, -0.1, 1.0]
 
@@ -33,10 +33,10 @@ class Press:
         board = burnish.ContactSpec("board", tool="tool", reference=surface, directions="z")
         state = burnish.CostTerm(residual.State(rest), weight=0.1)
         torque = burnish.CostTerm(residual.Control(), weight=1e-4)
-        across = burnish.CostTerm(residual.FramePosition("tool", self.start, self.axes), 1e4,
+        across = burnish.CostTerm(residual.FramePosition("tool", self.start, Reference.world(self.axes)), 1e4,
                                   weights=[1, 1, 0])
         down = burnish.CostTerm(
-            residual.FrameVelocity("tool", "centered", [0, 0, -0.02, 0, 0, 0], self.axes), 1e2,
+            residual.FrameVelocity("tool", Reference.centered(self.axes), [0, 0, -0.02, 0, 0, 0]), 1e2,
             weights=[0, 0, 1, 0, 0, 0])
         force = burnish.CostTerm(residual.ContactForce("board", target=self.push))
         self.spec = burnish.MpcSpec(

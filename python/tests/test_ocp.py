@@ -30,7 +30,7 @@ def test_specs_round_trip_through_a_problem(robot):
     assert problem.control_upper(6) is None
     back = problem.spec
     assert back.stages[0].integrator is bn.Integrator.RUNGE_KUTTA4
-    assert back.terminal[0].residual.axes is bn.FrameAxes.LOCAL
+    assert back.terminal[0].residual.reference.name == "local"
     assert back.stages[0].costs[1].penalty == spec.stages[0].costs[1].penalty
     np.testing.assert_array_equal(back.control_lower, [-10.0])
 

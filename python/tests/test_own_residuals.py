@@ -21,7 +21,7 @@ class Apart:
 
     def value(self, at):
         apart = at.placement("tool")[:3, 3] - at.placement(1)[:3, 3]
-        return np.concatenate([apart, at.velocity("tool", bn.FrameAxes.LOCAL)[3:]])
+        return np.concatenate([apart, at.velocity("tool", "local")[3:]])
 
 
 class ToolByDifferences(Tool):

@@ -13,7 +13,7 @@ from dynamics_cases import MODEL, TALOS, Array, assert_close, differences, state
 
 
 class TestRigidBody:
-    AXES = list(burnish.FrameAxes)
+    AXES = ["local", "centered", "world"]
 
     def at(self, q: Array, v: Array, a: Any = None) -> RigidBody:
         body = RigidBody(TALOS.model)
@@ -38,7 +38,7 @@ class TestRigidBody:
         np.testing.assert_allclose(body.mass * body.com_velocity, body.momentum[:3], atol=1e-9)
 
     @pytest.mark.parametrize("axes", AXES)
-    def test_frames_move_as_their_derivatives_say(self, axes: burnish.FrameAxes) -> None:
+    def test_frames_move_as_their_derivatives_say(self, axes: str) -> None:
         model = TALOS.model
         q, v, a = state(model)
         body, name = self.at(q, v, a), "left_sole_link"
@@ -51,7 +51,7 @@ class TestRigidBody:
 
         def velocity_at(h: Array) -> Array:
             other.update(burnish.integrate(model, q, h), v)
-            return other.velocity(number, axes.name.lower())
+            return other.velocity(number, burnish.Reference.parse(axes))
 
         assert_close(derivatives.velocity_dq, differences(velocity_at, model.nv))
         step = 1e-6
@@ -106,7 +106,7 @@ class TestRigidBody:
         for number in (-1, 10000):
             with pytest.raises(burnish.Error, match=f"there is no frame {number}"):
                 body.placement(number)
-        with pytest.raises(burnish.Error, match="FrameAxes: there is no 'locale'; did you mean"):
+        with pytest.raises(burnish.Error, match="unknown name 'locale'.*did you mean"):
             body.velocity("tool", "locale")
         with pytest.raises(burnish.Error, match="slip"):
             RigidBody(MODEL, slip_velocity=0.0)

@@ -116,7 +116,7 @@ class Reach:
 
     def jacobian(self, at):
         out = np.zeros((3, at.layout.nz))
-        out[:, at.layout.column_q : at.layout.column_v] = at.jacobian(0, bn.FrameAxes.CENTERED)[:3]
+        out[:, at.layout.column_q : at.layout.column_v] = at.jacobian(0, "centered")[:3]
         return out
 
 

@@ -21,6 +21,10 @@ class ConstrainedDynamics {
   /// Chooses the active contacts; all are active at first. No allocation.
   void set_active(int contact, bool active);
 
+  /// Another rotation in the place of that of a contact's reference, per lane; of the states loaded
+  /// from then on. Its columns are the reference's axes in what they are fixed in.
+  void set_reference_rotation(int contact, const Mat3<S>& rotation);
+
   /// Loads a state: lane l of q (nq) and v (nv). Lanes that are not finite or not normalised are
   /// marked and computed at the neutral posture instead.
   void set_state(const S* q, const S* v);
@@ -104,6 +108,7 @@ class ConstrainedDynamics {
   ActiveContacts active_;
   int active_version_ = 0;
   std::vector<char> is_active_;
+  std::vector<Mat3<S>> reference_axes_;  ///< per contact, in the body that they are fixed in
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, rho_, lambda_before_;
   std::vector<S> at_rest_;            ///< nv zeros

@@ -42,7 +42,10 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
   for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
   active_.contacts.reserve(static_cast<std::size_t>(set.size()));
   active_.first_row.assign(static_cast<std::size_t>(set.size()), -1);
-  for (int i = 0; i < set.size(); ++i) set_active(i, true);
+  for (int i = 0; i < set.size(); ++i) {
+    reference_axes_.push_back(lift<S>(set.contacts()[i].reference.axes));
+    set_active(i, true);
+  }
 }
 
 template <class S>
@@ -61,6 +64,11 @@ void ConstrainedDynamics<S>::set_active(int contact, bool active) {
     active_.first_row[i] = active_.rows;
     active_.rows += static_cast<int>(set_.contacts()[i].directions.size());
   }
+}
+
+template <class S>
+void ConstrainedDynamics<S>::set_reference_rotation(int contact, const Mat3<S>& rotation) {
+  reference_axes_[contact] = lift<S>(set_.contacts()[contact].reference.fixed_in) * rotation;
 }
 
 template <class S>
@@ -129,7 +137,7 @@ void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
   update_mass_and_bias(tree_, kinematics_, mass_);
   for (const int c : active_.contacts) {
     const CompiledContact& contact = set_.contacts()[c];
-    update_contact(contact, kinematics_, contact_states[c]);
+    update_contact(contact, reference_axes_[c], kinematics_, contact_states[c]);
     contact_jacobian(contact, kinematics_, contact_states[c],
                      delassus_.jacobian_by_v.data() + active_.first_row[c], delassus_.stride);
   }

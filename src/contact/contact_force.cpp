@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "burnish/base/error.hpp"
+
 namespace burnish {
 namespace {
 
@@ -15,16 +17,15 @@ std::string rounded(double value) {
   return text;
 }
 
-std::string axes_name(const Reference& reference) {
-  switch (reference.axes) {
-    case Reference::Axes::Tool:
-      return "the tool's axes";
-    case Reference::Axes::Base:
-      return "the surface";
-    case Reference::Axes::World:
-      return "the world";
-  }
-  return "unknown axes";
+std::string name_of_axes(const Anchor& axes) {
+  const char* const names[] = {"the tool's axes", "the surface", "the world"};
+  return axes.of == Anchor::Frame ? axes.frame : names[axes.of];
+}
+
+std::string name_of_origin(const Anchor& origin) {
+  const char* const names[] = {", at the tool's origin", ", at the base's origin",
+                               ", about the world's origin"};
+  return origin.of == Anchor::Frame ? ", at the origin of " + origin.frame : names[origin.of];
 }
 
 /// "30.0 N along +z" for a vector along one axis, "(1.0, 2.0, 30.0) N" otherwise.
@@ -45,22 +46,26 @@ std::string vector_text(const Eigen::Vector3d& value, const char* unit, const ch
 }  // namespace
 
 Eigen::Matrix3d ContactForce::axes() const {
-  switch (reference.axes) {
-    case Reference::Axes::Tool:
-      return tool_rotation * reference.rotation;
-    case Reference::Axes::Base:
-      return base_rotation * reference.rotation;
-    case Reference::Axes::World:
-      return reference.rotation;
-  }
-  return reference.rotation;
+  const Eigen::Matrix3d world = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d* const fixed_in[] = {&tool_rotation, &base_rotation, &world,
+                                             &frame_rotation};
+  return *fixed_in[reference.axes.of] * reference.rotation;
 }
 
 Eigen::Vector3d ContactForce::origin() const {
-  return reference.origin == Reference::Origin::World ? Eigen::Vector3d::Zero() : tool_position;
+  const Eigen::Vector3d world = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d* const fixed_in[] = {&tool_position, &base_position, &world,
+                                             &frame_position};
+  return *fixed_in[reference.origin.of];
 }
 
 ContactForce ContactForce::in(const Reference& other) const {
+  const auto is_known = [](const Anchor& anchor, const Anchor& own) {
+    return anchor.of != Anchor::Frame || anchor == own;
+  };
+  if (!is_known(other.axes, reference.axes) || !is_known(other.origin, reference.origin))
+    throw Error("contact force of '" + contact + "': it does not know where the frames of the " +
+                other.name() + " are; wanted tool, base or world, or ask the dynamics");
   const Eigen::Vector3d force_world = axes() * value.head<3>();
   const Eigen::Vector3d moment_world = axes() * value.tail<3>();
   ContactForce result = *this;
@@ -76,10 +81,9 @@ std::string ContactForce::text() const {
   std::string sentence = vector_text(force, "N", "along");
   const bool has_moment = moment.cwiseAbs().maxCoeff() >= 5e-3;
   if (has_moment) sentence += " and " + vector_text(moment, "Nm", "about");
-  sentence += " of " + axes_name(reference);
+  sentence += " of " + name_of_axes(reference.axes);
   sentence += ", on " + on + ", by " + (by == "world" ? std::string("the world") : by);
-  sentence += reference.origin == Reference::Origin::World ? ", about the world's origin"
-                                                           : ", at the tool's origin";
+  sentence += name_of_origin(reference.origin);
   return sentence;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "burnish/contact/contact_set.hpp"
-#include "dynamics/kinematics.hpp"
+#include "dynamics/reference.hpp"
 
 namespace burnish {
 
@@ -24,10 +24,14 @@ struct ContactState {
   Force<S> force_world;    ///< on the tool by the base, moment about the world's origin
 };
 
-/// Everything of the state but the force.
+/// Everything of the state but the force. `axes` are those of the reference in their body.
 template <class S>
-void update_contact(const CompiledContact& contact, const Kinematics<S>& kinematics,
-                    ContactState<S>& state);
+void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
+                    const Kinematics<S>& kinematics, ContactState<S>& state);
+
+/// What `reference` means at this contact.
+CompiledReference compile_reference(const Model& model, const Reference& reference,
+                                    const CompiledContact& contact);
 
 /// Column k of the Jacobian for each support entry, as out[entry * stride + row]: the rate of nu's
 /// held rows per unit rate of that entry.

@@ -22,49 +22,21 @@ BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<doubl
   return {b.R * lift<S>(R), b.p + b.R * lift<S>(p)};
 }
 
-/// A motion that turns with w about a line through the point p, about the world's origin.
-template <class S>
-BURNISH_INLINE Motion<S> turning_at(const Vec3<S>& p, const Vec3<S>& w) {
-  return {cross(p, w), w};
-}
-
-/// A motion with linear part l at the point p, about the world's origin.
-template <class S>
-BURNISH_INLINE Motion<S> moving_at(const Vec3<S>& p, const Vec3<S>& l, const Vec3<S>& w) {
-  return {l + cross(p, w), w};
-}
-
 /// Component of a motion (about the reference's origin, world axes) along direction d.
 template <class S>
 BURNISH_INLINE S component(const Mat3<S>& axes, const Motion<S>& m, int d) {
   return d < 3 ? dot(column(axes, d), m.linear) : dot(column(axes, d - 3), m.angular);
 }
 
-/// Angular velocity of the reference's axes, given those of tool and base.
+/// Twist of the tool frame seen from the reference, when these are the twist of the tool, the
+/// angular velocity of the axes and, from a function, the reference's twist. An origin at the
+/// tool's point shares its translation.
 template <class S>
-BURNISH_INLINE Vec3<S> axes_rate(const CompiledContact& contact, const Vec3<S>& w_tool,
-                                 const Vec3<S>& w_base) {
-  switch (contact.spec.reference.axes) {
-    case Reference::Axes::Tool:
-      return w_tool;
-    case Reference::Axes::Base:
-      return w_base;
-    case Reference::Axes::World:
-      return Vec3<S>::zero();
-  }
-  return Vec3<S>::zero();
-}
-
-BURNISH_INLINE bool at_world_origin(const CompiledContact& contact) {
-  return contact.spec.reference.origin == Reference::Origin::World;
-}
-
-/// Twist of the tool frame seen from the reference when tool and base have these twists.
-template <class S>
-BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact, const Vec3<S>& p,
-                                             const Motion<S>& tool, const Motion<S>& base) {
-  if (at_world_origin(contact)) return tool;
-  return turning_at(p, tool.angular - axes_rate(contact, tool.angular, base.angular));
+BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
+                                             const ContactState<S>& state, const Motion<S>& tool,
+                                             const Vec3<S>& w_axes, const auto& twist) {
+  if (contact.reference.at_tool) return turning_at(state.p, tool.angular - w_axes);
+  return tool - twist();
 }
 
 /// The rate of the tool's twist against the base's per unit rate of an entry that does not carry
@@ -97,28 +69,18 @@ void update_error(const CompiledContact& contact, const Pose<S>& base, ContactSt
 }  // namespace contact_detail
 
 template <class S>
-void update_contact(const CompiledContact& contact, const Kinematics<S>& kinematics,
-                    ContactState<S>& state) {
+void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
+                    const Kinematics<S>& kinematics, ContactState<S>& state) {
   using namespace contact_detail;
   const Pose<S> tool = pose_of<S>(contact.tool_body, contact.tool_R, contact.tool_p, kinematics);
-  const Pose<S> base = pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics);
   const auto twist = [&](int body) {
     return body < 0 ? Motion<S>::zero() : kinematics.bodies[body].v;
   };
   state.tool_R = tool.R;
   state.p = tool.p;
-  state.origin = at_world_origin(contact) ? Vec3<S>::zero() : tool.p;
-  switch (contact.spec.reference.axes) {
-    case Reference::Axes::Tool:
-      state.axes = tool.R * lift<S>(contact.axes_R);
-      break;
-    case Reference::Axes::Base:
-      state.axes = base.R * lift<S>(contact.axes_R);
-      break;
-    case Reference::Axes::World:
-      state.axes = lift<S>(contact.axes_R);
-      break;
-  }
+  const CompiledReference& reference = contact.reference;
+  state.origin = reference.at_tool ? tool.p : reference_origin(reference, kinematics);
+  state.axes = reference_axes(reference, axes, kinematics);
   state.v_tool = twist(contact.tool_body);
   state.v_base = twist(contact.base_body);
   state.nu = state.v_tool - state.v_base;
@@ -127,13 +89,17 @@ void update_contact(const CompiledContact& contact, const Kinematics<S>& kinemat
       state.eta = Motion<S>::zero();
       break;
     case Acceleration::TimeDerivative:
-      state.eta = seen_from_reference(contact, tool.p, state.v_tool, state.v_base);
+      state.eta =
+          seen_from_reference(contact, state, state.v_tool, twist(reference.axes_body).angular,
+                              [&] { return reference_twist(reference, state.origin, kinematics); });
       break;
     case Acceleration::Classical:
       state.eta = turning_at(tool.p, state.v_tool.angular);
       break;
   }
-  if (contact.proportional) update_error(contact, base, state);
+  if (!contact.proportional) return;
+  update_error(contact, pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics),
+               state);
 }
 
 template <class S>

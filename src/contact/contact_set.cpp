@@ -5,23 +5,17 @@
 
 #include "burnish/base/error.hpp"
 #include "contact/row_size.hpp"
+#include "dynamics/reference.hpp"
 
 namespace burnish {
 namespace {
 
-struct Attachment {
-  int body = -1;
-  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
-};
-
-Attachment attach(const Model& model, const ContactSpec& spec, const std::string& frame,
-                  const char* role) {
-  if (frame == "world" && !model.has_frame(frame)) return {};
+/// What `make` returns; its errors say which contact and what of it.
+auto compiled(const ContactSpec& spec, const char* what, const auto& make) {
   try {
-    const Frame& found = model.frames[model.frame_index(frame)];
-    return {found.body, found.placement};
+    return make();
   } catch (const Error& error) {
-    throw Error("contact '" + spec.name + "': " + role + " frame: " + error.what());
+    throw Error("contact '" + spec.name + "': " + what + ": " + error.what());
   }
 }
 
@@ -39,18 +33,22 @@ void check(const ContactSpec& spec) {
     throw Error(who + "a gain is negative or not finite; wanted kp, kd >= 0");
 }
 
-std::vector<ContactSupport> supports(const Model& model, int tool_body, int base_body) {
+std::vector<ContactSupport> influences(const Model& model, const CompiledContact& contact) {
   std::vector<ContactSupport> result;
-  const std::vector<MovingAxis> tool = moving_axes(model, tool_body);
-  const std::vector<MovingAxis> base = moving_axes(model, base_body);
-  const auto axis_of = [](const std::vector<MovingAxis>& axes, int k) {
+  const std::vector<MovingAxis> tool = moving_axes(model, contact.tool_body);
+  const std::vector<MovingAxis> base = moving_axes(model, contact.base_body);
+  const std::vector<MovingAxis> origin = moving_axes(model, contact.reference.origin_body);
+  const std::vector<MovingAxis> axes = moving_axes(model, contact.reference.axes_body);
+  const auto axis_of = [](const std::vector<MovingAxis>& entries, int k) {
     const auto same = [k](const MovingAxis& entry) { return entry.v == k; };
-    const auto found = std::find_if(axes.begin(), axes.end(), same);
-    return found == axes.end() ? -1 : found->axis;
+    const auto found = std::find_if(entries.begin(), entries.end(), same);
+    return found == entries.end() ? -1 : found->axis;
   };
   for (int k = 0; k < model.nv; ++k) {
-    const ContactSupport entry{k, axis_of(tool, k), axis_of(base, k)};
-    if (entry.moves_tool() || entry.moves_base()) result.push_back(entry);
+    const ReferenceAxes reference{axis_of(origin, k), axis_of(axes, k)};
+    const ContactSupport entry{k, axis_of(tool, k), axis_of(base, k), reference};
+    if (entry.moves_tool() || entry.moves_base() || reference.origin >= 0 || reference.axes >= 0)
+      result.push_back(entry);
   }
   return result;
 }
@@ -69,18 +67,22 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   check(spec);
   CompiledContact c;
   c.spec = spec;
-  const Attachment tool = attach(model, spec, spec.tool, "tool");
-  const Attachment base = attach(model, spec, spec.base, "base");
+  const auto frame = [&](const std::string& name) {
+    return [&] { return compile_frame(model, name); };
+  };
+  const CompiledFrame tool = compiled(spec, "tool frame", frame(spec.tool));
+  const CompiledFrame base = compiled(spec, "base frame", frame(spec.base));
   if (tool.body == base.body)
     throw Error("contact '" + spec.name + "': tool '" + spec.tool + "' and base '" + spec.base +
                 "' are on the same body, so that no joint moves one against the other");
   c.tool_body = tool.body;
   c.base_body = base.body;
-  c.tool_R = from_eigen(Eigen::Matrix3d(tool.placement.linear()));
-  c.tool_p = from_eigen(Eigen::Vector3d(tool.placement.translation()));
-  c.base_R = from_eigen(Eigen::Matrix3d(base.placement.linear()));
-  c.base_p = from_eigen(Eigen::Vector3d(base.placement.translation()));
-  c.axes_R = from_eigen(spec.reference.rotation);
+  c.tool_R = tool.R;
+  c.tool_p = tool.p;
+  c.base_R = base.R;
+  c.base_p = base.p;
+  c.reference = compiled(spec, "reference",
+                         [&] { return compile_reference(model, spec.reference, tool, base); });
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
   c.proportional = c.damped = c.holds_rotation = false;
@@ -91,13 +93,26 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
     c.damped = c.damped || spec.kd[d] > 0.0;
     c.holds_rotation = c.holds_rotation || d >= 3;
   }
-  c.support = supports(model, tool.body, base.body);
+  c.influences = influences(model, c);
+  const auto moves_contact = [](const ContactSupport& k) {
+    return k.moves_tool() || k.moves_base();
+  };
+  std::copy_if(c.influences.begin(), c.influences.end(), std::back_inserter(c.support),
+               moves_contact);
   c.coupled = with_ways_to_the_root(model, c.support);
+  c.influenced = with_ways_to_the_root(model, c.influences);
   set_reaches(model, c);
   return c;
 }
 
 }  // namespace
+
+CompiledReference compile_reference(const Model& model, const Reference& reference,
+                                    const CompiledContact& contact) {
+  return compile_reference(model, reference,
+                           CompiledFrame{contact.tool_body, contact.tool_R, contact.tool_p, {}},
+                           CompiledFrame{contact.base_body, contact.base_R, contact.base_p, {}});
+}
 
 ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {
   if (specs.size() > max_contacts)

@@ -62,7 +62,7 @@ void demand_of_rows(const CompiledContact& contact, const ContactState<S>& state
   for (std::size_t i = 0; i < contact.directions.size(); ++i) {
     const int r = first + static_cast<int>(i), direction = contact.directions[i];
     const S size = row_size(contact, direction, d.jacobian_by_v.data() + r, d.stride);
-    const S demand = S(1.0) + could_have_been(contact, direction, state.p) / size;
+    const S demand = S(1.0) + could_have_been(contact, direction, state.p, state.origin) / size;
     d.least_pivot[r] = d.factor[r * d.stride + r] * demand * S(least_part);
     d.pivot_rounding[r] = d.factor[r * d.stride + r] * S(burnish::pivot_rounding);
   }

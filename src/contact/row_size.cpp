@@ -99,17 +99,17 @@ void set_reaches(const Model& model, CompiledContact& contact) {
   if (!(longest > 0.0)) longest = usual_travel;
   // A lever that a drawing made 1e-17 m long is none.
   const double shortest = 0.01 * longest;
-  const bool about_world = contact.spec.reference.origin == Reference::Origin::World;
+  const bool elsewhere = !contact.reference.at_tool;
   for (std::size_t i = 0; i < reach.size(); ++i) {
     double could = 0.0;  // m per unit of the entry
     for (const Lever& lever : reach[i]) {
-      const double arm = about_world ? longest : std::max(lever.arm, shortest);
+      const double arm = elsewhere ? longest : std::max(lever.arm, shortest);
       could += lever.multiplier * (lever.turns ? arm : 1.0);
     }
     contact.support[i].per_reach = could > 0.0 ? 1.0 / could : 1.0;
   }
-  // Levers about the world's origin grow with the distance from it; others gain rounding alone.
-  const double per_distance = about_world ? 1.0 / longest : 1e-8 / shortest;
+  // Levers about another origin grow with the distance from it; others gain rounding alone.
+  const double per_distance = elsewhere ? 1.0 / longest : 1e-8 / shortest;
   contact.offset_weight = per_distance * per_distance;
 }
 

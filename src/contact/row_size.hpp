@@ -11,8 +11,8 @@ namespace burnish {
 /// leans on rows that hardly differ from those before them, theirs comes on top.
 inline constexpr double pivot_rounding = 2e-15;
 
-/// Fills per_reach of the contact's support, and offset_weight. Where a contact is about the
-/// world's origin, all levers are judged beside the longest way of the robot.
+/// Fills per_reach of the contact's support, and offset_weight. Where a contact is not about the
+/// tool's origin, all levers are judged beside the longest way of the robot.
 void set_reaches(const Model& model, CompiledContact& contact);
 
 /// Square of a row of the Jacobian, entry by entry in units of what that entry could do; `row`
@@ -27,12 +27,14 @@ BURNISH_INLINE S row_size(const CompiledContact& contact, int direction, const S
   return sum;
 }
 
-/// What row_size is judged beside: one, and more the further the tool's origin p (m) is from the
-/// world's.
+/// What row_size is judged beside: one, and more the further the tool's origin p is from that of
+/// the reference, or for rounding's sake from the world's, m.
 template <class S>
-BURNISH_INLINE S could_have_been(const CompiledContact& contact, int direction, const Vec3<S>& p) {
+BURNISH_INLINE S could_have_been(const CompiledContact& contact, int direction, const Vec3<S>& p,
+                                 const Vec3<S>& origin) {
   if (direction >= 3) return S(1.0);
-  return S(1.0) + dot(p, p) * S(contact.offset_weight);
+  const Vec3<S> arm = contact.reference.at_tool ? p : p - origin;
+  return S(1.0) + dot(arm, arm) * S(contact.offset_weight);
 }
 
 }  // namespace burnish

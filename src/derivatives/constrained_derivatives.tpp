@@ -24,20 +24,20 @@ inline bool contains(const std::vector<int>& sorted, int k) {
   return std::binary_search(sorted.begin(), sorted.end(), k);
 }
 
-inline bool is_coupled(const CompiledContact& contact, int k) {
-  return contains(contact.coupled, k);
+inline bool is_influenced(const CompiledContact& contact, int k) {
+  return contains(contact.influenced, k);
 }
 
-/// Entries related to a chain: above it, in it, below it, or tied to it by a contact between two
-/// moving bodies.
+/// Entries related to a chain: above it, in it, below it, or tied to it by a contact whose tool is
+/// not alone in moving.
 inline std::vector<int> related_rows(const Tree& tree, const ContactSet& set,
                                      const std::vector<int>& above, int first) {
   std::vector<int> result;
   for (int k = 0; k < tree.nv; ++k) {
     bool is_related = contains(above, k) || contains(ancestors(tree, k), first);
     for (const CompiledContact& contact : set.contacts())
-      is_related = is_related || (transport_couples_branches(contact) && is_coupled(contact, k) &&
-                                  is_coupled(contact, first));
+      is_related = is_related || (transport_couples_branches(contact) &&
+                                  contains(contact.coupled, k) && is_influenced(contact, first));
     if (is_related) result.push_back(k);
   }
   return result;
@@ -96,8 +96,8 @@ void ConstrainedDerivatives<S>::adapt_to_active(const ConstrainedDynamics<S>& dy
     segment_rows_[s] = segments_[s].related;
     for (const int c : active.contacts) {
       const CompiledContact& contact = dynamics.set().contacts()[c];
-      for (const ContactSupport& entry : contact.support) supported_[entry.v] = 1;
-      if (!derivatives_detail::is_coupled(contact, segments_[s].first)) continue;
+      for (const ContactSupport& entry : contact.influences) supported_[entry.v] = 1;
+      if (!derivatives_detail::is_influenced(contact, segments_[s].first)) continue;
       for (std::size_t r = 0; r < contact.directions.size(); ++r)
         segment_rows_[s].push_back(n_ + active.first_row[c] + static_cast<int>(r));
     }
@@ -129,7 +129,7 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
     const CompiledContact& contact = dynamics.set().contacts()[c];
     if (!transport_couples_branches(contact)) continue;
     for (const ContactSupport& row : contact.support)
-      for (const ContactSupport& column : contact.support) rhs_q[row.v * n_ + column.v] = S(0.0);
+      for (const ContactSupport& column : contact.influences) rhs_q[row.v * n_ + column.v] = S(0.0);
   }
   inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
                                dynamics.inverse_dynamics(), coriolis_, rhs_q.data(), rhs_v.data());

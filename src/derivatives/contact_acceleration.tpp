@@ -12,6 +12,7 @@ namespace contact_detail {
 template <class S>
 struct EntryMotion {
   Motion<S> tool, base;  ///< S_k where it moves that body, else zero; about the world's origin
+  Vec3<S> w_axes;        ///< at which the reference's axes turn
   Motion<S> relative;    ///< tool - base
   Motion<S> xi;          ///< of the tool frame seen from the reference
   Motion<S> dnu_dq;      ///< of nu seen from the tool
@@ -19,26 +20,31 @@ struct EntryMotion {
   Motion<S> tool_rate;             ///< psi'_k where it moves the tool, else zero
 };
 
-/// `two_bodies` is false where the base is the world, which saves what would be zero.
+/// `two_bodies` is false where the base is the world and nothing but the tool moves the reference,
+/// which saves what would be zero.
 template <bool two_bodies, class S>
 BURNISH_INLINE EntryMotion<S> entry_motion(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
     const InverseDynamics<S>& id, const ContactState<S>& state, const ContactAccelerations<S>& at) {
   const bool tool_moves = !two_bodies || entry.moves_tool();
-  const int k = tool_moves ? entry.tool_axis : entry.base_axis;
-  const AxisState<S>* moving = &kinematics.axes[k];
-  const Motion<S>* moving_acc = &id.axis_acc[k];
   const Motion<S> zero = Motion<S>::zero();
   EntryMotion<S> m;
-  m.tool = tool_moves ? moving->axis : zero;
+  m.tool = tool_moves ? kinematics.axes[entry.tool_axis].axis : zero;
   m.base = two_bodies && entry.moves_base() ? kinematics.axes[entry.base_axis].axis : zero;
-  m.tool_rate = tool_moves ? moving->parent_rate : zero;
-  m.xi = seen_from_reference(contact, state.p, m.tool, m.base);
+  m.w_axes = zero.angular;
+  if (entry.reference.axes >= 0) m.w_axes = kinematics.axes[entry.reference.axes].axis.angular;
+  m.tool_rate = tool_moves ? kinematics.axes[entry.tool_axis].parent_rate : zero;
+  m.xi = seen_from_reference(contact, state, m.tool, m.w_axes, [&] {
+    return reference_twist(entry.reference, state.origin, kinematics);
+  });
   if (two_bodies && entry.carries_both()) {
-    // Tool and base move as one: nothing changes seen from the tool.
+    // Tool and base move as one, or neither does: nothing changes seen from the tool.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
     return m;
   }
+  const int k = tool_moves ? entry.tool_axis : entry.base_axis;
+  const AxisState<S>* moving = &kinematics.axes[k];
+  const Motion<S>* moving_acc = &id.axis_acc[k];
   AxisState<S> difference;
   Motion<S> difference_acc;
   if (two_bodies && tool_moves && entry.moves_base()) {
@@ -73,15 +79,21 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   return m;
 }
 
-/// False where eta is zero for every motion.
-inline bool eta_matters(const CompiledContact& contact) {
-  return contact.spec.acceleration == Acceleration::Classical ||
-         (contact.spec.acceleration == Acceleration::TimeDerivative &&
-          (at_world_origin(contact) || contact.spec.reference.axes != Reference::Axes::Tool));
+/// Whether nothing moves but the tool's body: base and reference are fixed to it or to the world.
+inline bool moves_with_tool_alone(const CompiledContact& contact) {
+  const auto is_still_or_tool = [&](int body) { return body < 0 || body == contact.tool_body; };
+  return contact.base_body < 0 && is_still_or_tool(contact.reference.origin_body) &&
+         is_still_or_tool(contact.reference.axes_body);
 }
 /// False where xi is zero for every motion: the reference is fixed to the tool.
 inline bool xi_matters(const CompiledContact& contact) {
-  return at_world_origin(contact) || contact.spec.reference.axes != Reference::Axes::Tool;
+  const CompiledReference& reference = contact.reference;
+  return reference.axes_body != contact.tool_body || reference.origin_body != contact.tool_body;
+}
+/// False where eta is zero for every motion.
+inline bool eta_matters(const CompiledContact& contact) {
+  return contact.spec.acceleration == Acceleration::Classical ||
+         (contact.spec.acceleration == Acceleration::TimeDerivative && xi_matters(contact));
 }
 
 /// Derivatives of eta's angular part seen from the tool, for an origin at the tool.
@@ -91,11 +103,19 @@ struct TurningRates {
 };
 template <class S>
 BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
+                                             const ContactSupport& entry,
+                                             const Kinematics<S>& kinematics,
                                              const EntryMotion<S>& m) {
-  const bool with_base = contact.spec.acceleration == Acceleration::TimeDerivative &&
-                         contact.spec.reference.axes == Reference::Axes::Base;
-  if (with_base) return {m.dnu_dq.angular, m.relative.angular};
-  return {m.tool_rate.angular, m.tool.angular};
+  const int body = contact.reference.axes_body;
+  if (body < 0 || contact.spec.acceleration == Acceleration::Classical)
+    return {m.tool_rate.angular, m.tool.angular};
+  if (body == contact.base_body) return {m.dnu_dq.angular, m.relative.angular};
+  // D_k w_A = psi'_k + (S_k - T_k) x w_A, T_k the tool's axis and S_k that of what A is fixed in.
+  const Vec3<S> turned = m.w_axes - m.tool.angular;
+  Vec3<S> axes_rate = cross(turned, kinematics.bodies[body].v.angular);
+  if (entry.reference.axes >= 0)
+    axes_rate += kinematics.axes[entry.reference.axes].parent_rate.angular;
+  return {m.tool_rate.angular - axes_rate, -turned};
 }
 
 /// Derivative by q_k of the error's components in the reference, times minus one row at a time.
@@ -114,12 +134,14 @@ BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
     d.linear += cross(m.tool.angular, state.error.linear);
   }
   d.angular += cross(m.tool.angular, state.rotation_error);
-  if (at_world_origin(contact)) {
-    d.linear += cross(tool_at_p, state.error.angular) + cross(state.p, d.angular);
-    return d;
-  }
-  const Vec3<S> w = axes_rate(contact, m.tool.angular, m.base.angular);
-  return {d.linear - cross(w, state.error.linear), d.angular - cross(w, state.error.angular)};
+  if (contact.reference.at_tool)
+    return {d.linear - cross(m.w_axes, state.error.linear),
+            d.angular - cross(m.w_axes, state.error.angular)};
+  // The error as a motion about the world's origin; -V_k is xi_k less the tool's own twist.
+  d.linear += cross(tool_at_p, state.error.angular) + cross(state.p, d.angular);
+  if (contact.reference.at_world && contact.reference.axes_body < 0) return d;
+  const Motion<S> error = moving_at(state.p, state.error.linear, state.error.angular);
+  return at_point(d + cross(m.xi - m.tool, error), state.origin);
 }
 
 }  // namespace contact_detail
@@ -160,11 +182,13 @@ struct AtTool {
 /// count, and the angular rows are left out when none is held.
 template <class S>
 BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
+                                           const ContactSupport& entry,
+                                           const Kinematics<S>& kinematics,
                                            const ContactState<S>& state, const AtTool<S>& there,
                                            const EntryMotion<S>& m) {
   EntryRates<S> r{at_point(m.dalpha_dq, state.p), at_point(m.dalpha_dv, state.p)};
   if (eta_matters(contact)) {
-    const TurningRates<S> eta = turning_rates(contact, m);
+    const TurningRates<S> eta = turning_rates(contact, entry, kinematics, m);
     const Vec3<S>& w = state.eta.angular;
     const Motion<S> dnu = at_point(m.dnu_dq, state.p), axis = at_point(m.relative, state.p);
     r.dq.linear += cross(eta.dq, there.nu.linear) + cross(w, dnu.linear);
@@ -181,22 +205,28 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
   return r;
 }
 
-/// Origin at the world's: the general rule.
+/// Origin anywhere: the general rule.
 template <class S>
-BURNISH_INLINE EntryRates<S> rates_at_world_origin(const CompiledContact& contact,
-                                                   const ContactState<S>& state,
-                                                   const ContactAccelerations<S>& at,
-                                                   const EntryMotion<S>& m) {
+BURNISH_INLINE EntryRates<S> rates_anywhere(
+    const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
+    const ContactState<S>& state, const ContactAccelerations<S>& at, const EntryMotion<S>& m) {
+  const CompiledReference& reference = contact.reference;
   EntryRates<S> r{m.dalpha_dq + cross(m.xi, at.alpha), m.dalpha_dv};
-  if (!eta_matters(contact)) return r;
-  Motion<S> eta_dq = m.tool_rate, eta_dv = m.tool;
-  if (contact.spec.acceleration == Acceleration::Classical) {
-    eta_dq = turning_at(state.p, m.tool_rate.angular);
-    eta_dv = turning_at(state.p, m.tool.angular);
+  if (eta_matters(contact)) {
+    Motion<S> eta_dq = m.tool_rate, eta_dv = m.xi;
+    if (contact.spec.acceleration == Acceleration::Classical) {
+      eta_dq = turning_at(state.p, m.tool_rate.angular);
+      eta_dv = turning_at(state.p, m.tool.angular);
+    } else if (reference.origin_body >= 0 || reference.axes_body >= 0) {
+      // D_k V = dV/dq_k - T_k x V, and V is the tool's twist less eta.
+      eta_dq += cross(m.tool, state.v_tool - state.eta) -
+                reference_twist_by_q(reference, entry.reference, state.origin, kinematics);
+    }
+    r.dq += cross(eta_dq, state.nu) + cross(state.eta, m.dnu_dq);
+    r.dv += cross(eta_dv, state.nu) + cross(state.eta, m.relative);
   }
-  r.dq += cross(eta_dq, state.nu) + cross(state.eta, m.dnu_dq);
-  r.dv += cross(eta_dv, state.nu) + cross(state.eta, m.relative);
-  return r;
+  if (reference.at_world) return r;
+  return {at_point(r.dq, state.origin), at_point(r.dv, state.origin)};
 }
 
 /// Subtracts the held rows of a motion, each times its gain, from out[row * stride].
@@ -218,11 +248,11 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
   const ContactSpec& spec = contact.spec;
   LogCoefficients<S> log{S(0.0), S(0.0), S(0.0)};
   if (contact.proportional) log = log_coefficients(state.rotation_angle);
-  for (const ContactSupport& entry : contact.support) {
+  for (const ContactSupport& entry : contact.influences) {
     const auto m = entry_motion<two_bodies>(contact, entry, kinematics, id, state, at);
-    const EntryRates<S> rates = at_world_origin(contact)
-                                    ? rates_at_world_origin(contact, state, at, m)
-                                    : rates_at_tool(contact, state, there, m);
+    const EntryRates<S> rates = contact.reference.at_tool
+                                    ? rates_at_tool(contact, entry, kinematics, state, there, m)
+                                    : rates_anywhere(contact, entry, kinematics, state, at, m);
     S* out_q = minus_dq + entry.v;
     S* out_v = minus_dv + entry.v;
     int r = 0;
@@ -250,7 +280,7 @@ void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
                                       int stride) {
   using contact_detail::acceleration_derivatives;
-  if (contact.base_body < 0) {
+  if (contact_detail::moves_with_tool_alone(contact)) {
     acceleration_derivatives<false>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
   } else {
     acceleration_derivatives<true>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
@@ -274,23 +304,17 @@ void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& 
   }
 }
 
-/// Any contact: dW_k is what the world wrench really does, S_k x* W what the sweep assumed.
+/// Any contact: dW_k is what the world wrench really does, which moves with the reference, S_k x* W
+/// what the sweep assumed.
 template <class S>
 void subtract_general_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                                 const ContactState<S>& state, S* dtau_dq, int stride) {
   const Force<S>& W = state.force_world;
-  const Force<S> at_p = at_point(W, state.p);
-  for (const ContactSupport& column : contact.support) {
+  for (const ContactSupport& column : contact.influences) {
     const Motion<S> zero = Motion<S>::zero();
     const Motion<S> tool = column.moves_tool() ? kinematics.axes[column.tool_axis].axis : zero;
     const Motion<S> base = column.moves_base() ? kinematics.axes[column.base_axis].axis : zero;
-    Force<S> dW = Force<S>::zero();
-    if (!at_world_origin(contact)) {
-      const Vec3<S> w = axes_rate(contact, tool.angular, base.angular);
-      dW.linear = cross(w, at_p.linear);
-      dW.angular = cross(w, at_p.angular) + cross(at_point(tool, state.p).linear, at_p.linear) +
-                   cross(state.p, dW.linear);
-    }
+    const Force<S> dW = cross(reference_twist(column.reference, state.origin, kinematics), W);
     const Force<S> on_tool = dW - cross(tool, W);
     const Force<S> on_base = dW - cross(base, W);
     for (const ContactSupport& row : contact.support) {
@@ -307,15 +331,15 @@ template <class S>
 void subtract_force_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const ContactState<S>& state, S* dtau_dq, int stride) {
   using namespace contact_detail;
-  if (contact.base_body >= 0 || contact.tool_body < 0 || at_world_origin(contact)) {
+  if (!moves_with_tool_alone(contact) || contact.tool_body < 0 || !contact.reference.at_tool) {
     subtract_general_transport(contact, kinematics, state, dtau_dq, stride);
-  } else if (contact.spec.reference.axes != Reference::Axes::Tool) {
+  } else if (contact.reference.axes_body != contact.tool_body) {
     subtract_turning_axes(contact, kinematics, state, dtau_dq, stride);
   }
 }
 
 inline bool transport_couples_branches(const CompiledContact& contact) {
-  return contact.base_body >= 0 && contact.tool_body >= 0;
+  return !contact_detail::moves_with_tool_alone(contact);
 }
 
 }  // namespace burnish

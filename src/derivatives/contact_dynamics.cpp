@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "contact/contact_kinematics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
-#include "derivatives/wrench_transport.tpp"
+#include "derivatives/wrench_transport.hpp"
 
 namespace burnish {
 
@@ -19,12 +20,13 @@ enum class Evaluated { Nothing, Forward, Inverse, Acceleration };
 }  // namespace
 
 struct ContactDynamics::Impl {
-  Impl(const Model& model, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
-      : set(model, specs),
-        dynamics(model, set, solver),
+  Impl(const Model& robot, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
+      : model(robot),
+        set(robot, specs),
+        dynamics(robot, set, solver),
         derivatives(dynamics),
-        nq(model.nq),
-        nv(model.nv),
+        nq(robot.nq),
+        nv(robot.nv),
         active(static_cast<std::size_t>(set.size()), 1),
         mass(RowMatrix::Zero(nv, nv)),
         jacobian(RowMatrix::Zero(set.rows(), nv)),
@@ -32,7 +34,8 @@ struct ContactDynamics::Impl {
         negated_v(RowMatrix::Zero(set.rows(), nv)),
         velocity(Eigen::VectorXd::Zero(set.rows())),
         error(Eigen::VectorXd::Zero(set.rows())) {
-    for (const int joint : model.joint_of_v) joint_names.push_back(model.joints[joint].name);
+    entries.reserve(static_cast<std::size_t>(nv));
+    for (const int joint : robot.joint_of_v) joint_names.push_back(robot.joints[joint].name);
   }
 
   MatrixView rows_of_a(const std::vector<double>& stacked) const {
@@ -92,6 +95,7 @@ struct ContactDynamics::Impl {
     }
   }
 
+  Model model;
   ContactSet set;
   ConstrainedDynamics<double> dynamics;
   ConstrainedDerivatives<double> derivatives;
@@ -101,6 +105,7 @@ struct ContactDynamics::Impl {
   RowMatrix negated_q, negated_v;  ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error;
   Evaluated evaluated = Evaluated::Nothing;
+  std::vector<WrenchEntry> entries;      ///< of the last derivatives of a wrench
   std::vector<std::string> joint_names;  ///< per entry of v
 };
 
@@ -224,26 +229,36 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
   const CompiledContact& compiled = impl_->set.contacts()[contact];
   ContactState<double> state = impl_->dynamics.contact_states[contact];
   set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
-  const auto pose = reference_pose(reference, compiled, impl_->dynamics.kinematics(), state);
-  const Force<double> force = wrench_in(pose, state.force_world);
+  const auto pose = reference_pose(compile_reference(impl_->model, reference, compiled),
+                                   impl_->dynamics.kinematics());
+  const Force<double> force = in_reference(pose, state.force_world);
   Vector6 result;
   result << to_eigen(force.linear), to_eigen(force.angular);
   return result;
 }
 
 ContactForce ContactDynamics::force(int contact) const {
+  return force(contact, impl_->set.contacts().at(contact).spec.reference);
+}
+
+ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
   const CompiledContact& compiled = impl_->set.contacts().at(contact);
   const ContactState<double>& state = impl_->dynamics.contact_states[contact];
+  const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
   const auto base = contact_detail::pose_of<double>(compiled.base_body, compiled.base_R,
-                                                    compiled.base_p, impl_->dynamics.kinematics());
+                                                    compiled.base_p, kinematics);
+  const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
   return {compiled.spec.name,
           compiled.spec.tool,
           compiled.spec.base,
-          compiled.spec.reference,
-          wrench(contact, compiled.spec.reference),
+          reference,
+          wrench(contact, reference),
           to_eigen(state.tool_R),
           to_eigen(base.R),
-          to_eigen(state.p)};
+          to_eigen(state.p),
+          to_eigen(base.p),
+          to_eigen(reference_axes(asked, asked.fixed_in, kinematics)),
+          to_eigen(reference_origin(asked, kinematics))};
 }
 
 ContactForce ContactDynamics::force(const std::string& contact) const {
@@ -263,8 +278,9 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   ContactState<double> state = impl_->dynamics.contact_states[contact];
   const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
   set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
-  const auto pose = reference_pose(reference, compiled, kinematics, state);
-  const auto zero = Motion<double>::zero();
+  const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
+  const auto pose = reference_pose(asked, kinematics);
+  wrench_entries(impl_->model, compiled, asked, impl_->entries);
   // World wrench of a change of lambda: the columns of the stacked derivatives.
   const auto change = [&](const std::vector<double>& stacked, int k) {
     double column[6];
@@ -277,19 +293,14 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   const auto store = [](RowMatrix& matrix, int k, const Force<double>& force) {
     matrix.col(k) << to_eigen(force.linear), to_eigen(force.angular);
   };
-  std::size_t next = 0;
+  auto next = impl_->entries.begin();
   for (int k = 0; k < nv; ++k) {
-    Motion<double> tool = zero, base = zero;
-    if (next < compiled.support.size() && compiled.support[next].v == k) {
-      const ContactSupport& entry = compiled.support[next++];
-      if (entry.moves_tool()) tool = kinematics.axes[entry.tool_axis].axis;
-      if (entry.moves_base()) base = kinematics.axes[entry.base_axis].axis;
-    }
+    const bool moves = next != impl_->entries.end() && next->v == k;
+    const WrenchEntry entry = moves ? *next++ : WrenchEntry{k, {}, {}};
     store(out.dq, k,
-          wrench_rate(reference, pose, compiled, state, tool, base,
-                      change(impl_->derivatives.d_dq, k)));
-    store(out.dv, k, wrench_in(pose, change(impl_->derivatives.d_dv, k)));
-    store(out.dtau, k, wrench_in(pose, change(impl_->derivatives.d_dtau, k)));
+          wrench_rate(pose, entry, state, kinematics, change(impl_->derivatives.d_dq, k)));
+    store(out.dv, k, in_reference(pose, change(impl_->derivatives.d_dv, k)));
+    store(out.dtau, k, in_reference(pose, change(impl_->derivatives.d_dtau, k)));
   }
 }
 

@@ -21,11 +21,13 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
   ContactRows rows{mass.matrixL().solve(Eigen::MatrixXd(J.transpose())).transpose(),
                    Eigen::VectorXd(J.rows())};
   Eigen::Index r = 0;
-  for (const CompiledContact& contact : dynamics.contacts().contacts()) {
-    const Vec3<double> p =
-        from_eigen(Eigen::Vector3d(frame_placement(model, q, contact.spec.tool).translation()));
+  for (int c = 0; c < dynamics.contacts().size(); ++c) {
+    const CompiledContact& contact = dynamics.contacts().contacts()[c];
+    const ContactForce force = dynamics.force(c);
+    const Vec3<double> p = from_eigen(force.tool_position), origin = from_eigen(force.origin());
     for (const int d : contact.directions) {
-      rows.part[r] = row_size(contact, d, J.row(r).data(), 1) / could_have_been(contact, d, p);
+      rows.part[r] =
+          row_size(contact, d, J.row(r).data(), 1) / could_have_been(contact, d, p, origin);
       ++r;
     }
   }

@@ -4,27 +4,35 @@
 //   dv/dq_k = S_k x v + psi'_k,                 psi'_k  = v_lambda x S_k,
 //   da/dq_k = S_k x a + psi'_k x v + psi''_k,   psi''_k = a_lambda x S_k + v_lambda x psi'_k,
 //   da/dv_k = S_k x v + psi'_k + dS_k/dt.
-// They are carried into the chosen axes by d(X m)/dq_k = X (dm/dq_k - xi_k x m), xi_k the twist of
-// the chosen origin and axes per unit rate of entry k.
+// They are carried into the reference by d(X m)/dq_k = X (dm/dq_k - V_k x m):
+// dynamics/reference.hpp.
 //
-// Matrices are row-major: entry (r, k) goes to out[r * stride + k], for the entries k of the
-// frame's support only; the others are zero and not written.
+// Matrices are row-major: entry (r, k) goes to out[r * stride + k], for the entries k that move the
+// frame or the reference only; the others are zero and not written.
 #pragma once
 
 #include "dynamics/frame_kinematics.hpp"
 
 namespace burnish {
 
+/// A reference at a state, with the entries of v that move it.
+template <class S>
+struct FrameReference {
+  const CompiledReference& compiled;
+  ReferencePose<S> pose;
+  ReferenceSupport support;
+};
+
 /// d(frame_velocity)/dq, 6 x nv; d/dv is frame_jacobian.
 template <class S>
-void frame_velocity_derivative(const CompiledFrame& frame, FrameAxes axes,
+void frame_velocity_derivative(const CompiledFrame& frame, const FrameReference<S>& reference,
                                const Kinematics<S>& kinematics, const FrameState<S>& state, S* dq,
                                int stride);
 
 /// d(frame_acceleration)/dq and /dv at constant joint accelerations, 6 x nv each; d/da is
 /// frame_jacobian. Needs update_frame_acceleration.
 template <class S>
-void frame_acceleration_derivatives(const CompiledFrame& frame, FrameAxes axes,
+void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameReference<S>& reference,
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                     const FrameState<S>& state, S* dq, S* dv, int stride);
 

@@ -7,41 +7,46 @@
 namespace burnish {
 
 template <class S>
-void frame_velocity_derivative(const CompiledFrame& frame, FrameAxes axes,
+void frame_velocity_derivative(const CompiledFrame& frame, const FrameReference<S>& reference,
                                const Kinematics<S>& kinematics, const FrameState<S>& state, S* dq,
                                int stride) {
-  for (const MovingAxis& k : frame.support) {
-    const AxisState<S>& axis = kinematics.axes[k.axis];
-    const Motion<S> xi = twist_of_axes(axes, state, axis.axis);
-    const Motion<S> rate = cross(axis.axis - xi, state.v) + axis.parent_rate;
-    store_column(in_axes(axes, state, rate), dq + k.v, stride);
-  }
+  const ReferencePose<S>& at = reference.pose;
+  for_each_entry(frame, reference.support, [&](int v, int k, const ReferenceAxes& by) {
+    Motion<S> seen = -reference_twist(by, at.p, kinematics);
+    if (k >= 0) seen += kinematics.axes[k].axis;
+    Motion<S> rate = cross(seen, state.v);
+    if (k >= 0) rate += kinematics.axes[k].parent_rate;
+    store_column(in_reference(reference.compiled, at, rate), dq + v, stride);
+  });
 }
 
 template <class S>
-void frame_acceleration_derivatives(const CompiledFrame& frame, FrameAxes axes,
+void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameReference<S>& reference,
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                     const FrameState<S>& state, S* dq, S* dv, int stride) {
   if (frame.body < 0) return;
   // psi''_k holds a_lambda - g, so S_k is crossed with a - g: the two g x S_k cancel.
   const Motion<S> a_minus_gravity = kinematics.bodies[frame.body].a_bias + id.a_joint[frame.body];
-  const Motion<S> rho = twist_of_axes(axes, state, state.v);
-  const Motion<S> seen = state.a - cross(rho, state.v);
-  for (const MovingAxis& k : frame.support) {
-    const AxisState<S>& axis = kinematics.axes[k.axis];
-    const Motion<S> xi = twist_of_axes(axes, state, axis.axis);
-    const Motion<S> turned = cross(axis.axis, state.v);
-    const Motion<S> v_by_q = turned + axis.parent_rate;
-    const Motion<S> a_by_q =
-        cross(axis.axis, a_minus_gravity) + cross(axis.parent_rate, state.v) + id.axis_acc[k.axis];
-    Motion<S> rho_by_q = twist_of_axes(axes, state, v_by_q);
-    // The point that a centred reference follows moves with q itself.
-    if (axes == FrameAxes::Centered) rho_by_q.linear += cross(state.v.angular, xi.linear);
-    const Motion<S> by_q = a_by_q - cross(rho_by_q, state.v) - cross(rho, v_by_q) - cross(xi, seen);
-    const Motion<S> by_v = turned + axis.rate_sum - cross(xi, state.v) - cross(rho, axis.axis);
-    store_column(in_axes(axes, state, by_q), dq + k.v, stride);
-    store_column(in_axes(axes, state, by_v), dv + k.v, stride);
-  }
+  const CompiledReference& compiled = reference.compiled;
+  const ReferencePose<S>& at = reference.pose;
+  const Motion<S> V = reference_twist(compiled, at.p, kinematics);
+  const Motion<S> seen = state.a - cross(V, state.v);
+  for_each_entry(frame, reference.support, [&](int v, int k, const ReferenceAxes& by) {
+    const Motion<S> V_k = reference_twist(by, at.p, kinematics);
+    const Motion<S> V_by_q = reference_twist_by_q(compiled, by, at.p, kinematics);
+    Motion<S> by_q = -cross(V_by_q, state.v) - cross(V_k, seen);
+    Motion<S> by_v = -cross(V_k, state.v);
+    if (k >= 0) {
+      const AxisState<S>& axis = kinematics.axes[k];
+      const Motion<S> turned = cross(axis.axis, state.v);
+      const Motion<S> a_by_q =
+          cross(axis.axis, a_minus_gravity) + cross(axis.parent_rate, state.v) + id.axis_acc[k];
+      by_q += a_by_q - cross(V, turned + axis.parent_rate);
+      by_v += turned + axis.rate_sum - cross(V, axis.axis);
+    }
+    store_column(in_reference(compiled, at, by_q), dq + v, stride);
+    store_column(in_reference(compiled, at, by_v), dv + v, stride);
+  });
 }
 
 template <class S>
@@ -73,7 +78,9 @@ void frame_placement_error_derivative(const CompiledFrame& frame, const Kinemati
                                       const FrameState<S>& state, const FrameError<S>& error, S* dq,
                                       int stride) {
   for (const MovingAxis& k : frame.support) {
-    const Motion<S> twist = in_axes(FrameAxes::Local, state, kinematics.axes[k.axis].axis);
+    const Motion<S> there = at_point(kinematics.axes[k.axis].axis, state.p);
+    const Motion<S> twist{transpose_times(state.R, there.linear),
+                          transpose_times(state.R, there.angular)};
     store_column(d_log_placement(error.terms, error.placement, twist), dq + k.v, stride);
   }
 }

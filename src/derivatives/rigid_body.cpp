@@ -46,7 +46,7 @@ bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
 std::vector<CompiledFrame> compile_frames(const Model& model) {
   std::vector<CompiledFrame> result;
   for (const Frame& frame : model.frames) result.push_back(compile_frame(model, frame));
-  result.push_back({-1, Mat3<double>::identity(), Vec3<double>::zero(), {}});
+  result.push_back(world_frame());
   return result;
 }
 
@@ -93,6 +93,15 @@ struct RigidBody::Impl {
   }
 
   const FrameState<double>& state(int frame) const { return states.at(frame); }
+  CompiledReference reference(int frame, const Reference& stated) const {
+    return compile_reference(model, stated, frames.at(frame), frames.back());
+  }
+  std::span<const MovingAxis> support(int frame, const Anchor& anchor) const {
+    if (anchor.of == Anchor::Tool) return frames.at(frame).support;
+    const bool named = anchor.of == Anchor::Frame && model.has_frame(anchor.frame);
+    return named ? frames[static_cast<std::size_t>(model.frame_index(anchor.frame))].support
+                 : frames.back().support;
+  }
   FrameError<double> error(int frame, const Eigen::Isometry3d& target) const {
     return frame_error(state(frame), from_eigen(Eigen::Matrix3d(target.linear())),
                        from_eigen(Eigen::Vector3d(target.translation())));
@@ -145,23 +154,33 @@ Eigen::Isometry3d RigidBody::placement(int frame) const {
   result.translation() = to_eigen(impl_->state(frame).p);
   return result;
 }
-Vector6 RigidBody::velocity(int frame, FrameAxes axes) const {
-  return stacked(frame_velocity(axes, impl_->state(frame)));
+Vector6 RigidBody::velocity(int frame, const Reference& reference) const {
+  const CompiledReference compiled = impl_->reference(frame, reference);
+  return stacked(
+      frame_velocity(compiled, reference_pose(compiled, impl_->kinematics), impl_->state(frame)));
 }
-Vector6 RigidBody::acceleration(int frame, FrameAxes axes) const {
-  return stacked(frame_acceleration(axes, impl_->state(frame)));
+Vector6 RigidBody::acceleration(int frame, const Reference& reference) const {
+  const CompiledReference compiled = impl_->reference(frame, reference);
+  return stacked(frame_acceleration(compiled, reference_pose(compiled, impl_->kinematics),
+                                    impl_->kinematics, impl_->state(frame)));
 }
 
-void RigidBody::frame_derivatives(int frame, FrameAxes axes, FrameDerivatives& out) const {
+void RigidBody::frame_derivatives(int frame, const Reference& reference,
+                                  FrameDerivatives& out) const {
   const CompiledFrame& compiled = impl_->frames.at(frame);
   const FrameState<double>& state = impl_->state(frame);
+  const CompiledReference seen_in = impl_->reference(frame, reference);
+  const FrameReference<double> at{
+      seen_in,
+      reference_pose(seen_in, impl_->kinematics),
+      {impl_->support(frame, reference.origin), impl_->support(frame, reference.axes)}};
   const int n = nv();
   for (RowMatrix* matrix :
        {&out.jacobian, &out.velocity_dq, &out.acceleration_dq, &out.acceleration_dv})
     clear(*matrix, 6, n);
-  frame_jacobian(compiled, axes, impl_->kinematics, state, out.jacobian.data(), n);
-  frame_velocity_derivative(compiled, axes, impl_->kinematics, state, out.velocity_dq.data(), n);
-  frame_acceleration_derivatives(compiled, axes, impl_->kinematics, impl_->inverse_dynamics, state,
+  frame_jacobian(compiled, seen_in, at.pose, impl_->kinematics, out.jacobian.data(), n);
+  frame_velocity_derivative(compiled, at, impl_->kinematics, state, out.velocity_dq.data(), n);
+  frame_acceleration_derivatives(compiled, at, impl_->kinematics, impl_->inverse_dynamics, state,
                                  out.acceleration_dq.data(), out.acceleration_dv.data(), n);
 }
 

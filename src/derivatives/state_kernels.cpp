@@ -4,9 +4,9 @@
 #include "math/pack.hpp"
 
 #define BURNISH_STATE_KERNELS(S)                                                                 \
-  template void frame_velocity_derivative(const CompiledFrame&, FrameAxes, const Kinematics<S>&, \
-                                          const FrameState<S>&, S*, int);                        \
-  template void frame_acceleration_derivatives(const CompiledFrame&, FrameAxes,                  \
+  template void frame_velocity_derivative(const CompiledFrame&, const FrameReference<S>&,        \
+                                          const Kinematics<S>&, const FrameState<S>&, S*, int);  \
+  template void frame_acceleration_derivatives(const CompiledFrame&, const FrameReference<S>&,   \
                                                const Kinematics<S>&, const InverseDynamics<S>&,  \
                                                const FrameState<S>&, S*, S*, int);               \
   template void frame_position_derivative(const CompiledFrame&, const Kinematics<S>&,            \

@@ -29,21 +29,18 @@ void update_frame_acceleration(const Tree& tree, const CompiledFrame& frame,
 }
 
 template <class S>
-Motion<S> frame_velocity(FrameAxes axes, const FrameState<S>& state) {
-  return in_axes(axes, state, state.v);
+Motion<S> frame_acceleration(const CompiledReference& reference, const ReferencePose<S>& at,
+                             const Kinematics<S>& kinematics, const FrameState<S>& state) {
+  const Motion<S> V = reference_twist(reference, at.p, kinematics);
+  return in_reference(reference, at, state.a - cross(V, state.v));
 }
 
 template <class S>
-Motion<S> frame_acceleration(FrameAxes axes, const FrameState<S>& state) {
-  const Motion<S> rho = twist_of_axes(axes, state, state.v);
-  return in_axes(axes, state, state.a - cross(rho, state.v));
-}
-
-template <class S>
-void frame_jacobian(const CompiledFrame& frame, FrameAxes axes, const Kinematics<S>& kinematics,
-                    const FrameState<S>& state, S* out, int stride) {
+void frame_jacobian(const CompiledFrame& frame, const CompiledReference& reference,
+                    const ReferencePose<S>& at, const Kinematics<S>& kinematics, S* out,
+                    int stride) {
   for (const MovingAxis& k : frame.support)
-    store_column(in_axes(axes, state, kinematics.axes[k.axis].axis), out + k.v, stride);
+    store_column(in_reference(reference, at, kinematics.axes[k.axis].axis), out + k.v, stride);
 }
 
 template <class S>

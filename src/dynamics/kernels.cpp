@@ -18,10 +18,10 @@
   template void update_frame(const CompiledFrame&, const Kinematics<S>&, FrameState<S>&);          \
   template void update_frame_acceleration(const Tree&, const CompiledFrame&, const Kinematics<S>&, \
                                           const InverseDynamics<S>&, FrameState<S>&);              \
-  template Motion<S> frame_velocity(FrameAxes, const FrameState<S>&);                              \
-  template Motion<S> frame_acceleration(FrameAxes, const FrameState<S>&);                          \
-  template void frame_jacobian(const CompiledFrame&, FrameAxes, const Kinematics<S>&,              \
-                               const FrameState<S>&, S*, int);                                     \
+  template Motion<S> frame_acceleration(const CompiledReference&, const ReferencePose<S>&,         \
+                                        const Kinematics<S>&, const FrameState<S>&);               \
+  template void frame_jacobian(const CompiledFrame&, const CompiledReference&,                     \
+                               const ReferencePose<S>&, const Kinematics<S>&, S*, int);            \
   template FrameError<S> frame_error(const FrameState<S>&, const Mat3<S>&, const Vec3<S>&);        \
   template struct Momentum<S>;                                                                     \
   template void update_momentum(const Tree&, const Kinematics<S>&, const S*, Momentum<S>&)

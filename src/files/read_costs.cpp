@@ -3,7 +3,8 @@
 #include <cmath>
 #include <functional>
 
-#include "dynamics/frame_kinematics.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "dynamics/frame.hpp"
 #include "files/here.hpp"
 #include "files/read_penalty.hpp"
 #include "model/followers.hpp"
@@ -15,7 +16,7 @@ namespace {
 struct CostReader {
   const FileScene& scene;
   const std::vector<std::string>& contacts;
-  const YamlReader& reader;
+  const Reader& reader;
   std::vector<std::string> common;  ///< keys beside those of the type
   PenaltyRows rows = {};
 
@@ -37,17 +38,29 @@ struct CostReader {
   }
 
   std::string frame() const {
-    const YamlReader name = reader["frame"];
+    const Reader name = reader["frame"];
     name.named([&] { compile_frame(model(), name.text()); });
     return name.text();
   }
   const ContactSpec& contact() const {
-    const YamlReader name = reader["contact"];
+    const Reader name = reader["contact"];
     return name.named([&]() -> const ContactSpec& { return scene.contact(name.text()); });
   }
   std::optional<Reference> reference() const {
     const auto given = reader.find("reference");
     return given ? std::optional(read_reference(*given)) : std::nullopt;
+  }
+
+  /// The residual with the reference that is stated, if it is; `shorter` is a key that states parts
+  /// of one.
+  template <class Frame>
+  Frame in_reference(Frame residual, const std::string& shorter) const {
+    const auto given = reader.find("reference");
+    if (!given) return residual;
+    if (reader.has(shorter))
+      reader.refuse("keys 'reference' and '" + shorter + "' are both stated; state one");
+    residual.reference = read_reference(*given, Frame{}.reference);
+    return residual;
   }
 
   /// The joints that are named, or those that `otherwise` accepts.
@@ -85,7 +98,7 @@ struct CostReader {
     const auto given = reader.find("target");
     if (!given || given->is("here")) return residual::State{};
     Eigen::VectorXd x = scene.spec.initial_state;
-    const auto set_q = [&](const YamlReader& q) {
+    const auto set_q = [&](const Reader& q) {
       x.head(model().nq) = read_configuration(scene.robot, q);
     };
     if (given->is_list()) return residual::State{given->numbers(x.size())};
@@ -101,7 +114,7 @@ struct CostReader {
   }
 
   /// The torque, force or both of `hold`, taken from a robot at rest at the start.
-  Holding holding(const YamlReader& given) const {
+  Holding holding(const Reader& given) const {
     return hold(scene.spec, contacts, scene.q, read_held_forces(scene, contacts, given));
   }
 
@@ -157,12 +170,29 @@ struct CostReader {
     return residual::JointTorque{joint_names(), torque};
   }
 
+  /// Of the frame in its reference, as targets are stated.
+  Eigen::Vector3d position_here(const residual::FramePosition& residual) const {
+    const auto placement = [&](const Anchor& anchor) {
+      if (anchor.of == Anchor::Frame)
+        return burnish::frame_placement(model(), scene.q, anchor.frame);
+      return anchor.of == Anchor::Tool ? burnish::frame_placement(model(), scene.q, residual.frame)
+                                       : Eigen::Isometry3d::Identity();
+    };
+    const Eigen::Vector3d p =
+        burnish::frame_placement(model(), scene.q, residual.frame).translation();
+    return reader.named([&]() -> Eigen::Vector3d {
+      return placement(residual.reference.axes).linear().transpose() *
+             (p - placement(residual.reference.origin).translation());
+    });
+  }
   Residual frame_position() {
-    keys({"frame", "target", "axes"});
+    keys({"frame", "target", "axes", "reference"});
     rows.rows = direction_rows(Directions::linear());
     residual::FramePosition result{frame(), {}};
-    result.target = target(placement_here(model(), scene.q, result.frame).head(3));
-    if (const auto axes = reader.find("axes")) result.axes = read_axes(*axes);
+    if (const auto axes = reader.find("axes"))
+      result.reference = Reference::world(read_axes(*axes));
+    result = in_reference(result, "axes");
+    result.target = target(position_here(result));
     return result;
   }
   Residual frame_rotation() {
@@ -180,14 +210,15 @@ struct CostReader {
         name, target(placement_here(model(), scene.q, name), TargetSpace::Kind::Placement)};
   }
   Residual frame_velocity() {
-    keys({"frame", "axes", "rotation", "target"});
+    keys({"frame", "axes", "rotation", "reference", "target"});
     rows.rows = direction_rows(Directions::all());
     residual::FrameVelocity result{frame()};
     if (const auto axes = reader.find("axes"))
-      result.axes = axes->named([&] { return parse_frame_axes(axes->text()); });
-    if (const auto rotation = reader.find("rotation")) result.rotation = read_axes(*rotation);
+      result.reference = Reference::parse(axes->word({"local", "centered", "world"}));
+    if (const auto rotation = reader.find("rotation"))
+      result.reference.rotation = read_axes(*rotation);
     result.target = target({});
-    return result;
+    return in_reference(result, reader.has("axes") ? "axes" : "rotation");
   }
   Residual contact_force() {
     keys({"contact", "reference", "target"});
@@ -237,7 +268,7 @@ struct CostReader {
   }
 
   /// {q: ..., v: ..., tau: ...}, each as read_rows has it.
-  Eigen::VectorXd state_weights(const YamlReader& given) const {
+  Eigen::VectorXd state_weights(const Reader& given) const {
     const std::vector<RowGroup> v = velocity_rows(model());
     std::vector<RowGroup> tau;
     if (scene.spec.torque_model)
@@ -277,7 +308,7 @@ constexpr CostType types[] = {
     {"centroidal_momentum", &CostReader::momentum},
 };
 
-Read read_type(const YamlReader& type) {
+Read read_type(const Reader& type) {
   std::vector<std::string> known;
   for (const CostType& candidate : types) known.emplace_back(candidate.name);
   const std::string name = type.word(known);
@@ -287,7 +318,7 @@ Read read_type(const YamlReader& type) {
 }
 
 CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& contacts,
-                   const std::string& name, const YamlReader& reader) {
+                   const std::string& name, const Reader& reader) {
   CostReader cost{scene, contacts, reader, {"type", "weight", "weights", "penalty"}};
   const Read read = read_type(reader["type"]);
   CostTerm term{.name = name, .residual = (cost.*read)()};
@@ -300,7 +331,7 @@ CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& conta
 }
 
 Constraint read_constraint(const FileScene& scene, const std::vector<std::string>& contacts,
-                           const std::string& name, const YamlReader& reader) {
+                           const std::string& name, const Reader& reader) {
   CostReader rows{scene, contacts, reader, {"type", "lower", "upper", "limits"}};
   const Read read = read_type(reader["type"]);
   if (read == &CostReader::state)
@@ -318,20 +349,19 @@ Constraint read_constraint(const FileScene& scene, const std::vector<std::string
 
 std::vector<Constraint> read_constraints(const FileScene& scene,
                                          const std::vector<std::string>& contacts,
-                                         const YamlReader& reader) {
+                                         const Reader& reader) {
   std::vector<Constraint> constraints;
   for (const auto& [name, value] : reader.items())
     constraints.push_back(read_constraint(scene, contacts, name, value));
   return constraints;
 }
 
-void check_shared(const YamlReader& shared) {
+void check_shared(const Reader& shared) {
   for (const auto& [name, term] : shared.items()) read_type(term["type"]);
 }
 
-std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<YamlReader>& shared,
-                                 const std::vector<std::string>& contacts,
-                                 const YamlReader& reader) {
+std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Reader>& shared,
+                                 const std::vector<std::string>& contacts, const Reader& reader) {
   std::vector<std::string> known;
   if (shared)
     for (const auto& [name, term] : shared->items()) known.push_back(name);

@@ -10,6 +10,17 @@
 namespace burnish::files {
 namespace {
 
+/// Columns of axes, by keys of a map that may have others too.
+Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others) {
+  others.insert(others.end(), {"normal", "rpy", "quaternion", "matrix"});
+  reader.allow_only(others);
+  const auto normal = reader.find("normal");
+  if (!normal) return document::axes_in(reader);
+  if (reader.has("rpy") || reader.has("quaternion") || reader.has("matrix"))
+    reader.refuse("a normal stands alone");
+  return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
+}
+
 /// A new value of a joint puts those that move with it elsewhere.
 void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
   const auto& joints = model.joints;
@@ -23,7 +34,7 @@ void forget_coupled(const Model& model, const std::string& name, Posture& postur
 
 }  // namespace
 
-Reference read_reference(const YamlReader& reader) {
+Reference read_reference(const Reader& reader, const Reference& otherwise) {
   if (!reader.is_map()) return reader.named([&] { return Reference::parse(reader.text()); });
   if (const auto type = reader.find("type")) {
     // As requests stated it up to version 0.2.
@@ -35,30 +46,28 @@ Reference read_reference(const YamlReader& reader) {
     type->refuse("a reference has no type beside its axes; wanted {\"" + type->text() + "\": {" +
                  axes + "}}");
   }
-  reader.allow_only({"surface", "local"});
   if (reader.has("surface") && reader.has("local"))
     reader.refuse("keys 'surface' and 'local' are both stated; state one");
-  const bool surface = reader.has("surface");
-  const YamlReader axes = reader[surface ? "surface" : "local"];
-  axes.allow_only({"normal", "rpy", "quaternion", "matrix"});
-  if (const auto normal = axes.find("normal")) {
-    if (!surface || axes.items().size() > 1)
-      axes.refuse("a normal goes with 'surface' and stands alone");
-    return normal->named([&] { return Reference::surface_with_normal(normal->vector3()); });
+  for (const std::string kind : {"surface", "local"}) {
+    const auto axes = reader.find(kind);
+    if (!axes) continue;
+    if (reader.items().size() > 1) reader.refuse("key '" + kind + "' stands alone");
+    if (axes->has("normal") && (kind == "local" || axes->items().size() > 1))
+      axes->refuse("a normal goes with 'surface' and stands alone");
+    const Eigen::Matrix3d rotation = read_axes(*axes);
+    return kind == "surface" ? Reference::surface(rotation) : Reference::local(rotation);
   }
-  const Eigen::Matrix3d rotation = document::axes_in(axes);
-  return surface ? Reference::surface(rotation) : Reference::local(rotation);
+  const auto anchor = [&](const char* key, const Anchor& unstated) {
+    const auto given = reader.find(key);
+    return given ? Anchor::parse(given->text()) : unstated;
+  };
+  return {anchor("origin", otherwise.origin), anchor("axes", otherwise.axes),
+          columns_of(reader, {"surface", "local", "origin", "axes"})};
 }
 
-Eigen::Matrix3d read_axes(const YamlReader& reader) {
-  reader.allow_only({"normal", "rpy", "quaternion", "matrix"});
-  const auto normal = reader.find("normal");
-  if (!normal) return document::axes_in(reader);
-  if (reader.items().size() > 1) reader.refuse("a normal stands alone");
-  return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
-}
+Eigen::Matrix3d read_axes(const Reader& reader) { return columns_of(reader, {}); }
 
-Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader,
+Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others) {
   if (reader.is_list()) {
     const Eigen::VectorXd q = reader.numbers(robot.model.nq);
@@ -101,7 +110,7 @@ int rows_of(const std::vector<RowGroup>& groups) {
   return sum;
 }
 
-Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
+Eigen::VectorXd read_rows(const Reader& reader, const std::vector<RowGroup>& groups,
                           double otherwise) {
   const int rows = rows_of(groups);
   if (reader.is_list()) return reader.numbers(rows);

@@ -9,16 +9,17 @@ namespace burnish::files {
 using document::read_placement;
 using document::read_rotation;
 /// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
-/// on.
-Reference read_reference(const YamlReader& reader);
+/// on, or {origin: ..., axes: ...}, each tool, base, world or the name of a frame, with the same
+/// keys if they are turned; what is not said is that of `otherwise`.
+Reference read_reference(const Reader& reader, const Reference& otherwise = Reference::centered());
 /// Columns of axes: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or {matrix: [...]}.
-Eigen::Matrix3d read_axes(const YamlReader& reader);
+Eigen::Matrix3d read_axes(const Reader& reader);
 /// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers. Joints that are
 /// not stated are as in `others`, or as in the default posture.
-Eigen::VectorXd read_configuration(const Robot& robot, const YamlReader& reader,
+Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others = std::nullopt);
 /// One number for all rows, a list, or {name: number or list, ..., other: number}.
-Eigen::VectorXd read_rows(const YamlReader& reader, const std::vector<RowGroup>& groups,
+Eigen::VectorXd read_rows(const Reader& reader, const std::vector<RowGroup>& groups,
                           double otherwise);
 int rows_of(const std::vector<RowGroup>& groups);
 /// The entries of v by the joints that have some.

@@ -14,7 +14,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       contact_force_(spec.problem) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
-  body.frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);  // sized here, not in a tick
+  body.frame_derivatives(tool_, Reference::centered(), tool_motion_);  // sized here, not in a tick
   acted_ = torque_offset_ = torque_error_ = total_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
@@ -74,7 +74,7 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const bool presses = pressed_ > contact_threshold_;
   // What is larger than the normal force is no friction.
   const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
-  gate.body().frame_derivatives(tool_, FrameAxes::Centered, tool_motion_);
+  gate.body().frame_derivatives(tool_, Reference::centered(), tool_motion_);
   torque_error_ = observer_.torque_error();
   torque_error_.noalias() +=
       ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);

@@ -40,7 +40,7 @@ TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& 
                                          const ModelErrorOptions& options)
     : impl_(std::make_unique<Impl>(model, tool, options)) {
   // Resized on first use: here, rather than in a tick.
-  impl_->body.frame_derivatives(impl_->frame, FrameAxes::Centered, impl_->derivatives);
+  impl_->body.frame_derivatives(impl_->frame, Reference::centered(), impl_->derivatives);
 }
 TorqueErrorObserver::~TorqueErrorObserver() = default;
 TorqueErrorObserver::TorqueErrorObserver(TorqueErrorObserver&&) noexcept = default;
@@ -67,7 +67,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
     return status;
   }
   if (!(dt > 0.0)) return status;
-  d.body.frame_derivatives(d.frame, FrameAxes::Centered, d.derivatives);
+  d.body.frame_derivatives(d.frame, Reference::centered(), d.derivatives);
   d.total = tau + d.error;
   d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
   status = d.dynamics.forward(q, v, d.total);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
-#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/reference.hpp"
 
 namespace burnish::mujoco {
 namespace {

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
+#include "dynamics/reference.hpp"
 #include "model/followers.hpp"
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
@@ -66,13 +68,16 @@ struct TermBuilder {
     std::iota(columns.begin(), columns.end(), 0);
     return columns;
   }
-  std::vector<int> support_columns(int frame, bool with_velocity) const {
-    std::vector<int> columns;
-    const std::vector<MovingAxis>& support = stage.frames[frame].support;
-    for (const MovingAxis& k : support) columns.push_back(layout().column_q() + k.v);
-    if (with_velocity)
-      for (const MovingAxis& k : support) columns.push_back(layout().column_v() + k.v);
-    return columns;
+  static std::vector<int> columns(int first, const std::vector<int>& entries) {
+    std::vector<int> result;
+    for (const int k : entries) result.push_back(first + k);
+    return result;
+  }
+  std::vector<int> support_columns(int frame) const {
+    std::vector<int> result;
+    for (const MovingAxis& k : stage.frames[frame].support)
+      result.push_back(layout().column_q() + k.v);
+    return result;
   }
 
   int frame(const std::string& name) {
@@ -86,6 +91,42 @@ struct TermBuilder {
     }
     stage.frame_names.push_back(name);
     return static_cast<int>(stage.frames.size()) - 1;
+  }
+  /// Of a reference whose tool is the frame and whose base is the world.
+  FrameView view(int frame, const Reference& reference) const {
+    reference.check(where);
+    const CompiledFrame& seen = stage.frames[frame];
+    FrameView result;
+    try {
+      result.reference = compile_reference(problem.model, reference, seen, world_frame());
+    } catch (const Error& error) {
+      refuse("reference: " + std::string(error.what()));
+    }
+    const auto others = [&](int body) {
+      return body == seen.body ? std::vector<MovingAxis>{} : moving_axes(problem.model, body);
+    };
+    result.origin = others(result.reference.origin_body);
+    result.axes = others(result.reference.axes_body);
+    std::set<int> entries;
+    for (const std::span<const MovingAxis> moved :
+         {std::span<const MovingAxis>(seen.support), std::span<const MovingAxis>(result.origin),
+          std::span<const MovingAxis>(result.axes)})
+      for (const MovingAxis& k : moved) entries.insert(k.v);
+    result.entries.assign(entries.begin(), entries.end());
+    return result;
+  }
+  WrenchView wrench(int contact, const std::optional<Reference>& reference) const {
+    WrenchView result{contact, {}, {}};
+    if (!reference) return result;
+    reference->check(where);
+    const CompiledContact& compiled = problem.contacts.contacts()[contact];
+    try {
+      result.reference = compile_reference(problem.model, *reference, compiled);
+    } catch (const Error& error) {
+      refuse("reference: " + std::string(error.what()));
+    }
+    wrench_entries(problem.model, compiled, *result.reference, result.entries);
+    return result;
   }
   int contact(const std::string& name) {
     int index = -1;
@@ -234,10 +275,13 @@ struct TermBuilder {
     term.rows = 3;
     target(r.target, 3, {});
     const int f = frame(r.frame);
-    if (!(r.axes * r.axes.transpose()).isIdentity(1e-6) || r.axes.determinant() < 0.0)
-      refuse("axes are not a rotation");
-    term.residual = FramePositionError{f, from_eigen(r.axes)};
-    dense_block(3, support_columns(f, false));
+    const FramePositionError error{f, view(f, r.reference)};
+    if (error.view.reference.at_tool)
+      refuse(
+          "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
+          "another frame");
+    term.residual = error;
+    dense_block(3, columns(layout().column_q(), error.view.entries));
   }
   void operator()(const residual::FrameRotation& r) {
     term.rows = 3;
@@ -245,7 +289,7 @@ struct TermBuilder {
     unit_quaternion(0);
     const int f = frame(r.frame);
     term.residual = FrameRotationError{f};
-    dense_block(3, support_columns(f, false));
+    dense_block(3, support_columns(f));
   }
   void operator()(const residual::FramePlacement& r) {
     term.rows = 6;
@@ -253,25 +297,24 @@ struct TermBuilder {
     unit_quaternion(3);
     const int f = frame(r.frame);
     term.residual = FramePlacementError{f};
-    dense_block(6, support_columns(f, false));
+    dense_block(6, support_columns(f));
   }
   void operator()(const residual::FrameVelocity& r) {
     term.rows = 6;
     zero_target(r.target, 6);
     const int f = frame(r.frame);
-    if (!(r.rotation * r.rotation.transpose()).isIdentity(1e-6) || r.rotation.determinant() < 0.0)
-      refuse("rotation is not a rotation");
-    term.residual =
-        FrameVelocityError{f, r.axes, from_eigen(r.rotation), !r.rotation.isIdentity(0.0)};
-    dense_block(6, support_columns(f, true));
+    const FrameVelocityError error{f, view(f, r.reference)};
+    term.residual = error;
+    std::vector<int> all = columns(layout().column_q(), error.view.entries);
+    for (const MovingAxis& k : stage.frames[f].support) all.push_back(layout().column_v() + k.v);
+    dense_block(6, all);
   }
 
   void operator()(const residual::ContactForce& r) {
     const int c = contact(r.contact);
     if (r.reference) {
-      r.reference->check(where);
       term.rows = 6;
-      term.residual = WrenchError{c, *r.reference};
+      term.residual = WrenchError{wrench(c, r.reference)};
     } else {
       term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
       term.residual = OwnForceError{c, term.rows};
@@ -290,13 +333,10 @@ struct TermBuilder {
     needs(c, Directions::linear());
     if (!(r.friction > 0.0) || !std::isfinite(r.friction))
       refuse("friction is " + number(r.friction) + "; wanted a number above 0");
-    if (r.reference) r.reference->check(where);
     if (r.normal < 0 || r.normal > 2)
       refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
     term.rows = 2;
-    term.residual =
-        ConeMargin{c, r.reference.value_or(problem.contacts.contacts()[c].spec.reference),
-                   r.friction, r.normal};
+    term.residual = ConeMargin{wrench(c, r.reference), r.friction, r.normal};
     dense_block(2, all_columns());
   }
   void operator()(const residual::CenterOfPressure& r) {
@@ -306,7 +346,7 @@ struct TermBuilder {
       refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
              " m; wanted positive numbers");
     term.rows = 4;
-    term.residual = PressureMargin{c, r.half_x, r.half_y};
+    term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y};
     dense_block(4, all_columns());
   }
 

@@ -3,10 +3,13 @@
 //   block in the order of the term's blocks.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "burnish/ocp/residual.hpp"
+#include "derivatives/frame_kinematics.hpp"
+#include "derivatives/wrench_transport.hpp"
 #include "dynamics/integration.hpp"
 #include "ocp/scene.hpp"
 
@@ -39,10 +42,19 @@ struct Selection {
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
 
+/// A reference that a frame is seen in, and the entries of v that move it or the frame.
+struct FrameView {
+  CompiledReference reference;
+  std::vector<MovingAxis> origin, axes;  ///< of other bodies than the frame's
+  std::vector<int> entries;              ///< of v, ascending
+  template <class S>
+  FrameReference<S> at(const Scene<S>& scene, int frame) const;
+};
+
 /// `frame` counts in Scene::frames.
 struct FramePositionError {
   int frame;
-  Mat3<double> axes;
+  FrameView view;
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
@@ -59,9 +71,7 @@ struct FramePlacementError {
 };
 struct FrameVelocityError {
   int frame;
-  FrameAxes axes;
-  Mat3<double> rotation;
-  bool turned;  ///< rotation is not the identity
+  FrameView view;
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
@@ -72,23 +82,30 @@ struct OwnForceError {
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
+/// A reference that a contact's wrench is asked in; none: the contact's own.
+struct WrenchView {
+  int contact;
+  std::optional<CompiledReference> reference;
+  std::vector<WrenchEntry> entries;
+  /// Six rows w and, unless J is null, dw/dz (6 x nz).
+  template <class S>
+  void evaluate(const Scene<S>& scene, S* w, S* J) const;
+};
 /// The six rows of a contact's wrench in any reference.
 struct WrenchError {
-  int contact;
-  Reference reference;
+  WrenchView wrench;
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
 struct ConeMargin {
-  int contact;
-  Reference reference;
+  WrenchView wrench;
   double friction;
   int normal;
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
 struct PressureMargin {
-  int contact;
+  WrenchView wrench;
   double half_x, half_y;
   template <class S>
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;

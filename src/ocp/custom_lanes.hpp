@@ -22,12 +22,15 @@ class LaneView final : public NodeView {
   VectorView tau() const override { return {tau_.data(), tau_.size()}; }
   VectorView acceleration() const override { return {a_.data(), a_.size()}; }
   Eigen::Isometry3d placement(int frame) const override;
-  Vector6 velocity(int frame, FrameAxes axes) const override;
+  Vector6 velocity(int frame, const Reference& reference) const override;
   VectorView force(int contact) const override;
-  MatrixView jacobian(int frame, FrameAxes axes) const override;
+  MatrixView jacobian(int frame, const Reference& reference) const override;
   MatrixView force_derivative(int contact) const override;
 
  private:
+  CompiledReference compiled(int frame, const Reference& reference) const;
+
+  const Model* model_;
   const StateLayout* layout_;
   const Scene<S>* scene_ = nullptr;
   const CustomResidual* residual_ = nullptr;

@@ -8,7 +8,8 @@ namespace burnish::ocp {
 
 template <class S>
 LaneView<S>::LaneView(const CompiledProblem& problem)
-    : layout_(&problem.layout),
+    : model_(&problem.model),
+      layout_(&problem.layout),
       q_(problem.layout.nq),
       v_(problem.layout.nv),
       u_(problem.layout.nu),
@@ -64,8 +65,16 @@ Eigen::Isometry3d LaneView<S>::placement(int frame) const {
 }
 
 template <class S>
-Vector6 LaneView<S>::velocity(int frame, FrameAxes axes) const {
-  const Motion<S> m = frame_velocity(axes, scene_->frames[residual_->frames.at(frame)]);
+CompiledReference LaneView<S>::compiled(int frame, const Reference& reference) const {
+  return compile_reference(*model_, reference, scene_->compiled_frames[frame], world_frame());
+}
+
+template <class S>
+Vector6 LaneView<S>::velocity(int frame, const Reference& reference) const {
+  const int f = residual_->frames.at(frame);
+  const CompiledReference seen_in = compiled(f, reference);
+  const Motion<S> m = frame_velocity(
+      seen_in, reference_pose(seen_in, scene_->dynamics->kinematics()), scene_->frames[f]);
   Vector6 result;
   result << custom_detail::lane_of_vector(m.linear, lane_),
       custom_detail::lane_of_vector(m.angular, lane_);
@@ -80,11 +89,13 @@ VectorView LaneView<S>::force(int contact) const {
 }
 
 template <class S>
-MatrixView LaneView<S>::jacobian(int frame, FrameAxes axes) const {
+MatrixView LaneView<S>::jacobian(int frame, const Reference& reference) const {
   const int f = residual_->frames.at(frame);
   std::fill(columns_.begin(), columns_.end(), S(0.0));
-  frame_jacobian(scene_->compiled_frames[f], axes, scene_->dynamics->kinematics(),
-                 scene_->frames[f], columns_.data(), layout_->nv);
+  const CompiledReference seen_in = compiled(f, reference);
+  const Kinematics<S>& kinematics = scene_->dynamics->kinematics();
+  frame_jacobian(scene_->compiled_frames[f], seen_in, reference_pose(seen_in, kinematics),
+                 kinematics, columns_.data(), layout_->nv);
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < layout_->nv; ++k)
       jacobian_(i, k) = Lanes<S>::get(columns_[i * layout_->nv + k], lane_);

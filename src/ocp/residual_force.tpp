@@ -1,35 +1,25 @@
 // Residuals of contact forces. All columns of z are theirs.
 #pragma once
 
-#include "derivatives/wrench_transport.tpp"
+#include "contact/contact_kinematics.tpp"
+#include "dynamics/columns.hpp"
 #include "ocp/compiled_residual.hpp"
 
 namespace burnish::ocp {
-namespace force_detail {
 
+/// A wrench of constant lambda moves with the contact's own reference and is seen from the one that
+/// is asked for: the transport term of the columns of q.
 template <class S>
-void store(const Force<S>& f, S* out, int stride) {
-  const Vec3<S>* const parts[2] = {&f.linear, &f.angular};
-  for (int part = 0; part < 2; ++part) {
-    out[(3 * part) * stride] = parts[part]->x;
-    out[(3 * part + 1) * stride] = parts[part]->y;
-    out[(3 * part + 2) * stride] = parts[part]->z;
-  }
-}
-
-/// Six rows of a contact's wrench in a reference: w, and unless J is null dw/dz (6 x nz). An angle
-/// of the reference's axes or a step of its origin turns or moves a wrench that is held elsewhere:
-/// the transport term of the columns of q.
-template <class S>
-void wrench_in_reference(const Scene<S>& scene, int index, const Reference& reference, S* w, S* J) {
+void WrenchView::evaluate(const Scene<S>& scene, S* w, S* J) const {
   const ConstrainedDynamics<S>& dynamics = *scene.dynamics;
-  const CompiledContact& contact = dynamics.set().contacts()[index];
-  const int first = dynamics.active().first_row[index];
-  const int rows = static_cast<int>(contact.directions.size());
-  ContactState<S> state = dynamics.contact_states[index];
-  set_contact_force(contact, dynamics.lambda.data() + first, state);
-  const auto pose = reference_pose(reference, contact, dynamics.kinematics(), state);
-  store(wrench_in(pose, state.force_world), w, 1);
+  const CompiledContact& compiled = dynamics.set().contacts()[contact];
+  const int first = dynamics.active().first_row[contact];
+  const int rows = static_cast<int>(compiled.directions.size());
+  ContactState<S> state = dynamics.contact_states[contact];
+  set_contact_force(compiled, dynamics.lambda.data() + first, state);
+  const ReferencePose<S> pose = reference ? reference_pose(*reference, dynamics.kinematics())
+                                          : ReferencePose<S>{state.axes, state.origin};
+  store_column(in_reference(pose, state.force_world), w, 1);
   if (J == nullptr) return;
 
   S map[36];  // wrench of a unit of each held row
@@ -37,8 +27,8 @@ void wrench_in_reference(const Scene<S>& scene, int index, const Reference& refe
   for (int r = 0; r < rows; ++r) {
     S lambda[6];
     for (int i = 0; i < rows; ++i) lambda[i] = S(i == r ? 1.0 : 0.0);
-    set_contact_force(contact, lambda, unit);
-    store(wrench_in(pose, unit.force_world), map + r, 6);
+    set_contact_force(compiled, lambda, unit);
+    store_column(in_reference(pose, unit.force_world), map + r, 6);
   }
   const StateLayout& layout = *scene.layout;
   const int nz = layout.nz();
@@ -48,19 +38,10 @@ void wrench_in_reference(const Scene<S>& scene, int index, const Reference& refe
       for (int r = 0; r < rows; ++r) sum += map[d * 6 + r] * scene.dlambda_dz[(first + r) * nz + c];
       J[d * nz + c] = sum;
     }
-  const auto zero = Motion<S>::zero();
-  for (const ContactSupport& entry : contact.support) {
-    const auto& axes = dynamics.kinematics().axes;
-    S transport[6];
-    store(wrench_rate(reference, pose, contact, state,
-                      entry.moves_tool() ? axes[entry.tool_axis].axis : zero,
-                      entry.moves_base() ? axes[entry.base_axis].axis : zero, Force<S>::zero()),
-          transport, 1);
-    for (int d = 0; d < 6; ++d) J[d * nz + layout.column_q() + entry.v] += transport[d];
-  }
+  for (const WrenchEntry& entry : entries)
+    add_column(wrench_rate(pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
+               J + layout.column_q() + entry.v, nz);
 }
-
-}  // namespace force_detail
 
 template <class S>
 void OwnForceError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
@@ -73,7 +54,7 @@ void OwnForceError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J)
 
 template <class S>
 void WrenchError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  force_detail::wrench_in_reference(scene, contact, reference, r, J);
+  wrench.evaluate(scene, r, J);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];
 }
 
@@ -81,7 +62,7 @@ template <class S>
 void ConeMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : scene.scratch;
-  force_detail::wrench_in_reference(scene, contact, reference, w, dw);
+  wrench.evaluate(scene, w, dw);
   const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
   const S smoothing(1e-6);  // (1e-3 N)^2
   const S length = square_root(S(w[t1] * w[t1] + w[t2] * w[t2] + smoothing));
@@ -100,7 +81,7 @@ template <class S>
 void PressureMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : scene.scratch;
-  force_detail::wrench_in_reference(scene, contact, Reference::local(), w, dw);
+  wrench.evaluate(scene, w, dw);
   const S hx(half_x), hy(half_y);
   r[0] = hx * w[2] + w[4];
   r[1] = hx * w[2] - w[4];

@@ -1,7 +1,10 @@
 // Residuals of a frame's placement and velocity. Columns are the entries of its support.
 #pragma once
 
+#include <type_traits>
+
 #include "derivatives/frame_kinematics.hpp"
+#include "dynamics/columns.hpp"
 #include "ocp/compiled_residual.hpp"
 
 namespace burnish::ocp {
@@ -26,36 +29,56 @@ void store(const Motion<S>& m, S* out) {
   store(m.angular, out + 3);
 }
 
-/// The columns of the support, of a matrix with nv columns, into one that has only those; `first`
-/// is the place of the first one.
-template <class S>
-void keep_support(const S* full, int rows, int nv, const std::vector<MovingAxis>& support, S* J,
+/// The columns of some entries of v, of a matrix with nv columns, into one that has only those;
+/// `first` is the place of the first one.
+template <class S, class Entry>
+void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& entries, S* J,
                   int columns, int first) {
+  const auto number = [](const auto& entry) {
+    if constexpr (std::is_same_v<Entry, int>)
+      return entry;
+    else
+      return entry.v;
+  };
   for (int i = 0; i < rows; ++i)
-    for (std::size_t k = 0; k < support.size(); ++k)
-      J[i * columns + first + static_cast<int>(k)] = full[i * nv + support[k].v];
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      J[i * columns + first + static_cast<int>(k)] = full[i * nv + number(entries[k])];
 }
 
 }  // namespace frame_detail
 
 template <class S>
+FrameReference<S> FrameView::at(const Scene<S>& scene, int frame) const {
+  const CompiledFrame& seen = scene.compiled_frames[frame];
+  const auto support = [&](int body, const std::vector<MovingAxis>& other) {
+    return std::span<const MovingAxis>(body == seen.body ? seen.support : other);
+  };
+  return {reference,
+          reference_pose(reference, scene.dynamics->kinematics()),
+          {support(reference.origin_body, origin), support(reference.axes_body, axes)}};
+}
+
+template <class S>
 void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
   const FrameState<S>& state = scene.frames[frame];
-  const Mat3<S> A = lift<S>(axes);
-  const Vec3<S> p_target{target[0], target[1], target[2]};
-  frame_detail::store(transpose_times(A, state.p - p_target), r);
+  const Kinematics<S>& kinematics = scene.dynamics->kinematics();
+  const FrameReference<S> seen = view.at(scene, frame);
+  const ReferencePose<S>& at = seen.pose;
+  Vec3<S> p_target{target[0], target[1], target[2]};
+  if (!view.reference.at_world || view.reference.axes_body >= 0)
+    p_target = at.p + reference_axes(view.reference, lift<S>(view.reference.fixed_in), kinematics) *
+                          p_target;
+  frame_detail::store(transpose_times(at.R, state.p - p_target), r);
   if (J == nullptr) return;
-  const CompiledFrame& compiled = scene.compiled_frames[frame];
-  const int nv = scene.layout->nv;
-  const int columns = static_cast<int>(compiled.support.size());
-  frame_position_derivative(compiled, scene.dynamics->kinematics(), state, scene.scratch, nv);
-  for (int k = 0; k < columns; ++k) {
-    const S* const dp = scene.scratch + compiled.support[k].v;
-    const Vec3<S> turned = transpose_times(A, Vec3<S>{dp[0], dp[nv], dp[2 * nv]});
-    J[k] = turned.x;
-    J[columns + k] = turned.y;
-    J[2 * columns + k] = turned.z;
-  }
+  // In the reference a point that moves with m in the world moves with m - V_k.
+  const int columns = static_cast<int>(view.entries.size());
+  S* out = J;
+  for_each_entry(scene.compiled_frames[frame], seen.support,
+                 [&](int, int k, const ReferenceAxes& by) {
+                   Motion<S> m = -reference_twist(by, at.p, kinematics);
+                   if (k >= 0) m += kinematics.axes[k].axis;
+                   store_column(transpose_times(at.R, at_point(m, state.p).linear), out++, columns);
+                 });
 }
 
 template <class S>
@@ -69,7 +92,7 @@ void FrameRotationError::evaluate(const Scene<S>& scene, const S* target, S* r, 
   const int nv = scene.layout->nv;
   frame_rotation_error_derivative(compiled, scene.dynamics->kinematics(), state, error,
                                   scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 3, nv, compiled.support, J,
+  frame_detail::keep_columns(scene.scratch, 3, nv, compiled.support, J,
                              static_cast<int>(compiled.support.size()), 0);
 }
 
@@ -84,37 +107,26 @@ void FramePlacementError::evaluate(const Scene<S>& scene, const S* target, S* r,
   const int nv = scene.layout->nv;
   frame_placement_error_derivative(compiled, scene.dynamics->kinematics(), state, error,
                                    scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J,
+  frame_detail::keep_columns(scene.scratch, 6, nv, compiled.support, J,
                              static_cast<int>(compiled.support.size()), 0);
 }
 
 template <class S>
 void FrameVelocityError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
   const FrameState<S>& state = scene.frames[frame];
-  const Mat3<S> A = lift<S>(rotation);
-  const Motion<S> v = frame_velocity(axes, state);
-  frame_detail::store(Motion<S>{transpose_times(A, v.linear), transpose_times(A, v.angular)}, r);
+  const FrameReference<S> seen = view.at(scene, frame);
+  frame_detail::store(frame_velocity(view.reference, seen.pose, state), r);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];
   if (J == nullptr) return;
   const CompiledFrame& compiled = scene.compiled_frames[frame];
   const Kinematics<S>& kinematics = scene.dynamics->kinematics();
   const int nv = scene.layout->nv;
-  const int half = static_cast<int>(compiled.support.size());
-  const int columns = 2 * half;
-  frame_velocity_derivative(compiled, axes, kinematics, state, scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, columns, 0);
-  frame_jacobian(compiled, axes, kinematics, state, scene.scratch, nv);
-  frame_detail::keep_support(scene.scratch, 6, nv, compiled.support, J, columns, half);
-  if (!turned) return;
-  for (int part = 0; part < 6; part += 3)
-    for (int c = 0; c < columns; ++c) {
-      S* const entry = J + part * columns + c;
-      const Vec3<S> column{entry[0], entry[columns], entry[2 * columns]};
-      const Vec3<S> rotated = transpose_times(A, column);
-      entry[0] = rotated.x;
-      entry[columns] = rotated.y;
-      entry[2 * columns] = rotated.z;
-    }
+  const int by_q = static_cast<int>(view.entries.size());
+  const int columns = by_q + static_cast<int>(compiled.support.size());
+  frame_velocity_derivative(compiled, seen, kinematics, state, scene.scratch, nv);
+  frame_detail::keep_columns(scene.scratch, 6, nv, view.entries, J, columns, 0);
+  frame_jacobian(compiled, view.reference, seen.pose, kinematics, scene.scratch, nv);
+  frame_detail::keep_columns(scene.scratch, 6, nv, compiled.support, J, columns, by_q);
 }
 
 }  // namespace burnish::ocp

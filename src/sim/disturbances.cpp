@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "base/sentence.hpp"
-#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/reference.hpp"
 #include "sim/descriptions.hpp"
 
 namespace burnish {

@@ -136,7 +136,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       friction_(v_) {
   coulomb_.joint_viscous = model.damping;
   coulomb_.joint_coulomb = model.friction;
-  body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
+  body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   start(q_, v_);
   save(before_);
 }
@@ -217,7 +217,7 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
   Status status = body_.update(q_, v_);
   if (status > Status::NotConverged) return status;
   if (touching_ && !is_over(scene_, body_.placement(tip_).translation(), true)) set_touching(false);
-  body_.frame_derivatives(tip_, FrameAxes::Centered, tip_motion_);
+  body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   work_.tau = tau + coulomb_.torque();
   add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
   status = dynamics_.forward(q_, v_, work_.tau);

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
-#include "burnish/contact/reference.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/dynamics/reference.hpp"
 #include "sim/descriptions.hpp"
 
 namespace burnish {

@@ -124,7 +124,7 @@ class Search {
   void evaluate(const Eigen::VectorXd& q) {
     if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
       throw Error("a posture of the search cannot be evaluated");
-    body_.frame_derivatives(tool_, FrameAxes::Centered, derivatives_);
+    body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
     placement_ = body_.placement(tool_);
   }
 

@@ -59,7 +59,7 @@ class Walk {
   void evaluate(const Eigen::VectorXd& q) {
     if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
       throw Error("the posture on the way cannot be evaluated");
-    body_.frame_derivatives(tool_, FrameAxes::Centered, derivatives_);
+    body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
   }
 
   /// Moves q to where the tool is at `p`; false where it stays off by more than the tolerance.

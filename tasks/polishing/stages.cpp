@@ -125,7 +125,8 @@ struct Builder {
   /// Of the tool's position, along the surface and along its normal.
   CostTerm place(double normal_weight) const {
     return {.name = "position",
-            .residual = residual::FramePosition{task.tool, position(), setting.surface_axes},
+            .residual = residual::FramePosition{task.tool, position(),
+                                                Reference::world(setting.surface_axes)},
             .weight = task.weights.position,
             .weights = Eigen::Vector3d(1.0, 1.0, normal_weight)};
   }
@@ -150,8 +151,8 @@ struct Builder {
     Eigen::VectorXd rows = Eigen::VectorXd::Zero(6);
     rows[2] = 1.0;
     return {.name = name,
-            .residual = residual::FrameVelocity{task.tool, FrameAxes::Centered, target,
-                                                setting.surface_axes},
+            .residual = residual::FrameVelocity{task.tool,
+                                                Reference::centered(setting.surface_axes), target},
             .weight = task.weights.approach,
             .weights = rows};
   }

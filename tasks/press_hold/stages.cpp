@@ -86,7 +86,7 @@ CostTerm move(const Task& task, const Setting& setting, double speed) {
   rows[2] = 1.0;
   return {.name = "move",
           .residual =
-              residual::FrameVelocity{task.tool, FrameAxes::Centered, target, setting.surface_axes},
+              residual::FrameVelocity{task.tool, Reference::centered(setting.surface_axes), target},
           .weight = 1e2,
           .weights = rows};
 }
@@ -97,11 +97,11 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   rows.tail(model.nv).setConstant(0.1 * task.posture_weight);
   const CostTerm state{
       .name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows};
-  const CostTerm point{
-      .name = "point",
-      .residual = residual::FramePosition{task.tool, setting.p_hold, setting.surface_axes},
-      .weight = position_weight,
-      .weights = Eigen::Vector3d(1.0, 1.0, 0.0)};
+  const CostTerm point{.name = "point",
+                       .residual = residual::FramePosition{task.tool, setting.p_hold,
+                                                           Reference::world(setting.surface_axes)},
+                       .weight = position_weight,
+                       .weights = Eigen::Vector3d(1.0, 1.0, 0.0)};
   const CostTerm torque{
       .name = "torque", .residual = residual::Control{gravity_torque(setting)}, .weight = 1e-4};
   const CostTerm force{

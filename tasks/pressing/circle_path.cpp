@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/reference.hpp"
 
 namespace burnish {
 namespace {

@@ -106,7 +106,7 @@ ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec
       J_(Eigen::MatrixXd::Zero(3, model.nv)),
       inverse_M_Jt_(Eigen::MatrixXd::Zero(model.nv, 3)),
       factor_(model.nv) {
-  body_.frame_derivatives(tool_, FrameAxes::Centered, motion_);
+  body_.frame_derivatives(tool_, Reference::centered(), motion_);
   command_.tau = zero_;
   reset();
 }
@@ -141,7 +141,7 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
   if (!measurement.tool_force_world.allFinite()) return Status::NotFinite;
   status = dynamics_.forward(measurement.q, measurement.v, zero_);
   if (status > Status::NotConverged) return status;
-  body_.frame_derivatives(tool_, FrameAxes::Centered, motion_);
+  body_.frame_derivatives(tool_, Reference::centered(), motion_);
   J_ = motion_.jacobian.topRows(3);
   M_ = dynamics_.mass_matrix();
   inverse_M_Jt_ = J_.transpose();
@@ -178,7 +178,7 @@ TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
 /// that joint friction delays the contact but does not prevent it.
 Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   const Eigen::Vector3d& n = spec_.normal_world;
-  const Eigen::Vector3d v = body_.velocity(tool_, FrameAxes::Centered).head<3>();
+  const Eigen::Vector3d v = body_.velocity(tool_, Reference::centered()).head<3>();
   const Eigen::Vector3d error = target.p_world - body_.placement(tool_).translation();
   const Eigen::Vector3d wanted =
       target.a_world + spec_.kp * error + spec_.kd * (target.v_world - v);
@@ -194,7 +194,7 @@ Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
 /// What the tool shall exert, N, world axes.
 Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
   // Without joint accelerations, the tip's acceleration is dJ/dt v.
-  const Eigen::Vector3d drift = body_.acceleration(tool_, FrameAxes::Centered).head<3>();
+  const Eigen::Vector3d drift = body_.acceleration(tool_, Reference::centered()).head<3>();
   Eigen::Vector3d force = inertia_.solve(Eigen::Vector3d(acceleration(target) - drift));
   if (phase_ == Phase::Approach) return force;
   integral_ += spec_.ki * spec_.period * (target.force - measured_);

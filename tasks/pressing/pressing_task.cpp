@@ -71,7 +71,8 @@ class Pressing final : public MpcTask {
 
   void watch(const TaskView& view, std::span<Reading> out) noexcept override {
     const Touch phase = phase_of(view);
-    out[0] = {view.body.velocity(tool_, FrameAxes::Centered).head<3>().norm(), limits_.tool_speed};
+    out[0] = {view.body.velocity(tool_, Reference::centered()).head<3>().norm(),
+              limits_.tool_speed};
     out[1] = free_space_.look(phase, view.dt, mean_.value().dot(normal_world_), mean_, detector_);
     approach_.look(view.schedule.waits(), view.dt,
                    view.body.placement(tool_).translation().dot(normal_world_));

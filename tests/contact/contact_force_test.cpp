@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/contact_states.hpp"
+#include "support/refusal.hpp"
 #include "support/touch.hpp"
 
 namespace burnish::test {
@@ -66,14 +67,25 @@ TEST(ContactForceConversion, turns_with_the_axes_of_the_tool) {
     EXPECT_LT((force.in(reference).in(Reference::centered()).value - force.value).norm(), 1e-12);
 }
 
+TEST(ContactForceConversion, knows_only_frames_that_it_has_seen) {
+  const ContactForce force = push({0.0, 0.0, 30.0}, Eigen::Vector3d::Zero());
+  testing::expect_words(testing::refusal([&] {
+                          (void)force.in({Anchor::Tool, "torso"});
+                        }),
+                        {"'pad'", "axes of torso at the tool", "ask the dynamics"});
+}
+
 class WrenchIn : public ::testing::TestWithParam<Touch> {
  protected:
+  std::vector<Reference> references() const {
+    return all_references(model_, GetParam().tool, GetParam().base);
+  }
   Model model_ = robot(GetParam().robot);
   std::mt19937_64 generator_{41};
 };
 
 TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
-  for (const Reference& own : all_references()) {
+  for (const Reference& own : references()) {
     ContactDynamics dynamics(
         model_, {contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"))});
     const RobotState state = regular_state(model_, dynamics, generator_);
@@ -85,9 +97,14 @@ TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
     Vector6 held;
     held << lambda[0], 0.0, lambda[1], 0.0, lambda[2], 0.0;
     EXPECT_LT((force.value - held).norm(), 1e-13 * held.norm());
-    for (const Reference& other : all_references()) {
-      const Vector6 converted = force.in(other).value;
+    for (const Reference& other : references()) {
+      const ContactForce there = dynamics.force(0, other);
+      const bool known = other.axes.of != Anchor::Frame && other.origin.of != Anchor::Frame;
+      const Vector6 converted = known ? force.in(other).value : there.value;
       EXPECT_LT((dynamics.wrench(0, other) - converted).norm(), 1e-11 * converted.norm());
+      EXPECT_LT((there.in(Reference::world()).value - force.in(Reference::world()).value).norm(),
+                1e-11 * force.in(Reference::world()).value.norm())
+          << own.name() << " in " << other.name();
     }
   }
 }
@@ -123,14 +140,14 @@ WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, con
 }
 
 TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
-  for (const Reference& own : all_references()) {
+  for (const Reference& own : references()) {
     ContactSpec spec = contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"));
     spec.with_gains(60.0, 9.0);
     ContactDynamics dynamics(model_, {spec}), other(model_, {spec});
     const RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
     ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
     ASSERT_EQ(dynamics.forward_derivatives(), Status::Ok);
-    for (const Reference& target : all_references()) {
+    for (const Reference& target : references()) {
       WrenchDerivatives got;
       dynamics.wrench_derivatives(0, target, got);
       const WrenchDerivatives want = differences(model_, other, state, target);

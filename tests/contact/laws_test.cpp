@@ -32,6 +32,9 @@ class ContactLaws : public ::testing::TestWithParam<Touch> {
   Model model_ = robot(GetParam().robot);
   std::mt19937_64 generator_{17};
 
+  std::vector<Reference> references() const {
+    return all_references(model_, GetParam().tool, GetParam().base);
+  }
   ContactSpec touch(const Reference& reference, const Directions& directions = Directions::all(),
                     Acceleration acceleration = Acceleration::TimeDerivative) const {
     return contact(GetParam().tool, GetParam().base, reference, directions, acceleration);
@@ -46,7 +49,7 @@ TEST_P(ContactLaws, a_stuck_contact_moves_the_same_and_pushes_the_same_in_every_
     ASSERT_EQ(first.forward(state.q, state.v, state.tau), Status::Ok);
     const Vector6 wrench = first.wrench(0, Reference::world());
     const Eigen::VectorXd a = first.a();
-    for (const Reference& reference : all_references())
+    for (const Reference& reference : references())
       for (const Acceleration kind : accelerations) {
         ContactDynamics other(model_, {touch(reference, Directions::all(), kind)});
         ASSERT_EQ(other.forward(state.q, state.v, state.tau), Status::Ok);
@@ -58,7 +61,7 @@ TEST_P(ContactLaws, a_stuck_contact_moves_the_same_and_pushes_the_same_in_every_
 }
 
 TEST_P(ContactLaws, power_is_torque_times_velocity_plus_force_times_contact_velocity) {
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference, Directions::linear())});
     for (int i = 0; i < 5; ++i) {
       const RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
@@ -81,7 +84,7 @@ TEST_P(ContactLaws, power_is_torque_times_velocity_plus_force_times_contact_velo
 
 TEST_P(ContactLaws, a_stuck_contact_has_no_power) {
   ContactDynamics first(model_, {touch(Reference::local())});
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference)});
     for (int i = 0; i < 5; ++i) {
       const RobotState state = regular_state(model_, first, generator_, 1e-2);
@@ -94,7 +97,7 @@ TEST_P(ContactLaws, a_stuck_contact_has_no_power) {
 }
 
 TEST_P(ContactLaws, forces_and_accelerations_solve_the_equations_of_motion) {
-  for (const Reference& reference : all_references())
+  for (const Reference& reference : references())
     for (const Acceleration kind : accelerations) {
       ContactSpec spec = touch(reference, Directions::linear(), kind);
       spec.with_gains(50.0, 8.0);
@@ -139,7 +142,7 @@ double departure(ContactDynamics& dynamics, const Model& model, const RobotState
 }
 
 TEST_P(ConstrainedMotion, keeps_the_contact_velocity_the_better_the_smaller_the_step) {
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : references()) {
     ContactDynamics dynamics(model_, {touch(reference, Directions::parse("x,z,ry"))});
     RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
     state.v *= 0.5;
@@ -199,7 +202,7 @@ TEST(SlidingTool, leaves_the_plane_with_the_spatial_acceleration_and_stays_with_
 #if BURNISH_HAS_ROBOTS  // the crane's two arms
 /// Surface of a base that stands still, as a surface in the world.
 Reference in_world(const Eigen::Matrix3d& base, const Reference& reference) {
-  if (reference.axes != Reference::Axes::Base) return reference;
+  if (reference.axes != Anchor::Base) return reference;
   return Reference::surface(base * reference.rotation);
 }
 

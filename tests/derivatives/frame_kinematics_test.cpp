@@ -1,4 +1,4 @@
-// Frames: velocity, acceleration, placement and their derivatives in Local, Centered and World.
+// Frames: velocity, acceleration, placement and their derivatives in every kind of reference.
 #include "derivatives/frame_kinematics.tpp"
 
 #include "burnish/base/error.hpp"
@@ -10,7 +10,34 @@
 namespace burnish::test {
 namespace {
 
-constexpr FrameAxes all_axes[] = {FrameAxes::Local, FrameAxes::Centered, FrameAxes::World};
+Eigen::Matrix3d tilted() {
+  return Eigen::AngleAxisd(0.8, Eigen::Vector3d(0.3, -1.0, 0.4).normalized()).toRotationMatrix();
+}
+
+/// The four kinds, turned, and those whose origin or axes go with another body.
+std::vector<Reference> frame_references(const Model& model, const std::string& frame) {
+  const std::string other = far_frame(model, {frame});
+  return {Reference::local(),         Reference::centered(),      Reference::world(),
+          Reference::local(tilted()), Reference::world(tilted()), {Anchor::Tool, other, tilted()},
+          {other, Anchor::Tool},      {other, other, tilted()},   {other, Anchor::World},
+          {Anchor::World, other}};
+}
+
+/// A reference of a frame, with what moves it.
+struct SeenIn {
+  SeenIn(const Model& model, const CompiledFrame& frame, const Reference& stated)
+      : name(stated.name()),
+        compiled(compile_reference(model, stated, frame, world_frame())),
+        origin(moving_axes(model, compiled.origin_body)),
+        axes(moving_axes(model, compiled.axes_body)) {}
+  template <class S>
+  FrameReference<S> at(const Kinematics<S>& kinematics) const {
+    return {compiled, reference_pose(compiled, kinematics), {origin, axes}};
+  }
+  std::string name;
+  CompiledReference compiled;
+  std::vector<MovingAxis> origin, axes;
+};
 
 /// A frame at a state, for any scalar.
 template <class S>
@@ -43,8 +70,9 @@ struct MotionKernel {
   std::vector<S> values(const S* q, const S* v, const S* a) const {
     const FrameRun<S> run(tree, frame, q, v, a);
     std::vector<S> out;
-    append(out, frame_velocity(axes, run.state));
-    append(out, frame_acceleration(axes, run.state));
+    const ReferencePose<S> at = reference_pose(seen.compiled, run.kinematics);
+    append(out, frame_velocity(seen.compiled, at, run.state));
+    append(out, frame_acceleration(seen.compiled, at, run.kinematics, run.state));
     return out;
   }
   template <class S>
@@ -53,15 +81,16 @@ struct MotionKernel {
     const int n = tree.nv;
     const std::vector<S> zeros(static_cast<std::size_t>(12 * n), S(0.0));
     Blocks<S> out{zeros, zeros};
-    frame_velocity_derivative(frame, axes, run.kinematics, run.state, out.dq.data(), n);
-    frame_jacobian(frame, axes, run.kinematics, run.state, out.dv.data(), n);
-    frame_acceleration_derivatives(frame, axes, run.kinematics, run.id, run.state,
+    const FrameReference<S> at = seen.at(run.kinematics);
+    frame_velocity_derivative(frame, at, run.kinematics, run.state, out.dq.data(), n);
+    frame_jacobian(frame, seen.compiled, at.pose, run.kinematics, out.dv.data(), n);
+    frame_acceleration_derivatives(frame, at, run.kinematics, run.id, run.state,
                                    out.dq.data() + 6 * n, out.dv.data() + 6 * n, n);
     return out;
   }
   const Tree& tree;
   const CompiledFrame& frame;
-  FrameAxes axes;
+  SeenIn seen;
 };
 
 /// Position, rotation error and placement error: 12 rows.
@@ -95,27 +124,24 @@ struct PlacementKernel {
   Vec3<double> target_p;
 };
 
-Mat3<double> some_rotation() {
-  return from_eigen(Eigen::Matrix3d(
-      Eigen::AngleAxisd(0.8, Eigen::Vector3d(0.3, -1.0, 0.4).normalized()).toRotationMatrix()));
-}
-
 class FrameKinematics : public OnRobots {
  protected:
   Tree tree{model};
   CompiledFrame frame = compile_frame(model, GetParam().tool);
+  std::vector<Reference> references = frame_references(model, GetParam().tool);
 };
 
 TEST_P(FrameKinematics, motion_derivatives_obey_the_kernel_law) {
-  for (const FrameAxes axes : all_axes) {
-    SCOPED_TRACE(name_of(axes));
-    expect_kernel_law(model, MotionKernel{tree, frame, axes});
-    expect_lanes_alike(model, MotionKernel{tree, frame, axes});
+  for (const Reference& reference : references) {
+    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
+    SCOPED_TRACE(kernel.seen.name);
+    expect_kernel_law(model, kernel);
+    expect_lanes_alike(model, kernel);
   }
 }
 
 TEST_P(FrameKinematics, placement_derivatives_obey_the_kernel_law) {
-  const PlacementKernel kernel{tree, frame, some_rotation(), {0.3, -0.2, 0.9}};
+  const PlacementKernel kernel{tree, frame, from_eigen(tilted()), {0.3, -0.2, 0.9}};
   expect_kernel_law(model, kernel);
   expect_lanes_alike(model, kernel);
 }
@@ -124,9 +150,9 @@ TEST_P(FrameKinematics, acceleration_is_the_rate_of_velocity_along_the_motion) {
   std::mt19937_64 generator(3);
   const KernelState s = random_kernel_state(model, generator);
   const double step = 1e-6;
-  for (const FrameAxes axes : all_axes) {
-    SCOPED_TRACE(name_of(axes));
-    const MotionKernel kernel{tree, frame, axes};
+  for (const Reference& reference : references) {
+    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
+    SCOPED_TRACE(kernel.seen.name);
     const auto at = [&](double t) {
       const Eigen::VectorXd q = integrate(model, s.q, s.v * t + s.a * (0.5 * t * t));
       const Eigen::VectorXd v = s.v + s.a * t;
@@ -141,8 +167,8 @@ TEST_P(FrameKinematics, jacobian_carries_velocities_and_accelerations) {
   std::mt19937_64 generator(4);
   const KernelState s = random_kernel_state(model, generator);
   const Eigen::VectorXd other = random_vector(model.nv, 1.0, generator);
-  for (const FrameAxes axes : all_axes) {
-    const MotionKernel kernel{tree, frame, axes};
+  for (const Reference& reference : references) {
+    const MotionKernel kernel{tree, frame, SeenIn(model, frame, reference)};
     const Blocks<double> blocks = kernel.derivatives<double>(s.q.data(), s.v.data(), s.a.data());
     const Eigen::MatrixXd J = as_matrix(blocks.dv, model.nv).topRows(6);
     const auto at = [&](const Eigen::VectorXd& a) {
@@ -173,18 +199,27 @@ TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
   }
 }
 
-TEST_P(FrameKinematics, the_three_axes_describe_one_motion) {
+TEST_P(FrameKinematics, all_references_describe_one_motion) {
   std::mt19937_64 generator(6);
   const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
-  const auto local = frame_velocity(FrameAxes::Local, run.state);
-  const auto centered = frame_velocity(FrameAxes::Centered, run.state);
+  const auto velocity = [&](const Reference& reference) {
+    const SeenIn seen(model, frame, reference);
+    return frame_velocity(seen.compiled, reference_pose(seen.compiled, run.kinematics), run.state);
+  };
+  const auto acceleration = [&](const Reference& reference) {
+    const SeenIn seen(model, frame, reference);
+    return frame_acceleration(seen.compiled, reference_pose(seen.compiled, run.kinematics),
+                              run.kinematics, run.state);
+  };
+  const auto local = velocity(Reference::local());
+  const auto centered = velocity(Reference::centered());
   const Eigen::Matrix3d R = to_eigen(run.state.R);
   EXPECT_LE((R * to_eigen(local.linear) - to_eigen(centered.linear)).norm(), 1e-12);
   EXPECT_LE((R * to_eigen(local.angular) - to_eigen(centered.angular)).norm(), 1e-12);
   // The point's acceleration is the spatial one plus w x v.
-  const auto spatial = frame_acceleration(FrameAxes::Local, run.state);
-  const auto point = frame_acceleration(FrameAxes::Centered, run.state);
+  const auto spatial = acceleration(Reference::local());
+  const auto point = acceleration(Reference::centered());
   const Eigen::Vector3d turning = to_eigen(cross(centered.angular, centered.linear));
   EXPECT_LE((R * to_eigen(spatial.linear) + turning - to_eigen(point.linear)).norm(), 1e-12);
 }
@@ -194,7 +229,9 @@ TEST_P(FrameKinematics, entries_beyond_the_support_are_not_written) {
   const KernelState s = random_kernel_state(model, generator);
   const FrameRun<double> run(tree, frame, s.q.data(), s.v.data(), s.a.data());
   std::vector<double> out(static_cast<std::size_t>(6 * model.nv), 42.0);
-  frame_jacobian(frame, FrameAxes::World, run.kinematics, run.state, out.data(), model.nv);
+  const SeenIn seen(model, frame, Reference::world());
+  frame_jacobian(frame, seen.compiled, reference_pose(seen.compiled, run.kinematics),
+                 run.kinematics, out.data(), model.nv);
   for (int k = 0; k < model.nv; ++k) {
     const bool supports = std::any_of(frame.support.begin(), frame.support.end(),
                                       [k](const MovingAxis& entry) { return entry.v == k; });
@@ -211,13 +248,6 @@ TEST(CompileFrame, knows_the_world_and_names_the_nearest_frame) {
   EXPECT_TRUE(world.support.empty());
   testing::expect_words(testing::refusal([&] { compile_frame(model, "tol"); }),
                         {"'tol'", "'tool'"});
-}
-
-TEST(CompileFrame, reads_names_of_axes) {
-  for (const FrameAxes axes : all_axes)
-    EXPECT_EQ(parse_frame_axes(std::string(name_of(axes))), axes);
-  testing::expect_words(testing::refusal([&] { parse_frame_axes("centred"); }),
-                        {"'centred'", "'centered'"});
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ class RigidBodyOf : public OnRobots {
 };
 
 TEST_P(RigidBodyOf, frame_derivatives_equal_differences) {
-  for (const FrameAxes axes : {FrameAxes::Local, FrameAxes::Centered, FrameAxes::World}) {
-    SCOPED_TRACE(name_of(axes));
+  for (const Reference& axes : {Reference::local(), Reference::centered(), Reference::world()}) {
+    SCOPED_TRACE(axes.name());
     FrameDerivatives d;
     body.frame_derivatives(tool, axes, d);
     const auto velocity = [&](RigidBody& b) { return b.velocity(tool, axes); };
@@ -83,7 +83,7 @@ TEST_P(RigidBodyOf, placement_derivatives_equal_differences) {
   };
   EXPECT_LE(relative_error(d.position, by_q(position)), 1e-7);
   FrameDerivatives motion;
-  body.frame_derivatives(tool, FrameAxes::Local, motion);
+  body.frame_derivatives(tool, Reference::local(), motion);
   EXPECT_LE(relative_error(d.rotation, motion.jacobian.bottomRows(3)), 1e-13);
 }
 
@@ -135,11 +135,12 @@ TEST_P(RigidBodyOf, without_accelerations_they_are_zero) {
   RigidBody other(model);
   ASSERT_EQ(other.update(s.q, s.v), Status::Ok);
   ASSERT_EQ(body.update(s.q, s.v, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
-  EXPECT_EQ(other.acceleration(tool, FrameAxes::World), body.acceleration(tool, FrameAxes::World));
+  EXPECT_EQ(other.acceleration(tool, Reference::world()),
+            body.acceleration(tool, Reference::world()));
 }
 
 TEST_P(RigidBodyOf, a_refused_state_changes_nothing) {
-  const Vector6 before = body.velocity(tool, FrameAxes::World);
+  const Vector6 before = body.velocity(tool, Reference::world());
   Eigen::VectorXd q = s.q, v = s.v, a = s.a;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -160,7 +161,7 @@ TEST_P(RigidBodyOf, a_refused_state_changes_nothing) {
     RigidBody other(model);
     EXPECT_EQ(other.update(q, s.v, s.a), Status::Ok);
   }
-  EXPECT_EQ(body.velocity(tool, FrameAxes::World), before);
+  EXPECT_EQ(body.velocity(tool, Reference::world()), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(robots, RigidBodyOf, ::testing::ValuesIn(test_robots()), robot_label);
@@ -171,8 +172,8 @@ TEST(RigidBodyDoor, starts_at_the_neutral_configuration_at_rest) {
   const auto placements = frame_placements(model, model.q_neutral);
   const int sole = body.frame("right_sole_link");
   EXPECT_TRUE(body.placement(sole).isApprox(placements[static_cast<std::size_t>(sole)], 1e-13));
-  EXPECT_EQ(body.velocity(sole, FrameAxes::Local), Vector6::Zero());
-  EXPECT_LE(body.acceleration(sole, FrameAxes::World).norm(), 1e-12);
+  EXPECT_EQ(body.velocity(sole, Reference::local()), Vector6::Zero());
+  EXPECT_LE(body.acceleration(sole, Reference::world()).norm(), 1e-12);
   EXPECT_EQ(body.kinetic_energy(), 0.0);
 }
 

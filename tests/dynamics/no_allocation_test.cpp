@@ -46,13 +46,13 @@ TEST_P(NoAllocation, rigid_body) {
   const Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
   FrameDerivatives motion;
   PlacementDerivatives placement;
-  body.frame_derivatives(tool, FrameAxes::Local, motion);  // resizes
+  body.frame_derivatives(tool, Reference::local(), motion);  // resizes
   body.placement_derivatives(tool, target, placement);
   double sum = 0.0;
   const AllocationGuard guard;
   EXPECT_EQ(body.update(q, v), Status::Ok);
   EXPECT_EQ(body.update(q, v, a), Status::Ok);
-  for (const FrameAxes axes : {FrameAxes::Local, FrameAxes::Centered, FrameAxes::World}) {
+  for (const Reference& axes : {Reference::local(), Reference::centered(), Reference::world()}) {
     sum += body.velocity(tool, axes).sum() + body.acceleration(tool, axes).sum();
     body.frame_derivatives(tool, axes, motion);
   }

@@ -128,6 +128,10 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      l: {type: frame_position, frame: tool, axes: {normal: [1, 0, 0]},\n"
       "          target: {circle: {center: [0, 0, 1], radius: 2, rate: 3,\n"
       "                            axes: [[0, 1, 0], [0, 0, 1]], phase: 0.5}}}\n"
+      "      n: {type: frame_velocity, frame: tool, reference: {axes: link_3, rpy: [0, 0, 1]}}\n"
+      "      o: {type: frame_position, frame: tool, target: here,\n"
+      "          reference: {origin: link_3, axes: link_3}}\n"
+      "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
       "      m: {type: contact_force, contact: pad,\n"
       "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
       "horizon:\n"
@@ -162,7 +166,21 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   Eigen::VectorXd p(3), f(1);
   std::get<residual::FramePosition>(go.costs[11].residual).target.at(0.2, p);
   EXPECT_LT((p - Eigen::Vector3d(0, 2 * std::cos(1.1), 1 + 2 * std::sin(1.1))).norm(), 1e-12);
-  std::get<residual::ContactForce>(go.costs[12].residual).target.at(0.2, f);
+  const auto& turned = std::get<residual::FrameVelocity>(go.costs[12].residual).reference;
+  EXPECT_EQ(turned.origin, Anchor(Anchor::Tool));
+  EXPECT_EQ(turned.axes, Anchor("link_3"));
+  EXPECT_NEAR(turned.rotation(0, 1), -std::sin(1.0), 1e-12);
+  const auto& seen = std::get<residual::FramePosition>(go.costs[13].residual);
+  const auto placement = [&](const char* frame) {
+    return frame_placement(spec.model, spec.initial_state.head(7), frame);
+  };
+  seen.target.at(0.0, p);  // here
+  EXPECT_LT((placement("link_3") * Eigen::Vector3d(p) - placement("tool").translation()).norm(),
+            1e-12);
+  const auto& leaning = *std::get<residual::ContactForce>(go.costs[14].residual).reference;
+  EXPECT_EQ(leaning.axes, Anchor("link_2"));
+  EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
+  std::get<residual::ContactForce>(go.costs[15].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
@@ -256,6 +274,12 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"kd: 50", "kd: much", "", {"contacts.pad.kd: 'much' is no number"}},
       {"kd: 50", "kd: [1, 2]", "", {"it has 2 numbers; wanted 6"}},
       {"kd: 50", "reference: sureface", "", {"contacts.pad.reference", "'surface'?"}},
+      {"kd: 50", "reference: {axes: link_99}", "", {"'pad'", "reference", "did you mean"}},
+      {"kd: 50", "reference: {axis: link_3}", "", {"'axis' is unknown", "'axes'?"}},
+      {"kd: 50",
+       "reference: {local: {rpy: [0, 0, 1]}, axes: link_3}",
+       "",
+       {"'local' stands alone"}},
       {"type: state", "type: stat", "", {"terms.posture.type", "did you mean 'state'?"}},
       {"weight: 2", "wheight: 2", "", {"terms.posture", "did you mean 'weight'?"}},
       {"posture: 0.5", "posture: -1", "", {"stages.press.costs.posture: it is -1"}},

@@ -19,7 +19,7 @@ struct Pressing {
     RigidBody body(spec.problem.model);
     (void)body.update(m.q, m.v);
     FrameDerivatives motion;
-    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+    body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
     jacobian = motion.jacobian.topRows(3);
     gravity = body.gravity_torque();
   }

@@ -34,7 +34,7 @@ struct Held {
             const Eigen::Vector3d& force_known) {
     tau = held - grip * (200.0 * (q - q0) + 20.0 * v);
     (void)body.update(q, v);
-    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, tool);
+    body.frame_derivatives(body.frame("tool"), Reference::centered(), tool);
     const Eigen::VectorXd total = tau + torque + tool.jacobian.topRows(3).transpose() * force;
     ASSERT_EQ(plant.forward(q, v, total), Status::Ok);
     v += dt * plant.a();

@@ -68,9 +68,17 @@ std::vector<BadSpec> bad_targets() {
       {"state_infinite", with(R::State{state}), {"target", "infinity"}},
       {"state_size", with(R::State{Eigen::VectorXd::Zero(3)}), {"3 entries", "wanted 14"}},
       {"axes",
-       with(R::FramePosition{"tool", 0.0, 2.0 * Eigen::Matrix3d::Identity()}),
-       {"axes", "rotation"}},
-      {"mirrored_axes", with(R::FramePosition{"tool", 0.0, mirror}), {"axes", "rotation"}},
+       with(R::FramePosition{"tool", 0.0, Reference::world(2.0 * Eigen::Matrix3d::Identity())}),
+       {"reference", "rotation"}},
+      {"mirrored_axes",
+       with(R::FramePosition{"tool", 0.0, Reference::world(mirror)}),
+       {"reference", "rotation"}},
+      {"position_from_itself",
+       with(R::FramePosition{"tool", 0.0, Reference::centered()}),
+       {"'position'", "origin is the frame itself", "wanted the world"}},
+      {"axes_of_no_frame",
+       with(R::FrameVelocity{"tool", Reference{Anchor::Tool, "link_9"}}),
+       {"'position'", "reference", "'link_9'", "did you mean"}},
   };
 }
 
@@ -83,7 +91,6 @@ std::vector<BadSpec> bad_residuals() {
     return custom;
   };
   const Reference stretched = Reference::surface(2.0 * Eigen::Matrix3d::Identity());
-  const Reference moving{Reference::Origin::World, Reference::Axes::Tool};
   const Eigen::Matrix3d mirrored = Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
   const auto at_the_end = [](const Residual& residual) {
     return
@@ -119,14 +126,14 @@ std::vector<BadSpec> bad_residuals() {
       {"force_in_a_stretched_reference",
        with(R::ContactForce{"pad", stretched}),
        {"'position'", "reference's rotation is not a rotation"}},
-      {"force_in_a_moving_reference_at_the_origin",
-       with(R::ContactForce{"pad", moving}),
-       {"'position'", "world's origin"}},
+      {"force_in_axes_of_no_frame",
+       with(R::ContactForce{"pad", Reference{"link_9", Anchor::Base}}),
+       {"'position'", "reference", "'link_9'", "did you mean"}},
       {"cone_in_a_stretched_reference",
        with(R::FrictionCone{.contact = "pad", .friction = 0.5, .reference = stretched}),
        {"'position'", "reference's rotation is not a rotation"}},
       {"velocity_in_mirrored_axes",
-       with(R::FrameVelocity{.frame = "tool", .rotation = mirrored}),
+       with(R::FrameVelocity{"tool", Reference::local(mirrored)}),
        {"'position'", "rotation is not a rotation"}},
       {"own_rows", with(own(0, true)), {"0 rows", "at least 1"}},
       {"own_value", with(own(2, false)), {"no value function"}},

@@ -78,7 +78,7 @@ class IdealPlant : public ::testing::Test {
   }
   Eigen::MatrixXd tool_jacobian(const Plant& plant) {
     EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
-    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+    body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
     return motion.jacobian.topRows(3);
   }
   double gap_of(const Plant& plant) {
@@ -151,7 +151,7 @@ TEST_F(IdealPlant, keeps_a_tip_where_coulomb_friction_can_hold_it) {
     const double pressed = force.dot(normal);
     EXPECT_LE((force - pressed * normal).norm(), 0.5 * pressed * (1.0 + 1e-2) + 1e-9);
   }
-  const Vector6 v = body.velocity(body.frame("tool"), FrameAxes::Centered);
+  const Vector6 v = body.velocity(body.frame("tool"), Reference::centered());
   const Eigen::Vector3d slip = v.head<3>() - 0.02 * v.tail<3>().cross(normal);
   EXPECT_LE(slip.norm(), 1e-4);
 }
@@ -167,7 +167,7 @@ TEST_F(IdealPlant, slides_on_a_viscous_surface_with_a_force_proportional_to_the_
         body.gravity_torque() + J.transpose() * (Eigen::Vector3d(0.0, 5.0, 0.0) - 30.0 * normal);
     ASSERT_EQ(plant->step(tau, none), Status::Ok);
   }
-  const Vector6 v = body.velocity(body.frame("tool"), FrameAxes::Centered);
+  const Vector6 v = body.velocity(body.frame("tool"), Reference::centered());
   const Eigen::Vector3d slip = v.head<3>() - 0.02 * v.tail<3>().cross(normal);
   const Eigen::Vector3d force = plant->contact_force_world();
   const Eigen::Vector3d sliding = force - force.dot(normal) * normal;

@@ -58,7 +58,7 @@ class PlantLaw : public ::testing::TestWithParam<Kind> {
   /// Torques that hold the plant against gravity, and push its tool with a force.
   Eigen::VectorXd holding(const Plant& plant, const Eigen::Vector3d& force_world) {
     EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
-    body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+    body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
     return body.gravity_torque() + motion.jacobian.topRows(3).transpose() * force_world -
            2.0 * plant.v();
   }
@@ -176,7 +176,7 @@ TEST_P(PlantLaw, balances_gravity_contact_and_torque_at_rest) {
   }
   // M a = tau - gravity + friction + J^T force, with a and v all but zero.
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-  body.frame_derivatives(body.frame("tool"), FrameAxes::Centered, motion);
+  body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
   const Eigen::VectorXd rest =
       tau - body.gravity_torque() + plant->friction_torque() +
       motion.jacobian.topRows(3).transpose() * plant->contact_force_world();
@@ -218,7 +218,7 @@ TEST_P(PlantLaw, slides_with_the_friction_of_the_surface_against_the_motion) {
   const Eigen::Vector2d sliding = force.head<2>();
   EXPECT_NEAR(sliding.norm(), mu * force.z(), 0.02 * mu * force.z());
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-  const Vector6 v = body.velocity(body.frame("tool"), FrameAxes::Centered);
+  const Vector6 v = body.velocity(body.frame("tool"), Reference::centered());
   const Eigen::Vector3d arm(0.0, 0.0, -plant->scene().tip.radius);
   const Eigen::Vector3d at_point = v.head<3>() + v.tail<3>().cross(arm);
   EXPECT_GT(at_point.head<2>().norm(), 1e-3);

@@ -31,7 +31,8 @@ const std::vector<LawRobot>& law_robots() {
 }
 
 const std::vector<std::string>& law_references() {
-  static const std::vector<std::string> names{"local", "centered", "surface", "world"};
+  static const std::vector<std::string> names{"local", "centered", "surface",
+                                              "world", "third",    "elsewhere"};
   return names;
 }
 
@@ -73,20 +74,24 @@ State random_state(const Model& model, std::mt19937_64& generator) {
           uniform(model.nv, 10.0, generator)};
 }
 
-Reference reference_of(const std::string& name) {
-  if (name != "surface") return Reference::parse(name);
-  const Eigen::AngleAxisd tilt(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized());
-  return Reference::surface(tilt.toRotationMatrix());
+Reference reference_of(const std::string& name, const Model& model, const ContactSpec& contact) {
+  const Eigen::Matrix3d tilt =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  if (name == "surface") return Reference::surface(tilt);
+  if (name == "third") return {Anchor::Tool, far_frame(model, {contact.tool, contact.base}), tilt};
+  if (name == "elsewhere")
+    return {far_frame(model, {contact.tool, contact.base}), Anchor::Base, tilt};
+  return Reference::parse(name);
 }
 
-ContactSpec contact_of(const LawRobot& robot, const std::string& reference,
+ContactSpec contact_of(const Model& model, const LawRobot& robot, const std::string& reference,
                        const Directions& directions, bool two_bodies, Acceleration acceleration,
                        Gains gains) {
   ContactSpec spec;
   spec.name = "contact";
   spec.tool = robot.tool;
   if (two_bodies) spec.base = robot.base;
-  spec.reference = reference_of(reference);
+  spec.reference = reference_of(reference, model, spec);
   spec.directions = directions;
   spec.acceleration = acceleration;
   if (gains == Gains::None) return spec;
@@ -259,11 +264,25 @@ int relative_freedoms(const ContactSet& set) {
   return count;
 }
 
+/// Whether the contact can be held exactly: not where its rows outnumber the freedoms, nor where
+/// they depend on each other at every posture, as about a point that shoulder joints turn about.
+bool can_be_held(const Model& model, const ContactSpec& spec, const ContactSet& set) {
+  if (relative_freedoms(set) < set.rows()) return false;
+  ContactDynamics dynamics(model, {spec});
+  std::mt19937_64 generator(7);
+  for (int attempt = 0; attempt < 30; ++attempt) {
+    const State state = random_state(model, generator);
+    dynamics.forward(state.q, state.v, state.tau);
+    if (!near_singular(dynamics)) return true;
+  }
+  return false;
+}
+
 void run_case(const Model& model, const ContactSpec& spec, Acceleration acceleration, Gains gains,
               int states, std::mt19937_64& generator, LawRow& row) {
   ContactSolver solver;
   const ContactSet set(model, {spec});
-  const bool compliant = relative_freedoms(set) < set.rows();
+  const bool compliant = !can_be_held(model, spec, set);
   if (compliant) solver.mu = 0.05;
   ContactDynamics dynamics(model, {spec}, solver);
   ContactDynamicsBatch batch(model, {spec}, 2 * model.nv, solver);
@@ -325,7 +344,8 @@ std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, i
       for (const Acceleration acceleration :
            {Acceleration::TimeDerivative, Acceleration::Spatial, Acceleration::Classical})
         for (const Gains gains : {Gains::None, Gains::Split, Gains::Log6})
-          run_case(model, contact_of(robot, reference, directions, two_bodies, acceleration, gains),
+          run_case(model,
+                   contact_of(model, robot, reference, directions, two_bodies, acceleration, gains),
                    acceleration, gains, states, generator, row);
       rows.push_back(row);
     }

@@ -25,7 +25,8 @@ const std::vector<LawRobot>& law_robots();
 /// How a test names it.
 inline void PrintTo(const LawRobot& robot, std::ostream* out) { *out << robot.name; }
 
-/// "local", "centered", "surface", "world".
+/// "local", "centered", "surface", "world", and with a third body: "third", whose axes are its,
+/// "elsewhere", whose origin is.
 const std::vector<std::string>& law_references();
 /// Direction sets by name, from one direction to six.
 const std::vector<Directions>& law_directions();

@@ -75,6 +75,18 @@ inline std::vector<Reference> all_references() {
           Reference::local(tilt())};
 }
 
+/// These, and references whose origin or axes go with another body than tool and base.
+inline std::vector<Reference> all_references(const Model& model, const std::string& tool,
+                                             const std::string& base) {
+  std::vector<Reference> result = all_references();
+  const std::string third = far_frame(model, {tool, base});
+  result.push_back({Anchor::Tool, third, tilt()});
+  result.push_back({third, Anchor::Base, tilt()});
+  result.push_back({Anchor::Base, third, tilt()});
+  result.push_back({Anchor::World, Anchor::Tool, tilt()});
+  return result;
+}
+
 inline ContactSpec contact(const std::string& tool, const std::string& base = "world",
                            const Reference& reference = Reference::centered(),
                            const Directions& directions = Directions::all(),

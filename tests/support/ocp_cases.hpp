@@ -51,6 +51,8 @@ struct OcpSetup {
     x << s.q, s.v, random(filtered);
     return x;
   }
+  /// A frame that other joints move.
+  std::string other() const { return far_frame(model, {tool}); }
   /// Entries of v that are driven.
   std::vector<int> driven() const {
     std::vector<int> entries;
@@ -77,7 +79,7 @@ struct WithoutJacobian {
     out[1] = at.force(0)[1] * (1.0 + at.time());
     out[2] = at.placement(0).translation().z() + at.q()[0];
     out[3] = at.acceleration()[0] + (at.u().size() > 0 ? at.u()[0] : 0.0);
-    out[4] = at.velocity(0, FrameAxes::Centered).squaredNorm();
+    out[4] = at.velocity(0, Reference::centered()).squaredNorm();
   }
 };
 
@@ -94,7 +96,7 @@ struct WithJacobian {
   void jacobian(const NodeView& at, Eigen::Ref<RowMatrix> out) const {
     const Eigen::Vector3d p = at.placement(0).translation();
     const int nv = at.layout().nv;
-    const MatrixView J = at.jacobian(0, FrameAxes::Centered);
+    const MatrixView J = at.jacobian(0, Reference::centered());
     out.row(0).segment(at.layout().column_q(), nv) =
         J.row(0) + 2.0 * p.z() * J.row(1) + 2.0 * p.y() * J.row(2);
     out.row(1) = at.force(0)[2] * at.force_derivative(1).row(0);
@@ -135,7 +137,7 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
       {"joint torque", [](Setup) { return R::JointTorque{}; }, abs, torque_model},
       {"position",
        [](Setup s) {
-         return R::FramePosition{s.tool, s.random(3), tilt()};
+         return R::FramePosition{s.tool, s.random(3), Reference::world(tilt())};
        },
        inside},
       {"rotation",
@@ -149,22 +151,34 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        logarithm},
       {"local velocity",
        [](Setup s) {
-         return R::FrameVelocity{s.tool, FrameAxes::Local};
+         return R::FrameVelocity{s.tool, Reference::local()};
        }},
       {"world velocity",
        [](Setup s) {
-         return R::FrameVelocity{s.tool, FrameAxes::World, 0.1};
+         return R::FrameVelocity{s.tool, Reference::world(), 0.1};
        }},
       {"turned local velocity",
        [](Setup s) {
-         return R::FrameVelocity{s.tool, FrameAxes::Local, s.random(6), tilt()};
+         return R::FrameVelocity{s.tool, Reference::local(tilt()), s.random(6)};
        }},
       {"turned world velocity",
        [](Setup s) {
-         return R::FrameVelocity{s.tool, FrameAxes::World, 0.1, tilt()};
+         return R::FrameVelocity{s.tool, Reference::world(tilt()), 0.1};
        },
        abs},
       {"velocity", [](Setup s) { return R::FrameVelocity{s.tool}; }, abs},
+      {"velocity in the axes of another frame",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, {Anchor::Tool, s.other(), tilt()}, 0.1};
+       }},
+      {"position seen from another frame",
+       [](Setup s) {
+         return R::FramePosition{s.tool, s.random(3), {s.other(), Anchor::World, tilt()}};
+       }},
+      {"position in the axes of another frame",
+       [](Setup s) {
+         return R::FramePosition{s.tool, s.random(3), {Anchor::World, s.other(), tilt()}};
+       }},
       {"force",
        [](Setup s) {
          return R::ContactForce{"pad", {}, s.random(6)};
@@ -184,6 +198,11 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
       {"world force",
        [](Setup) {
          return R::ContactForce{"brace", Reference::world()};
+       },
+       square, torque_model},
+      {"force about another frame",
+       [](Setup s) {
+         return R::ContactForce{"pad", Reference{s.other(), Anchor::Tool, tilt()}, 1.0};
        },
        square, torque_model},
       {"cone",

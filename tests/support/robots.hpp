@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,34 @@ inline std::vector<TestRobot> robots_without_followers() {
   std::vector<TestRobot> robots = test_robots();
   std::erase_if(robots, [](const TestRobot& robot) { return robot.name == "followers"; });
   return robots;
+}
+
+/// The frame whose body is moved by most joints that move none of these frames, the last of
+/// several; on a single chain a frame in the middle of it.
+inline std::string far_frame(const Model& model, const std::vector<std::string>& frames) {
+  std::set<int> near, bodies;
+  for (const std::string& name : frames) {
+    if (name == "world" && !model.has_frame(name)) continue;
+    const int body = model.frames[static_cast<std::size_t>(model.frame_index(name))].body;
+    bodies.insert(body);
+    for (int j = body; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent) near.insert(j);
+  }
+  std::string result;
+  int most = -1;
+  for (const Frame& frame : model.frames) {
+    // Where a link and a joint share a name, the frame is the link's.
+    if (frame.body < 0 || bodies.contains(frame.body) || frame.kind != FrameKind::Link) continue;
+    int others = 0, above = 0;
+    for (int j = frame.body; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent) {
+      others += near.contains(j) ? 0 : 100;
+      ++above;
+    }
+    if (others + std::min(above, 3) >= most) {
+      most = others + std::min(above, 3);
+      result = frame.name;
+    }
+  }
+  return result;
 }
 
 /// n entries, uniform in [-bound, bound].

@@ -6,7 +6,7 @@
 
 #include "burnish/base/views.hpp"
 #include "burnish/contact/directions.hpp"
-#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/reference.hpp"
 
 namespace burnish {
 

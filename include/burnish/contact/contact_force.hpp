@@ -14,11 +14,16 @@ struct ContactForce {
   std::string by;       ///< base frame C1: the body that acts, "world" for the environment
   Reference reference;  ///< in which `value` is written
   Vector6 value;        ///< force (N), then moment about the reference's origin (Nm)
-  /// Poses at that state, world axes, with which the force converts itself.
+  /// Poses at that state, world axes, with which the force converts itself. `frame` is what
+  /// `reference` names: the rotation of its axes' frame, the position of its origin's.
   Eigen::Matrix3d tool_rotation, base_rotation;
   Eigen::Vector3d tool_position;  ///< m
+  Eigen::Vector3d base_position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d frame_rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d frame_position = Eigen::Vector3d::Zero();
 
-  /// The same wrench written in another reference.
+  /// The same wrench written in another reference. Throws Error where that names a frame: ask
+  /// ContactDynamics::force(contact, reference), which knows where frames are.
   ContactForce in(const Reference& other) const;
 
   /// Rotation of the reference's axes to the world, and its origin in the world.

@@ -102,9 +102,13 @@ class ContactDynamics {
   /// inside a tick use wrench().
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;
-  /// The same as numbers in any reference: force, then moment.
+  /// In any other. Throws Error with the nearest known name where that names no frame of the robot,
+  /// as the two below do.
+  ContactForce force(int contact, const Reference& reference) const;
+  /// The same as numbers: force, then moment.
   Vector6 wrench(int contact, const Reference& reference) const;
   /// Its derivatives at the last forward_derivatives(); `out` is resized on first use.
+  /// Allocates where the reference names a frame of another body than tool and base.
   void wrench_derivatives(int contact, const Reference& reference, WrenchDerivatives& out) const;
 
  private:

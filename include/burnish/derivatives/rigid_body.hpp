@@ -12,13 +12,13 @@
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/dynamics/frame_axes.hpp"
+#include "burnish/dynamics/reference.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
 
-/// Derivatives of a frame's motion, 6 x nv each, linear rows first, in the axes that were asked
-/// for.
+/// Derivatives of a frame's motion, 6 x nv each, linear rows first, in the reference that was
+/// asked for.
 struct FrameDerivatives {
   RowMatrix jacobian;         ///< d(velocity)/dv, and d(acceleration)/da
   RowMatrix velocity_dq;      ///< d(velocity)/dq
@@ -65,9 +65,13 @@ class RigidBody {
 
   /// Of a frame in the world. `frame` is a number from frame().
   Eigen::Isometry3d placement(int frame) const;
-  Vector6 velocity(int frame, FrameAxes axes) const;      ///< m/s, rad/s
-  Vector6 acceleration(int frame, FrameAxes axes) const;  ///< d(velocity)/dt: m/s^2, rad/s^2
-  void frame_derivatives(int frame, FrameAxes axes, FrameDerivatives& out) const;
+  /// Motion of a frame in the world, written in a reference whose tool is the frame and whose base
+  /// is the world: Reference::local(), centered(), world(), or in the axes of any frame. Throws
+  /// Error with the nearest known name where that names no frame of the robot.
+  Vector6 velocity(int frame, const Reference& reference) const;  ///< m/s, rad/s
+  Vector6 acceleration(int frame,
+                       const Reference& reference) const;  ///< d(velocity)/dt: m/s^2, rad/s^2
+  void frame_derivatives(int frame, const Reference& reference, FrameDerivatives& out) const;
   /// SE(3) logarithm of the frame in the target: m, rad, target axes.
   Vector6 placement_error(int frame, const Eigen::Isometry3d& target) const;
   void placement_derivatives(int frame, const Eigen::Isometry3d& target,

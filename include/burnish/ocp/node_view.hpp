@@ -6,7 +6,7 @@
 #include <string>
 
 #include "burnish/base/views.hpp"
-#include "burnish/dynamics/frame_axes.hpp"
+#include "burnish/dynamics/reference.hpp"
 
 namespace burnish {
 
@@ -40,13 +40,13 @@ class NodeView {
   virtual VectorView acceleration() const = 0;
 
   virtual Eigen::Isometry3d placement(int frame) const = 0;
-  virtual Vector6 velocity(int frame, FrameAxes axes) const = 0;
+  virtual Vector6 velocity(int frame, const Reference& reference) const = 0;
   /// Force of a contact in its own reference (rows held), N and Nm.
   virtual VectorView force(int contact) const = 0;
 
-  /// d(velocity)/dv in those axes, 6 x nv; its linear rows in Centered axes are dp/dq. Valid until
-  /// the next call.
-  virtual MatrixView jacobian(int frame, FrameAxes axes) const = 0;
+  /// d(velocity)/dv in that reference, 6 x nv; its linear rows in Reference::centered() are dp/dq.
+  /// Valid until the next call.
+  virtual MatrixView jacobian(int frame, const Reference& reference) const = 0;
   /// d(force)/dz, rows x nz; inside the residual's own jacobian() only.
   virtual MatrixView force_derivative(int contact) const = 0;
 };

@@ -11,8 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "burnish/contact/reference.hpp"
-#include "burnish/dynamics/frame_axes.hpp"
+#include "burnish/dynamics/reference.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/signal.hpp"
 
@@ -50,11 +49,14 @@ struct JointTorque {
   Signal target = {};
 };
 
-/// Origin of a frame minus the target, 3 rows, m, written in `axes` (its columns, in the world).
+/// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
+/// is the world. Its origin must not be the frame itself.
 struct FramePosition {
   std::string frame = {};
-  Signal target = {};  ///< 3 entries, world, m
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  /// 3 entries, m: from the reference's origin, in the axes that its rotation is fixed in; of
+  /// Reference::world(...) a point of the world.
+  Signal target = {};
+  Reference reference = Reference::world();
 };
 
 /// log(R_target^T R), 3 rows, rad, target axes.
@@ -69,13 +71,12 @@ struct FramePlacement {
   Signal target = {};  ///< position (m), quaternion x, y, z, w
 };
 
-/// Velocity of a frame minus the target, 6 rows: m/s, rad/s. Empty target: zero.
+/// Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written in the reference,
+/// whose tool is the frame and whose base is the world. Empty target: zero.
 struct FrameVelocity {
   std::string frame = {};
-  FrameAxes axes = FrameAxes::Centered;
+  Reference reference = Reference::centered();
   Signal target = {};
-  /// Columns: the axes that both parts are written in, seen in `axes`; such as those of a surface.
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
 /// Force of an active contact minus the target: the held rows in the contact's own reference, or

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "burnish/contact/reference.hpp"
+#include "burnish/dynamics/reference.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/record/run_files.hpp"
 #include "record/mesh_file.hpp"

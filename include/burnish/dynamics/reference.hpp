@@ -1,0 +1,66 @@
+// A reference is data: an origin, axes, and a rotation between the two. Motions, forces, their set
+// points and their directions are written in it: those of contacts, of frames and of costs alike.
+// See docs/frames.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "burnish/base/abi.hpp"
+
+namespace burnish {
+
+/// What an origin or axes are fixed in. Of a frame that is looked at by itself, the tool is that
+/// frame and the base is the world.
+struct Anchor {
+  enum Of {
+    Tool,   ///< frame C2 of the contact
+    Base,   ///< its frame C1
+    World,  ///< stands still
+    Frame,  ///< any frame of the robot, by name
+  };
+  Of of = World;
+  std::string frame = {};  ///< of Frame only
+
+  Anchor() = default;
+  Anchor(Of what) : of(what) {}                                    // NOLINT: Reference{Tool, Base}
+  Anchor(std::string name) : of(Frame), frame(std::move(name)) {}  // NOLINT: the same, by name
+  Anchor(const char* name) : of(Frame), frame(name) {}             // NOLINT
+  bool operator==(const Anchor&) const = default;
+
+  /// Reads "tool", "base" and "world", and any other text as the name of a frame; a frame that is
+  /// called so itself is "frame tool".
+  static Anchor parse(const std::string& text);
+  std::string text() const;  ///< as parse() reads it
+};
+
+struct Reference {
+  using Origin = Anchor;
+  using Axes = Anchor;
+
+  Anchor origin = Anchor::Tool;
+  Anchor axes = Anchor::World;  ///< what `rotation` is fixed in
+  /// Rotation from the reference's axes to the axes that it is fixed in.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+
+  /// The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation` if given.
+  static Reference local(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
+  /// World axes at the tool's origin (the paper's heart frame), or the columns of `rotation`.
+  static Reference centered(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
+  /// Axes fixed in the base frame C1, at the tool's origin; the columns of `rotation` are the axes
+  /// of the surface in C1. They move with C1.
+  static Reference surface(const Eigen::Matrix3d& rotation);
+  /// A surface with the given normal as its z axis; x is the horizontal-most tangent.
+  static Reference surface_with_normal(const Eigen::Vector3d& normal);
+  /// The same at the world's origin: the true WORLD twist and wrench.
+  static Reference world(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
+
+  /// "local", "centered", "surface" or "world"; of others such as "axes of torso at the tool".
+  std::string name() const;
+  /// Reads those four ("surface" gets the identity). Throws Error with the nearest known name.
+  static Reference parse(const std::string& name);
+  /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6.
+  void check(const std::string& who) const;
+};
+
+}  // namespace burnish

@@ -1,0 +1,33 @@
+// The wrench of a contact in any reference, and its derivative.
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_kinematics.hpp"
+
+namespace burnish {
+
+/// An entry of v that moves the contact's own reference or the one that its wrench is asked in.
+struct WrenchEntry {
+  int v;
+  ReferenceAxes own, asked;
+};
+
+/// Fills `out`, ascending in v. Allocates where `asked` is fixed in bodies that the contact does
+/// not know, or `out` has no room for nv entries.
+void wrench_entries(const Model& model, const CompiledContact& contact,
+                    const CompiledReference& asked, std::vector<WrenchEntry>& out);
+
+/// Derivative of state.force_world in the reference at `pose`, when lambda changes by `dlambda`
+/// (world wrench of the change) and an entry of v moves both references: the wrench moves with the
+/// contact's own, V_k x* W, and is seen from the one that is asked for.
+template <class S>
+Force<S> wrench_rate(const ReferencePose<S>& pose, const WrenchEntry& entry,
+                     const ContactState<S>& state, const Kinematics<S>& kinematics,
+                     const Force<S>& dlambda) {
+  const Motion<S> V = reference_twist(entry.own, state.origin, kinematics) -
+                      reference_twist(entry.asked, pose.p, kinematics);
+  return in_reference(pose, dlambda + cross(V, state.force_world));
+}
+
+}  // namespace burnish

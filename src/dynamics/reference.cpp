@@ -1,0 +1,139 @@
+#include "burnish/dynamics/reference.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+#include "burnish/base/error.hpp"
+#include "dynamics/reference.hpp"
+
+namespace burnish {
+
+Anchor Anchor::parse(const std::string& text) {
+  if (text == "tool") return Tool;
+  if (text == "base") return Base;
+  if (text == "world") return World;
+  if (text.starts_with("frame ")) return text.substr(6);
+  return text;
+}
+
+std::string Anchor::text() const {
+  switch (of) {
+    case Tool:
+      return "tool";
+    case Base:
+      return "base";
+    case World:
+      return "world";
+    case Frame:
+      break;
+  }
+  const bool means_another = parse(frame) != Anchor(frame);
+  return means_another ? "frame " + frame : frame;
+}
+
+Reference Reference::local(const Eigen::Matrix3d& rotation) {
+  return {Anchor::Tool, Anchor::Tool, rotation};
+}
+Reference Reference::centered(const Eigen::Matrix3d& rotation) {
+  return {Anchor::Tool, Anchor::World, rotation};
+}
+Reference Reference::surface(const Eigen::Matrix3d& rotation) {
+  return {Anchor::Tool, Anchor::Base, rotation};
+}
+Reference Reference::world(const Eigen::Matrix3d& rotation) {
+  return {Anchor::World, Anchor::World, rotation};
+}
+
+Reference Reference::surface_with_normal(const Eigen::Vector3d& normal) {
+  if (!normal.allFinite() || normal.norm() < 1e-9)
+    throw Error("surface_with_normal: the normal must be finite and not zero");
+  const Eigen::Vector3d z = normal.normalized();
+  // The tangent that leans least out of the horizontal; along x where the surface is horizontal.
+  Eigen::Vector3d x = Eigen::Vector3d::UnitZ().cross(z);
+  if (x.norm() < 1e-6) {
+    x = Eigen::Vector3d::UnitX() - z * z.x();
+  }
+  x.normalize();
+  Eigen::Matrix3d rotation;
+  rotation << x, z.cross(x), z;
+  return surface(rotation);
+}
+
+std::string Reference::name() const {
+  if (origin == Anchor::World && axes == Anchor::World) return "world";
+  if (origin == Anchor::Tool && axes == Anchor::Tool) return "local";
+  if (origin == Anchor::Tool && axes == Anchor::Base) return "surface";
+  if (origin == Anchor::Tool && axes == Anchor::World) return "centered";
+  const auto of = [](const Anchor& anchor) {
+    return anchor.of == Anchor::Frame ? anchor.text() : "the " + anchor.text();
+  };
+  return "axes of " + of(axes) + " at " + of(origin);
+}
+
+Reference Reference::parse(const std::string& name) {
+  if (name == "local") return local();
+  if (name == "centered") return centered();
+  if (name == "surface") return surface(Eigen::Matrix3d::Identity());
+  if (name == "world") return world();
+  throw Error("reference: unknown name '" + name + "'; wanted local, centered, surface or world" +
+              did_you_mean(name, {"local", "centered", "surface", "world"}));
+}
+
+void Reference::check(const std::string& who) const {
+  if (!rotation.allFinite() ||
+      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
+      rotation.determinant() < 0.0)
+    throw Error(who + ": the reference's rotation is not a rotation matrix");
+}
+
+namespace {
+
+struct Place {
+  int body;
+  Mat3<double> R;
+  Vec3<double> p;
+};
+
+Place place_of(const Model& model, const Anchor& anchor, const CompiledFrame& tool,
+               const CompiledFrame& base) {
+  switch (anchor.of) {
+    case Anchor::Tool:
+      return {tool.body, tool.R, tool.p};
+    case Anchor::Base:
+      return {base.body, base.R, base.p};
+    case Anchor::World:
+      break;
+    case Anchor::Frame: {
+      if (anchor.frame == "world" && !model.has_frame(anchor.frame)) break;
+      const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(anchor.frame))];
+      return {frame.body, from_eigen(Eigen::Matrix3d(frame.placement.linear())),
+              from_eigen(Eigen::Vector3d(frame.placement.translation()))};
+    }
+  }
+  return {-1, Mat3<double>::identity(), Vec3<double>::zero()};
+}
+
+bool is_same(const Vec3<double>& a, const Vec3<double>& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+}  // namespace
+
+CompiledReference compile_reference(const Model& model, const Reference& reference,
+                                    const CompiledFrame& tool, const CompiledFrame& base) {
+  const Place origin = place_of(model, reference.origin, tool, base);
+  const Place axes = place_of(model, reference.axes, tool, base);
+  CompiledReference result;
+  result.origin_body = origin.body;
+  result.origin = origin.p;
+  result.axes_body = axes.body;
+  result.fixed_in = axes.R;
+  result.axes = axes.R * from_eigen(reference.rotation);
+  result.at_tool = origin.body == tool.body && is_same(origin.p, tool.p);
+  result.at_world = origin.body < 0 && is_same(origin.p, Vec3<double>::zero());
+  result.is_aligned = axes.body < 0 && to_eigen(result.axes).isIdentity(0.0);
+  return result;
+}
+
+}  // namespace burnish
