@@ -185,12 +185,12 @@ void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult
   for (std::size_t i = 0; i < results.size(); ++i) {
     const polishing::TickTimes& t = results[i].ticks;
     fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}  {:6.1f}  {:5d}\n", jobs[i].name,
-               1.0 / t.period, t.ticks, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
+               1.0 / t.period, t.count, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
                1e3 * results[i].first_tick, t.late);
     if (!results[i].metrics || !results[i].metrics->solver) continue;
     const SolverFigures& s = *results[i].metrics->solver;
     fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}\n", "  of these, with a plan",
-               jobs[i].spec.task.update_rate, s.ticks, 1e3 * s.median, 1e3 * s.p99,
+               jobs[i].spec.task.update_rate, s.updates, 1e3 * s.median, 1e3 * s.p99,
                1e3 * s.maximum);
   }
 }

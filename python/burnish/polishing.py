@@ -175,11 +175,11 @@ class VerdictFigures(Spec):
     """What Verdict is about, as it was in a run."""
 
     contact_share: float = 0.0
-    """of the time on the path"""
+    """share of the time on the path that was in contact"""
     force_rmse: float = 0.0
-    """N"""
+    """N, root mean square error of the force's mean over 10 ms, on all of the path"""
     path_share: float = 0.0
-    """of the path's length"""
+    """share of the path's length along which the tip was over its target"""
 
 
 @dataclass(eq=False, repr=False)
@@ -462,18 +462,22 @@ class RunSpec(Spec):
 
 @dataclass(eq=False, repr=False)
 class TickTimes(Spec):
-    """Wall clock of a controller's ticks, s."""
+    """Wall clock of a controller's ticks after the first, s."""
 
-    ticks: int = 0
-    """that were timed: every nth of more than a million"""
-    median: float = 0.0
-    p99: float = 0.0
-    maximum: float = 0.0
-    mean: float = 0.0
-    late: int = 0
-    """ticks that took longer than the period"""
+    count: int = 0
+    """ticks that were timed: every nth of more than a million"""
     period: float = 0.0
-    """s between ticks: what they must stay below"""
+    """s, between two ticks"""
+    median: float = 0.0
+    """s, median computing time of a tick"""
+    p99: float = 0.0
+    """s, computing time that 99 % of the ticks stay below"""
+    maximum: float = 0.0
+    """s, longest computing time of a tick"""
+    mean: float = 0.0
+    """s, mean computing time of a tick"""
+    late: int = 0
+    """ticks that took longer than a period"""
 
 
 @dataclass(eq=False, repr=False)

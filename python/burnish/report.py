@@ -35,15 +35,18 @@ class MetricsSpec(Spec):
 class SolverFigures(Spec):
     """Over the control ticks of the window that solved something."""
 
-    ticks: int = 0
+    updates: int = 0
+    """plans that were made"""
     median: float = 0.0
-    """s"""
+    """s, median computing time of a plan"""
     p99: float = 0.0
-    """s"""
+    """s, computing time that 99 % of the plans stay below"""
     maximum: float = 0.0
-    """s"""
+    """s, longest computing time of a plan"""
     mean_iterations: float = 0.0
+    """solver iterations per plan, mean"""
     missed_deadlines: int = 0
+    """plans that came later than they were due"""
 
 
 @dataclass(eq=False, repr=False)
@@ -52,54 +55,52 @@ class Metrics(Spec):
     positions, SI units."""
 
     start: float = 0.0
-    """s, of the rows found"""
+    """s, of the first row within the window"""
     end: float = 0.0
-    """s, of the rows found"""
+    """s, of the last row within the window"""
     rows: int = 0
+    """of the trace within the window"""
     average: float = 0.0
-    """s that averaged forces are means over: MetricsSpec.average, by whole rows; 0: of one row each"""
-
+    """s, that averaged forces are means over, by whole rows; 0: of one row each"""
     force_mean: float = 0.0
-    """N, along the normal"""
+    """N, mean normal force"""
     force_mae: float = 0.0
-    """N, mean absolute error of the averaged force against the target"""
+    """N, mean absolute error of the force's moving mean"""
     force_rmse: float = 0.0
-    """N, of the averaged force"""
+    """N, root mean square error of the force's moving mean"""
     force_peak: float = 0.0
-    """N, largest absolute error of the averaged force"""
+    """N, largest absolute error of the force's moving mean"""
     force_rmse_raw: float = 0.0
-    """N, of the force in every row"""
+    """N, root mean square error of the force in every row"""
     force_peak_raw: float = 0.0
-    """N, of the force in every row"""
+    """N, largest absolute error of the force in any row"""
     estimate_rmse: float = 0.0
-    """N, of what the controller believes, along the normal"""
+    """N, root mean square error of what the controller believes the normal force to be"""
     without_contact: float = 0.0
-    """share of rows"""
+    """share of the time without contact"""
     impact_peak: Optional[float] = None
-    """N, in the 50 ms from the first contact of the run on"""
+    """N, largest normal force in the 50 ms from the first contact of the run on"""
     overshoot: Optional[float] = None
-    """N, averaged force above the target, from the end of the ramp to the window's start; at least
-    0"""
-
+    """N, largest excess of the force's moving mean over the target, from the end of the ramp to the
+    window; at least 0"""
     position_mean: float = 0.0
-    """m, distance to the target across the normal"""
+    """m, mean distance to the target across the normal"""
     position_rmse: float = 0.0
-    """m"""
+    """m, root mean square distance to the target across the normal"""
     position_p95: float = 0.0
-    """m"""
+    """m, distance to the target across the normal that is not exceeded 95 % of the time"""
     orientation_drift: float = 0.0
-    """rad, largest rotation since the window's start"""
-
+    """rad, largest rotation of the tool since the window began"""
     joint_margin: float = 0.0
-    """rad (m), smallest distance to a position limit"""
+    """rad, smallest distance of a joint to its limit (m where it slides)"""
     tightest_joint: str = ""
-    """whose it is; empty without limits"""
+    """whose margin that is; empty without limits"""
     torque_margin: float = 1.0
-    """part of a joint's effort limit that was never used, smallest"""
+    """share of a joint's effort limit that was never used, smallest"""
     tightest_torque: str = ""
+    """whose margin that is; empty without limits"""
     limited_torque: float = 0.0
-    """share of rows with a joint at its effort limit"""
-
+    """share of the time with a joint at its effort limit"""
     solver: Optional[SolverFigures] = None
     """where a controller reports solve times"""
 

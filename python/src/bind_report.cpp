@@ -15,8 +15,8 @@ void bind_report(py::module_& m) {
       "How well a run polished, from a trace of ClosedLoop. Raises Error for a missing column, a "
       "zero normal, and a window without rows.");
   m.def("metrics_table", &metrics_table, py::arg("runs"),
-        "One line per run (NamedMetrics) under a line of names and one of units, in columns: N, "
-        "mm, degrees, ms, %.");
+        "One line per figure, under its name in files, and a column per run (NamedMetrics): N, mm, "
+        "degrees, ms, %.");
   m.def("metrics_text", &metrics_text, py::arg("metrics"));
   m.def("svg_plot", &svg_plot, py::arg("spec"), "The text of an SVG file.");
   m.def("write_svg_plot", &write_svg_plot, py::arg("spec"), py::arg("file"),

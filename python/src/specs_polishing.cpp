@@ -1,5 +1,7 @@
 #include "specs_polishing.hpp"
 
+#include "polishing/figures.hpp"
+
 namespace burnish::python {
 
 using namespace polishing;
@@ -80,10 +82,13 @@ const SpecTable& AsDataclass<Verdict>::table() {
 }
 template <>
 const SpecTable& AsDataclass<VerdictFigures>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "VerdictFigures")
-                                      .field("contact_share", &VerdictFigures::contact_share)
-                                      .field("force_rmse", &VerdictFigures::force_rmse)
-                                      .field("path_share", &VerdictFigures::path_share);
+  static const SpecTable fields = [] {
+    SpecTable table("burnish.polishing", "VerdictFigures");
+    each_verdict_figure([&](const FigureEntry& entry, auto member, auto, bool) {
+      table.field(entry.name, member);
+    });
+    return table;
+  }();
   return fields;
 }
 template <>
@@ -231,14 +236,12 @@ const SpecTable& AsDataclass<RunSpec>::table() {
 }
 template <>
 const SpecTable& AsDataclass<TickTimes>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "TickTimes")
-                                      .field("ticks", &TickTimes::ticks)
-                                      .field("median", &TickTimes::median)
-                                      .field("p99", &TickTimes::p99)
-                                      .field("maximum", &TickTimes::maximum)
-                                      .field("mean", &TickTimes::mean)
-                                      .field("late", &TickTimes::late)
-                                      .field("period", &TickTimes::period);
+  static const SpecTable fields = [] {
+    SpecTable table("burnish.polishing", "TickTimes");
+    each_tick_figure(
+        [&](const FigureEntry& entry, auto member) { table.field(entry.name, member); });
+    return table;
+  }();
   return fields;
 }
 template <>

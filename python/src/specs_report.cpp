@@ -1,5 +1,7 @@
 #include "specs_report.hpp"
 
+#include "report/figures.hpp"
+
 namespace burnish::python {
 
 template <>
@@ -13,42 +15,21 @@ const SpecTable& AsDataclass<MetricsSpec>::table() {
 }
 template <>
 const SpecTable& AsDataclass<SolverFigures>::table() {
-  static const SpecTable fields = SpecTable("burnish.report", "SolverFigures")
-                                      .field("ticks", &SolverFigures::ticks)
-                                      .field("median", &SolverFigures::median)
-                                      .field("p99", &SolverFigures::p99)
-                                      .field("maximum", &SolverFigures::maximum)
-                                      .field("mean_iterations", &SolverFigures::mean_iterations)
-                                      .field("missed_deadlines", &SolverFigures::missed_deadlines);
+  static const SpecTable fields = [] {
+    SpecTable table("burnish.report", "SolverFigures");
+    each_solver_figure(
+        [&](const FigureEntry& entry, auto member) { table.field(entry.name, member); });
+    return table;
+  }();
   return fields;
 }
 template <>
 const SpecTable& AsDataclass<Metrics>::table() {
-  static const SpecTable fields = SpecTable("burnish.report", "Metrics")
-                                      .field("start", &Metrics::start)
-                                      .field("end", &Metrics::end)
-                                      .field("rows", &Metrics::rows)
-                                      .field("average", &Metrics::average)
-                                      .field("force_mean", &Metrics::force_mean)
-                                      .field("force_mae", &Metrics::force_mae)
-                                      .field("force_rmse", &Metrics::force_rmse)
-                                      .field("force_peak", &Metrics::force_peak)
-                                      .field("force_rmse_raw", &Metrics::force_rmse_raw)
-                                      .field("force_peak_raw", &Metrics::force_peak_raw)
-                                      .field("estimate_rmse", &Metrics::estimate_rmse)
-                                      .field("without_contact", &Metrics::without_contact)
-                                      .field("impact_peak", &Metrics::impact_peak)
-                                      .field("overshoot", &Metrics::overshoot)
-                                      .field("position_mean", &Metrics::position_mean)
-                                      .field("position_rmse", &Metrics::position_rmse)
-                                      .field("position_p95", &Metrics::position_p95)
-                                      .field("orientation_drift", &Metrics::orientation_drift)
-                                      .field("joint_margin", &Metrics::joint_margin)
-                                      .field("tightest_joint", &Metrics::tightest_joint)
-                                      .field("torque_margin", &Metrics::torque_margin)
-                                      .field("tightest_torque", &Metrics::tightest_torque)
-                                      .field("limited_torque", &Metrics::limited_torque)
-                                      .field("solver", &Metrics::solver);
+  static const SpecTable fields = [] {
+    SpecTable table("burnish.report", "Metrics");
+    each_metric([&](const FigureEntry& entry, auto member) { table.field(entry.name, member); });
+    return table.field("solver", &Metrics::solver);
+  }();
   return fields;
 }
 template <>

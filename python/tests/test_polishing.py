@@ -254,7 +254,7 @@ class TestRuns:
             assert run.metrics.force_mean == pytest.approx(30.0, abs=2.0)
             assert run.metrics.without_contact < 0.01
             assert run.reach.ok and run.reach.points > 10
-            assert run.ticks.ticks > 500 and run.ticks.median <= run.ticks.p99 <= run.ticks.maximum
+            assert run.ticks.count > 500 and run.ticks.median <= run.ticks.p99 <= run.ticks.maximum
         assert result.controller is polishing.ControllerKind.MPC
         assert result.plant is polishing.PlantKind.IDEAL
         assert result.metrics.solver is not None and baseline.metrics.solver is None

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import math
+import pathlib
 import pickle
 
 import numpy as np
 import pytest
 
 import burnish
+from burnish import polishing, report
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +84,32 @@ def test_metrics_say_what_cannot_be_measured(robot, run):
         burnish.measure(loop.trace, robot.model, burnish.MetricsSpec(normal_world=[0, 0, 0]))
     with pytest.raises(burnish.Error, match="no column"):
         burnish.measure(burnish.Trace({"time": "s"}, [[0.0]]), robot.model)
+
+
+def documented(spec):
+    """The text below each field of a dataclass."""
+    body = ast.parse(inspect.getsource(spec)).body[0].body
+    return {entry.target.id: " ".join(text.value.value.split())
+            for entry, text in zip(body, body[1:])
+            if isinstance(entry, ast.AnnAssign) and isinstance(text, ast.Expr)}
+
+
+def test_figures_have_the_names_units_and_meanings_of_the_table():
+    specs = {"": report.Metrics, "solver": report.SolverFigures, "ticks": polishing.TickTimes,
+             "verdict": polishing.VerdictFigures}
+    texts = {group: documented(spec) for group, spec in specs.items()}
+    table = (DOCS / "polishing.md").read_text().split("<!-- figures -->")[1]
+    rows = [line.strip("| ").split(" | ") for line in table.split("<!-- end")[0].splitlines()[3:]]
+    of_runs = {"force_error_mean", "run_torque_margin", "run_limited_torque", "largest_command",
+               "tool_to_normal"}
+    named = {name.strip("`"): ", ".join(filter(None, [cells[0].strip(), cells[2]]))
+             for name, *cells in rows}
+    assert len(named) > 40 and of_runs < set(named)
+    for name, text in named.items():
+        if name not in of_runs:
+            *group, field = name.split(".")
+            assert texts["".join(group)].pop(field) == text, name
+    assert [field for of_spec in texts.values() for field in of_spec] == ["solver"]
 
 
 def test_metrics_are_values(robot, run):

@@ -159,7 +159,7 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
     figures.missed_deadlines += missed[row] != 0.0 ? 1 : 0;
   }
   if (times.empty()) return;
-  figures.ticks = static_cast<int>(times.size());
+  figures.updates = static_cast<int>(times.size());
   figures.mean_iterations /= static_cast<double>(times.size());
   figures.median = percentile(times, 0.5);
   figures.p99 = percentile(times, 0.99);

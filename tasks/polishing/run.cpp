@@ -56,12 +56,12 @@ TickTimes summarise(std::vector<double> times, double period) {
     const auto n = static_cast<double>(times.size());
     return times[static_cast<std::size_t>(std::max(1.0, std::ceil(share * n))) - 1];
   };
-  result.ticks = static_cast<int>(times.size());
+  result.count = static_cast<int>(times.size());
   result.median = rank(0.5);
   result.p99 = rank(0.99);
   result.maximum = times.back();
   for (const double time : times) {
-    result.mean += time / result.ticks;
+    result.mean += time / result.count;
     result.late += time > period ? 1 : 0;
   }
   return result;

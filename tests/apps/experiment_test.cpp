@@ -20,7 +20,7 @@ TEST(Experiment, WritesTablesFiguresAndAllNumbers) {
   EXPECT_EQ(outcome.out.rfind(text, 0), 0U);
   for (const char* words :
        {"# Every disturbance at once", "`burnish experiment seeds --seeds 2 --quick --set ",
-        "0 of 2 runs diverged", "| force rmse [N]"})
+        "0 of 2 runs diverged", "| force_rmse [N]"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   const Json json = Json::parse(contents(out / "results.json"));
   EXPECT_EQ(json["experiment"], "seeds");
@@ -30,7 +30,7 @@ TEST(Experiment, WritesTablesFiguresAndAllNumbers) {
   EXPECT_EQ(table["rows"][0].size(), table["columns"].size());
   const std::string csv = contents(out / "results.csv");
   EXPECT_EQ(csv.rfind("seed,surface,diverged,", 0), 0U) << csv;
-  EXPECT_NE(csv.find("force rmse [N]"), std::string::npos);
+  EXPECT_NE(csv.find("force_rmse [N]"), std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
   EXPECT_EQ(contents(out / "distributions.svg").rfind("<svg ", 0), 0U);
   EXPECT_NE(contents(out / "worst_seed.yaml").find("\nforce: 20 "), std::string::npos);

@@ -184,7 +184,7 @@ TEST(Metrics, report_the_solver_over_its_ticks) {
                             }),
                             one_joint(), from_half());
   ASSERT_TRUE(m.solver.has_value());
-  EXPECT_EQ(m.solver->ticks, 50);
+  EXPECT_EQ(m.solver->updates, 50);
   EXPECT_EQ(m.solver->median, 1e-3);
   EXPECT_EQ(m.solver->maximum, 5e-3);
   EXPECT_EQ(m.solver->mean_iterations, 2.0);
@@ -211,7 +211,7 @@ TEST(Metrics, say_what_their_mean_is_of) {
   MetricsSpec spec = from_half();
   for (const auto& [average, taken, words] :
        {std::tuple(0.010, 0.010, "mean over 10 ms"), std::tuple(0.0252, 0.025, "mean over 25 ms"),
-        std::tuple(0.0, 0.0, "root mean square error, force\n")}) {
+        std::tuple(0.0, 0.0, "root mean square error of the force\n")}) {
     spec.average = average;
     const Metrics m = measure(trace, model, spec);
     EXPECT_NEAR(m.average, taken, 1e-12);

@@ -193,13 +193,19 @@ function unpackAll(value: unknown): unknown {
 
 type Loose = Record<string, unknown>;
 
+/** Pages of before call the solver's figures otherwise. */
+const figureName = (name: string): string =>
+  name.replace(/^solve_/, 'solver.').replace(/^(mean_iterations|missed_deadlines)$/, 'solver.$1');
+
 function decodeRun(raw: Loose): Run {
   const series = raw.series as { time: Numbers; columns: Column[] };
   const envelopes = (raw.envelopes as { columns?: { name: string; min: Numbers; max: Numbers }[] })
     ?.columns;
   const { series: _series, ...rest } = raw;
+  const metrics = (raw.metrics ?? []) as Metric[];
   return {
     ...(rest as unknown as Run),
+    metrics: metrics.map((metric) => ({ ...metric, name: figureName(metric.name) })),
     time: series.time,
     columns: new Map(series.columns.map((column) => [column.name, column])),
     envelopes: new Map((envelopes ?? []).map(({ name, min, max }) => [name, { min, max }])),

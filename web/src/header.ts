@@ -95,7 +95,7 @@ const first = [
   'position_rmse',
   'impact_peak',
   'without_contact',
-  'solve_p99',
+  'solver.p99',
 ];
 
 /** A metric of all runs, in the same unit. */

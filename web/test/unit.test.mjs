@@ -125,6 +125,7 @@ test('a page is decoded, and one of another format refused', () => {
     },
     envelopes: { columns: [{ name: 'q_j', min: pack([0, 0, 0]), max: pack([4, 4, 4]) }] },
     solver: null,
+    metrics: [{ name: 'solve_p99' }, { name: 'mean_iterations' }, { name: 'force_rmse' }],
   };
   const text = JSON.stringify({ format: 'burnish-page/1', kind: 'run', title: 'a', runs: [run] });
   const page = data.decodePage(text);
@@ -133,6 +134,10 @@ test('a page is decoded, and one of another format refused', () => {
   assert.ok(Number.isNaN(data.valueAt(page.runs[0], 'nothing', 0)));
   assert.deepEqual([...page.runs[0].envelopes.get('q_j').max], [4, 4, 4]);
   assert.equal(data.configurationColumns(page.runs[0]).length, 1);
+  assert.deepEqual(
+    page.runs[0].metrics.map((metric) => metric.name),
+    ['solver.p99', 'solver.mean_iterations', 'force_rmse'],
+  );
   assert.equal(data.decodePage('null'), null);
   assert.throws(() => data.decodePage('{"format":"other/2"}'), /other\/2; wanted burnish-page\/1/);
 });

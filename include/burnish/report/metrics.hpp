@@ -22,7 +22,7 @@ struct MetricsSpec {
 
 /// Over the control ticks of the window that solved something.
 struct SolverFigures {
-  int ticks = 0;
+  int updates = 0;
   double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< s
   double mean_iterations = 0.0;
   int missed_deadlines = 0;
@@ -73,7 +73,7 @@ struct NamedMetrics {
   Metrics metrics;
 };
 
-/// One line per run under a line of names and one of units, in columns: N, mm, degrees, ms, %.
+/// One line per figure, under its name in files, and a column per run: N, mm, degrees, ms, %.
 std::string metrics_table(const std::vector<NamedMetrics>& runs);
 /// All figures of one run, one per line: name, value, unit, what it means.
 std::string metrics_text(const Metrics& metrics);

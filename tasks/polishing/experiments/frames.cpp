@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/degrees.hpp"
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
@@ -97,24 +96,21 @@ ResultTable runs_table(const std::vector<Sweep>& sweeps) {
 
 ResultTable pairs_table(const std::vector<Sweep>& sweeps) {
   ResultTable table{.name = "axes", .title = "The surface's axes beside the tool's"};
-  table.columns = {{"surface"},
-                   {"circumstance"},
-                   {"rotation weight", "1/rad^2", 3},
-                   {"force rmse, surface", "N"},
-                   {"local", "N"},
-                   {"mean error, surface", "N"},
-                   {"local", "N"},
-                   {"position rmse, surface", "mm"},
-                   {"local", "mm"},
-                   {"turned, surface", "deg", 1},
-                   {"local", "deg", 1}};
+  const std::vector<std::string> compared{"force_rmse", "force_error_mean", "position_rmse",
+                                          "orientation_drift"};
+  table.columns = {{"surface"}, {"circumstance"}, {"rotation weight", "1/rad^2", 3}};
+  for (const std::string& figure : compared) {
+    table.columns.push_back(figure_column(figure, figure + ", surface"));
+    table.columns.push_back(figure_column(figure, "local"));
+  }
   for (const Sweep& sweep : sweeps)
     for (std::size_t i = 0; i < sweep.weights.size(); ++i) {
-      const RunFigures &s = sweep.in_surface[i], &l = sweep.in_local[i];
-      table.add({sweep.surface, std::string(sweep.circumstance->name), sweep.weights[i],
-                 s.force_rmse, l.force_rmse, s.force_error_mean, l.force_error_mean,
-                 1e3 * s.position_rmse, 1e3 * l.position_rmse, degrees_per_radian * s.turned,
-                 degrees_per_radian * l.turned});
+      std::vector<ResultCell> row{sweep.surface, std::string(sweep.circumstance->name),
+                                  sweep.weights[i]};
+      for (const std::string& figure : compared)
+        for (const RunFigures* run : {&sweep.in_surface[i], &sweep.in_local[i]})
+          row.emplace_back(shown(figure, (*run)[figure]));
+      table.add(std::move(row));
     }
   return table;
 }
@@ -123,13 +119,13 @@ ResultTable pairs_table(const std::vector<Sweep>& sweeps) {
 double place_of(double weight) { return weight > 0.0 ? std::log10(weight) : -4.0; }
 
 Curve curve_of(const std::string& name, const Sweep& sweep, const std::vector<RunFigures>& runs,
-               double scale, double RunFigures::*figure, int color) {
+               const char* figure, int color) {
   const auto size = static_cast<Eigen::Index>(runs.size());
   Curve curve{.name = name, .x = Eigen::VectorXd(size), .y = Eigen::VectorXd(size), .color = color};
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto at = static_cast<std::size_t>(i);
     curve.x[i] = place_of(sweep.weights[at]);
-    curve.y[i] = scale * (runs[at].*figure);
+    curve.y[i] = shown(figure, runs[at][figure]);
   }
   return curve;
 }
@@ -150,16 +146,13 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
         panel.title = "Force, " + sweep.surface + ", " + sweep.circumstance->name;
         panel.y_label = "rms error [N]";
         panel.log_y = true;
-        panel.curves = {
-            curve_of("local axes", sweep, sweep.in_local, 1.0, &RunFigures::force_rmse, 1),
-            curve_of("surface axes", sweep, sweep.in_surface, 1.0, &RunFigures::force_rmse, 0)};
+        panel.curves = {curve_of("local axes", sweep, sweep.in_local, "force_rmse", 1),
+                        curve_of("surface axes", sweep, sweep.in_surface, "force_rmse", 0)};
       } else {
         panel.title = "Turn of the tool, " + sweep.surface + ", " + sweep.circumstance->name;
         panel.y_label = "largest [deg]";
-        panel.curves = {curve_of("local axes", sweep, sweep.in_local, degrees_per_radian,
-                                 &RunFigures::turned, 1),
-                        curve_of("surface axes", sweep, sweep.in_surface, degrees_per_radian,
-                                 &RunFigures::turned, 0)};
+        panel.curves = {curve_of("local axes", sweep, sweep.in_local, "orientation_drift", 1),
+                        curve_of("surface axes", sweep, sweep.in_surface, "orientation_drift", 0)};
       }
       figure.plot.panels.push_back(std::move(panel));
     }
@@ -176,7 +169,7 @@ ExperimentReport perform_frames(const ExperimentSpec& spec) {
   report.figures = {error_figure(sweeps)};
   for (const Sweep& sweep : sweeps) {
     const auto worst = [](const std::vector<RunFigures>& runs) {
-      return largest_of(collect(runs, &RunFigures::force_rmse));
+      return largest_of(collect(runs, "force_rmse"));
     };
     char text[200];
     std::snprintf(text, sizeof text,

@@ -102,9 +102,12 @@ std::string in_words(const Eigen::VectorXd& values) {
   return text;
 }
 
+double ratio(const RunFigures& run, const RunFigures& table, const char* figure) {
+  return run[figure] / table[figure];
+}
+
 double worst_ratio(const Place& place, const RunFigures& table) {
-  return std::max(place.run.force_rmse / table.force_rmse,
-                  place.run.position_rmse / table.position_rmse);
+  return std::max(ratio(place.run, table, "force_rmse"), ratio(place.run, table, "position_rmse"));
 }
 
 ResultTable runs_table(const std::vector<Place>& places, const RunFigures& table) {
@@ -127,21 +130,24 @@ ResultTable runs_table(const std::vector<Place>& places, const RunFigures& table
 
 ResultTable normals_table(const std::vector<Place>& places, const RunFigures& table) {
   ResultTable result{.name = "normals", .title = "Errors for every normal, beside the table's"};
-  result.columns = {{"surface"},
-                    {"force rmse", "N"},
-                    {"of the table's", "", 2},
-                    {"position rmse", "mm"},
-                    {"of the table's", "", 2},
-                    {"lost", "%", 2},
-                    {"torque margin", "%", 1},
-                    {"joint margin", "rad", 2},
-                    {"tool to normal", "deg", 1},
-                    {"within twice the table's"}};
+  const std::vector<const char*> errors{"force_rmse", "position_rmse"},
+      others{"without_contact", "run_torque_margin", "joint_margin", "tool_to_normal"};
+  result.columns = {{"surface"}};
+  for (const char* figure : errors) {
+    result.columns.push_back(figure_column(figure));
+    result.columns.push_back({"of the table's", "", 2});
+  }
+  for (const char* figure : others) result.columns.push_back(figure_column(figure));
+  result.columns.push_back({"within twice the table's"});
   const auto add = [&](const std::string& name, const RunFigures& run, const std::string& verdict) {
-    result.add({name, run.force_rmse, run.force_rmse / table.force_rmse, 1e3 * run.position_rmse,
-                run.position_rmse / table.position_rmse, 100.0 * run.lost,
-                100.0 * run.torque_margin, run.joint_margin,
-                degrees_per_radian * run.tool_to_normal, verdict});
+    std::vector<ResultCell> row{name};
+    for (const char* figure : errors) {
+      row.emplace_back(shown(figure, run[figure]));
+      row.emplace_back(ratio(run, table, figure));
+    }
+    for (const char* figure : others) row.emplace_back(shown(figure, run[figure]));
+    row.emplace_back(verdict);
+    result.add(std::move(row));
   };
   add("table, named posture", table, "-");
   for (const Place& place : places) {
@@ -164,8 +170,7 @@ ResultTable unreachable_table(const std::vector<Place>& places) {
 
 /// A line per tilt over the azimuth; a direction of its own is a short level line.
 Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& table,
-                         const std::string& title, const std::string& label, double scale,
-                         double RunFigures::*figure) {
+                         const std::string& title, const std::string& label, const char* figure) {
   Panel panel{.title = title, .x_label = "azimuth of the normal [deg]", .y_label = label};
   int color = 0;
   for (std::size_t i = 0; i < places.size();) {
@@ -173,7 +178,7 @@ Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& tab
     std::vector<double> x, y;
     for (; i < places.size() && places[i].direction.tilt == tilt; ++i) {
       x.push_back(places[i].direction.azimuth);
-      y.push_back(scale * (places[i].run.*figure));
+      y.push_back(shown(figure, places[i].run[figure]));
     }
     if (x.size() == 1) {
       x = {0.0, 330.0};
@@ -185,7 +190,7 @@ Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& tab
                             .y = Eigen::Map<Eigen::VectorXd>(y.data(), size),
                             .color = color++});
   }
-  const double limit = allowed_ratio * scale * (table.*figure);
+  const double limit = allowed_ratio * shown(figure, table[figure]);
   panel.curves.push_back({.name = "twice the table's",
                           .x = Eigen::Vector2d(0.0, 330.0),
                           .y = Eigen::Vector2d(limit, limit),
@@ -199,8 +204,8 @@ Figure error_figure(const std::vector<Place>& places, const RunFigures& table) {
                 .plot = {.title = "Errors over the direction of the surface's normal"}};
   figure.plot.panel_width = 760;
   figure.plot.panels = {
-      panel_over_azimuth(places, table, "Force", "rms error [N]", 1.0, &RunFigures::force_rmse),
-      panel_over_azimuth(places, table, "Path", "rms error [mm]", 1e3, &RunFigures::position_rmse)};
+      panel_over_azimuth(places, table, "Force", "rms error [N]", "force_rmse"),
+      panel_over_azimuth(places, table, "Path", "rms error [mm]", "position_rmse")};
   return figure;
 }
 
@@ -237,8 +242,8 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec) {
     std::snprintf(text, sizeof text,
                   "Worst is %s: %.2f times the table's force error, %.2f times "
                   "its path error.",
-                  worst->direction.name().c_str(), worst->run.force_rmse / table.force_rmse,
-                  worst->run.position_rmse / table.position_rmse);
+                  worst->direction.name().c_str(), ratio(worst->run, table, "force_rmse"),
+                  ratio(worst->run, table, "position_rmse"));
     report.findings.push_back(text);
   }
   report.figures = {error_figure(places, table)};

@@ -95,34 +95,34 @@ ResultTable runs_table(const std::vector<Entry>& entries, const std::vector<RunF
 }
 
 ResultTable summary_table(const std::vector<Entry>& entries, const std::vector<RunFigures>& runs) {
+  const std::vector<SummaryColumn> summary{
+      {"force_rmse", mean_of},
+      {"force_rmse", largest_of, "worst"},
+      {"force_peak", largest_of, "force_peak, worst"},
+      {"position_rmse", mean_of},
+      {"position_rmse", largest_of, "worst"},
+      {"without_contact", largest_of, "without_contact, worst"}};
   ResultTable table{.name = "summary", .title = "Mean and worst over the seeds"};
-  table.columns = {{"robot"},
-                   {"tool"},
-                   {"surface"},
-                   {"mass", "kg", 1},
-                   {"joints", "", 0},
-                   {"bandwidth", "rad/s", 0},
-                   {"seeds", "", 0},
-                   {"polished", "", 0},
-                   {"force rmse", "N"},
-                   {"worst", "N"},
-                   {"force peak, worst", "N", 2},
-                   {"position rmse", "mm"},
-                   {"worst", "mm"},
-                   {"lost, worst", "%", 2}};
+  table.columns = {{"robot"},         {"tool"},           {"surface"},
+                   {"mass", "kg", 1}, {"joints", "", 0},  {"bandwidth", "rad/s", 0},
+                   {"seeds", "", 0},  {"polished", "", 0}};
+  add_columns(summary, table);
   for (const Entry& entry : entries) {
     if (!entry.reason.empty()) continue;
     std::vector<RunFigures> all;
     for (const int index : entry.runs) all.push_back(runs[static_cast<std::size_t>(index)]);
     const auto polished =
         std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
-    const auto of = [&](double RunFigures::*figure) { return collect(all, figure); };
-    const auto force = of(&RunFigures::force_rmse), place = of(&RunFigures::position_rmse);
-    table.add({entry.name, entry.holder.tool, entry.surface, entry.mass,
-               static_cast<double>(entry.joints), entry.bandwidth, static_cast<double>(all.size()),
-               static_cast<double>(polished), mean_of(force), largest_of(force),
-               largest_of(of(&RunFigures::force_peak)), 1e3 * mean_of(place),
-               1e3 * largest_of(place), 100.0 * largest_of(of(&RunFigures::lost))});
+    std::vector<ResultCell> row{entry.name,
+                                entry.holder.tool,
+                                entry.surface,
+                                entry.mass,
+                                static_cast<double>(entry.joints),
+                                entry.bandwidth,
+                                static_cast<double>(all.size()),
+                                static_cast<double>(polished)};
+    add_cells(summary, all, row);
+    table.add(std::move(row));
   }
   return table;
 }

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "base/degrees.hpp"
+#include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/posture.hpp"
+#include "polishing/figures.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = RunFigures::none;
 
 bool all_finite(const Trace& trace) {
   const int columns = static_cast<int>(trace.columns().size());
@@ -61,21 +62,61 @@ std::vector<double> finite_of(const std::vector<double>& values) {
   return result;
 }
 
+/// Calls see(full name, entry, value of the run) for each figure that has a number.
+template <class See>
+void each_value(const RunFigures& run, const See& see) {
+  const Metrics metrics = run.metrics.value_or(Metrics{});
+  each_metric([&](const FigureEntry& entry, auto member) {
+    if constexpr (!std::same_as<decltype(member), std::string Metrics::*>)
+      see(entry.name, entry, run.metrics ? figure_value(metrics.*member) : none);
+  });
+  each_solver_figure([&](const FigureEntry& entry, auto member) {
+    see(std::string("solver.") + entry.name, entry,
+        metrics.solver ? figure_value(*metrics.solver.*member) : none);
+  });
+  each_tick_figure([&](const FigureEntry& entry, auto member) {
+    see(std::string("ticks.") + entry.name, entry, figure_value(run.ticks.*member));
+  });
+  each_run_figure(
+      [&](const FigureEntry& entry, auto member) { see(entry.name, entry, run.*member); });
+}
+
+constexpr const char* figures_of_a_row[] = {
+    "force_mean",        "force_rmse",      "force_peak",        "position_rmse",
+    "position_p95",      "without_contact", "impact_peak",       "overshoot",
+    "orientation_drift", "joint_margin",    "run_torque_margin", "run_limited_torque",
+    "largest_command",   "tool_to_normal"};
+
 }  // namespace
 
-RunFigures::RunFigures()
-    : force_mean(none),
-      force_rmse(none),
-      force_peak(none),
-      force_error_mean(none),
-      position_rmse(none),
-      position_p95(none),
-      lost(none),
-      impact(none),
-      overshoot(none),
-      turned(none),
-      joint_margin(none),
-      tool_to_normal(none) {}
+double RunFigures::operator[](const std::string& figure) const {
+  figure_named(figure);
+  double value = none;
+  each_value(*this, [&](const std::string& name, const FigureEntry&, double of_run) {
+    if (name == figure) value = of_run;
+  });
+  return value;
+}
+
+FigureEntry figure_named(const std::string& name) {
+  std::optional<FigureEntry> found;
+  std::vector<std::string> names;
+  each_value({}, [&](const std::string& known, const FigureEntry& entry, double) {
+    names.push_back(known);
+    if (name == known) found = entry;
+  });
+  if (!found) throw Error("there is no figure " + in_quotes(name) + did_you_mean(name, names));
+  return *found;
+}
+
+double shown(const std::string& figure, double value) {
+  return figure_named(figure).unit.factor * value;
+}
+
+ResultColumn figure_column(const std::string& figure, const std::string& title) {
+  const FigureEntry entry = figure_named(figure);
+  return {title.empty() ? figure : title, entry.unit.shown, entry.digits};
+}
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result) {
   RunFigures f;
@@ -89,64 +130,30 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   f.seed = task.disturbances.seed;
   f.finite = all_finite(result.trace);
   const Model& model = result.setting.robot.model;
-  f.torque_margin = 1.0 - largest_share(result.trace, model, "tau_applied");
+  f.run_torque_margin = 1.0 - largest_share(result.trace, model, "tau_applied");
   f.largest_command = largest_share(result.trace, model, "tau_command");
   const auto limited = result.trace.column("limited_joints");
-  if (limited.size() > 0) f.limited = (limited.array() > 0.0).cast<double>().mean();
+  if (limited.size() > 0) f.run_limited_torque = (limited.array() > 0.0).cast<double>().mean();
+  f.ticks = result.ticks;
+  f.metrics = result.metrics;
   if (!result.metrics) return f;
-  const Metrics& m = *result.metrics;
-  f.reached_path = true;
-  f.force_mean = m.force_mean;
-  f.force_rmse = m.force_rmse;
-  f.force_peak = m.force_peak;
-  f.force_error_mean = m.force_mean - task.force;
-  f.position_rmse = m.position_rmse;
-  f.position_p95 = m.position_p95;
-  f.lost = m.without_contact;
-  f.impact = m.impact_peak.value_or(none);
-  f.overshoot = m.overshoot.value_or(none);
-  f.turned = m.orientation_drift;
-  f.joint_margin = m.joint_margin;
+  f.force_error_mean = result.metrics->force_mean - task.force;
   f.tool_to_normal = tool_to_normal(task, result);
   return f;
 }
 
 std::vector<ResultColumn> run_columns() {
-  return {{"polished"},
-          {"force mean", "N"},
-          {"force rmse", "N"},
-          {"force peak", "N", 2},
-          {"position rmse", "mm"},
-          {"position p95", "mm"},
-          {"lost", "%", 2},
-          {"impact", "N", 1},
-          {"overshoot", "N", 2},
-          {"turned", "deg", 1},
-          {"joint margin", "rad", 2},
-          {"torque margin", "%", 1},
-          {"at torque limit", "%", 2},
-          {"largest command", "% of limit", 1},
-          {"tool to normal", "deg", 1},
-          {"outcome"}};
+  std::vector<ResultColumn> columns{{"polished"}};
+  for (const char* figure : figures_of_a_row) columns.push_back(figure_column(figure));
+  columns.push_back({"outcome"});
+  return columns;
 }
 
 std::vector<ResultCell> run_cells(const RunFigures& run) {
-  return {std::string(run.polished ? "yes" : "no"),
-          run.force_mean,
-          run.force_rmse,
-          run.force_peak,
-          1e3 * run.position_rmse,
-          1e3 * run.position_p95,
-          100.0 * run.lost,
-          run.impact,
-          run.overshoot,
-          degrees_per_radian * run.turned,
-          run.joint_margin,
-          100.0 * run.torque_margin,
-          100.0 * run.limited,
-          100.0 * run.largest_command,
-          degrees_per_radian * run.tool_to_normal,
-          run.outcome};
+  std::vector<ResultCell> cells{std::string(run.polished ? "yes" : "no")};
+  for (const char* figure : figures_of_a_row) cells.emplace_back(shown(figure, run[figure]));
+  cells.emplace_back(run.outcome);
+  return cells;
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -161,6 +168,11 @@ double largest_of(const std::vector<double>& values) {
   return finite.empty() ? none : *std::max_element(finite.begin(), finite.end());
 }
 
+double smallest_of(const std::vector<double>& values) {
+  const std::vector<double> finite = finite_of(values);
+  return finite.empty() ? none : *std::min_element(finite.begin(), finite.end());
+}
+
 double quantile_of(std::vector<double> values, double share) {
   values = finite_of(values);
   if (values.empty()) return none;
@@ -169,10 +181,21 @@ double quantile_of(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
-std::vector<double> collect(const std::vector<RunFigures>& runs, double RunFigures::*figure) {
+std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure) {
   std::vector<double> values;
-  for (const RunFigures& run : runs) values.push_back(run.*figure);
+  for (const RunFigures& run : runs) values.push_back(run[figure]);
   return values;
+}
+
+void add_columns(const std::vector<SummaryColumn>& summary, ResultTable& table) {
+  for (const SummaryColumn& column : summary)
+    table.columns.push_back(figure_column(column.figure, column.title));
+}
+
+void add_cells(const std::vector<SummaryColumn>& summary, const std::vector<RunFigures>& runs,
+               std::vector<ResultCell>& row) {
+  for (const SummaryColumn& column : summary)
+    row.emplace_back(shown(column.figure, column.of(collect(runs, column.figure))));
 }
 
 }  // namespace burnish::polishing

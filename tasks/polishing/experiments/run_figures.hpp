@@ -3,38 +3,61 @@
 
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/experiments/results_table.hpp"
+#include "report/figures.hpp"
 
 namespace burnish::polishing {
 
 struct RunFigures {
-  std::string name;
-  std::string outcome;  ///< one sentence
-  bool made = false;    ///< it was not stopped from outside, before or on its way
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::string name = {};
+  std::string outcome = {};  ///< one sentence
+  bool made = false;         ///< it was not stopped from outside, before or on its way
   bool polished = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
-  bool finite = true;         ///< no NaN or infinity in the trace
-  bool reached_path = false;  ///< the figures below are there
+  bool finite = true;                   ///< no NaN or infinity in the trace
+  std::optional<Metrics> metrics = {};  ///< over the path; none where it was not reached
+  TickTimes ticks = {};
+  // See each_run_figure(); NaN where there is none.
+  double force_error_mean = none, tool_to_normal = none;
+  double run_torque_margin = none, run_limited_torque = none, largest_command = none;
 
-  // Over the path, see Metrics; NaN where the path was not reached.
-  double force_mean, force_rmse, force_peak;  ///< N
-  double force_error_mean;                    ///< N, mean force minus mean target
-  double position_rmse, position_p95;         ///< m
-  double lost;                                ///< share of time
-  double impact, overshoot;                   ///< N
-  double turned;                              ///< rad
-  double joint_margin;                        ///< rad (m)
-  double tool_to_normal;  ///< rad, largest between pressing axis and the normal's opposite
-
-  // Over the whole run, from first contact or not.
-  double torque_margin = 0.0;    ///< smallest part of an effort limit that was never applied
-  double limited = 0.0;          ///< share of time with a joint at its effort limit
-  double largest_command = 0.0;  ///< of an effort limit, as commanded
-
-  RunFigures();
+  /// A figure by its full name, in its unit: of Metrics, the solver, the ticks, each_run_figure();
+  /// NaN where there is none. Throws Error for a name that there is not.
+  double operator[](const std::string& figure) const;
 };
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);
+
+/// Calls see(entry, member) for each figure that is the run's and not of Metrics.
+template <class See>
+void each_run_figure(const See& see) {
+  using R = RunFigures;
+  using namespace figure_units;
+  see(FigureEntry{"force_error_mean", newton, "force_mean less the force that is asked for"},
+      &R::force_error_mean);
+  see(FigureEntry{"run_torque_margin", share,
+                  "torque_margin over the whole run, with path or without", "", 1},
+      &R::run_torque_margin);
+  see(FigureEntry{"run_limited_torque", share, "limited_torque over the whole run", "", 2},
+      &R::run_limited_torque);
+  see(FigureEntry{"largest_command", share,
+                  "largest share of a joint's effort limit that was commanded in the whole run", "",
+                  1},
+      &R::largest_command);
+  see(FigureEntry{"tool_to_normal", angle,
+                  "largest angle on the path between the axis that the tool presses along and the "
+                  "surface's normal, reversed",
+                  "", 1},
+      &R::tool_to_normal);
+}
+
+/// What a figure is. Throws Error for a name that there is not.
+FigureEntry figure_named(const std::string& name);
+/// A value of a figure in the unit that people are shown.
+double shown(const std::string& figure, double value);
+/// A column of a figure in that unit, under its name or another.
+ResultColumn figure_column(const std::string& figure, const std::string& title = "");
 
 /// Columns and cells of a row for a run, from "polished" to "outcome".
 std::vector<ResultColumn> run_columns();
@@ -43,9 +66,20 @@ std::vector<ResultCell> run_cells(const RunFigures& run);
 /// Of the values that are finite; NaN if there are none.
 double mean_of(const std::vector<double>& values);
 double largest_of(const std::vector<double>& values);
+double smallest_of(const std::vector<double>& values);
 /// The smallest value that a share of all does not exceed.
 double quantile_of(std::vector<double> values, double share);
-/// One figure of several runs.
-std::vector<double> collect(const std::vector<RunFigures>& runs, double RunFigures::*figure);
+/// One figure of several runs, in its unit.
+std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure);
+
+/// A column of what a figure was in several runs.
+struct SummaryColumn {
+  const char* figure;
+  double (*of)(const std::vector<double>& values);
+  const char* title = "";  ///< empty: the figure's name
+};
+void add_columns(const std::vector<SummaryColumn>& summary, ResultTable& table);
+void add_cells(const std::vector<SummaryColumn>& summary, const std::vector<RunFigures>& runs,
+               std::vector<ResultCell>& row);
 
 }  // namespace burnish::polishing

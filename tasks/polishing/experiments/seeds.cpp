@@ -17,8 +17,8 @@ constexpr double diverged_position = 0.02;  // m, rms error
 
 bool diverged(const RunFigures& run) {
   if (!run.made) return false;
-  return !run.polished || !run.finite || !(run.force_rmse <= diverged_force) ||
-         !(run.position_rmse <= diverged_position);
+  return !run.polished || !run.finite || !(run["force_rmse"] <= diverged_force) ||
+         !(run["position_rmse"] <= diverged_position);
 }
 
 std::string surface_of(const ExperimentSpec& spec, int seed) {
@@ -91,17 +91,13 @@ ResultTable runs_table(const ExperimentSpec& spec, const std::vector<BatchRun>& 
 ResultTable statistics_table(const std::vector<RunFigures>& figures) {
   ResultTable table{.name = "statistics", .title = "Over all seeds"};
   table.columns = {{"figure"}, {"median"}, {"95 %"}, {"worst"}};
-  const auto add = [&](const char* name, double scale, double RunFigures::*figure) {
+  for (const std::string figure : {"force_rmse", "force_peak", "position_rmse", "without_contact",
+                                   "impact_peak", "run_limited_torque"}) {
     const std::vector<double> values = collect(figures, figure);
-    table.add({std::string(name), scale * quantile_of(values, 0.5),
-               scale * quantile_of(values, 0.95), scale * largest_of(values)});
-  };
-  add("force rmse [N]", 1.0, &RunFigures::force_rmse);
-  add("force peak [N]", 1.0, &RunFigures::force_peak);
-  add("position rmse [mm]", 1e3, &RunFigures::position_rmse);
-  add("lost [%]", 100.0, &RunFigures::lost);
-  add("impact [N]", 1.0, &RunFigures::impact);
-  add("at torque limit [%]", 100.0, &RunFigures::limited);
+    table.add({figure + " [" + figure_named(figure).unit.shown + "]",
+               shown(figure, quantile_of(values, 0.5)), shown(figure, quantile_of(values, 0.95)),
+               shown(figure, largest_of(values))});
+  }
   return table;
 }
 
@@ -163,22 +159,21 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
       .plot = {.title = "Share of runs below a value, and what the force error depends on most",
                .columns = 2}};
   figure.plot.panel_width = 460;
-  const auto add = [&](const char* title, const char* label, double scale,
-                       double RunFigures::*value) {
+  const auto add = [&](const char* title, const char* label, const char* value) {
     Panel panel{.title = title, .x_label = label, .y_label = "runs [%]"};
-    panel.curves = {distribution(collect(figures, value), scale)};
+    panel.curves = {distribution(collect(figures, value), shown(value, 1.0))};
     figure.plot.panels.push_back(std::move(panel));
   };
-  add("Force", "rms error [N]", 1.0, &RunFigures::force_rmse);
-  add("Path", "rms error [mm]", 1e3, &RunFigures::position_rmse);
-  add("Impact", "largest force [N]", 1.0, &RunFigures::impact);
+  add("Force", "rms error [N]", "force_rmse");
+  add("Path", "rms error [mm]", "position_rmse");
+  add("Impact", "largest force [N]", "impact_peak");
   std::vector<double> tilts;
   for (const BatchRun& run : runs)
     tilts.push_back(run.spec.task.disturbances.surface_tilt_deg.norm());
   Panel tilt{.title = "Force over the unknown tilt of the surface",
              .x_label = "tilt [deg]",
              .y_label = "rms error [N]"};
-  tilt.curves = {marks(tilts, collect(figures, &RunFigures::force_rmse), 0.06)};
+  tilt.curves = {marks(tilts, collect(figures, "force_rmse"), 0.06)};
   figure.plot.panels.push_back(std::move(tilt));
   return figure;
 }
@@ -187,7 +182,7 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
 std::size_t worst_of(const std::vector<RunFigures>& figures) {
   const auto badness = [](const RunFigures& run) {
     if (!run.made) return -1.0;
-    const double error = std::isfinite(run.force_rmse) ? run.force_rmse : 1e3;
+    const double of_run = run["force_rmse"], error = std::isfinite(of_run) ? of_run : 1e3;
     return (diverged(run) ? 1e6 : 0.0) + error;
   };
   const auto worst =
@@ -203,8 +198,8 @@ void note_worst(const std::vector<RunFigures>& figures, const std::vector<BatchR
   const RunFigures& run = figures[worst];
   if (!run.made) return;
   char force[48] = "";
-  if (run.reached_path)
-    std::snprintf(force, sizeof force, " with a force error of %.2f N", run.force_rmse);
+  if (run.metrics)
+    std::snprintf(force, sizeof force, " with a force error of %.2f N", run.metrics->force_rmse);
   const std::string seed = std::to_string(run.seed);
   report.findings.push_back("Worst is seed " + seed + force +
                             "; `burnish polish worst_seed.yaml --controller mpc` repeats it, and "

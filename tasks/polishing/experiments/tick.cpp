@@ -11,14 +11,15 @@ namespace {
 struct Timed {
   double rate;  ///< Hz, of plans
   double tick_rate;
-  TickTimes ticks = {};
-  std::optional<SolverFigures> plans = {};
   RunFigures run = {};
 
+  SolverFigures plans() const {
+    return run.metrics && run.metrics->solver ? *run.metrics->solver : SolverFigures{};
+  }
   /// Its plans are made in time, and no worse for it than those of the slowest rate.
   bool holds(const RunFigures& slowest) const {
-    return run.polished && plans && plans->p99 < 1.0 / rate &&
-           run.force_rmse <= slowest.force_rmse + 1e-9;
+    return run.polished && plans().updates > 0 && plans().p99 < 1.0 / rate &&
+           run["force_rmse"] <= slowest["force_rmse"] + 1e-9;
   }
 };
 
@@ -44,32 +45,29 @@ std::vector<Timed> perform_rates(const ExperimentSpec& spec, std::vector<RunFigu
   }
   ExperimentSpec alone = spec;
   alone.threads = 1;
-  figures = run_batch(alone, runs, [&](int index, const RunResult& result) {
-    Timed& each = timed[static_cast<std::size_t>(index)];
-    each.ticks = result.ticks;
-    if (result.metrics) each.plans = result.metrics->solver;
-  });
+  figures = run_batch(alone, runs);
   for (std::size_t i = 0; i < timed.size(); ++i) timed[i].run = figures[i];
   return timed;
 }
 
 ResultTable rates_table(const std::vector<Timed>& timed) {
+  const char* const figures[] = {"ticks.median",  "ticks.p99",  "ticks.maximum",
+                                 "solver.median", "solver.p99", "solver.maximum",
+                                 "force_rmse",    "force_peak", "position_rmse"};
   ResultTable table{.name = "rates", .title = "Times and errors for every rate of plans"};
-  table.columns = {{"plans", "Hz", 0},      {"ticks", "Hz", 0},
-                   {"tick median", "ms"},   {"p99", "ms"},
-                   {"max", "ms"},           {"late", "%", 2},
-                   {"plan median", "ms"},   {"p99", "ms"},
-                   {"max", "ms"},           {"p99 of the period", "%", 0},
-                   {"force rmse", "N"},     {"force peak", "N", 2},
-                   {"position rmse", "mm"}, {"holds"}};
+  table.columns = {{"plans", "Hz", 0}, {"ticks", "Hz", 0}};
+  for (const char* figure : figures) table.columns.push_back(figure_column(figure));
+  for (const ResultColumn& column :
+       {ResultColumn{"late", "%", 2}, {"p99 of the period", "%", 0}, {"holds"}})
+    table.columns.push_back(column);
   for (const Timed& each : timed) {
-    const TickTimes& t = each.ticks;
-    const SolverFigures plans = each.plans.value_or(SolverFigures{});
-    table.add({each.rate, each.tick_rate, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
-               t.ticks > 0 ? 100.0 * t.late / t.ticks : 0.0, 1e3 * plans.median, 1e3 * plans.p99,
-               1e3 * plans.maximum, 100.0 * plans.p99 * each.rate, each.run.force_rmse,
-               each.run.force_peak, 1e3 * each.run.position_rmse,
-               std::string(each.holds(timed.front().run) ? "yes" : "no")});
+    std::vector<ResultCell> row{each.rate, each.tick_rate};
+    for (const char* figure : figures) row.emplace_back(shown(figure, each.run[figure]));
+    const TickTimes& t = each.run.ticks;
+    row.emplace_back(t.count > 0 ? 100.0 * t.late / t.count : 0.0);
+    row.emplace_back(100.0 * each.plans().p99 * each.rate);
+    row.emplace_back(std::string(each.holds(timed.front().run) ? "yes" : "no"));
+    table.add(std::move(row));
   }
   return table;
 }
@@ -85,18 +83,18 @@ Figure rates_figure(const std::vector<Timed>& timed) {
     return result;
   };
   const char* axis = "plans per second [power of ten]";
-  const auto plans = [](const Timed& each) { return each.plans.value_or(SolverFigures{}); };
   Panel times{.title = "Ticks with a plan", .x_label = axis, .y_label = "time [ms]", .log_y = true};
-  times.curves = {curve("median", [&](const Timed& t) { return 1e3 * plans(t).median; }),
-                  curve("p99", [&](const Timed& t) { return 1e3 * plans(t).p99; }),
-                  curve("max", [&](const Timed& t) { return 1e3 * plans(t).maximum; }),
+  times.curves = {curve("median", [&](const Timed& t) { return 1e3 * t.plans().median; }),
+                  curve("p99", [&](const Timed& t) { return 1e3 * t.plans().p99; }),
+                  curve("max", [&](const Timed& t) { return 1e3 * t.plans().maximum; }),
                   curve("between plans", [](const Timed& t) { return 1e3 / t.rate; })};
   times.curves.back().color = 6;
   times.curves.back().dashed = true;
   Panel force{.title = "Force", .x_label = axis, .y_label = "rms error [N]"};
-  force.curves = {curve("", [](const Timed& t) { return t.run.force_rmse; })};
+  force.curves = {curve("", [](const Timed& t) { return t.run["force_rmse"]; })};
   Panel path{.title = "Path", .x_label = axis, .y_label = "rms error [mm]"};
-  path.curves = {curve("", [](const Timed& t) { return 1e3 * t.run.position_rmse; })};
+  path.curves = {
+      curve("", [](const Timed& t) { return shown("position_rmse", t.run["position_rmse"]); })};
   Figure figure{.name = "rates", .plot = {.title = "What a higher rate of plans takes and gives"}};
   figure.plot.panels = {times, force, path};
   return figure;

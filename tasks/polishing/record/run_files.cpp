@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "record/json_text.hpp"
+#include "polishing/figures.hpp"
+#include "record/figures_json.hpp"
 #include "record/run_folder.hpp"
 
 namespace burnish::polishing {
@@ -13,62 +14,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json metrics_json(const Metrics& m) {
-  Json json{{"start_s", m.start},
-            {"end_s", m.end},
-            {"rows", m.rows},
-            {"average_s", m.average},
-            {"force_mean_N", m.force_mean},
-            {"force_mae_N", m.force_mae},
-            {"force_rmse_N", m.force_rmse},
-            {"force_peak_N", m.force_peak},
-            {"force_rmse_raw_N", m.force_rmse_raw},
-            {"force_peak_raw_N", m.force_peak_raw},
-            {"estimate_rmse_N", m.estimate_rmse},
-            {"without_contact", m.without_contact},
-            {"impact_peak_N", number_json(m.impact_peak)},
-            {"overshoot_N", number_json(m.overshoot)},
-            {"position_mean_m", m.position_mean},
-            {"position_rmse_m", m.position_rmse},
-            {"position_p95_m", m.position_p95},
-            {"orientation_drift_rad", m.orientation_drift},
-            {"joint_margin_rad", number_json(m.joint_margin)},
-            {"tightest_joint", m.tightest_joint},
-            {"torque_margin", m.torque_margin},
-            {"tightest_torque", m.tightest_torque},
-            {"limited_torque", m.limited_torque}};
-  if (m.solver)
-    json["solver"] = {{"updates", m.solver->ticks},
-                      {"median_s", m.solver->median},
-                      {"p99_s", m.solver->p99},
-                      {"maximum_s", m.solver->maximum},
-                      {"mean_iterations", m.solver->mean_iterations},
-                      {"missed_deadlines", m.solver->missed_deadlines}};
+/// What came, and what was wanted of it; the force's error in N and as a share of the force.
+Json verdict_json(const Task& task, const VerdictFigures& figures) {
+  Json json;
+  each_verdict_figure([&](const FigureEntry& entry, auto member, auto wanted, bool at_least) {
+    const double value = figures.*member, most = task.verdict.*wanted;
+    const bool share = !*entry.unit.unit;
+    Json& of = json[entry.name];
+    of["value"] = number_json(share ? value : value / task.force);
+    of[at_least ? "at_least" : "at_most"] = number_json(most);
+    if (!share) of[std::string("value_") + entry.unit.unit] = number_json(value);
+  });
   return json;
 }
 
-/// What came, and what was wanted of it; the force's error in N and as a share of the force.
-Json verdict_json(const Task& task, const VerdictFigures& figures) {
-  const Verdict& wanted = task.verdict;
-  return {{"contact_share",
-           {{"value", number_json(figures.contact_share)}, {"at_least", wanted.contact_share}}},
-          {"force_rmse",
-           {{"value", number_json(figures.force_rmse / task.force)},
-            {"at_most", number_json(wanted.force_rmse)},
-            {"value_N", number_json(figures.force_rmse)}}},
-          {"path_share",
-           {{"value", number_json(figures.path_share)}, {"at_least", wanted.path_share}}}};
-}
-
 Json ticks_json(const RunResult& result) {
-  const TickTimes& t = result.ticks;
-  return {{"count", t.ticks},
-          {"period_s", t.period},
-          {"median_s", t.median},
-          {"p99_s", t.p99},
-          {"maximum_s", t.maximum},
-          {"mean_s", t.mean},
-          {"first_s", result.first_tick}};
+  Json json;
+  each_tick_figure([&](const FigureEntry& entry, auto member) {
+    json[entry.key()] = figure_json(result.ticks.*member);
+  });
+  json["first_s"] = result.first_tick;
+  return json;
 }
 
 /// Every `every`th row, and the last.

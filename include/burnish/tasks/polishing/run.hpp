@@ -39,13 +39,12 @@ struct RunSpec {
   std::function<bool(double time, double end)> progress = nullptr;
 };
 
-/// Wall clock of the controller's ticks, s.
+/// Wall clock of the controller's ticks after the first, s.
 struct TickTimes {
-  int ticks = 0;  ///< that were timed: every nth of more than a million
-  double median = 0.0, p99 = 0.0, maximum = 0.0;
-  double mean = 0.0;
-  int late = 0;         ///< ticks that took longer than the period
-  double period = 0.0;  ///< s between ticks: what they must stay below
+  int count = 0;        ///< ticks that were timed: every nth of more than a million
+  double period = 0.0;  ///< between two ticks: what they must stay below
+  double median = 0.0, p99 = 0.0, maximum = 0.0, mean = 0.0;
+  int late = 0;  ///< ticks that took longer than a period
 };
 
 struct RunResult {

@@ -1,0 +1,20 @@
+// Figures of a run as JSON, under their keys: see report/figures.hpp.
+#pragma once
+
+#include "record/json_text.hpp"
+#include "report/figures.hpp"
+
+namespace burnish {
+
+/// Null where it is not finite or not there.
+template <class Value>
+Json figure_json(const Value& value) {
+  if constexpr (std::integral<Value> || std::same_as<Value, std::string>)
+    return value;
+  else
+    return number_json(value);
+}
+
+Json metrics_json(const Metrics& metrics);
+
+}  // namespace burnish

@@ -1,0 +1,131 @@
+#include "report/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "burnish/report/run_page.hpp"
+
+namespace burnish {
+namespace {
+
+std::string formatted(const char* format, double value) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+/// A value in the unit that it is shown in.
+std::string shown(const ShownFigure& figure) {
+  if (!std::isfinite(figure.value)) return "-";
+  const double value = figure.entry.unit.factor * figure.value, size = std::abs(value);
+  const bool extreme = (size != 0.0 && size < 0.01) || size >= 1e6;
+  return formatted(extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f", size == 0.0 ? 0.0 : value);
+}
+
+/// What a force's errors are of.
+std::string mean_of(const std::optional<Metrics>& metrics) {
+  if (!metrics || metrics->average <= 0.0) return "";
+  return formatted("'s mean over %.4g ms", 1e3 * metrics->average);
+}
+
+std::string padded(const std::string& word, std::size_t width, bool left) {
+  const std::string blanks(width - std::min(width, word.size()), ' ');
+  return left ? word + blanks : blanks + word;
+}
+
+std::size_t widest(const std::vector<std::string>& words) {
+  std::size_t width = 0;
+  for (const std::string& word : words) width = std::max(width, word.size());
+  return width;
+}
+
+/// Lines of columns that stand side by side; `left` of them begin at their left.
+std::string side_by_side(const std::vector<std::vector<std::string>>& columns, std::size_t left) {
+  std::string text;
+  for (std::size_t line = 0; line < columns.front().size(); ++line) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      text += (i == 0 ? "" : "  ") + padded(columns[i][line], widest(columns[i]), i < left);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics) {
+  const Metrics all = metrics.value_or(Metrics{});
+  const std::optional<SolverFigures>& solver = all.solver;
+  std::vector<ShownFigure> figures;
+  const auto add = [&](const FigureEntry& entry, const std::string& name, double value) {
+    std::string meaning = entry.meaning;
+    if (const std::size_t at = meaning.find("{mean}"); at != std::string::npos)
+      meaning.replace(at, 6, mean_of(metrics));
+    if (*entry.label) figures.push_back({entry, name, std::move(meaning), value});
+  };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  each_metric([&](const FigureEntry& entry, auto member) {
+    if constexpr (std::same_as<decltype(member), std::string Metrics::*>) {
+      if (!(all.*member).empty()) figures.back().meaning += ": " + all.*member;
+    } else {
+      add(entry, entry.name, metrics ? figure_value(all.*member) : none);
+    }
+  });
+  each_solver_figure([&](const FigureEntry& entry, auto member) {
+    add(entry, std::string("solver.") + entry.name, solver ? figure_value(*solver.*member) : none);
+  });
+  return figures;
+}
+
+std::string metrics_table(const std::vector<NamedMetrics>& runs) {
+  if (runs.empty()) return "";
+  std::vector<std::vector<std::string>> columns{{""}, {""}};
+  for (const ShownFigure& figure : shown_figures({})) {
+    columns[0].push_back(figure.name);
+    columns[1].emplace_back(figure.entry.unit.shown);
+  }
+  for (const NamedMetrics& run : runs) {
+    columns.push_back({run.name});
+    for (const ShownFigure& figure : shown_figures(run.metrics))
+      columns.back().push_back(shown(figure));
+  }
+  return side_by_side(columns, 2);
+}
+
+std::string metrics_text(const Metrics& metrics) {
+  std::vector<std::vector<std::string>> columns(4);
+  for (const ShownFigure& figure : shown_figures(metrics)) {
+    if (std::isnan(figure.value) && !metrics.solver && figure.name.starts_with("solver.")) continue;
+    columns[0].push_back(figure.name);
+    columns[1].push_back(shown(figure));
+    columns[2].emplace_back(figure.entry.unit.shown);
+    columns[3].push_back(figure.meaning);
+  }
+  std::string text = "window " + formatted("%.3f", metrics.start) + " s to " +
+                     formatted("%.3f", metrics.end) + " s, " + std::to_string(metrics.rows) +
+                     " rows\n";
+  for (std::size_t line = 0; line < columns[0].size(); ++line)
+    text += padded(columns[0][line], widest(columns[0]), true) + "  " +
+            padded(columns[1][line], widest(columns[1]), false) + " " +
+            padded(columns[2][line], 4, true) + columns[3][line] + '\n';
+  return text;
+}
+
+std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
+  std::vector<PageMetric> result;
+  for (const ShownFigure& figure : shown_figures(metrics)) {
+    // The page finds how large its millimetres are by itself; shares are percent to it.
+    const FigureUnit& unit = figure.entry.unit;
+    const bool share = !*unit.unit && *unit.shown;
+    std::optional<double> value;
+    if (std::isfinite(figure.value)) value = share ? unit.factor * figure.value : figure.value;
+    result.push_back({figure.name, figure.entry.label, value,
+                      share        ? unit.shown
+                      : *unit.unit ? unit.unit
+                                   : "1",
+                      figure.meaning});
+  }
+  return result;
+}
+
+}  // namespace burnish

@@ -1,0 +1,154 @@
+// The one table of a run's figures: names, units and meanings, from which come the keys of files,
+// columns, printed tables, the page, Python's attributes and the table of the docs.
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/degrees.hpp"
+#include "burnish/report/metrics.hpp"
+
+namespace burnish {
+
+/// What a value is in, and what people are shown it in.
+struct FigureUnit {
+  const char* unit;        ///< of the value; "": a number, a share or a word
+  const char* shown = "";  ///< to people
+  double factor = 1.0;     ///< from the one to the other
+};
+namespace figure_units {
+inline constexpr FigureUnit none{""}, newton{"N", "N"}, metre{"m", "mm", 1e3},
+    angle{"rad", "deg", degrees_per_radian}, joint{"rad", "rad"}, second{"s", "s"},
+    computing{"s", "ms", 1e3}, share{"", "%", 100.0};
+}  // namespace figure_units
+
+/// A row. Its name is one everywhere: the member, in C++ and Python, the column, and with the unit
+/// behind it the key in files (`force_rmse`, `force_rmse_N`).
+struct FigureEntry {
+  const char* name;
+  FigureUnit unit;
+  /// "{mean}" where it is of the force's moving average.
+  const char* meaning;
+  /// On the page; "": in files alone.
+  const char* label = "";
+  int digits = 3;  ///< behind the point, of what is shown
+
+  std::string key() const { return *unit.unit ? std::string(name) + "_" + unit.unit : name; }
+};
+
+/// Calls see(entry, member) for each figure of Metrics, in the order of files.
+template <class See>
+void each_metric(const See& see) {
+  using M = Metrics;
+  using namespace figure_units;
+  see(FigureEntry{"start", second, "of the first row within the window"}, &M::start);
+  see(FigureEntry{"end", second, "of the last row within the window"}, &M::end);
+  see(FigureEntry{"rows", none, "of the trace within the window"}, &M::rows);
+  see(FigureEntry{"average", second,
+                  "that averaged forces are means over, by whole rows; 0: of one row each"},
+      &M::average);
+  see(FigureEntry{"force_mean", newton, "mean normal force", "mean force"}, &M::force_mean);
+  see(FigureEntry{"force_mae", newton, "mean absolute error of the force{mean}",
+                  "force error, mean"},
+      &M::force_mae);
+  see(FigureEntry{"force_rmse", newton, "root mean square error of the force{mean}",
+                  "force error, rms"},
+      &M::force_rmse);
+  see(FigureEntry{"force_peak", newton, "largest absolute error of the force{mean}",
+                  "force error, peak", 2},
+      &M::force_peak);
+  see(FigureEntry{"force_rmse_raw", newton, "root mean square error of the force in every row",
+                  "force error, rms, raw"},
+      &M::force_rmse_raw);
+  see(FigureEntry{"force_peak_raw", newton, "largest absolute error of the force in any row",
+                  "force error, peak, raw", 2},
+      &M::force_peak_raw);
+  see(FigureEntry{"estimate_rmse", newton,
+                  "root mean square error of what the controller believes the normal force to be",
+                  "estimate error, rms"},
+      &M::estimate_rmse);
+  see(FigureEntry{"without_contact", share, "share of the time without contact", "without contact",
+                  2},
+      &M::without_contact);
+  see(FigureEntry{"impact_peak", newton,
+                  "largest normal force in the 50 ms from the first contact of the run on",
+                  "impact", 1},
+      &M::impact_peak);
+  see(FigureEntry{"overshoot", newton,
+                  "largest excess of the force{mean} over the target, from the end of the ramp to "
+                  "the window; at least 0",
+                  "overshoot", 2},
+      &M::overshoot);
+  see(FigureEntry{"position_mean", metre, "mean distance to the target across the normal",
+                  "path error, mean"},
+      &M::position_mean);
+  see(FigureEntry{"position_rmse", metre,
+                  "root mean square distance to the target across the normal", "path error, rms"},
+      &M::position_rmse);
+  see(FigureEntry{"position_p95", metre,
+                  "distance to the target across the normal that is not exceeded 95 % of the time",
+                  "path error, 95 %"},
+      &M::position_p95);
+  see(FigureEntry{"orientation_drift", angle, "largest rotation of the tool since the window began",
+                  "tool turned", 1},
+      &M::orientation_drift);
+  see(FigureEntry{"joint_margin", joint,
+                  "smallest distance of a joint to its limit (m where it slides)", "joint margin",
+                  2},
+      &M::joint_margin);
+  see(FigureEntry{"tightest_joint", none, "whose margin that is; empty without limits"},
+      &M::tightest_joint);
+  see(FigureEntry{"torque_margin", share,
+                  "share of a joint's effort limit that was never used, smallest", "torque margin",
+                  1},
+      &M::torque_margin);
+  see(FigureEntry{"tightest_torque", none, "whose margin that is; empty without limits"},
+      &M::tightest_torque);
+  see(FigureEntry{"limited_torque", share, "share of the time with a joint at its effort limit",
+                  "torque limited", 2},
+      &M::limited_torque);
+}
+
+/// The same of what Metrics::solver holds; their full names have "solver." in front.
+template <class See>
+void each_solver_figure(const See& see) {
+  using S = SolverFigures;
+  using namespace figure_units;
+  see(FigureEntry{"updates", none, "plans that were made", "plans", 0}, &S::updates);
+  see(FigureEntry{"median", computing, "median computing time of a plan", "plan, median"},
+      &S::median);
+  see(FigureEntry{"p99", computing, "computing time that 99 % of the plans stay below",
+                  "plan, 99 %"},
+      &S::p99);
+  see(FigureEntry{"maximum", computing, "longest computing time of a plan", "plan, longest"},
+      &S::maximum);
+  see(FigureEntry{"mean_iterations", none, "solver iterations per plan, mean", "iterations"},
+      &S::mean_iterations);
+  see(FigureEntry{"missed_deadlines", none, "plans that came later than they were due",
+                  "deadlines missed", 0},
+      &S::missed_deadlines);
+}
+
+/// A figure as a number: NaN where there is none.
+template <class Value>
+double figure_value(const Value& value) {
+  if constexpr (std::convertible_to<Value, double>)
+    return static_cast<double>(value);
+  else
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// A figure of one run, for people.
+struct ShownFigure {
+  FigureEntry entry;
+  std::string name;     ///< in full
+  std::string meaning;  ///< with what the mean is over, and whose the margin is
+  double value;         ///< in the entry's unit; NaN: none
+};
+/// Those that have a label; all of them, with no values, without metrics.
+std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics);
+
+}  // namespace burnish

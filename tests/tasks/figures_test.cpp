@@ -1,0 +1,93 @@
+// The one table of figures: names that are one, files and docs that follow it.
+#include "polishing/figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "polishing/experiments/run_figures.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using namespace burnish::polishing;
+
+/// Calls see(full name, entry) for every row of the table.
+template <class See>
+void each_figure(const See& see) {
+  const auto under = [&](const std::string& group) {
+    return [&see, group](const FigureEntry& entry, auto&&...) { see(group + entry.name, entry); };
+  };
+  each_metric(under(""));
+  each_solver_figure(under("solver."));
+  each_run_figure(under(""));
+  each_tick_figure(under("ticks."));
+  each_verdict_figure(under("verdict."));
+}
+
+/// As the docs have it.
+std::string table_of_figures() {
+  std::string text = "| figure | unit | shown in | meaning |\n| --- | --- | --- | --- |\n";
+  each_figure([&](const std::string& name, const FigureEntry& entry) {
+    std::string meaning = entry.meaning;
+    if (const auto at = meaning.find("{mean}"); at != std::string::npos)
+      meaning.replace(at, 6, "'s moving mean");
+    text += "| `" + name + "` | " + entry.unit.unit + " | " + entry.unit.shown + " | " + meaning +
+            " |\n";
+  });
+  return text;
+}
+
+TEST(Figures, HaveOneNameEach) {
+  std::set<std::string> names;
+  each_figure([&](const std::string& name, const FigureEntry& entry) {
+    EXPECT_TRUE(names.insert(name).second) << name << " stands in the table twice";
+    EXPECT_NE(std::string(entry.meaning), "") << name;
+    EXPECT_NE(entry.unit.factor, 0.0) << name;
+  });
+  EXPECT_TRUE(names.contains("force_rmse"));
+}
+
+TEST(Figures, AreAskedForByTheirNames) {
+  RunFigures run;
+  EXPECT_TRUE(std::isnan(run["force_rmse"])) << "the path was not reached";
+  run.metrics = Metrics{};
+  run.metrics->force_rmse = 0.25;
+  run.metrics->position_rmse = 1e-3;
+  run.largest_command = 0.5;
+  run.ticks.p99 = 2e-4;
+  EXPECT_EQ(run["force_rmse"], 0.25);
+  EXPECT_EQ(run["largest_command"], 0.5);
+  EXPECT_EQ(run["ticks.p99"], 2e-4);
+  EXPECT_TRUE(std::isnan(run["overshoot"]) && std::isnan(run["solver.p99"]));
+  EXPECT_DOUBLE_EQ(shown("position_rmse", run["position_rmse"]), 1.0);
+  EXPECT_EQ(figure_column("position_rmse").unit, "mm");
+  EXPECT_EQ(figure_column("without_contact", "worst").name, "worst");
+  expect_words(refusal([&] { run["force_rsme"]; }),
+               {"no figure 'force_rsme'", "did you mean 'force_rmse'?"});
+}
+
+/// BURNISH_WRITE=1 in the environment writes the docs anew.
+TEST(Figures, StandInTheDocsAsInTheTable) {
+  const std::string file = BURNISH_DOCS_DIR "/polishing.md", begin = "<!-- figures -->\n",
+                    end = "<!-- end of figures -->";
+  std::ostringstream stream;
+  stream << std::ifstream(file).rdbuf();
+  std::string text = stream.str();
+  const std::size_t from = text.find(begin), to = text.find(end);
+  ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to) << file;
+  const std::size_t first = from + begin.size();
+  const std::string wanted = table_of_figures();
+  if (std::getenv("BURNISH_WRITE") != nullptr)
+    std::ofstream(file) << text.replace(first, to - first, wanted);
+  EXPECT_EQ(text.substr(first, text.find(end) - first), wanted)
+      << "BURNISH_WRITE=1 tasks_test --gtest_filter='Figures*' writes it";
+}
+
+}  // namespace
+}  // namespace burnish::testing
