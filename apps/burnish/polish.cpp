@@ -33,7 +33,7 @@ struct PolishArguments {
   std::optional<double> duration;
   int record_every = 10;
   bool quiet = false, json = false, time = false, unchecked = false;
-  bool no_page = false, mcap = false, force = false, strict = false;
+  bool no_page = false, plots = false, mcap = false, force = false, strict = false;
 
   bool talks() const { return !quiet && !json; }
 };
@@ -216,13 +216,15 @@ struct Outcomes {
 };
 
 /// The files of the last result, and of all so far; the names of the former.
-std::vector<std::string> write_last(const PolishJob& job, int record_every, const fs::path& folder,
-                                    Outcomes& outcomes) {
+std::vector<std::string> write_last(const PolishJob& job, const PolishArguments& arguments,
+                                    const fs::path& folder, Outcomes& outcomes) {
   const RunResult& result = outcomes.results.back();
   std::vector<std::string> names;
   outcomes.summary.push_back(run_json(job, result));
   outcomes.write([&] {
-    names = write_run(job, result, record_every, folder / job.name, outcomes.pages);
+    names =
+        write_run(job, result, {.record_every = arguments.record_every, .plots = arguments.plots},
+                  folder / job.name, outcomes.pages);
     write_text(folder / "summary.json", json_text(outcomes.summary));
   });
   return names;
@@ -248,7 +250,7 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
   for (PolishJob& job : jobs) {
     outcomes.results.push_back(run_job(job, bar));
     const RunResult& result = outcomes.results.back();
-    const auto names = write_last(job, arguments.record_every, folder, outcomes);
+    const auto names = write_last(job, arguments, folder, outcomes);
     if (arguments.talks() || (!arguments.json && !result.polished))
       fmt::print("{}: {}\n", job.name, result.outcome);
     if (arguments.talks() && outcomes.unwritten.empty())
@@ -347,6 +349,9 @@ void add_run_options(CLI::App& command, PolishArguments& a) {
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command.add_flag("--no-page", a.no_page, "Write no run.json, run.html and comparison.html");
+  command.add_flag("--plots", a.plots,
+                   "Write force.svg, path.svg, torques.svg and solver.svg beside the page, which "
+                   "shows the same; without a page they are written in any case");
   command.add_flag("--mcap", a.mcap, "Write run.mcap too, a recording that Foxglove opens");
   command.add_flag("--time", a.time, "Print how long the controller's ticks took");
   command.add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
@@ -376,10 +381,10 @@ void add_polish(CLI::App& app, int& exit_code) {
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"
       "Each run leaves a folder: run.html, a page of all of it for any browser, trace.csv,\n"
-      "metrics.json, task.yaml, force.svg, path.svg, torques.svg, solver.svg, run.json, and after\n"
-      "a fault fault.txt and last_second.csv; several runs leave comparison.html. Ctrl-C (or\n"
-      "SIGTERM, or SIGHUP) ends the run and writes what there is. docs/polishing.md and "
-      "docs/run_page.md explain all of it.\n"
+      "metrics.json, task.yaml, run.json, and after a fault fault.txt and last_second.csv; "
+      "several\n"
+      "runs leave comparison.html. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes what\n"
+      "there is. docs/polishing.md and docs/run_page.md explain all of it.\n"
       "Exit codes: 0 polished, as the task's `verdict` asks for; 1 not: a fault, no contact, a "
       "figure\n"
       "of the verdict, an interruption; 2 bad input.");

@@ -856,6 +856,7 @@ class RunResult:
         *,
         name: str = "run",
         page: bool = True,
+        plots: bool = False,
         recording: bool = False,
         record_every: int = 10,
     ) -> List[str]: ...

@@ -125,15 +125,15 @@ PlanRecord record_of(const PlanArrays& arrays) {
 
 #ifdef BURNISH_HAS_RECORD
 std::vector<std::string> write_files(const Run& run, const std::filesystem::path& folder,
-                                     const std::string& name, bool page, bool recording,
+                                     const std::string& name, bool page, bool plots, bool recording,
                                      int record_every) {
   PageWriter pages(page, recording);
-  return write_run({.name = name, .place = name, .spec = run.spec}, run.result, record_every,
-                   folder, pages);
+  return write_run({.name = name, .place = name, .spec = run.spec}, run.result,
+                   {.record_every = record_every, .plots = plots}, folder, pages);
 }
 #else
 std::vector<std::string> write_files(const Run&, const std::filesystem::path&, const std::string&,
-                                     bool, bool, int) {
+                                     bool, bool, bool, int) {
   throw Error(
       "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
       "trace.write_csv() and write_task() are there in all builds");
@@ -237,12 +237,13 @@ void bind_result(py::module_& m) {
           "PlanRecord: plans of the MPC, now and then; a copy.")
       .def(
           "write", &write_files, py::arg("folder"), py::kw_only(), py::arg("name") = "run",
-          py::arg("page") = true, py::arg("recording") = false, py::arg("record_every") = 10,
-          py::call_guard<py::gil_scoped_release>(),
+          py::arg("page") = true, py::arg("plots") = false, py::arg("recording") = false,
+          py::arg("record_every") = 10, py::call_guard<py::gil_scoped_release>(),
           "Writes into a folder, which is made, what `burnish polish` leaves of a run: run.html "
           "and "
-          "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, plots "
-          "as SVG, run.mcap (recording), and after a fault its report. `name` stands on the page. "
+          "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, "
+          "run.mcap (recording), plots as SVG files (plots; without a page in any case), and after "
+          "a fault its report. `name` stands on the page. "
           "Returns the files' names. Raises Error if they cannot be written, or in a build without "
           "fmt or nlohmann-json.")
       .def("__repr__", &repr_of)

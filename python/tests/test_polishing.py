@@ -415,6 +415,8 @@ class TestFiles:
                 pytest.skip(str(refused))
             raise
         assert {"trace.csv", "metrics.json", "task.yaml", "run.json", "run.mcap"} <= set(names)
+        assert ("run.html" in names) != ("force.svg" in names)
+        assert "force.svg" in result.write(tmp_path / "again", plots=True)
         assert all((tmp_path / "run" / name).stat().st_size > 0 for name in names)
         assert polishing.read_task(tmp_path / "run" / "task.yaml") == result.task
         rows = (tmp_path / "run" / "trace.csv").read_text().count("\n") - 1

@@ -45,7 +45,7 @@ std::vector<std::string> PageWriter::write(const fs::path& folder,
         page_json({.title = page.name, .version = page.version, .created = page.created}, {run});
     write_text(folder / "run.json", data);
     written.emplace_back("run.json");
-    if (!page_template().empty()) {
+    if (makes_pages()) {
       write_text(folder / "run.html", page_html(page_template(), data));
       written.emplace_back("run.html");
     }
@@ -60,6 +60,8 @@ std::vector<std::string> PageWriter::write(const fs::path& folder,
   }
   return written;
 }
+
+bool PageWriter::makes_pages() const { return pages_ && !page_template().empty(); }
 
 std::string PageWriter::finish(const fs::path& folder) const {
   std::error_code ignored;

@@ -19,6 +19,8 @@ class PageWriter {
   /// show.
   std::vector<std::string> write(const std::filesystem::path& folder,
                                  const std::function<RunPage()>& make);
+  /// Whether runs have a page, so that nobody needs their plots as files.
+  bool makes_pages() const;
   /// Behind the last run: comparison.html in the folder of all runs, if there are several.
   /// Returns what is to be told about pages, one line, or nothing.
   std::string finish(const std::filesystem::path& folder) const;

@@ -79,15 +79,20 @@ std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics) {
 
 std::string metrics_table(const std::vector<NamedMetrics>& runs) {
   if (runs.empty()) return "";
-  std::vector<std::vector<std::string>> columns{{""}, {""}};
+  const bool any_solver = std::any_of(runs.begin(), runs.end(), [](const NamedMetrics& run) {
+    return run.metrics.solver.has_value();
+  });
+  const auto listed = [&](const ShownFigure& figure) { return any_solver || !figure.of_solver(); };
+  std::vector<std::vector<std::string>> columns{{"figure"}, {""}};
   for (const ShownFigure& figure : shown_figures({})) {
+    if (!listed(figure)) continue;
     columns[0].push_back(figure.name);
     columns[1].emplace_back(figure.entry.unit.shown);
   }
   for (const NamedMetrics& run : runs) {
     columns.push_back({run.name});
     for (const ShownFigure& figure : shown_figures(run.metrics))
-      columns.back().push_back(shown(figure));
+      if (listed(figure)) columns.back().push_back(shown(figure));
   }
   return side_by_side(columns, 2);
 }
@@ -95,7 +100,7 @@ std::string metrics_table(const std::vector<NamedMetrics>& runs) {
 std::string metrics_text(const Metrics& metrics) {
   std::vector<std::vector<std::string>> columns(4);
   for (const ShownFigure& figure : shown_figures(metrics)) {
-    if (std::isnan(figure.value) && !metrics.solver && figure.name.starts_with("solver.")) continue;
+    if (!metrics.solver && figure.of_solver()) continue;
     columns[0].push_back(figure.name);
     columns[1].push_back(shown(figure));
     columns[2].emplace_back(figure.entry.unit.shown);

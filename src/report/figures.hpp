@@ -147,6 +147,8 @@ struct ShownFigure {
   std::string name;     ///< in full
   std::string meaning;  ///< with what the mean is over, and whose the margin is
   double value;         ///< in the entry's unit; NaN: none
+
+  bool of_solver() const { return name.starts_with("solver."); }
 };
 /// Those that have a label; all of them, with no values, without metrics.
 std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics);

@@ -18,10 +18,10 @@ TEST(Polish, WritesWhatItSays) {
   const Scratch scratch;
   const auto out = scratch.folder / "out";
   const Outcome outcome =
-      run("polish --surface board" + short_run + " --time --out " + quoted(out));
+      run("polish --surface board" + short_run + " --time --plots --out " + quoted(out));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.err, "");  // no bar: this is no terminal
-  for (const char* words : {"force_rmse", "pos_p95", "board_mpc", "board_baseline",
+  for (const char* words : {"force_rmse", "position_p95", "board_mpc", "board_baseline",
                             "time of a tick", "m of path", "polished: "})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 
@@ -46,6 +46,19 @@ TEST(Polish, WritesWhatItSays) {
       EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "fault.txt"));
+  }
+}
+
+TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {
+  const Scratch scratch;
+  const std::string alone = "polish --surface table --controller baseline --quiet" + short_run;
+  ASSERT_EQ(run(alone + " --out " + quoted(scratch.folder / "with")).exit_code, 0);
+  ASSERT_EQ(run(alone + " --no-page --out " + quoted(scratch.folder / "without")).exit_code, 0);
+  const auto with = scratch.folder / "with" / "table_baseline",
+             without = scratch.folder / "without" / "table_baseline";
+  for (const char* plot : {"force.svg", "path.svg", "torques.svg"}) {
+    EXPECT_NE(std::filesystem::exists(with / plot), std::filesystem::exists(with / "run.html"));
+    EXPECT_TRUE(std::filesystem::exists(without / plot)) << plot;
   }
 }
 

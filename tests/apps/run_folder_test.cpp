@@ -127,8 +127,8 @@ TEST(RunFolder, OnAFullDiskHoldsNothingHalfWrittenAndTheTableIsPrinted) {
   const Outcome outcome = run_short_of_disk(
       64, "polish" + quick_polish + "--seed 1 --seed 2 --record-every 1 --out " + quoted(out));
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.out.find("table_baseline_seed1 "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("table_baseline_seed2 "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("table_baseline_seed1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("table_baseline_seed2"), std::string::npos) << outcome.out;
   EXPECT_EQ(lines_of(outcome.err), 1) << outcome.err;
   EXPECT_NE(outcome.err.find("trace.csv': File too large"), std::string::npos) << outcome.err;
   for (const auto& entry : fs::recursive_directory_iterator(out))

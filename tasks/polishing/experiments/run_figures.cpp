@@ -92,8 +92,8 @@ constexpr const char* figures_of_a_row[] = {
 double RunFigures::operator[](const std::string& figure) const {
   figure_named(figure);
   double value = none;
-  each_value(*this, [&](const std::string& name, const FigureEntry&, double of_run) {
-    if (name == figure) value = of_run;
+  each_value(*this, [&](const std::string& known, const FigureEntry&, double of_run) {
+    if (known == figure) value = of_run;
   });
   return value;
 }

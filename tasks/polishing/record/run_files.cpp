@@ -78,27 +78,32 @@ Json run_json(const PolishJob& job, const RunResult& result) {
   return json;
 }
 
-std::vector<std::string> write_run(const PolishJob& job, const RunResult& result, int record_every,
-                                   const fs::path& folder, PageWriter& pages) {
-  if (record_every < 1)
+std::vector<std::string> write_run(const PolishJob& job, const RunResult& result,
+                                   const RunFilesOptions& options, const fs::path& folder,
+                                   PageWriter& pages) {
+  if (options.record_every < 1)
     throw Error(fmt::format("record_every is {}; wanted is a positive number of plant steps",
-                            record_every));
+                            options.record_every));
   make_folder(folder);
   std::vector<std::string> names{"trace.csv", "metrics.json", "task.yaml"};
-  thinned(result.trace, record_every).write_csv(folder / "trace.csv");
+  thinned(result.trace, options.record_every).write_csv(folder / "trace.csv");
   write_text(folder / "metrics.json", json_text(run_json(job, result)));
   write_task(job.spec.task, folder / "task.yaml");
-  for (std::string& name : write_polish_plots(job, result, folder))
-    names.push_back(std::move(name));
   std::error_code ignored;  // of a run before in the same folder
-  for (const char* name : {"fault.txt", "last_second.csv"}) fs::remove(folder / name, ignored);
+  for (const char* name :
+       {"force.svg", "path.svg", "torques.svg", "solver.svg", "fault.txt", "last_second.csv"})
+    fs::remove(folder / name, ignored);
+  if (options.plots || !pages.makes_pages())
+    for (std::string& name : write_polish_plots(job, result, folder))
+      names.push_back(std::move(name));
   if (result.fault.kind != FaultKind::None) {
     write_text(folder / "fault.txt", result.fault.text());
     result.fault.last_second.write_csv(folder / "last_second.csv");
     names.insert(names.end(), {"fault.txt", "last_second.csv"});
   }
   std::function<RunPage()> page;
-  if (result.trace.rows() > 0) page = [&] { return make_run_page(job, result, record_every); };
+  if (result.trace.rows() > 0)
+    page = [&] { return make_run_page(job, result, options.record_every); };
   for (std::string& name : pages.write(folder, page)) names.push_back(std::move(name));
   return names;
 }

@@ -19,10 +19,17 @@ struct PolishJob {
   RunSpec spec;
 };
 
-/// Writes trace.csv (every `record_every`th row), metrics.json, task.yaml, the plots, after a fault
-/// fault.txt and last_second.csv, and what `pages` writes; their names. Throws Error if a file
-/// cannot be written, and for a `record_every` that is not positive.
-std::vector<std::string> write_run(const PolishJob& job, const RunResult& result, int record_every,
+/// How much of a run is written.
+struct RunFilesOptions {
+  int record_every = 10;  ///< plant steps between two rows of trace.csv
+  bool plots = false;     ///< as SVG files too, where the page has them
+};
+
+/// Writes trace.csv, metrics.json, task.yaml, the plots where they are asked for or there is no
+/// page, after a fault fault.txt and last_second.csv, and what `pages` writes; their names. Throws
+/// Error if a file cannot be written, and for a `record_every` that is not positive.
+std::vector<std::string> write_run(const PolishJob& job, const RunResult& result,
+                                   const RunFilesOptions& options,
                                    const std::filesystem::path& folder, PageWriter& pages);
 
 /// Everything in numbers.
