@@ -8,8 +8,7 @@
 #include "command.hpp"
 #include "draft_settings.hpp"
 #include "record/json_text.hpp"
-#include "record/mesh_file.hpp"
-#include "record/page_files.hpp"
+#include "record/run_files.hpp"
 #include "robot_arguments.hpp"
 #include "show_json.hpp"
 #include "tree_drawing.hpp"
@@ -172,10 +171,7 @@ void print_postures(const Robot& robot) {
 
 /// The robot drawn in 3D.
 void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArguments& arguments) {
-  RobotDrawing drawing{.model = robot.model, .q = q};
-  for (const auto& [name, posture] : robot.postures)
-    drawing.postures[name] = configuration(robot.model, posture);
-  drawing.meshes = load_meshes(robot.model, robot_folder(arguments.robot.robot));
+  const RobotDrawing drawing = drawing_of(robot, arguments.robot.robot, q);
   write_robot_page(drawing, arguments.html);
   fmt::print("{} in {}\n", robot.model.name, arguments.html);
   const std::vector<std::string> missing = missing_meshes(drawing);

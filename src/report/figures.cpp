@@ -19,6 +19,7 @@ std::string formatted(const char* format, double value) {
 std::string shown(const ShownFigure& figure) {
   if (!std::isfinite(figure.value)) return "-";
   const double value = figure.entry.unit.factor * figure.value, size = std::abs(value);
+  if (figure.entry.digits == 0) return formatted("%.0f", value);
   const bool extreme = (size != 0.0 && size < 0.01) || size >= 1e6;
   return formatted(extreme ? "%.2e" : size < 10.0 ? "%.3f" : "%.2f", size == 0.0 ? 0.0 : value);
 }

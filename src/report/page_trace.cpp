@@ -5,6 +5,7 @@
 #include "burnish/mpc/controller.hpp"
 #include "burnish/report/run_page.hpp"
 #include "report/moving_mean.hpp"
+#include "report/trace_curves.hpp"
 
 namespace burnish {
 namespace {
@@ -49,9 +50,7 @@ class PageFiller {
   }
   /// The component of a vector in world axes.
   Eigen::VectorXd along(const std::string& what, const Eigen::Vector3d& direction) const {
-    return trace_.column(what + "_x_world") * direction.x() +
-           trace_.column(what + "_y_world") * direction.y() +
-           trace_.column(what + "_z_world") * direction.z();
+    return burnish::along(trace_, what, direction);
   }
 
  private:

@@ -3,15 +3,20 @@
 #include <limits>
 
 #include "burnish/base/error.hpp"
+#include "burnish/base/views.hpp"
 #include "burnish/report/run_page.hpp"
 #include "report/json_writer.hpp"
 
 namespace burnish {
 namespace {
 
-void write_floats(JsonWriter& json, const char* name, const Eigen::VectorXd& values) {
+void write_floats(JsonWriter& json, const char* name, const ConstVectorRef& values) {
   json.key(name);
   json.floats(values);
+}
+
+VectorView mapped(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
 void write_about(JsonWriter& json, const RunPage& run) {
@@ -174,17 +179,17 @@ void write_solver(JsonWriter& json, const std::optional<PageSolver>& solver) {
   json.end_object();
 }
 
-void write_plans(JsonWriter& json, const std::optional<PagePlans>& plans) {
+void write_plans(JsonWriter& json, const std::optional<PlanRecord>& plans) {
   json.key("costs");
   if (plans) {
     json.begin_object();
-    write_floats(json, "time", plans->time);
+    write_floats(json, "time", mapped(plans->time));
     json.key("terms");
     json.begin_array();
     for (std::size_t i = 0; i < plans->terms.size(); ++i) {
       json.begin_object();
       json.field("name", plans->terms[i]);
-      write_floats(json, "value", plans->costs.col(static_cast<Eigen::Index>(i)));
+      write_floats(json, "value", mapped(plans->costs[i]));
       json.end_object();
     }
     json.end_array();
@@ -195,7 +200,7 @@ void write_plans(JsonWriter& json, const std::optional<PagePlans>& plans) {
   json.key("horizon");
   if (!plans) return json.null();
   json.begin_object();
-  write_floats(json, "time", plans->time);
+  write_floats(json, "time", mapped(plans->time));
   json.field("knots", plans->knots);
   json.field("step", plans->step);
   json.field("nq", plans->nq);

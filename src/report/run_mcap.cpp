@@ -322,12 +322,12 @@ class Recorder {
     }
     while (run_.plans && next_plan_ < run_.plans->time.size() &&
            run_.plans->time[next_plan_] <= now) {
-      const PagePlans& plans = *run_.plans;
+      const PlanRecord& plans = *run_.plans;
       const std::uint64_t time = moment(plans.time[next_plan_]);
       json_.begin_object();
       write_moment(json_, time);
       for (std::size_t i = 0; i < plans.terms.size(); ++i)
-        json_.field(plans.terms[i], plans.costs(next_plan_, static_cast<Eigen::Index>(i)));
+        json_.field(plans.terms[i], plans.costs[i][next_plan_]);
       json_.end_object();
       out_.write(costs_, time, json_.take());
       ++next_plan_;
@@ -356,7 +356,8 @@ class Recorder {
                 solver_ = 0, costs_ = 0;
   Table forces_, task_;
   std::vector<const Eigen::VectorXd*> q_, v_, tau_;
-  Eigen::Index next_solve_ = 0, next_plan_ = 0;
+  Eigen::Index next_solve_ = 0;
+  std::size_t next_plan_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 

@@ -275,9 +275,8 @@ TEST(Mcap, WhatCannotBeIsRefused) {
 TEST(Mcap, ARunIsThereWithItsFramesForcesAndFigures) {
   const std::filesystem::path file = scratch_file();
   RunPage run = page_of_run(400, 10);
-  run.plans = PagePlans{.time = Eigen::Vector2d(0.0, 0.1),
-                        .terms = {"force", "position"},
-                        .costs = RowMatrix::Constant(2, 2, 0.5)};
+  run.plans = PlanRecord{
+      .time = {0.0, 0.1}, .terms = {"force", "position"}, .costs = {{0.5, 0.5}, {0.5, 0.5}}};
   write_run_mcap(run, file);
   const Reader reader(file);
   EXPECT_EQ(reader.schema_of.at("/tf"), "foxglove.FrameTransforms");

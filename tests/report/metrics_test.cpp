@@ -189,6 +189,8 @@ TEST(Metrics, report_the_solver_over_its_ticks) {
   EXPECT_EQ(m.solver->maximum, 5e-3);
   EXPECT_EQ(m.solver->mean_iterations, 2.0);
   EXPECT_EQ(m.solver->missed_deadlines, 1);
+  const std::string text = metrics_text(m);
+  EXPECT_NE(text.find(" 50 "), std::string::npos) << "a count has no decimals\n" << text;
 }
 
 TEST(Metrics, are_printed_with_their_units) {

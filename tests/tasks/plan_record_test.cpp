@@ -1,5 +1,5 @@
 // Plans that a run keeps, and that keeping them changes nothing.
-#include "burnish/tasks/polishing/plan_record.hpp"
+#include "burnish/report/plan_record.hpp"
 
 #include <gtest/gtest.h>
 

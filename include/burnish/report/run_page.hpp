@@ -16,6 +16,7 @@
 #include "burnish/base/views.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/report/metrics.hpp"
+#include "burnish/report/plan_record.hpp"
 
 namespace burnish {
 
@@ -81,16 +82,6 @@ struct PageSolver {
   std::optional<double> deadline_ms = {};  ///< none: no deadline
 };
 
-/// Some plans along a run.
-struct PagePlans {
-  Eigen::VectorXd time = {};            ///< s, of each plan's first knot
-  std::vector<std::string> terms = {};  ///< of the costs
-  RowMatrix costs = {};                 ///< plans x terms, summed over the horizon
-  int knots = 0, nq = 0;
-  double step = 0.0;          ///< s between these knots
-  std::vector<float> q = {};  ///< plans x knots x nq
-};
-
 struct PageFault {
   std::string kind;  ///< such as "contact lost"
   double time = 0.0;
@@ -123,7 +114,7 @@ struct RunPage {
   std::vector<PagePhase> phases = {};
   std::vector<std::string> phase_names = {};  ///< of the numbers in a trace; none: the numbers
   std::optional<PageSolver> solver = {};
-  std::optional<PagePlans> plans = {};
+  std::optional<PlanRecord> plans = {};
 };
 
 /// How large a page may become.

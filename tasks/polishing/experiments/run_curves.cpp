@@ -4,36 +4,10 @@
 #include <cmath>
 
 #include "report/moving_mean.hpp"
+#include "report/trace_curves.hpp"
 
 namespace burnish::polishing {
 namespace {
-
-/// Columns x, y, z of `what` along a direction of the world.
-Eigen::VectorXd along(const Trace& trace, const std::string& what,
-                      const Eigen::Vector3d& direction) {
-  return trace.column(what + "_x_world") * direction.x() +
-         trace.column(what + "_y_world") * direction.y() +
-         trace.column(what + "_z_world") * direction.z();
-}
-
-/// About `count` pieces of equal length; of each the smallest and the largest value, as they come.
-Curve extremes(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
-  const Eigen::Index n = x.size(), piece = std::max<Eigen::Index>(1, n / count);
-  std::vector<double> xs, ys;
-  for (Eigen::Index begin = 0; begin < n; begin += piece) {
-    const auto part = y.segment(begin, std::min(piece, n - begin));
-    Eigen::Index low = 0, high = 0;
-    part.minCoeff(&low);
-    part.maxCoeff(&high);
-    for (const Eigen::Index at : {std::min(low, high), std::max(low, high)}) {
-      xs.push_back(x[begin + at]);
-      ys.push_back(y[begin + at]);
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(xs.size());
-  return {.x = Eigen::Map<const Eigen::VectorXd>(xs.data(), size),
-          .y = Eigen::Map<const Eigen::VectorXd>(ys.data(), size)};
-}
 
 /// Every so many points.
 Curve sampled(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
@@ -47,12 +21,9 @@ Curve sampled(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index c
 RunCurves curves_of(const RunResult& result, const std::string& name) {
   RunCurves curves;
   const Trace& trace = result.trace;
-  const Eigen::VectorXd phase = trace.column("phase"), time = trace.column("time");
-  Eigen::Index first = 0, last = phase.size();
-  const auto track = static_cast<double>(Phase::Track);
-  while (first < last && phase[first] != track) ++first;
-  while (last > first && phase[last - 1] != track) --last;
-  const Eigen::Index size = last - first;
+  const Eigen::VectorXd time = trace.column("time");
+  const auto [begin, end] = rows_of_phase(trace, static_cast<double>(Phase::Track));
+  const Eigen::Index first = begin, size = end - begin;
   if (size < 10) return curves;
   const double dt = time[first + 1] - time[first];
   const Eigen::VectorXd since = time.segment(first, size).array() - time[first];

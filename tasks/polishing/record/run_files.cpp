@@ -1,18 +1,11 @@
 #include "polishing/record/run_files.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/figures.hpp"
 #include "record/figures_json.hpp"
-#include "record/run_folder.hpp"
 
 namespace burnish::polishing {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// What came, and what was wanted of it; the force's error in N and as a share of the force.
 Json verdict_json(const Task& task, const VerdictFigures& figures) {
@@ -37,19 +30,6 @@ Json ticks_json(const RunResult& result) {
   return json;
 }
 
-/// Every `every`th row, and the last.
-Trace thinned(const Trace& trace, int every) {
-  if (every <= 1) return trace;
-  Trace result(trace.columns(), trace.rows() / every + 2);
-  const int columns = static_cast<int>(trace.columns().size());
-  for (int row = 0; row < trace.rows(); ++row) {
-    if (row % every != 0 && row + 1 != trace.rows()) continue;
-    double* to = result.add_row();
-    for (int column = 0; column < columns; ++column) to[column] = trace.at(row, column);
-  }
-  return result;
-}
-
 }  // namespace
 
 Json run_json(const PolishJob& job, const RunResult& result) {
@@ -59,12 +39,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
             {"seed", job.spec.task.disturbances.seed},
             {"polished", result.polished},
             {"outcome", result.outcome},
-            {"fault", nullptr}};
-  if (result.fault.kind != FaultKind::None)
-    json["fault"] = {{"kind", name_of(result.fault.kind)},
-                     {"time_s", result.fault.time},
-                     {"value", number_json(result.fault.value)},
-                     {"limit", number_json(result.fault.limit)}};
+            {"fault", fault_json(result.fault)}};
   json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);
   json["metrics"] = result.metrics ? metrics_json(*result.metrics) : Json(nullptr);
   json["ticks"] = ticks_json(result);
@@ -79,33 +54,15 @@ Json run_json(const PolishJob& job, const RunResult& result) {
 }
 
 std::vector<std::string> write_run(const PolishJob& job, const RunResult& result,
-                                   const RunFilesOptions& options, const fs::path& folder,
-                                   PageWriter& pages) {
-  if (options.record_every < 1)
-    throw Error(fmt::format("record_every is {}; wanted is a positive number of plant steps",
-                            options.record_every));
-  make_folder(folder);
-  std::vector<std::string> names{"trace.csv", "metrics.json", "task.yaml"};
-  thinned(result.trace, options.record_every).write_csv(folder / "trace.csv");
-  write_text(folder / "metrics.json", json_text(run_json(job, result)));
-  write_task(job.spec.task, folder / "task.yaml");
-  std::error_code ignored;  // of a run before in the same folder
-  for (const char* name :
-       {"force.svg", "path.svg", "torques.svg", "solver.svg", "fault.txt", "last_second.csv"})
-    fs::remove(folder / name, ignored);
-  if (options.plots || !pages.makes_pages())
-    for (std::string& name : write_polish_plots(job, result, folder))
-      names.push_back(std::move(name));
-  if (result.fault.kind != FaultKind::None) {
-    write_text(folder / "fault.txt", result.fault.text());
-    result.fault.last_second.write_csv(folder / "last_second.csv");
-    names.insert(names.end(), {"fault.txt", "last_second.csv"});
-  }
-  std::function<RunPage()> page;
-  if (result.trace.rows() > 0)
-    page = [&] { return make_run_page(job, result, options.record_every); };
-  for (std::string& name : pages.write(folder, page)) names.push_back(std::move(name));
-  return names;
+                                   const RunFilesOptions& options,
+                                   const std::filesystem::path& folder, PageWriter& pages) {
+  return write_run_files({.trace = result.trace,
+                          .fault = result.fault,
+                          .figures = run_json(job, result),
+                          .task_file = task_text(job.spec.task),
+                          .plots = run_plots(job, result),
+                          .page = [&] { return make_run_page(job, result, options.record_every); }},
+                         options, folder, pages);
 }
 
 }  // namespace burnish::polishing

@@ -6,7 +6,6 @@
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/record/run_files.hpp"
-#include "record/mesh_file.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -57,21 +56,6 @@ void add_scene(RunPage& page, const Task& task, const Setting& setting) {
   }
 }
 
-PagePlans plans_of(const PlanRecord& record) {
-  PagePlans plans{.terms = record.terms,
-                  .knots = record.knots,
-                  .nq = record.nq,
-                  .step = record.step,
-                  .q = record.q};
-  const auto count = static_cast<Eigen::Index>(record.time.size());
-  plans.time = Eigen::Map<const Eigen::VectorXd>(record.time.data(), count);
-  plans.costs.resize(count, static_cast<Eigen::Index>(record.terms.size()));
-  for (std::size_t term = 0; term < record.terms.size(); ++term)
-    plans.costs.col(static_cast<Eigen::Index>(term)) =
-        Eigen::Map<const Eigen::VectorXd>(record.costs[term].data(), count);
-  return plans;
-}
-
 /// That makes the run again in its folder.
 std::string command_of(const RunSpec& spec) {
   return "burnish polish task.yaml --controller " + name_of(spec.controller) + " --plant " +
@@ -82,21 +66,15 @@ std::string command_of(const RunSpec& spec) {
 
 RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_every) {
   const Task& task = job.spec.task;
-  const Robot& robot = result.setting.robot;
   RunPage page{.name = job.name,
                .facts = facts_of(job, result),
                .command = job.command.empty() ? command_of(job.spec) : job.command,
                .outcome = result.outcome,
                .polished = result.polished,
+               .fault = page_fault(result.fault),
                .metrics = page_metrics(result.metrics),
                .task_file = task_text(task),
-               .robot = {.model = robot.model, .q = result.setting.q_start}};
-  for (const auto& [name, posture] : robot.postures)
-    page.robot.postures[name] = configuration(robot.model, posture);
-  page.robot.meshes = load_meshes(robot.model, robot_folder(task.robot));
-  if (result.fault.kind != FaultKind::None)
-    page.fault =
-        PageFault{std::string(name_of(result.fault.kind)), result.fault.time, result.fault.text()};
+               .robot = drawing_of(result.setting.robot, task.robot, result.setting.q_start)};
   if (result.metrics) page.window = {result.metrics->start, result.metrics->end};
   page.phase_names = phase_names();
   add_scene(page, task, result.setting);
@@ -104,7 +82,7 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
     page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};
     if (std::isfinite(task.limits.deadline)) page.solver->deadline_ms = 1e3 * task.limits.deadline;
   }
-  if (!result.plans.time.empty()) page.plans = plans_of(result.plans);
+  if (!result.plans.time.empty()) page.plans = result.plans;
   add_trace(page, result.trace, record_every);
   return page;
 }

@@ -7,6 +7,7 @@
 #include "burnish/report/svg_plot.hpp"
 #include "polishing/record/run_files.hpp"
 #include "report/moving_mean.hpp"
+#include "report/trace_curves.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -14,57 +15,26 @@ namespace {
 constexpr const char* time_axis = "time [s]";
 constexpr int black = 6;
 
-/// Every n points become their lowest and their highest, in the order in which they come, so that
-/// no peak is lost.
+/// With few enough points for small files.
 Curve thinned(Curve curve) {
   constexpr Eigen::Index most = 3000;
-  const Eigen::Index size = curve.x.size();
-  if (size <= most) return curve;
-  const Eigen::Index group = 2 * size / most + 1;
-  Eigen::VectorXd x(most + 2), y(most + 2);
-  Eigen::Index count = 0;
-  for (Eigen::Index begin = 0; begin < size; begin += group) {
-    const auto part = curve.y.segment(begin, std::min(group, size - begin));
-    Eigen::Index low = 0, high = 0;
-    part.minCoeff(&low);
-    part.maxCoeff(&high);
-    for (const Eigen::Index at : {std::min(low, high), std::max(low, high)}) {
-      x[count] = curve.x[begin + at];
-      y[count++] = curve.y[begin + at];
-    }
-  }
-  curve.x = x.head(count);
-  curve.y = y.head(count);
+  if (curve.x.size() <= most) return curve;
+  Curve few = extremes(curve.x, curve.y, most / 2);
+  curve.x = std::move(few.x);
+  curve.y = std::move(few.y);
   return curve;
-}
-
-/// Along the surface's normal.
-Eigen::VectorXd normal_part(const Trace& trace, const std::string& what,
-                            const Eigen::Vector3d& normal) {
-  return trace.column(what + "_x_world") * normal.x() +
-         trace.column(what + "_y_world") * normal.y() +
-         trace.column(what + "_z_world") * normal.z();
-}
-
-/// First row of a phase and the one behind its last; equal if there is none.
-std::pair<Eigen::Index, Eigen::Index> rows_of(const Trace& trace, Phase phase) {
-  const Eigen::VectorXd phases = trace.column("phase");
-  Eigen::Index first = 0, last = phases.size();
-  while (first < last && phases[first] != static_cast<double>(phase)) ++first;
-  while (last > first && phases[last - 1] != static_cast<double>(phase)) --last;
-  return {first, last};
 }
 
 PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
   const Trace& trace = result.trace;
   const Eigen::Vector3d n = result.setting.surface_axes.col(2);
-  const Eigen::VectorXd time = trace.column("time"), force = normal_part(trace, "tool_force", n);
+  const Eigen::VectorXd time = trace.column("time"), force = along(trace, "tool_force", n);
   const Eigen::VectorXd target = trace.column("target_force");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
   const int width = samples_in(MetricsSpec{}.average, dt);
   const Eigen::VectorXd smooth = moving_mean(force, width);
   const std::string mean = width > 1 ? fmt::format("mean over {:g} ms", 1e3 * width * dt) : "true";
-  const Eigen::VectorXd estimated = normal_part(trace, "estimated_force", n);
+  const Eigen::VectorXd estimated = along(trace, "estimated_force", n);
   PlotSpec plot{.title = "Normal force, " + job.name};
   plot.panel_width = 900;
   const auto panel = [&](const std::string& title, Eigen::Index first, Eigen::Index last,
@@ -86,7 +56,7 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
     plot.panels.push_back(std::move(result_panel));
   };
   panel("the whole run", 0, time.size(), true);
-  const auto [first, last] = rows_of(trace, Phase::Track);
+  const auto [first, last] = rows_of_phase(trace, static_cast<double>(Phase::Track));
   // The mean of the last rows reaches into the retreat.
   const Eigen::Index inside = last - std::lround(0.01 / dt);
   if (inside - first > 1) panel("on the path", first, inside, false);
@@ -96,7 +66,7 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
 PlotSpec path_plot(const PolishJob& job, const RunResult& result) {
   const Trace& trace = result.trace;
   const Setting& setting = result.setting;
-  const auto [first, last] = rows_of(trace, Phase::Track);
+  const auto [first, last] = rows_of_phase(trace, static_cast<double>(Phase::Track));
   PlotSpec plot{.title = "Path of the tool in the surface, " + job.name, .columns = 2};
   plot.panel_width = 560;
   plot.panel_height = 480;
@@ -104,7 +74,7 @@ PlotSpec path_plot(const PolishJob& job, const RunResult& result) {
   const Eigen::Index from = first, size = last - first;
   const auto coordinate = [&](const std::string& what, int tangent) {
     const Eigen::Vector3d t = setting.surface_axes.col(tangent);
-    const Eigen::VectorXd all = normal_part(trace, what, t);
+    const Eigen::VectorXd all = along(trace, what, t);
     return Eigen::VectorXd((all.segment(from, size).array() - t.dot(setting.p_center)) * 1e3);
   };
   const auto axis = [&](int tangent) {
@@ -189,20 +159,14 @@ PlotSpec solver_plot(const PolishJob& job, const RunResult& result) {
 
 }  // namespace
 
-std::vector<std::string> write_polish_plots(const PolishJob& job, const RunResult& result,
-                                            const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  if (result.trace.rows() == 0) return names;
-  const auto write = [&](const char* name, const PlotSpec& plot) {
-    if (plot.panels.empty()) return;
-    write_svg_plot(plot, folder / name);
-    names.emplace_back(name);
+std::vector<PlotFile> run_plots(const PolishJob& job, const RunResult& result) {
+  const auto made_by = [&](PlotSpec (*plot)(const PolishJob&, const RunResult&)) {
+    return [plot, &job, &result] { return plot(job, result); };
   };
-  write("force.svg", force_plot(job, result));
-  write("path.svg", path_plot(job, result));
-  write("torques.svg", torque_plot(job, result));
-  write("solver.svg", solver_plot(job, result));
-  return names;
+  return {{"force.svg", made_by(force_plot)},
+          {"path.svg", made_by(path_plot)},
+          {"torques.svg", made_by(torque_plot)},
+          {"solver.svg", made_by(solver_plot)}};
 }
 
 }  // namespace burnish::polishing

@@ -10,7 +10,7 @@
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/report/metrics.hpp"
-#include "burnish/tasks/polishing/plan_record.hpp"
+#include "burnish/report/plan_record.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/verdict.hpp"
 #include "burnish/tasks/pressing/plants.hpp"

@@ -1,9 +1,11 @@
-#include "burnish/tasks/polishing/plan_record.hpp"
+#include "burnish/report/plan_record.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace burnish::polishing {
+#include "burnish/mpc/mpc.hpp"
+
+namespace burnish {
 namespace {
 
 constexpr double kept_every = 0.05;  // s between knots that are kept, about
@@ -62,4 +64,4 @@ void PlanRecorder::find_terms(std::size_t stage, int knot) {
   }
 }
 
-}  // namespace burnish::polishing
+}  // namespace burnish

@@ -2,22 +2,24 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "burnish/mpc/mpc.hpp"
+namespace burnish {
 
-namespace burnish::polishing {
+class MpcController;
+struct Command;
 
 /// Empty without plans.
 struct PlanRecord {
-  std::vector<double> time;        ///< s, of each plan's first knot
-  std::vector<std::string> terms;  ///< of the costs of all stages that were planned with
+  std::vector<double> time = {};        ///< s, of each plan's first knot
+  std::vector<std::string> terms = {};  ///< of the costs of all stages that were planned with
   /// Per term and plan: summed over the plan, terminal costs included.
-  std::vector<std::vector<double>> costs;
+  std::vector<std::vector<double>> costs = {};
   int knots = 0;  ///< of a plan that are kept
   int nq = 0;
-  double step = 0.0;     ///< s between the knots that are kept
-  std::vector<float> q;  ///< plans x knots x nq
+  double step = 0.0;          ///< s between the knots that are kept
+  std::vector<float> q = {};  ///< plans x knots x nq
 };
 
 /// Copies plans out of a controller, without changing what it does.
@@ -43,4 +45,4 @@ class PlanRecorder {
   PlanRecord record_;
 };
 
-}  // namespace burnish::polishing
+}  // namespace burnish

@@ -1,0 +1,50 @@
+// Signals of a trace as curves of a figure.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/report/svg_plot.hpp"
+
+namespace burnish {
+
+/// Columns `what`_x_world and so on along a direction of the world.
+inline Eigen::VectorXd along(const Trace& trace, const std::string& what,
+                             const Eigen::Vector3d& direction) {
+  return trace.column(what + "_x_world") * direction.x() +
+         trace.column(what + "_y_world") * direction.y() +
+         trace.column(what + "_z_world") * direction.z();
+}
+
+/// First row of a phase and the one behind its last; equal if there is none.
+inline std::pair<Eigen::Index, Eigen::Index> rows_of_phase(const Trace& trace, double phase) {
+  const Eigen::VectorXd phases = trace.column("phase");
+  Eigen::Index first = 0, last = phases.size();
+  while (first < last && phases[first] != phase) ++first;
+  while (last > first && phases[last - 1] != phase) --last;
+  return {first, last};
+}
+
+/// A curve of about `count` pieces of equal length: of each its smallest and its largest value, in
+/// the order in which they come, so that no peak is lost.
+inline Curve extremes(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index count) {
+  const Eigen::Index n = x.size(), piece = std::max<Eigen::Index>(1, n / count);
+  const Eigen::Index pieces = (n + piece - 1) / piece;
+  Curve curve{.x = Eigen::VectorXd(2 * pieces), .y = Eigen::VectorXd(2 * pieces)};
+  for (Eigen::Index i = 0; i < pieces; ++i) {
+    const auto part = y.segment(i * piece, std::min(piece, n - i * piece));
+    Eigen::Index low = 0, high = 0;
+    part.minCoeff(&low);
+    part.maxCoeff(&high);
+    for (const Eigen::Index side : {Eigen::Index{0}, Eigen::Index{1}}) {
+      const Eigen::Index at = i * piece + (side == 0 ? std::min(low, high) : std::max(low, high));
+      curve.x[2 * i + side] = x[at];
+      curve.y[2 * i + side] = y[at];
+    }
+  }
+  return curve;
+}
+
+}  // namespace burnish
