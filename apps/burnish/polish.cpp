@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
+#include "base/yaml_word.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/polishing/task_notes.hpp"
 #include "command.hpp"
 #include "polishing/record/run_files.hpp"
-#include "polishing/task_keys.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -40,8 +40,8 @@ struct PolishArguments {
 
 polishing::Task make_task(const PolishArguments& arguments, const std::string& surface) {
   std::vector<std::string> words;
-  if (!arguments.robot.empty()) words.push_back("robot=" + polishing::yaml(arguments.robot));
-  if (!arguments.tool.empty()) words.push_back("tool.frame=" + polishing::yaml(arguments.tool));
+  if (!arguments.robot.empty()) words.push_back("robot=" + yaml_word(arguments.robot));
+  if (!arguments.tool.empty()) words.push_back("tool.frame=" + yaml_word(arguments.tool));
   if (!surface.empty()) words.push_back("surface=" + surface);
   if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
   if (arguments.duration)

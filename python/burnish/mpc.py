@@ -130,34 +130,34 @@ class SafetyLimits(Spec):
     """When a run is given up, whatever the task; the task's own limits are its. Infinite: never."""
 
     joint_speed_ratio: float = 1.2
-    """of the model's velocity limits"""
+    """of the robot's velocity limits"""
     joint_margin: float = 0.05
-    """rad (m) that a joint may be beyond its limit"""
+    """rad that a joint may be beyond its limit; m of prismatic joints"""
     stale: float = 0.02
     """s without a new measurement; longer than a tick"""
     bad: float = 0.01
-    """s of bad measurements that the last good one bridges"""
+    """s of measurements that are no state; which the last good one bridges"""
     failed_solves: int = 5
     """in a row; the first solve may not fail"""
     deadline: float = math.inf
-    """s of wall clock per update; the first one, made at rest, may take longer"""
+    """s of computing time per plan; of wall clock; the first one, made at rest, may take longer"""
     late_solves: int = 5
     """in a row"""
 
 
 @dataclass(eq=False, repr=False)
 class Fallback(Spec):
-    """How the robot is brought to rest after a fault, and held there:
-    tau = b(q, 0) - M (stiffness e + damping v) on the actuated joints, e = q (-) q_hold, within the
-    torque limits. q_hold is where the robot was at the fault, and slips where the spring would use
-    more than `give` of a joint's effort limit."""
+    """How the robot is brought to rest after a fault, and held there: tau = b(q, 0) - M (stiffness
+    e + damping v) on the actuated joints, e = q (-) q_hold, within the torque limits. q_hold is
+    where the robot was at the fault, and slips where the spring would use more than `give` of a
+    joint's effort limit."""
 
     stiffness: float = 900.0
-    """1/s^2; 0: no spring, and what the model gets wrong lets it sink"""
+    """1/s^2, times the mass matrix; 0: nothing holds, the arm is braked only"""
     damping: float = 40.0
-    """1/s"""
+    """1/s, times the mass matrix"""
     give: float = 0.15
-    """of the effort limits, what the spring may use; within [0, 1]"""
+    """of the torque limits, where the spring slips; 0 to 1"""
 
 
 @dataclass(eq=False, repr=False)
@@ -166,9 +166,11 @@ class ModelErrorOptions(Spec):
     the model (offset-free model predictive control)."""
 
     kind: ModelErrorKind = ModelErrorKind.TORQUE
+    """none, torque (per joint) or force (along the normal)"""
     bandwidth: float = 30.0
-    """rad/s of the observer; positive. FORCE closes a loop through the controller and is not to be
-    faster than its delays bear."""
+    """rad/s of the observer; more follows friction, and bears less delay. Force closes a loop
+    through the controller and is not to be faster than its delays bear: behind a force sensor
+    filtered at 50 Hz, 50 rad/s are well, 100 rad/s oscillate."""
     limit: float = 30.0
     """Nm (N): estimates stay within +- this"""
 

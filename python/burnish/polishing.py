@@ -83,25 +83,26 @@ class PathSpec(Spec):
     """A path in the plane of a surface, in its two tangents (u, w), from its centre at rest."""
 
     kind: PathKind = PathKind.CIRCLE
+    """circle, spiral, zigzag or points"""
     radius: float = 0.07
-    """m; CIRCLE, and the largest of a SPIRAL"""
+    """m (circle, and the largest of a spiral)"""
     rate: float = 1.0
-    """rad/s; CIRCLE and SPIRAL"""
+    """rad/s (circle, spiral)"""
     start_up: float = 2.0
-    """s until the full radius is reached (CIRCLE), until it grows at its full rate (SPIRAL)"""
+    """s until the full radius (circle), the full growth (spiral)"""
     pitch: float = 0.01
-    """m between two turns, mean over the way out; SPIRAL"""
+    """m between two turns (spiral); mean over the way out"""
     width: float = 0.14
-    """m along u; ZIGZAG"""
-    height: float = 0.10
-    """m along w; ZIGZAG"""
+    """m along the first tangent (zigzag)"""
+    height: float = 0.1
+    """m along the second tangent (zigzag)"""
     rows: int = 6
-    """lines; ZIGZAG"""
+    """lines (zigzag)"""
     speed: float = 0.07
-    """m/s, the highest along a line; ZIGZAG and POINTS"""
+    """m/s, the highest along a line (zigzag, points)"""
     points: ArrayLike = items()
-    """(n, 2), in the surface's tangents, m; followed by lines from the centre, at rest at each;
-    POINTS"""
+    """(n, 2), in the surface's tangents, m (points); followed by lines from the centre, at rest at
+    each"""
 
 
 @dataclass(eq=False, repr=False)
@@ -109,11 +110,11 @@ class PlanarPoint(Spec):
     """(u, w) of a path and their first two derivatives at a time."""
 
     p: ArrayLike = zeros(2)
-    """m"""
+    """2, m"""
     v: ArrayLike = zeros(2)
-    """m/s"""
+    """2, m/s"""
     a: ArrayLike = zeros(2)
-    """m/s^2"""
+    """2, m/s^2"""
 
 
 class ForceAxes(enum.Enum):
@@ -131,42 +132,41 @@ class Weights(Spec):
     """Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error
     that the others force on its term."""
 
-    posture: float = 0.1
-    """1/rad^2: keeps the null space near the starting posture"""
-    velocity: float = 1.0
-    """s^2/rad^2: damps the joints"""
-    torque: float = 1e-4
-    """1/Nm^2: of the control, about the torque that holds the posture"""
-    position: float = 1e4
-    """1/m^2: of the tool along the surface (all three axes in the reach)"""
-    approach: float = 1e2
-    """s^2/m^2: of the tool's speed towards the surface and off it"""
-    rotation: float = 1.0
-    """1/rad^2: of the tool"""
     force: float = 1.0
-    """1/N^2"""
-    position_limits: float = 1e3
-    """1/rad^2 beyond a joint's limit minus its margin"""
-    velocity_limits: float = 1e2
+    """1/N^2: force along the normal to its target"""
+    position: float = 10000.0
+    """1/m^2: tool to the path, in the reach to the point above the surface"""
+    approach: float = 100.0
+    """s^2/m^2: speed along the normal to that of approach and retreat"""
+    rotation: float = 1.0
+    """1/rad^2: tool to its orientation at the start; less lets the wrist follow"""
+    posture: float = 0.1
+    """1/rad^2: joints to the start; more holds the elbow, costs path accuracy"""
+    velocity: float = 1.0
+    """s^2/rad^2: joint speeds; more damps, and lags on fast paths"""
+    torque: float = 0.0001
+    """1/Nm^2: torques to those that hold the start"""
+    position_limits: float = 1000.0
+    """1/rad^2 beyond 0.05 rad inside a joint's limits"""
+    velocity_limits: float = 100.0
     """s^2/rad^2 beyond a joint's velocity limit"""
     torque_limits: float = 1.0
     """1/Nm^2 beyond a joint's effort limit"""
     terminal: float = 0.1
-    """s: terminal costs are the running ones times this"""
+    """s: what the end of the horizon costs, as a time at its running cost"""
 
 
 @dataclass(eq=False, repr=False)
 class Verdict(Spec):
-    """What "polished" asks for, of the plant's true force and place, from the end of the ramp to the
-    end of the path."""
+    """What "polished" asks for, of the plant's true force and place, from the end of the ramp to
+    the end of the path."""
 
     contact_share: float = 0.99
-    """of that time in contact, at least; 0 to 1"""
+    """of the time in contact, at least; 0 to 1"""
     force_rmse: float = 0.1
-    """of Task.force: the root mean square of the error of the force's mean over 10 ms, at most; inf:
-    any"""
+    """of the force: rms error of its mean over 10 ms, at most; infinite: any"""
     path_share: float = 0.99
-    """of the path's length, at least; 0 to 1: what the tool went along, nearer to its target than its
+    """of the path's length with the tip over its target, at least; 0 to 1. Nearer to it than the
     tip's radius. A path without end is as long as Task.polish_duration makes it."""
 
 
@@ -187,11 +187,11 @@ class PostureLimits(Spec):
     """What a posture that is searched has to keep to; see find_posture()."""
 
     tilt: float = 1.0
-    """rad between the pressing axis and the normal's opposite"""
+    """rad between the tool's axis and the normal"""
     joint_margin: float = 0.15
-    """rad (m) that joints keep from their limits at the start"""
+    """rad that joints keep from their limits at the start; m of prismatic joints"""
     body_distance: float = 0.25
-    """m between the last link and the robot's body"""
+    """m between the last link and the robot's body; less where the arm is short"""
 
 
 @dataclass(eq=False, repr=False)
@@ -199,79 +199,100 @@ class Task(Spec):
     """The polishing task: all that a task file may say, with its defaults."""
 
     robot: str = "talos:right_arm"
+    """a robot's name, folder or settings file, with :variant"""
     posture: str = ""
-    """of the robot's settings: start and null space; "search": find_posture(). Empty: the robot's
-    default, or searched where it has none. So is a named surface's, where the robot has none of that
-    name."""
-    search: PostureLimits = field(default_factory=PostureLimits)
+    """start of the arm, what its null space is drawn to; search: found for the surface. Of the
+    robot's settings, or find_posture()'s. Empty: the robot's default, or searched where it has
+    none. So is a named surface's, where the robot has none of that name."""
+    force: float = 30.0
+    """N, that the tool presses with"""
+
+    # In files under `tool`.
     tool: str = "tool"
+    """its origin is the centre of a round tip"""
     tool_axis: Optional[ArrayLike] = None
-    """that the tool presses along, in its frame, any length; None: see pressing_direction()"""
+    """that the tool presses along, in its frame, any length; without it see pressing_direction()"""
     tip_radius: float = 0.02
     """m"""
 
+    # In files under `surface`.
     normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
-    """out of the surface"""
+    """3, out of the surface, any length"""
     point_world: Optional[ArrayLike] = None
-    """a point of the surface, m; None: it lies `clearance` under the tool at the start"""
+    """a point of the surface, m; without it `clearance` under the tool at the start"""
     extent: float = 0.1
-    """m that there is surface beyond the path, on all four sides of a square about the path's origin;
-    infinite: it has no end"""
+    """m that there is surface beyond the path, on all four sides of a square about the path's
+    origin; infinite: it has no end"""
     friction: float = 0.0
-    """of the surface in the plant; the controller does not know it"""
-    stiffness: float = 1e5
-    """N/m"""
+    """Coulomb coefficient of the plant"""
+    stiffness: float = 100000.0
+    """N/m, of the plant"""
     damping: float = 500.0
-    """Ns/m"""
-
-    force: float = 30.0
-    """N"""
-    touch_force: float = 6.0
-    """N, at once where contact is made, so that the tool does not rebound; the ramp starts there"""
+    """Ns/m, of the plant; with friction below force / (3 friction speed)"""
+    search: PostureLimits = field(default_factory=PostureLimits)
+    """What a posture that is searched keeps to."""
     path: PathSpec = field(default_factory=PathSpec)
+    """In the plane of the surface, from the point under the start, beginning at rest."""
+
+    # In files under `phases`.
     clearance: float = 0.02
-    """m of the tool above the surface where the reach ends"""
+    """m between tool and surface where the reach ends"""
     reach_duration: float = 0.5
     """s"""
     approach_speed: float = 0.03
-    """m/s"""
+    """m/s towards the surface"""
+    touch_force: float = 6.0
+    """N, at once where contact is made, so that the tool does not rebound; the ramp starts there"""
     ramp_duration: float = 0.5
-    """s"""
+    """s from contact to the full force"""
     polish_duration: float = 12.6
     """s on the path"""
     retreat_duration: float = 0.5
-    """s"""
+    """s back to the clearance"""
     verdict: Verdict = field(default_factory=Verdict)
+    """What "polished" asks for, of the plant's true force and place, from the end of the ramp
+    on."""
 
+    # In files under `controller`.
     horizon: float = 1.0
-    """s"""
+    """s that are planned ahead"""
     step: float = 0.01
-    """s"""
+    """s between two knots of the plan"""
     update_rate: float = 1000.0
-    """Hz"""
+    """Hz, of new plans; divides the tick rate"""
     tick_rate: float = 2000.0
-    """Hz"""
+    """Hz, of torque commands"""
     solver_delay: float = 0.0
-    """s"""
+    """s from a measurement to the use of the plan made from it"""
     iterations: int = 1
-    """per update"""
+    """of the solver, per plan"""
     solver: StepUpdate = StepUpdate.MULTIPLE_SHOOTING
-    contact_kd: float = 40.0
-    """1/s, Baumgarte"""
-    torque_cutoff: float = 0.0
-    """rad/s; 0: torques are the control, no torque state"""
-    axes: ForceAxes = ForceAxes.SURFACE
+    """multiple_shooting or rollout"""
     feedback: bool = True
-    """Riccati policy between updates"""
+    """between plans follow their Riccati gains, not just their torques"""
+    contact_kd: float = 40.0
+    """1/s, damping of the contact constraint (Baumgarte)"""
+    torque_cutoff: float = 0.0
+    """rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances"""
+    axes: ForceAxes = ForceAxes.SURFACE
+    """of contact and force: surface, or local (the tool's)"""
+    weights: Weights = field(default_factory=Weights)
+    """Cost per second of squared error. What counts is how they compare: raise one, and its error
+    shrinks at the expense of the others."""
     model_error: ModelErrorOptions = field(default_factory=lambda: ModelErrorOptions(bandwidth=150.0))
+    """What measurements say that the model gets wrong, given back to it before each plan."""
+
+    # In files under `limits`.
     limits: SafetyLimits = field(default_factory=SafetyLimits)
     tool_limits: ToolLimits = field(default_factory=ToolLimits)
     contact_threshold: float = 2.0
-    """N of measured normal force that count as contact"""
-    fallback: Fallback = field(default_factory=Fallback)
-    weights: Weights = field(default_factory=Weights)
+    """N that count as contact. Where the sensor's noise comes near it, which is found out in the
+    reach, it is the mean over 5 ms that counts, against six of its own deviations."""
 
+    fallback: Fallback = field(default_factory=Fallback)
+    """What holds the arm after a fault: gravity compensation, a damper, and a spring that slips."""
     disturbances: Disturbances = field(default_factory=Disturbances)
+    """what the controller does not know"""
 
 
 @dataclass(eq=False, repr=False)

@@ -42,25 +42,26 @@ class ToolLimits(Spec):
     """When a run is given up for what happens at the tool. Infinite: never."""
 
     force: float = 100.0
-    """N, measured at the tool, of the mean over `force_window`: a rigid impact's force at a single
-    instant is its impulse over the sampling time and says little"""
-    force_window: float = 5e-3
-    """s, rounded to ticks, one at least"""
+    """N at the tool, mean over force_window. A rigid impact's force at a single instant is its
+    impulse over the sampling time and says little."""
+    force_window: float = 0.005
+    """s; rounded to ticks, one at least"""
     tool_speed: float = 1.0
     """m/s"""
     contact_lost: float = 0.15
-    """s without force where it is wanted"""
+    """s without force while it is wanted"""
     late_contact_travel: float = 0.03
-    """m along the normal without contact, from when the schedule's clock began to wait for it: how far
-    the surface may lie behind where it is thought to be"""
+    """m that the tool may go on after contact was due. Along the normal, from when the schedule's
+    clock began to wait for it (SchedulePhase.hold before it was due): how far the surface may lie
+    behind where it is thought to be."""
     late_contact_time: float = 3.0
-    """s, likewise"""
+    """s that contact may come late; from the same moment"""
     unexpected_force: float = 15.0
-    """N of normal force, mean over `force_window`, while free. More where noise reaches further: six
-    deviations of that mean."""
+    """N while moving through free space. Mean over `force_window`, where nothing is to touch, and
+    while leaving once the tool has come off (its force fell below the threshold of contact) or
+    `release` s are over. More where noise reaches further: six deviations of that mean."""
     release: float = 0.5
-    """s of leaving after which a force is unexpected even if the tool has not come off: its force
-    fell below MpcSpec.contact_threshold"""
+    """s into the retreat after which it is free space at the latest"""
 
 
 @dataclass(eq=False, repr=False)

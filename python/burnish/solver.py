@@ -24,11 +24,11 @@ class StepUpdate(enum.Enum):
     """How a direction becomes the next iterate."""
 
     ROLLOUT = 0
-    """the controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha, and after a
-    step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)"""
+    """The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After a
+    step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)."""
     MULTIPLE_SHOOTING = 1
-    """states and controls move along the solution of the linear-quadratic problem; every knot is
-    evaluated on its own, in packs and threads; gaps vanish with convergence"""
+    """States and controls move along the solution of the linear-quadratic problem; every knot is
+    evaluated on its own, in packs and threads. Gaps vanish with convergence."""
 
 
 class StopReason(enum.Enum):

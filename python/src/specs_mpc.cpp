@@ -17,11 +17,6 @@ const EnumTable& AsEnum<FaultKind>::table() {
   return words;
 }
 template <>
-const EnumTable& AsEnum<ModelErrorKind>::table() {
-  static const EnumTable words("burnish.mpc", "ModelErrorKind", {"none", "torque", "force"});
-  return words;
-}
-template <>
 const SpecTable& AsDataclass<Measurement>::table() {
   static const SpecTable fields = SpecTable("burnish.mpc", "Measurement")
                                       .field("time", &Measurement::time)
@@ -63,53 +58,11 @@ const SpecTable& AsDataclass<TaskTarget>::table() {
   return fields;
 }
 template <>
-const SpecTable& AsDataclass<SafetyLimits>::table() {
-  static const SpecTable fields = SpecTable("burnish.mpc", "SafetyLimits")
-                                      .field("joint_speed_ratio", &SafetyLimits::joint_speed_ratio)
-                                      .field("joint_margin", &SafetyLimits::joint_margin)
-                                      .field("stale", &SafetyLimits::stale)
-                                      .field("bad", &SafetyLimits::bad)
-                                      .field("failed_solves", &SafetyLimits::failed_solves)
-                                      .field("deadline", &SafetyLimits::deadline)
-                                      .field("late_solves", &SafetyLimits::late_solves);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<ToolLimits>::table() {
-  static const SpecTable fields =
-      SpecTable("burnish.pressing", "ToolLimits")
-          .field("force", &ToolLimits::force)
-          .field("force_window", &ToolLimits::force_window)
-          .field("tool_speed", &ToolLimits::tool_speed)
-          .field("contact_lost", &ToolLimits::contact_lost)
-          .field("late_contact_travel", &ToolLimits::late_contact_travel)
-          .field("late_contact_time", &ToolLimits::late_contact_time)
-          .field("unexpected_force", &ToolLimits::unexpected_force)
-          .field("release", &ToolLimits::release);
-  return fields;
-}
-template <>
 const SpecTable& AsDataclass<PressingTask>::table() {
   static const SpecTable fields = SpecTable("burnish.pressing", "PressingTask")
                                       .field("touch", &PressingTask::touch)
                                       .field("target", &PressingTask::target)
                                       .field("limits", &PressingTask::limits);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<Fallback>::table() {
-  static const SpecTable fields = SpecTable("burnish.mpc", "Fallback")
-                                      .field("stiffness", &Fallback::stiffness)
-                                      .field("damping", &Fallback::damping)
-                                      .field("give", &Fallback::give);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<ModelErrorOptions>::table() {
-  static const SpecTable fields = SpecTable("burnish.mpc", "ModelErrorOptions")
-                                      .field("kind", &ModelErrorOptions::kind)
-                                      .field("bandwidth", &ModelErrorOptions::bandwidth)
-                                      .field("limit", &ModelErrorOptions::limit);
   return fields;
 }
 template <>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "burnish/tasks/pressing/pressing_task.hpp"
+#include "mpc/descriptions.hpp"
+#include "pressing/descriptions.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"
 #include "time_function.hpp"
@@ -13,8 +15,6 @@ struct EnumOf<Touch> : AsEnum<Touch> {};
 template <>
 struct EnumOf<FaultKind> : AsEnum<FaultKind> {};
 template <>
-struct EnumOf<ModelErrorKind> : AsEnum<ModelErrorKind> {};
-template <>
 struct SpecOf<Measurement> : AsDataclass<Measurement> {};
 template <>
 struct SpecOf<Command> : AsDataclass<Command> {};
@@ -23,15 +23,7 @@ struct SpecOf<SchedulePhase> : AsDataclass<SchedulePhase> {};
 template <>
 struct SpecOf<TaskTarget> : AsDataclass<TaskTarget> {};
 template <>
-struct SpecOf<SafetyLimits> : AsDataclass<SafetyLimits> {};
-template <>
-struct SpecOf<ToolLimits> : AsDataclass<ToolLimits> {};
-template <>
 struct SpecOf<PressingTask> : AsDataclass<PressingTask> {};
-template <>
-struct SpecOf<Fallback> : AsDataclass<Fallback> {};
-template <>
-struct SpecOf<ModelErrorOptions> : AsDataclass<ModelErrorOptions> {};
 template <>
 struct SpecOf<FaultReport> : AsDataclass<FaultReport> {};
 template <>

@@ -7,17 +7,6 @@ namespace burnish::python {
 using namespace polishing;
 
 template <>
-const EnumTable& AsEnum<PathKind>::table() {
-  static const EnumTable words("burnish.polishing", "PathKind",
-                               {"circle", "spiral", "zigzag", "points"});
-  return words;
-}
-template <>
-const EnumTable& AsEnum<ForceAxes>::table() {
-  static const EnumTable words("burnish.polishing", "ForceAxes", {"surface", "local"});
-  return words;
-}
-template <>
 const EnumTable& AsEnum<ReachProblem>::table() {
   static const EnumTable words("burnish.polishing", "ReachProblem",
                                {"none", "position", "joint", "torque", "collision"});
@@ -34,53 +23,6 @@ const EnumTable& AsEnum<PlantKind>::table() {
   return words;
 }
 template <>
-const SpecTable& AsDataclass<PathSpec>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "PathSpec")
-                                      .field("kind", &PathSpec::kind)
-                                      .field("radius", &PathSpec::radius)
-                                      .field("rate", &PathSpec::rate)
-                                      .field("start_up", &PathSpec::start_up)
-                                      .field("pitch", &PathSpec::pitch)
-                                      .field("width", &PathSpec::width)
-                                      .field("height", &PathSpec::height)
-                                      .field("rows", &PathSpec::rows)
-                                      .field("speed", &PathSpec::speed)
-                                      .field("points", &PathSpec::points);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<PlanarPoint>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "PlanarPoint")
-                                      .field("p", &PlanarPoint::p)
-                                      .field("v", &PlanarPoint::v)
-                                      .field("a", &PlanarPoint::a);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<Weights>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "Weights")
-                                      .field("posture", &Weights::posture)
-                                      .field("velocity", &Weights::velocity)
-                                      .field("torque", &Weights::torque)
-                                      .field("position", &Weights::position)
-                                      .field("approach", &Weights::approach)
-                                      .field("rotation", &Weights::rotation)
-                                      .field("force", &Weights::force)
-                                      .field("position_limits", &Weights::position_limits)
-                                      .field("velocity_limits", &Weights::velocity_limits)
-                                      .field("torque_limits", &Weights::torque_limits)
-                                      .field("terminal", &Weights::terminal);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<Verdict>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "Verdict")
-                                      .field("contact_share", &Verdict::contact_share)
-                                      .field("force_rmse", &Verdict::force_rmse)
-                                      .field("path_share", &Verdict::path_share);
-  return fields;
-}
-template <>
 const SpecTable& AsDataclass<VerdictFigures>::table() {
   static const SpecTable fields = [] {
     SpecTable table("burnish.polishing", "VerdictFigures");
@@ -89,59 +31,6 @@ const SpecTable& AsDataclass<VerdictFigures>::table() {
     });
     return table;
   }();
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<PostureLimits>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "PostureLimits")
-                                      .field("tilt", &PostureLimits::tilt)
-                                      .field("joint_margin", &PostureLimits::joint_margin)
-                                      .field("body_distance", &PostureLimits::body_distance);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<Task>::table() {
-  static const SpecTable fields = SpecTable("burnish.polishing", "Task")
-                                      .field("robot", &Task::robot)
-                                      .field("posture", &Task::posture)
-                                      .field("search", &Task::search)
-                                      .field("tool", &Task::tool)
-                                      .field("tool_axis", &Task::tool_axis)
-                                      .field("tip_radius", &Task::tip_radius)
-                                      .field("normal_world", &Task::normal_world)
-                                      .field("point_world", &Task::point_world)
-                                      .field("extent", &Task::extent)
-                                      .field("friction", &Task::friction)
-                                      .field("stiffness", &Task::stiffness)
-                                      .field("damping", &Task::damping)
-                                      .field("force", &Task::force)
-                                      .field("touch_force", &Task::touch_force)
-                                      .field("path", &Task::path)
-                                      .field("clearance", &Task::clearance)
-                                      .field("reach_duration", &Task::reach_duration)
-                                      .field("approach_speed", &Task::approach_speed)
-                                      .field("ramp_duration", &Task::ramp_duration)
-                                      .field("polish_duration", &Task::polish_duration)
-                                      .field("retreat_duration", &Task::retreat_duration)
-                                      .field("verdict", &Task::verdict)
-                                      .field("horizon", &Task::horizon)
-                                      .field("step", &Task::step)
-                                      .field("update_rate", &Task::update_rate)
-                                      .field("tick_rate", &Task::tick_rate)
-                                      .field("solver_delay", &Task::solver_delay)
-                                      .field("iterations", &Task::iterations)
-                                      .field("solver", &Task::solver)
-                                      .field("contact_kd", &Task::contact_kd)
-                                      .field("torque_cutoff", &Task::torque_cutoff)
-                                      .field("axes", &Task::axes)
-                                      .field("feedback", &Task::feedback)
-                                      .field("model_error", &Task::model_error)
-                                      .field("limits", &Task::limits)
-                                      .field("tool_limits", &Task::tool_limits)
-                                      .field("contact_threshold", &Task::contact_threshold)
-                                      .field("fallback", &Task::fallback)
-                                      .field("weights", &Task::weights)
-                                      .field("disturbances", &Task::disturbances);
   return fields;
 }
 template <>

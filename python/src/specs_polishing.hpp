@@ -4,6 +4,7 @@
 #include "burnish/tasks/polishing/posture.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/polishing/verdict.hpp"
+#include "polishing/descriptions.hpp"
 #include "polishing/experiments/experiment.hpp"
 #include "specs_model.hpp"
 #include "specs_mpc.hpp"
@@ -33,29 +34,13 @@ struct NamedExperiment {
 };
 
 template <>
-struct EnumOf<polishing::PathKind> : AsEnum<polishing::PathKind> {};
-template <>
-struct EnumOf<polishing::ForceAxes> : AsEnum<polishing::ForceAxes> {};
-template <>
 struct EnumOf<polishing::ReachProblem> : AsEnum<polishing::ReachProblem> {};
 template <>
 struct EnumOf<polishing::ControllerKind> : AsEnum<polishing::ControllerKind> {};
 template <>
 struct EnumOf<polishing::PlantKind> : AsEnum<polishing::PlantKind> {};
 template <>
-struct SpecOf<polishing::PathSpec> : AsDataclass<polishing::PathSpec> {};
-template <>
-struct SpecOf<polishing::PlanarPoint> : AsDataclass<polishing::PlanarPoint> {};
-template <>
-struct SpecOf<polishing::Weights> : AsDataclass<polishing::Weights> {};
-template <>
-struct SpecOf<polishing::Verdict> : AsDataclass<polishing::Verdict> {};
-template <>
 struct SpecOf<polishing::VerdictFigures> : AsDataclass<polishing::VerdictFigures> {};
-template <>
-struct SpecOf<polishing::PostureLimits> : AsDataclass<polishing::PostureLimits> {};
-template <>
-struct SpecOf<polishing::Task> : AsDataclass<polishing::Task> {};
 template <>
 struct SpecOf<polishing::NamedSurface> : AsDataclass<polishing::NamedSurface> {};
 template <>

@@ -38,11 +38,6 @@ py::object make_callback(const DdpCallback& callback) {
 }
 
 template <>
-const EnumTable& AsEnum<StepUpdate>::table() {
-  static const EnumTable words("burnish.solver", "StepUpdate", {"rollout", "multiple_shooting"});
-  return words;
-}
-template <>
 const EnumTable& AsEnum<StopReason>::table() {
   static const EnumTable words("burnish.solver", "StopReason",
                                {"converged", "max_iterations", "time_budget", "not_evaluated",

@@ -3,6 +3,7 @@
 
 #include "burnish/solver/ddp.hpp"
 #include "callback.hpp"
+#include "solver/descriptions.hpp"
 #include "specs_base.hpp"
 
 namespace burnish::python {
@@ -12,8 +13,6 @@ using DdpCallback = std::function<bool(const DdpProgress&)>;
 bool load_callback(py::handle from, DdpCallback& callback);
 py::object make_callback(const DdpCallback& callback);
 
-template <>
-struct EnumOf<StepUpdate> : AsEnum<StepUpdate> {};
 template <>
 struct EnumOf<StopReason> : AsEnum<StopReason> {};
 template <>

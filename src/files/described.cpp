@@ -159,10 +159,6 @@ void read_entry(const Field& field, void* spec, const YamlReader& reader) {
   read_value(field, *field.type, field.in(spec), reader);
 }
 
-void read_entries(const Description& description, void* spec, const YamlReader& reader) {
-  read_struct(description, spec, reader, false);
-}
-
 std::optional<std::string> entry_text(const Field& field, const void* spec) {
   void* at = const_cast<void*>(field.in(spec));  // which is read alone
   if (field.type->kind == Kind::Text && static_cast<const std::string*>(at)->empty())

@@ -11,8 +11,6 @@ namespace burnish::files {
 
 /// Refuses what the entry does not take, with the place.
 void read_entry(const Field& field, void* spec, const YamlReader& reader);
-/// Of a map, the keys that it states; the others stay as they are.
-void read_entries(const Description& description, void* spec, const YamlReader& reader);
 /// On one line; nothing for an empty text, which is not written.
 std::optional<std::string> entry_text(const Field& field, const void* spec);
 

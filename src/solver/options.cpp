@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "burnish/base/error.hpp"
+#include "solver/descriptions.hpp"
 
 namespace burnish {
 namespace {
@@ -54,6 +55,22 @@ void DdpOptions::check() const {
       "a number that is at least regularization.smallest");
   require(std::isfinite(regularization.factor) && regularization.factor > 1.0,
           "regularization.factor", regularization.factor, "a number > 1");
+}
+
+const Words& words_of(StepUpdate /*of*/) {
+  static const Words all{
+      "solver",
+      "StepUpdate",
+      "How a direction becomes the next iterate.",
+      {{"rollout",
+        "The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After "
+        "a "
+        "step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)."},
+       {"multiple_shooting",
+        "States and controls move along the solution of the linear-quadratic problem; every knot "
+        "is "
+        "evaluated on its own, in packs and threads. Gaps vanish with convergence."}}};
+  return all;
 }
 
 }  // namespace burnish

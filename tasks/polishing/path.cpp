@@ -6,14 +6,10 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "polishing/descriptions.hpp"
 
 namespace burnish::polishing {
 namespace {
-
-const std::vector<std::string>& names() {
-  static const std::vector<std::string> all{"circle", "spiral", "zigzag", "points"};
-  return all;
-}
 
 constexpr int max_rows = 10'000;  // of a zigzag
 
@@ -54,13 +50,12 @@ PlanarPoint polar(double r, double dr, double ddr, double angle, double w, doubl
 
 }  // namespace
 
-std::string name_of(PathKind kind) { return names()[static_cast<std::size_t>(kind)]; }
+std::string name_of(PathKind kind) {
+  return words_of(kind).words[static_cast<std::size_t>(kind)].word;
+}
 
 PathKind parse_path(const std::string& name) {
-  for (std::size_t i = 0; i < names().size(); ++i)
-    if (names()[i] == name) return static_cast<PathKind>(i);
-  throw Error("unknown path '" + name + "'; wanted circle, spiral, zigzag or points" +
-              did_you_mean(name, names()));
+  return static_cast<PathKind>(words_of(PathKind{}).value_of(name));
 }
 
 Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<double>::infinity()) {

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "base/text_file.hpp"
 #include "base/whole_file.hpp"
+#include "polishing/descriptions.hpp"
 #include "polishing/task_keys.hpp"
 
 namespace burnish::polishing {
@@ -27,17 +28,6 @@ void apply_override(Task& task, const std::string& word) {
 }
 
 [[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }
-
-void check_verdict(const Verdict& verdict) {
-  for (const auto& [name, share] : {std::pair("contact_share", verdict.contact_share),
-                                    std::pair("path_share", verdict.path_share)})
-    if (!(share >= 0.0 && share <= 1.0))
-      refuse_together("verdict." + std::string(name) + " is " + number(share) +
-                      "; wanted a share between 0 and 1");
-  if (!(verdict.force_rmse > 0.0))
-    refuse_together("verdict.force_rmse is " + number(verdict.force_rmse) +
-                    "; wanted a share of the force above 0");
-}
 
 bool is_multiple(double large, double small) {
   const double ratio = large / small;
@@ -154,6 +144,8 @@ void override_task(Task& task, const std::vector<std::string>& overrides) {
 }
 
 void check_task(const Task& task) {
+  check_ranges(description_of(&task), &task,
+               [](const std::string& entry) { return "the task: " + entry; });
   check_times(task);
   if (!is_multiple(task.horizon, task.step))
     refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
@@ -172,7 +164,6 @@ void check_task(const Task& task) {
     refuse_together("the force of " + number(task.force) + " N reaches limits.force of " +
                     number(task.tool_limits.force) + " N; wanted less");
   const Path path(task.path);
-  check_verdict(task.verdict);
 }
 
 void write_task(const Task& task, const fs::path& file) { write_whole_file(file, task_text(task)); }

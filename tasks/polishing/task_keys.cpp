@@ -4,14 +4,112 @@
 #include <sstream>
 
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "files/csv_table.hpp"
+#include "files/described.hpp"
+#include "files/read_values.hpp"
+#include "polishing/descriptions.hpp"
 
 namespace burnish::polishing {
 namespace {
 
+using files::YamlReader;
+
+/// Keys that set several entries at once, and are not written; the others of a section count
+/// behind.
+TaskKey surface_key() {
+  return {"name", "",
+          [](Task& task, const YamlReader& reader) {
+            std::vector<std::string> names;
+            for (const NamedSurface& surface : named_surfaces()) names.push_back(surface.name);
+            put_on(task, reader.word(names));
+          },
+          [](const Task& /*task*/) -> std::optional<std::string> { return std::nullopt; }};
+}
+TaskKey preset_key() {
+  return {"preset", "",
+          [](Task& task, const YamlReader& reader) {
+            const std::uint64_t seed = task.disturbances.seed;
+            task.disturbances = disturbance_preset(reader.word(disturbance_presets()));
+            task.disturbances.seed = seed;
+          },
+          [](const Task& /*task*/) -> std::optional<std::string> { return std::nullopt; }};
+}
+
+std::vector<Eigen::Vector2d> points_of_table(const YamlReader& reader) {
+  std::vector<Eigen::Vector2d> points;
+  const std::filesystem::path folder = std::filesystem::path(reader.file()).parent_path();
+  reader.named([&] {
+    const files::CsvTable table = files::read_csv(files::beside(folder, reader.text()));
+    const Eigen::VectorXd u = table.column("u"), w = table.column("w");
+    for (Eigen::Index i = 0; i < u.size(); ++i) points.emplace_back(u[i], w[i]);
+  });
+  return points;
+}
+
+/// An entry of the task, or of a value that it holds at `offset`.
+TaskKey described_key(const Field& field, std::size_t offset) {
+  return {field.key, field.comment(),
+          [&field, offset](Task& task, const YamlReader& reader) {
+            if (field.key == "points" && !reader.is_list())
+              task.path.points = points_of_table(reader);
+            else
+              files::read_entry(field, reinterpret_cast<char*>(&task) + offset, reader);
+          },
+          [&field, offset](const Task& task) {
+            return files::entry_text(field, reinterpret_cast<const char*>(&task) + offset);
+          }};
+}
+
+/// Limits are of the tool, the controller and the task; what a file says first is most asked for.
+void put_in_order(TaskSection& limits) {
+  static const std::vector<std::string> first{"force",
+                                              "force_window",
+                                              "tool_speed",
+                                              "joint_speed_ratio",
+                                              "joint_margin",
+                                              "stale",
+                                              "bad",
+                                              "contact_lost",
+                                              "contact_threshold",
+                                              "late_contact_travel",
+                                              "late_contact_time",
+                                              "unexpected_force",
+                                              "release"};
+  const auto place = [](const TaskKey& key) {
+    return std::find(first.begin(), first.end(), key.name);
+  };
+  std::stable_sort(limits.keys.begin(), limits.keys.end(),
+                   [&](const TaskKey& a, const TaskKey& b) { return place(a) < place(b); });
+}
+
+/// A value that the task holds is a section; so is a group of its own entries.
 std::vector<TaskSection> all_sections() {
-  std::vector<TaskSection> sections = where_sections();
-  for (TaskSection& section : controller_sections()) sections.push_back(std::move(section));
-  sections.push_back(disturbances_section());
+  const Description& task = description_of(static_cast<const Task*>(nullptr));
+  std::vector<TaskSection> sections{{"", "", {}}};
+  auto group = task.groups.begin();
+  for (std::size_t i = 0; i < task.fields.size(); ++i) {
+    const Field& field = task.fields[i];
+    if (group != task.groups.end() && group->begin == i) {
+      if (!group->key.empty()) sections.push_back({group->key, group->meaning, {}});
+      ++group;
+    }
+    if (field.type->kind == ValueType::Kind::Struct) {
+      if (sections.back().name != field.key) sections.push_back({field.key, field.comment(), {}});
+      for (const Field& entry : field.type->description().fields)
+        sections.back().keys.push_back(described_key(entry, field.offset));
+    } else {
+      sections.back().keys.push_back(described_key(field, 0));
+    }
+  }
+  for (TaskSection& section : sections) {
+    if (section.name == "surface") section.keys.insert(section.keys.begin(), surface_key());
+    if (section.name == "disturbances") section.keys.insert(section.keys.begin(), preset_key());
+    if (section.name == "limits") put_in_order(section);
+    section.word_is = section.name == "surface"        ? "name"
+                      : section.name == "disturbances" ? "preset"
+                      : section.name == "path"         ? "kind"
+                                                       : "";
+  }
   return sections;
 }
 
@@ -20,7 +118,7 @@ const TaskKey& key_of(const TaskSection& section, const std::string& name) {
                        [&](const TaskKey& key) { return key.name == name; });
 }
 
-void read_section(Task& task, const TaskSection& section, const files::YamlReader& reader) {
+void read_section(Task& task, const TaskSection& section, const YamlReader& reader) {
   if (!section.word_is.empty() && !reader.is_map()) {
     key_of(section, section.word_is).read(task, reader);
     return;

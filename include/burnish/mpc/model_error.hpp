@@ -24,10 +24,11 @@ enum class ModelErrorKind {
 };
 
 struct ModelErrorOptions {
+  /// none, torque (per joint) or force (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// rad/s of the observer; positive. Force closes a loop through the controller and is not
-  /// to be faster than its delays bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well,
-  /// 100 rad/s oscillate.
+  /// rad/s of the observer; more follows friction, and bears less delay. Force closes a loop
+  /// through the controller and is not to be faster than its delays bear: behind a force sensor
+  /// filtered at 50 Hz, 50 rad/s are well, 100 rad/s oscillate.
   double bandwidth = 30.0;
   double limit = 30.0;  ///< Nm (N): estimates stay within +- this
 };

@@ -22,12 +22,12 @@ namespace burnish {
 
 /// When a run is given up, whatever the task; the task's own limits are its. Infinite: never.
 struct SafetyLimits {
-  double joint_speed_ratio = 1.2;  ///< of the model's velocity limits
-  double joint_margin = 0.05;      ///< rad (m) that a joint may be beyond its limit
-  double stale = 0.02;             ///< s without a new measurement; longer than a tick
-  double bad = 0.01;               ///< s of bad measurements that the last good one bridges
-  int failed_solves = 5;           ///< in a row; the first solve may not fail
-  /// s of wall clock per update; the first one, made at rest, may take longer.
+  double joint_speed_ratio = 1.2;  ///< of the robot's velocity limits
+  double joint_margin = 0.05;  ///< rad that a joint may be beyond its limit; m of prismatic joints
+  double stale = 0.02;         ///< s without a new measurement; longer than a tick
+  double bad = 0.01;      ///< s of measurements that are no state; which the last good one bridges
+  int failed_solves = 5;  ///< in a row; the first solve may not fail
+  /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
 };
@@ -46,9 +46,10 @@ struct SafetyLimits {
 /// gap, but blind for good the robot is not held, and its brakes are to be used. When measurements
 /// come back, q_hold is where the robot is then.
 struct Fallback {
-  double stiffness = 900.0;  ///< 1/s^2; 0: no spring, and what the model gets wrong lets it sink
-  double damping = 40.0;     ///< 1/s
-  double give = 0.15;        ///< of the effort limits, what the spring may use; within [0, 1]
+  /// 1/s^2, times the mass matrix; 0: nothing holds, the arm is braked only
+  double stiffness = 900.0;
+  double damping = 40.0;  ///< 1/s, times the mass matrix
+  double give = 0.15;     ///< of the torque limits, where the spring slips; 0 to 1
 };
 
 struct MpcSpec {

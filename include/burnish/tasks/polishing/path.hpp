@@ -13,17 +13,16 @@ enum class PathKind { Circle, Spiral, ZigZag, Points };
 /// A path in the plane of a surface, in its two tangents (u, w), from its centre at rest. Lengths
 /// in m, rates in rad/s, speeds in m/s.
 struct PathSpec {
-  PathKind kind = PathKind::Circle;
-  double radius = 0.07;  ///< m; Circle, and the largest of a Spiral
-  double rate = 1.0;     ///< rad/s; Circle and Spiral
-  /// s until the full radius is reached (Circle), until it grows at its full rate (Spiral)
-  double start_up = 2.0;
-  double pitch = 0.01;   ///< m between two turns, mean over the way out; Spiral
-  double width = 0.14;   ///< m along u; ZigZag
-  double height = 0.10;  ///< m along w; ZigZag
-  int rows = 6;          ///< lines; ZigZag
-  double speed = 0.07;   ///< m/s, the highest along a line; ZigZag and Points
-  /// Points in the surface's tangents, m; followed by lines from the centre, at rest at each.
+  PathKind kind = PathKind::Circle;  ///< circle, spiral, zigzag or points
+  double radius = 0.07;              ///< m (circle, and the largest of a spiral)
+  double rate = 1.0;                 ///< rad/s (circle, spiral)
+  double start_up = 2.0;             ///< s until the full radius (circle), the full growth (spiral)
+  double pitch = 0.01;               ///< m between two turns (spiral); mean over the way out
+  double width = 0.14;               ///< m along the first tangent (zigzag)
+  double height = 0.10;              ///< m along the second tangent (zigzag)
+  int rows = 6;                      ///< lines (zigzag)
+  double speed = 0.07;               ///< m/s, the highest along a line (zigzag, points)
+  /// in the surface's tangents, m (points); followed by lines from the centre, at rest at each
   std::vector<Eigen::Vector2d> points = {};
 };
 
@@ -33,8 +32,9 @@ PathKind parse_path(const std::string& name);
 
 /// (u, w) and their first two derivatives at a time.
 struct PlanarPoint {
-  Eigen::Vector2d p = Eigen::Vector2d::Zero(), v = Eigen::Vector2d::Zero(),
-                  a = Eigen::Vector2d::Zero();
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< m
+  Eigen::Vector2d v = Eigen::Vector2d::Zero();  ///< m/s
+  Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< m/s^2
 };
 
 /// The path compiled. Throws Error for numbers that make no path.

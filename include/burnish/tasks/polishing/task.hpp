@@ -23,88 +23,94 @@ enum class ForceAxes {
 /// Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error that
 /// the others force on its term.
 struct Weights {
-  double posture = 0.1;   ///< 1/rad^2: keeps the null space near the starting posture
-  double velocity = 1.0;  ///< s^2/rad^2: damps the joints
-  double torque = 1e-4;   ///< 1/Nm^2: of the control, about the torque that holds the posture
-  double position = 1e4;  ///< 1/m^2: of the tool along the surface (all three axes in the reach)
-  double approach = 1e2;  ///< s^2/m^2: of the tool's speed towards the surface and off it
-  double rotation = 1.0;  ///< 1/rad^2: of the tool
-  double force = 1.0;     ///< 1/N^2
-  double position_limits = 1e3;  ///< 1/rad^2 beyond a joint's limit minus its margin
+  /// 1/rad^2: joints to the start; more holds the elbow, costs path accuracy
+  double posture = 0.1;
+  double velocity = 1.0;  ///< s^2/rad^2: joint speeds; more damps, and lags on fast paths
+  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
+  double position = 1e4;  ///< 1/m^2: tool to the path, in the reach to the point above the surface
+  double approach = 1e2;  ///< s^2/m^2: speed along the normal to that of approach and retreat
+  /// 1/rad^2: tool to its orientation at the start; less lets the wrist follow
+  double rotation = 1.0;
+  double force = 1.0;            ///< 1/N^2: force along the normal to its target
+  double position_limits = 1e3;  ///< 1/rad^2 beyond 0.05 rad inside a joint's limits
   double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
   double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
-  double terminal = 0.1;         ///< s: terminal costs are the running ones times this
+  double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
 /// What "polished" asks for, of the plant's true force and place, from the end of the ramp to the
 /// end of the path.
 struct Verdict {
-  double contact_share = 0.99;  ///< of that time in contact, at least; 0 to 1
-  /// Of Task::force: the root mean square of the error of the force's mean over 10 ms, at most;
-  /// infinite: any.
+  double contact_share = 0.99;  ///< of the time in contact, at least; 0 to 1
+  /// of the force: rms error of its mean over 10 ms, at most; infinite: any
   double force_rmse = 0.1;
-  /// Of the path's length, at least; 0 to 1: what the tool went along, nearer to its target than
-  /// its tip's radius. A path without end is as long as Task::polish_duration makes it.
+  /// of the path's length with the tip over its target, at least; 0 to 1. Nearer to it than the
+  /// tip's radius. A path without end is as long as Task::polish_duration makes it.
   double path_share = 0.99;
 };
 
 /// What a posture that is searched has to keep to; see find_posture().
 struct PostureLimits {
-  double tilt = 1.0;            ///< rad between the pressing axis and the normal's opposite
-  double joint_margin = 0.15;   ///< rad (m) that joints keep from their limits at the start
-  double body_distance = 0.25;  ///< m between the last link and the robot's body
+  double tilt = 1.0;  ///< rad between the tool's axis and the normal
+  /// rad that joints keep from their limits at the start; m of prismatic joints
+  double joint_margin = 0.15;
+  /// m between the last link and the robot's body; less where the arm is short
+  double body_distance = 0.25;
 };
 
 struct Task {
+  /// a robot's name, folder or settings file, with :variant
   std::string robot = "talos:right_arm";
-  /// Of the robot's settings: start and null space; "search": find_posture(). Empty: the robot's
-  /// default, or searched where it has none. So is a named surface's, where the robot has none of
-  /// that name.
+  /// start of the arm, what its null space is drawn to; search: found for the surface. Of the
+  /// robot's settings, or find_posture()'s. Empty: the robot's default, or searched where it has
+  /// none. So is a named surface's, where the robot has none of that name.
   std::string posture = {};
   PostureLimits search = {};
-  std::string tool = "tool";
-  /// That the tool presses along, in its frame, any length; none: see pressing_direction().
+  std::string tool = "tool";  ///< its origin is the centre of a round tip
+  /// that the tool presses along, in its frame, any length; without it see pressing_direction()
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< m
 
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface
-  /// A point of the surface, m; none: it lies `clearance` under the tool at the start.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
+  /// a point of the surface, m; without it `clearance` under the tool at the start
   std::optional<Eigen::Vector3d> point_world = {};
   /// m that there is surface beyond the path, on all four sides of a square about the path's
-  /// origin; infinite: it has no end.
+  /// origin; infinite: it has no end
   double extent = 0.1;
-  double friction = 0.0;   ///< of the surface in the plant; the controller does not know it
-  double stiffness = 1e5;  ///< N/m
-  double damping = 500.0;  ///< Ns/m
+  double friction = 0.0;   ///< Coulomb coefficient of the plant
+  double stiffness = 1e5;  ///< N/m, of the plant
+  double damping = 500.0;  ///< Ns/m, of the plant; with friction below force / (3 friction speed)
 
-  double force = 30.0;  ///< N
-  /// N, at once where contact is made, so that the tool does not rebound; the ramp starts there.
+  double force = 30.0;  ///< N, that the tool presses with
+  /// N, at once where contact is made, so that the tool does not rebound; the ramp starts there
   double touch_force = 6.0;
   PathSpec path = {};
-  double clearance = 0.02;        ///< m of the tool above the surface where the reach ends
+  double clearance = 0.02;        ///< m between tool and surface where the reach ends
   double reach_duration = 0.5;    ///< s
-  double approach_speed = 0.03;   ///< m/s
-  double ramp_duration = 0.5;     ///< s
+  double approach_speed = 0.03;   ///< m/s towards the surface
+  double ramp_duration = 0.5;     ///< s from contact to the full force
   double polish_duration = 12.6;  ///< s on the path
-  double retreat_duration = 0.5;  ///< s
+  double retreat_duration = 0.5;  ///< s back to the clearance
   Verdict verdict = {};
 
-  double horizon = 1.0;         ///< s
-  double step = 0.01;           ///< s
-  double update_rate = 1000.0;  ///< Hz
-  double tick_rate = 2000.0;    ///< Hz
-  double solver_delay = 0.0;    ///< s
-  int iterations = 1;           ///< per update
-  StepUpdate solver = StepUpdate::MultipleShooting;
-  double contact_kd = 40.0;  ///< 1/s, Baumgarte
-  /// rad/s; 0: torques are the control, no torque state.
+  double horizon = 1.0;         ///< s that are planned ahead
+  double step = 0.01;           ///< s between two knots of the plan
+  double update_rate = 1000.0;  ///< Hz, of new plans; divides the tick rate
+  double tick_rate = 2000.0;    ///< Hz, of torque commands
+  double solver_delay = 0.0;    ///< s from a measurement to the use of the plan made from it
+  int iterations = 1;           ///< of the solver, per plan
+  StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
+  double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
+  /// rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances
   double torque_cutoff = 0.0;
-  ForceAxes axes = ForceAxes::Surface;
-  bool feedback = true;  ///< Riccati policy between updates
+  ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, or local (the tool's)
+  bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
   ModelErrorOptions model_error = {.bandwidth = 150.0};
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};
-  double contact_threshold = 2.0;  ///< N of measured normal force that count as contact
+  /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
+  /// reach, it is the mean over 5 ms that counts, against six of its own deviations.
+  double contact_threshold = 2.0;
   Fallback fallback = {};
   Weights weights = {};
 

@@ -20,23 +20,22 @@ enum class Touch {
 
 /// When a run is given up for what happens at the tool. Infinite: never.
 struct ToolLimits {
-  /// N, measured at the tool, of the mean over `force_window`: how large the force of an impact is
-  /// at a single instant says little, a rigid one's is its impulse over the sampling time.
+  /// N at the tool, mean over force_window. A rigid impact's force at a single instant is its
+  /// impulse over the sampling time and says little.
   double force = 100.0;
-  double force_window = 5e-3;  ///< s, rounded to ticks, one at least
+  double force_window = 5e-3;  ///< s; rounded to ticks, one at least
   double tool_speed = 1.0;     ///< m/s
-  double contact_lost = 0.15;  ///< s without force where it is wanted
-  /// m along the normal, and s, without contact from when the schedule's clock began to wait for it
-  /// (SchedulePhase::hold before it was due): how far the surface may lie behind where it is
-  /// thought to be.
+  double contact_lost = 0.15;  ///< s without force while it is wanted
+  /// m that the tool may go on after contact was due. Along the normal, from when the schedule's
+  /// clock began to wait for it (SchedulePhase::hold before it was due): how far the surface may
+  /// lie behind where it is thought to be.
   double late_contact_travel = 0.03;
-  double late_contact_time = 3.0;
-  /// N of normal force, mean over `force_window`, while free: more where noise reaches further, six
-  /// deviations of that mean.
+  double late_contact_time = 3.0;  ///< s that contact may come late; from the same moment
+  /// N while moving through free space. Mean over `force_window`, where nothing is to touch, and
+  /// while leaving once the tool has come off (its force fell below the threshold of contact) or
+  /// `release` s are over. More where noise reaches further: six deviations of that mean.
   double unexpected_force = 15.0;
-  /// s of leaving after which a force is unexpected even if the tool has not come off: its force
-  /// fell below MpcSpec::contact_threshold.
-  double release = 0.5;
+  double release = 0.5;  ///< s into the retreat after which it is free space at the latest
 };
 
 /// What the task asks of the tool at a time of the schedule. What the controller aims at is what

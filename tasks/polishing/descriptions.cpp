@@ -1,0 +1,284 @@
+#include "polishing/descriptions.hpp"
+
+#include "mpc/descriptions.hpp"
+#include "pressing/descriptions.hpp"
+#include "sim/descriptions.hpp"
+#include "solver/descriptions.hpp"
+
+namespace burnish::polishing {
+
+const Words& words_of(PathKind /*of*/) {
+  static const Words all{"polishing",
+                         "PathKind",
+                         "Shapes of paths.",
+                         {{"circle"}, {"spiral"}, {"zigzag"}, {"points"}}};
+  return all;
+}
+
+const Words& words_of(ForceAxes /*of*/) {
+  static const Words all{
+      "polishing",
+      "ForceAxes",
+      "Axes that the contact and its force are written in.",
+      {{"surface",
+        "the surface's own: x, y along it, z out of it (the paper's centred frame where the "
+        "surface "
+        "is aligned with the world)"},
+       {"local", "the tool's: its axis that is closest to the normal at the start"}}};
+  return all;
+}
+
+const Description& description_of(const PathSpec* /*of*/) {
+  using P = PathSpec;
+  constexpr Range positive = range::positive;
+  static const Description all =
+      Describe<P>(
+          "polishing", "PathSpec",
+          "A path in the plane of a surface, in its two tangents (u, w), from its centre at "
+          "rest.")
+          .field("kind", &P::kind, "circle, spiral, zigzag or points")
+          .field("radius", &P::radius, "{m} (circle, and the largest of a spiral)", positive)
+          .field("rate", &P::rate, "{rad/s} (circle, spiral)")
+          .field("start_up", &P::start_up,
+                 "{s} until the full radius (circle), the full growth (spiral)", positive)
+          .field("pitch", &P::pitch, "{m} between two turns (spiral)", positive)
+          .more("mean over the way out")
+          .field("width", &P::width, "{m} along the first tangent (zigzag)", positive)
+          .field("height", &P::height, "{m} along the second tangent (zigzag)", positive)
+          .field("rows", &P::rows, "lines (zigzag)", range::from(2))
+          .field("speed", &P::speed, "{m/s}, the highest along a line (zigzag, points)", positive)
+          .field("points", &P::points,
+                 "[[u, w], ...] in the surface's tangents, {m}, or a CSV file with columns u and w "
+                 "(points)")
+          .in_code(
+              "in the surface's tangents, m (points); followed by lines from the centre, at rest "
+              "at each");
+  return all;
+}
+
+const Description& description_of(const PlanarPoint* /*of*/) {
+  using P = PlanarPoint;
+  static const Description all =
+      Describe<P>("polishing", "PlanarPoint",
+                  "(u, w) of a path and their first two derivatives at a time.")
+          .field("p", &P::p, "{m}")
+          .field("v", &P::v, "{m/s}")
+          .field("a", &P::a, "{m/s^2}");
+  return all;
+}
+
+const Description& description_of(const Weights* /*of*/) {
+  using W = Weights;
+  constexpr Range weight = range::not_negative;
+  static const Description all =
+      Describe<W>(
+          "polishing", "Weights",
+          "Cost weights, per second of horizon. Each is (what it buys): doubling it halves the "
+          "error that the others force on its term.")
+          .field("force", &W::force, "{1/N^2}: force along the normal to its target", weight)
+          .field("position", &W::position,
+                 "{1/m^2}: tool to the path, in the reach to the point above the surface", weight)
+          .field("approach", &W::approach,
+                 "{s^2/m^2}: speed along the normal to that of approach and retreat", weight)
+          .field("rotation", &W::rotation,
+                 "{1/rad^2}: tool to its orientation at the start; less lets the wrist follow",
+                 weight)
+          .field("posture", &W::posture,
+                 "{1/rad^2}: joints to the start; more holds the elbow, costs path accuracy",
+                 weight)
+          .field("velocity", &W::velocity,
+                 "{s^2/rad^2}: joint speeds; more damps, and lags on fast paths", weight)
+          .field("torque", &W::torque, "{1/Nm^2}: torques to those that hold the start", weight)
+          .field("position_limits", &W::position_limits,
+                 "{1/rad^2} beyond 0.05 rad inside a joint's limits", weight)
+          .field("velocity_limits", &W::velocity_limits,
+                 "{s^2/rad^2} beyond a joint's velocity limit", weight)
+          .field("torque_limits", &W::torque_limits, "{1/Nm^2} beyond a joint's effort limit",
+                 weight)
+          .field("terminal", &W::terminal,
+                 "{s}: what the end of the horizon costs, as a time at its running cost", weight);
+  return all;
+}
+
+const Description& description_of(const Verdict* /*of*/) {
+  using V = Verdict;
+  static const Description all =
+      Describe<V>(
+          "polishing", "Verdict",
+          "What \"polished\" asks for, of the plant's true force and place, from the end of "
+          "the ramp to the end of the path.")
+          .field("contact_share", &V::contact_share, "of the time in contact, at least; 0 to 1",
+                 range::share)
+          .field("force_rmse", &V::force_rmse,
+                 "of the force: rms error of its mean over 10 ms, at most; or never",
+                 range::positive_or_infinite)
+          .in_code("of the force: rms error of its mean over 10 ms, at most; infinite: any")
+          .field("path_share", &V::path_share,
+                 "of the path's length with the tip over its target, at least; 0 to 1",
+                 range::share)
+          .more(
+              "Nearer to it than the tip's radius. A path without end is as long as "
+              "Task::polish_duration makes it.");
+  return all;
+}
+
+const Description& description_of(const PostureLimits* /*of*/) {
+  using P = PostureLimits;
+  constexpr Range limit = range::not_negative;
+  static const Description all =
+      Describe<P>("polishing", "PostureLimits",
+                  "What a posture that is searched has to keep to; see find_posture().")
+          .field("tilt", &P::tilt, "{rad} between the tool's axis and the normal", limit)
+          .field("joint_margin", &P::joint_margin,
+                 "{rad} that joints keep from their limits at the start", limit)
+          .more("m of prismatic joints")
+          .field("body_distance", &P::body_distance,
+                 "{m} between the last link and the robot's body; less where the arm is short",
+                 limit);
+  return all;
+}
+
+namespace {
+
+using T = Task;
+
+/// Where: the robot, its tool, the surface, the path.
+Describe<T>& describe_place(Describe<T>& task) {
+  constexpr Range positive = range::positive;
+  return task.field("robot", &T::robot, "a robot's name, folder or settings file, with :variant")
+      .field("posture", &T::posture,
+             "start of the arm, what its null space is drawn to; search: found for the surface")
+      .more(
+          "Of the robot's settings, or find_posture()'s. Empty: the robot's default, or searched "
+          "where it has none. So is a named surface's, where the robot has none of that name.")
+      .field("force", &T::force, "{N}, that the tool presses with", positive)
+      .group("", "tool")
+      .field("tool", &T::tool, "its origin is the centre of a round tip")
+      .key("frame")
+      .field("tool_axis", &T::tool_axis,
+             "[x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of "
+             "robot.yaml, of others the last joint's axis, away from the arm",
+             range::direction)
+      .in_code(
+          "that the tool presses along, in its frame, any length; without it see "
+          "pressing_direction()")
+      .key("axis")
+      .word("auto")
+      .field("tip_radius", &T::tip_radius, "{m}", positive)
+      .group(
+          "Or one word for posture, normal and point: table, board, board_x, board_y, "
+          "board_minus_y,\ntilt_45. The controller knows where it is; it knows nothing of friction "
+          "and stiffness.",
+          "surface")
+      .field("normal_world", &T::normal_world,
+             "[x, y, z] out of the material towards the robot, any length, world", range::direction)
+      .in_code("out of the surface, any length")
+      .key("normal")
+      .field("point_world", &T::point_world,
+             "[x, y, z] of any point on it, {m}; or under_tool: clearance below the start")
+      .in_code("a point of the surface, m; without it `clearance` under the tool at the start")
+      .key("point")
+      .word("under_tool")
+      .field("extent", &T::extent,
+             "{m} that there is surface beyond the path, on all four sides; or endless",
+             range::not_negative_or_infinite)
+      .in_code(
+          "m that there is surface beyond the path, on all four sides of a square about the "
+          "path's origin; infinite: it has no end")
+      .word("endless")
+      .field("friction", &T::friction, "Coulomb coefficient of the plant", range::not_negative)
+      .field("stiffness", &T::stiffness, "{N/m}, of the plant", positive)
+      .field("damping", &T::damping,
+             "{Ns/m}, of the plant; with friction below force / (3 friction speed)",
+             range::not_negative)
+      .field("search", &T::search, "What a posture that is searched keeps to.")
+      .field("path", &T::path,
+             "In the plane of the surface, from the point under the start, beginning at rest.");
+}
+
+/// When, and what it is to come to.
+Describe<T>& describe_phases(Describe<T>& task) {
+  constexpr Range positive = range::positive;
+  return task
+      .group("Reach above the surface, approach until contact, ramp the force, polish, retreat.",
+             "phases")
+      .field("clearance", &T::clearance, "{m} between tool and surface where the reach ends",
+             positive)
+      .field("reach_duration", &T::reach_duration, "{s}", positive)
+      .field("approach_speed", &T::approach_speed, "{m/s} towards the surface", positive)
+      .field("touch_force", &T::touch_force,
+             "{N}, at once where contact is made, so that the tool does not rebound",
+             range::not_negative)
+      .more("the ramp starts there")
+      .field("ramp_duration", &T::ramp_duration, "{s} from contact to the full force", positive)
+      .field("polish_duration", &T::polish_duration, "{s} on the path", positive)
+      .field("retreat_duration", &T::retreat_duration, "{s} back to the clearance", positive)
+      .field("verdict", &T::verdict,
+             "What \"polished\" asks for, of the plant's true force and place, from the end of the "
+             "ramp on.");
+}
+
+/// How: the controller, and what it does not know.
+Describe<T>& describe_controller(Describe<T>& task) {
+  constexpr Range positive = range::positive;
+  return task
+      .group("The optimal control problem that is solved again and again, and the loop around it.",
+             "controller")
+      .field("horizon", &T::horizon, "{s} that are planned ahead", positive)
+      .field("step", &T::step, "{s} between two knots of the plan", positive)
+      .field("update_rate", &T::update_rate, "{Hz}, of new plans; divides the tick rate", positive)
+      .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands", positive)
+      .field("solver_delay", &T::solver_delay,
+             "{s} from a measurement to the use of the plan made from it", range::not_negative)
+      .field("iterations", &T::iterations, "of the solver, per plan", range::from(1))
+      .field("solver", &T::solver, "multiple_shooting or rollout")
+      .field("feedback", &T::feedback,
+             "between plans follow their Riccati gains, not just their torques")
+      .field("contact_kd", &T::contact_kd, "{1/s}, damping of the contact constraint (Baumgarte)",
+             range::not_negative)
+      .field("torque_cutoff", &T::torque_cutoff,
+             "{rad/s}, torque lag that plans know of; 0: none; the plant's is in disturbances",
+             range::not_negative)
+      .field("axes", &T::axes, "of contact and force: surface, or local (the tool's)")
+      .field(
+          "weights", &T::weights,
+          "Cost per second of squared error. What counts is how they compare: raise one, and its "
+          "error\nshrinks at the expense of the others.")
+      .field("model_error", &T::model_error,
+             "What measurements say that the model gets wrong, given back to it before each plan.")
+      .group(
+          "Beyond these a run is given up: the arm is braked and held (fallback), and there is a "
+          "report.\nEach may be never.",
+          "limits")
+      .field("limits", &T::limits, "")
+      .field("tool_limits", &T::tool_limits, "")
+      .key("limits")
+      .field("contact_threshold", &T::contact_threshold, "{N} that count as contact",
+             range::positive_or_infinite)
+      .more(
+          "Where the sensor's noise comes near it, which is found out in the reach, it is the mean "
+          "over 5 ms that counts, against six of its own deviations.")
+      .group("")
+      .field("fallback", &T::fallback,
+             "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
+             "slips.")
+      .field("disturbances", &T::disturbances,
+             "What the controller does not know. Or one word: none, sensors, mismatch, "
+             "joint_friction; or\n`preset: word` and keys that differ from it.")
+      .in_code("what the controller does not know");
+}
+
+}  // namespace
+
+const Description& description_of(const Task* /*of*/) {
+  static const Description all = [] {
+    Describe<T> task("polishing", "Task",
+                     "The polishing task: all that a task file may say, with its defaults.");
+    describe_place(task);
+    describe_phases(task);
+    return describe_controller(task);
+  }();
+  return all;
+}
+
+}  // namespace burnish::polishing
