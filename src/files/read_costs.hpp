@@ -7,17 +7,16 @@ namespace burnish::files {
 
 /// Reads `costs` of a stage: {name: weight of a shared term, or {type: ..., ...}, or changes of a
 /// shared term}. `shared` is the file's key `terms`, where there is one. `contacts` hold.
-std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<YamlReader>& shared,
-                                 const std::vector<std::string>& contacts,
-                                 const YamlReader& reader);
+std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Reader>& shared,
+                                 const std::vector<std::string>& contacts, const Reader& reader);
 
 /// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: share of the
 /// robot's}, ...}.
 std::vector<Constraint> read_constraints(const FileScene& scene,
                                          const std::vector<std::string>& contacts,
-                                         const YamlReader& reader);
+                                         const Reader& reader);
 
 /// Refuses shared terms that are badly formed even where no stage uses them.
-void check_shared(const YamlReader& shared);
+void check_shared(const Reader& shared);
 
 }  // namespace burnish::files
