@@ -11,12 +11,12 @@ namespace {
 
 using Kind = ValueType::Kind;
 
-void check(double value, const Range& range, const YamlReader& reader) {
+void check(double value, const Range& range, const Reader& reader) {
   if (!range.holds(value))
     reader.refuse("it is " + burnish::number(value) + "; wanted " + range.text());
 }
 
-void read_array(const Field& field, const ValueType& type, void* at, const YamlReader& reader) {
+void read_array(const Field& field, const ValueType& type, void* at, const Reader& reader) {
   const bool any_size = type.rows < 0;
   const Eigen::VectorXd values = any_size ? reader.numbers() : reader.numbers(type.rows);
   for (const double value : values) check(value, field.range, reader);
@@ -27,10 +27,10 @@ void read_array(const Field& field, const ValueType& type, void* at, const YamlR
   Eigen::Map<Eigen::VectorXd>(type.numbers(at), values.size()) = values;
 }
 
-void read_value(const Field& field, const ValueType& type, void* at, const YamlReader& reader);
+void read_value(const Field& field, const ValueType& type, void* at, const Reader& reader);
 
 /// Entries of a list state all keys.
-void read_struct(const Description& description, void* spec, const YamlReader& reader, bool all) {
+void read_struct(const Description& description, void* spec, const Reader& reader, bool all) {
   std::vector<std::string> keys;
   for (const Field& field : description.fields) keys.push_back(field.key);
   reader.allow_only(keys);
@@ -41,8 +41,8 @@ void read_struct(const Description& description, void* spec, const YamlReader& r
       read_entry(field, spec, *value);
 }
 
-void read_list(const Field& field, const ValueType& type, void* at, const YamlReader& reader) {
-  const std::vector<YamlReader> entries = reader.entries();
+void read_list(const Field& field, const ValueType& type, void* at, const Reader& reader) {
+  const std::vector<Reader> entries = reader.entries();
   type.resize(at, 0);
   type.resize(at, entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -52,7 +52,7 @@ void read_list(const Field& field, const ValueType& type, void* at, const YamlRe
       read_value(field, type.element(), type.entry(at, i), entries[i]);
 }
 
-void read_value(const Field& field, const ValueType& type, void* at, const YamlReader& reader) {
+void read_value(const Field& field, const ValueType& type, void* at, const Reader& reader) {
   const bool is_word = !field.word.empty() && reader.is(field.word);
   switch (type.kind) {
     case Kind::Number: {
@@ -155,7 +155,7 @@ std::string value_text(const Field& field, const ValueType& type, void* at) {
 
 }  // namespace
 
-void read_entry(const Field& field, void* spec, const YamlReader& reader) {
+void read_entry(const Field& field, void* spec, const Reader& reader) {
   read_value(field, *field.type, field.in(spec), reader);
 }
 

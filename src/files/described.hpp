@@ -10,7 +10,7 @@
 namespace burnish::files {
 
 /// Refuses what the entry does not take, with the place.
-void read_entry(const Field& field, void* spec, const YamlReader& reader);
+void read_entry(const Field& field, void* spec, const Reader& reader);
 /// On one line; nothing for an empty text, which is not written.
 std::optional<std::string> entry_text(const Field& field, const void* spec);
 

@@ -7,6 +7,5 @@ namespace burnish::files {
 
 using document::either;
 using document::Reader;
-using YamlReader = document::Reader;
 
 }  // namespace burnish::files

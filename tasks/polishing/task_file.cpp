@@ -14,7 +14,7 @@ namespace burnish::polishing {
 namespace {
 
 namespace fs = std::filesystem;
-using files::YamlReader;
+using document::Reader;
 
 void apply_override(Task& task, const std::string& word) {
   const std::size_t equals = word.find('=');
@@ -24,7 +24,7 @@ void apply_override(Task& task, const std::string& word) {
   std::string value = word.substr(equals + 1);
   // Files that a command line names lie where it runs.
   if (path == "path.points" && value.front() != '[') value = fs::absolute(value).string();
-  read_sections(task, YamlReader::parse_override(path, value, "override " + in_quotes(word)));
+  read_sections(task, Reader::parse_override(path, value, "override " + in_quotes(word)));
 }
 
 [[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }
@@ -129,7 +129,7 @@ Task read_task(const fs::path& file, const std::vector<std::string>& overrides) 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
   Task task;
-  read_sections(task, YamlReader::parse(text, name));
+  read_sections(task, Reader::parse(text, name));
   override_task(task, overrides);
   try {
     check_task(task);

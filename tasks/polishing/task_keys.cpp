@@ -12,13 +12,13 @@
 namespace burnish::polishing {
 namespace {
 
-using files::YamlReader;
+using document::Reader;
 
 /// Keys that set several entries at once, and are not written; the others of a section count
 /// behind.
 TaskKey surface_key() {
   return {"name", "",
-          [](Task& task, const YamlReader& reader) {
+          [](Task& task, const Reader& reader) {
             std::vector<std::string> names;
             for (const NamedSurface& surface : named_surfaces()) names.push_back(surface.name);
             put_on(task, reader.word(names));
@@ -27,7 +27,7 @@ TaskKey surface_key() {
 }
 TaskKey preset_key() {
   return {"preset", "",
-          [](Task& task, const YamlReader& reader) {
+          [](Task& task, const Reader& reader) {
             const std::uint64_t seed = task.disturbances.seed;
             task.disturbances = disturbance_preset(reader.word(disturbance_presets()));
             task.disturbances.seed = seed;
@@ -35,7 +35,7 @@ TaskKey preset_key() {
           [](const Task& /*task*/) -> std::optional<std::string> { return std::nullopt; }};
 }
 
-std::vector<Eigen::Vector2d> points_of_table(const YamlReader& reader) {
+std::vector<Eigen::Vector2d> points_of_table(const Reader& reader) {
   std::vector<Eigen::Vector2d> points;
   const std::filesystem::path folder = std::filesystem::path(reader.file()).parent_path();
   reader.named([&] {
@@ -49,7 +49,7 @@ std::vector<Eigen::Vector2d> points_of_table(const YamlReader& reader) {
 /// An entry of the task, or of a value that it holds at `offset`.
 TaskKey described_key(const Field& field, std::size_t offset) {
   return {field.key, field.comment(),
-          [&field, offset](Task& task, const YamlReader& reader) {
+          [&field, offset](Task& task, const Reader& reader) {
             if (field.key == "points" && !reader.is_list())
               task.path.points = points_of_table(reader);
             else
@@ -118,7 +118,7 @@ const TaskKey& key_of(const TaskSection& section, const std::string& name) {
                        [&](const TaskKey& key) { return key.name == name; });
 }
 
-void read_section(Task& task, const TaskSection& section, const YamlReader& reader) {
+void read_section(Task& task, const TaskSection& section, const Reader& reader) {
   if (!section.word_is.empty() && !reader.is_map()) {
     key_of(section, section.word_is).read(task, reader);
     return;
@@ -156,7 +156,7 @@ const std::vector<TaskSection>& task_sections() {
   return sections;
 }
 
-void read_sections(Task& task, const files::YamlReader& file) {
+void read_sections(Task& task, const document::Reader& file) {
   std::vector<std::string> names;
   for (const TaskSection& section : task_sections()) {
     if (!section.name.empty()) names.push_back(section.name);

@@ -14,7 +14,7 @@ namespace burnish::polishing {
 struct TaskKey {
   std::string name;
   std::string meaning;  ///< the comment behind it, with the unit
-  std::function<void(Task&, const files::YamlReader&)> read;
+  std::function<void(Task&, const document::Reader&)> read;
   /// The value in YAML, or nothing where the key is not written.
   std::function<std::optional<std::string>(const Task&)> write;
 };
@@ -31,6 +31,6 @@ struct TaskSection {
 const std::vector<TaskSection>& task_sections();
 
 /// Reads what the file states, over the task.
-void read_sections(Task& task, const files::YamlReader& file);
+void read_sections(Task& task, const document::Reader& file);
 
 }  // namespace burnish::polishing
