@@ -8,6 +8,8 @@ namespace burnish::python {
 
 template <>
 struct SpecOf<Reference> : AsDataclass<Reference> {};
+template <>
+const SpecTable& AsDataclass<Reference>::table();  // said before the caster below asks for it
 
 }  // namespace burnish::python
 
