@@ -236,26 +236,21 @@ class Search {
         along += (b - a).norm();
       }
       for (const Frame& frame : model_.frames) {
-        if (frame.kind != FrameKind::Link || frame.body == joint(last).parent ||
-            (frame.body >= 0 && hangs_on(frame.body, last)))
-          continue;
+        if (frame.kind != FrameKind::Link || goes_with_the_tool(frame.body, last)) continue;
         const Eigen::Vector3d at = body_.placement(body_.frame(frame.name)).translation();
-        look((p - at).norm(), along_to(frame.body, at, to_joint));
+        const double to_body =
+            frame.body >= 0 && to_joint[static_cast<std::size_t>(frame.body)] >= 0.0
+                ? to_joint[static_cast<std::size_t>(frame.body)] + (at - origin(frame.body)).norm()
+                : std::numeric_limits<double>::infinity();
+        look((p - at).norm(), to_body);
       }
     }
   }
-  /// m along the robot to a point of a body: over the joint at which its branch leaves the arm, so
-  /// that a finger beside the tool is as near as it is. Infinite where it does not hang on the arm.
-  double along_to(int body, Eigen::Vector3d at, const std::vector<double>& to_joint) {
-    double off_the_arm = 0.0;
-    for (; body >= 0; body = model_.joints[static_cast<std::size_t>(body)].parent) {
-      const Eigen::Vector3d joint = origin(body);
-      off_the_arm += (at - joint).norm();
-      const double to_here = to_joint[static_cast<std::size_t>(body)];
-      if (to_here >= 0.0) return to_here + off_the_arm;
-      at = joint;
-    }
-    return std::numeric_limits<double>::infinity();
+  /// Whether a body hangs on the last link or on what carries it, as a finger beside the tool does.
+  bool goes_with_the_tool(int body, int last) const {
+    const int carrier = model_.joints[static_cast<std::size_t>(last)].parent;
+    return body == carrier ||
+           (body >= 0 && (hangs_on(body, last) || (carrier >= 0 && hangs_on(body, carrier))));
   }
   Eigen::Vector3d origin(int joint) {
     return body_.placement(body_.frame(model_.joints[static_cast<std::size_t>(joint)].name))
