@@ -232,7 +232,8 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
                            const double* times) {
   dynamics_.values(stage, x, u);
   add_costs(stage, targets, times, false);
-  add_constraints(stage, targets, times, false);
+  if (stage.rows() > 0) [[unlikely]]
+    add_constraints(stage, targets, times, false);
   if (stage.impact) {
     jump(stage, x, false);
   } else if (!stage.terminal) {
@@ -256,7 +257,8 @@ void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, c
   std::fill(gradient.begin(), gradient.end(), S(0.0));
   std::fill(hessian.begin(), hessian.end(), S(0.0));
   add_costs(stage, targets, times, true);
-  add_constraints(stage, targets, times, true);
+  if (stage.rows() > 0) [[unlikely]]
+    add_constraints(stage, targets, times, true);
   load_status();
   if (stage.impact) {
     jump(stage, x, true);
@@ -278,11 +280,12 @@ void NodeKernel<S>::check_finite(const CompiledStage& stage, bool expanded) {
   S zero = cost * S(0.0);
   if (!stage.terminal)
     for (const S& entry : next) zero += entry * S(0.0);
-  const int limited = stage.rows();
-  for (int i = 0; i < limited; ++i) zero += row_values[i] * S(0.0);
-  if (expanded) {
+  if (expanded)
     for (const S& entry : gradient) zero += entry * S(0.0);
-    for (int i = 0; i < limited * problem_->layout.nz(); ++i) zero += rows[i] * S(0.0);
+  if (const int limited = stage.rows(); limited > 0) [[unlikely]] {
+    for (int i = 0; i < limited; ++i) zero += row_values[i] * S(0.0);
+    if (expanded)
+      for (int i = 0; i < limited * problem_->layout.nz(); ++i) zero += rows[i] * S(0.0);
   }
   const auto bad = mask_not(less(absolute(zero), S(1.0)));
   if (!any(bad)) [[likely]]
