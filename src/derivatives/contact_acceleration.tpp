@@ -90,10 +90,10 @@ inline bool xi_matters(const CompiledContact& contact) {
   const CompiledReference& reference = contact.reference;
   return reference.axes_body != contact.tool_body || reference.origin_body != contact.tool_body;
 }
-/// False where eta is zero for every motion; `xi` whether xi matters.
-inline bool eta_matters(const CompiledContact& contact, bool xi) {
+/// False where eta is zero for every motion.
+inline bool eta_matters(const CompiledContact& contact) {
   return contact.spec.acceleration == Acceleration::Classical ||
-         (xi && contact.spec.acceleration == Acceleration::TimeDerivative);
+         (contact.spec.acceleration == Acceleration::TimeDerivative && xi_matters(contact));
 }
 
 /// Derivatives of eta's angular part seen from the tool, for an origin at the tool.
@@ -187,8 +187,7 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
                                            const ContactState<S>& state, const AtTool<S>& there,
                                            const EntryMotion<S>& m) {
   EntryRates<S> r{at_point(m.dalpha_dq, state.p), at_point(m.dalpha_dv, state.p)};
-  const bool xi = contact.reference.axes_body != contact.tool_body;  // the origin is the tool's
-  if (eta_matters(contact, xi)) {
+  if (eta_matters(contact)) {
     const TurningRates<S> eta = turning_rates(contact, entry, kinematics, m);
     const Vec3<S>& w = state.eta.angular;
     const Motion<S> dnu = at_point(m.dnu_dq, state.p), axis = at_point(m.relative, state.p);
@@ -199,7 +198,7 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
       r.dv.angular += cross(eta.dv, there.nu.angular) + cross(w, axis.angular);
     }
   }
-  if (xi) {
+  if (xi_matters(contact)) {
     r.dq.linear += cross(m.xi.angular, there.alpha.linear);
     if (contact.holds_rotation) r.dq.angular += cross(m.xi.angular, there.alpha.angular);
   }
@@ -213,7 +212,7 @@ BURNISH_INLINE EntryRates<S> rates_anywhere(
     const ContactState<S>& state, const ContactAccelerations<S>& at, const EntryMotion<S>& m) {
   const CompiledReference& reference = contact.reference;
   EntryRates<S> r{m.dalpha_dq + cross(m.xi, at.alpha), m.dalpha_dv};
-  if (eta_matters(contact, xi_matters(contact))) {
+  if (eta_matters(contact)) {
     Motion<S> eta_dq = m.tool_rate, eta_dv = m.xi;
     if (contact.spec.acceleration == Acceleration::Classical) {
       eta_dq = turning_at(state.p, m.tool_rate.angular);
