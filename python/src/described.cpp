@@ -7,6 +7,11 @@ namespace {
 
 using Kind = ValueType::Kind;
 
+/// What gives access to a value's parts takes it as one that may be written.
+void* to_read(const void* at) {
+  return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): nothing is
+}
+
 const Carried& carried_as(const ValueType& type) {
   const auto found = carried().find(type.id);
   if (found == carried().end())
@@ -241,8 +246,7 @@ py::dict description_entries(const Description& description) {
   entries["is_result"] = description.is_result;
   entries["fields"] = fields;
   entries["groups"] = groups;
-  entries["defaults"] =
-      plain_entries(description, const_cast<void*>(description.defaults.get()));  // read alone
+  entries["defaults"] = plain_entries(description, to_read(description.defaults.get()));
   return entries;
 }
 
@@ -295,13 +299,12 @@ Enumerations described_enums() {
 SpecTable::SpecTable(const Description& description)
     : class_("burnish." + description.layer, description.name) {
   for (const burnish::Field& field : description.fields)
-    fields_.push_back({field.name, [&field] { return wanted_of(*field.type); },
-                       [&field](const void* spec) {
-                         return get_value(*field.type, const_cast<void*>(field.in(spec)));
-                       },
-                       [&field](void* spec, py::handle value) {
-                         return set_value(*field.type, field.in(spec), value);
-                       }});
+    fields_.push_back(
+        {field.name, [&field] { return wanted_of(*field.type); },
+         [&field](const void* spec) { return get_value(*field.type, to_read(field.in(spec))); },
+         [&field](void* spec, py::handle value) {
+           return set_value(*field.type, field.in(spec), value);
+         }});
 }
 
 const SpecTable& table_of(const Description& description) {

@@ -41,7 +41,7 @@ struct FigureEntry {
 
 /// Calls see(entry, member) for each figure of Metrics, in the order of files.
 template <class See>
-void each_metric(const See& see) {
+void each_metric(const See& see) {  // NOLINT(readability-function-size): a table
   using M = Metrics;
   using namespace figure_units;
   see(FigureEntry{"start", second, "of the first row within the window"}, &M::start);
