@@ -12,6 +12,7 @@ const Description& description_of(const Push* /*of*/) {
   return all;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Disturbances* /*of*/) {
   using D = Disturbances;
   constexpr Range size = range::not_negative;
