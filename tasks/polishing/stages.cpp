@@ -275,22 +275,29 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
   return result;
 }
 
+namespace {
+ContactSpec surface_contact(const Task& task, const Setting& setting) {
+  ContactSpec contact{.name = "surface", .tool = task.tool, .directions = Directions::z()};
+  contact.reference = Reference::surface(setting.surface_axes);
+  if (task.axes == ForceAxes::Local) {
+    const Eigen::Matrix3d R =
+        frame_placement(setting.robot.model, setting.q_start, task.tool).linear();
+    contact.reference = Reference::local(R.transpose() * setting.surface_axes);
+  }
+  contact.with_gains(0.0, task.contact_kd);
+  return contact;
+}
+}  // namespace
+
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
   const Builder build{task, setting, model, path};
-  ContactSpec contact{.name = "surface", .tool = task.tool, .directions = Directions::z()};
-  contact.reference = Reference::surface(setting.surface_axes);
-  if (task.axes == ForceAxes::Local) {
-    const Eigen::Matrix3d R = frame_placement(model, setting.q_start, task.tool).linear();
-    contact.reference = Reference::local(R.transpose() * setting.surface_axes);
-  }
-  contact.with_gains(0.0, task.contact_kd);
 
   MpcSpec mpc;
   mpc.problem.model = model;
   ProblemSpec& problem = mpc.problem;
-  problem.contacts = {contact};
+  problem.contacts = {surface_contact(task, setting)};
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
   const CostTerm press{.name = "force",
