@@ -1,15 +1,16 @@
 #include "files/described.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "base/sentence.hpp"
 #include "base/yaml_word.hpp"
+#include "document/text.hpp"
 
 namespace burnish::files {
 namespace {
 
 using Kind = ValueType::Kind;
+using document::number_text;
 
 void check(double value, const Range& range, const Reader& reader) {
   if (!range.holds(value))
@@ -90,14 +91,6 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
       break;
   }
   reader.refuse("it cannot be stated in a file");
-}
-
-std::string number_text(double value) {
-  char text[32];
-  const double size = std::abs(value);
-  const bool plain = value == 0.0 || (size >= 1e-4 && size < 1e9);
-  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
-  return {text, std::to_chars(text, text + sizeof text, value, format).ptr};
 }
 
 std::string value_text(const Field& field, const ValueType& type, void* at);

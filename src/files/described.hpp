@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/description.hpp"
-#include "files/yaml_reader.hpp"
+#include "files/reader.hpp"
 
 namespace burnish::files {
 

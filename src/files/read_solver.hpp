@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/files/problem_file.hpp"
-#include "files/yaml_reader.hpp"
+#include "files/reader.hpp"
 
 namespace burnish::files {
 

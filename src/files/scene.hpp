@@ -8,7 +8,7 @@
 
 #include "burnish/ocp/problem_spec.hpp"
 #include "burnish/robots/robot.hpp"
-#include "files/yaml_reader.hpp"
+#include "files/reader.hpp"
 
 namespace burnish::files {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "burnish/tasks/polishing/task.hpp"
-#include "files/yaml_reader.hpp"
+#include "files/reader.hpp"
 
 namespace burnish::polishing {
 
