@@ -51,6 +51,10 @@ Task read_task(const std::filesystem::path& file) {
 
 Task parse_task(const std::string& text, const std::string& name) {
   const Reader file = Reader::parse(text, name);
+  if (!file.has("task"))
+    file.refuse(
+        "key 'task' is missing; wanted 'task: press_hold' (a file of polishing names none: "
+        "burnish polish)");
   std::vector<std::string> names{"task", "robot", "posture", "tool", "normal", "aside"};
   for (const NumberKey& key : number_keys()) names.emplace_back(key.name);
   file.allow_only(names);
