@@ -19,8 +19,12 @@ std::string path_into(const std::string& path, const Node& holder, std::size_t i
 
 std::string Builder::sentence(Place place, const std::string& what) const {
   std::string path;
-  for (std::size_t i = 0; i + 1 < open_.size(); ++i)
-    path = path_into(path, open_[i], open_[i].values.size() - (open_[i].kind == Kind::Map ? 1 : 0));
+  for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+    const bool is_map = open_[i].kind == Kind::Map;
+    const std::size_t count = open_[i].values.size();
+    if (is_map && count % 2 == 0) break;  // what is open below is a key, and no path leads into one
+    path = path_into(path, open_[i], is_map ? count - 1 : count);
+  }
   return name_ + ": " + place_text(place, path) + what;
 }
 

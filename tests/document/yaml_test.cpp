@@ -49,6 +49,12 @@ TEST(Yaml, KeysAreNames) {
     expect_words(refused_yaml(text), {"its keys must be names"});
 }
 
+TEST(Yaml, WhatIsWrongWithinAKeyIsRefusedWhereTheKeyStands) {
+  expect_words(refused_yaml("&a [*a]b: 1"), {"a.yaml: line 1: an alias stands for what holds it"});
+  expect_words(refused_yaml("x: {&a [*a]: 1}"), {"line 1: x: an alias stands for what holds it"});
+  expect_words(refused_yaml("{x: 1, ? {y: &a [*a]} : 3}"), {"line 1: an alias stands for"});
+}
+
 TEST(Yaml, InfinityAndNanAreNumbersThatAreRefusedWhereOneIsWanted) {
   const Reader top = Reader::parse("[nan, -inf, .inf, .nan]", "a.yaml");
   expect_words(refusal([&] { top.entries()[0].number(); }), {"[0]: nan is not finite"});
