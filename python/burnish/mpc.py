@@ -56,16 +56,7 @@ class FaultKind(enum.Enum):
     """a quantity of the task, FaultReport.quantity, is beyond its limit"""
 
 
-class ModelErrorKind(enum.Enum):
-    """What an MpcController estimates of what its model gets wrong. Both are relative to the torque
-    that was commanded, so that what actuators get wrong is part of them."""
-
-    NONE = 0
-    """nothing: the paper's controller"""
-    TORQUE = 1
-    """d in M a + b = tau + J^T f + d, a torque per joint"""
-    FORCE = 2
-    """what the measured normal force is above the one that the model predicts"""
+# Described classes stand here (scripts/describe).
 
 
 @dataclass(eq=False, repr=False)
@@ -123,56 +114,6 @@ class SchedulePhase(Spec):
     nothing."""
     hold: float = 0.05
     """s; longer than the phase: the clock stands still at its start"""
-
-
-@dataclass(eq=False, repr=False)
-class SafetyLimits(Spec):
-    """When a run is given up, whatever the task; the task's own limits are its. Infinite: never."""
-
-    joint_speed_ratio: float = 1.2
-    """of the robot's velocity limits"""
-    joint_margin: float = 0.05
-    """rad that a joint may be beyond its limit; m of prismatic joints"""
-    stale: float = 0.02
-    """s without a new measurement; longer than a tick"""
-    bad: float = 0.01
-    """s of measurements that are no state; which the last good one bridges"""
-    failed_solves: int = 5
-    """in a row; the first solve may not fail"""
-    deadline: float = math.inf
-    """s of computing time per plan; of wall clock; the first one, made at rest, may take longer"""
-    late_solves: int = 5
-    """in a row"""
-
-
-@dataclass(eq=False, repr=False)
-class Fallback(Spec):
-    """How the robot is brought to rest after a fault, and held there: tau = b(q, 0) - M (stiffness
-    e + damping v) on the actuated joints, e = q (-) q_hold, within the torque limits. q_hold is
-    where the robot was at the fault, and slips where the spring would use more than `give` of a
-    joint's effort limit."""
-
-    stiffness: float = 900.0
-    """1/s^2, times the mass matrix; 0: nothing holds, the arm is braked only"""
-    damping: float = 40.0
-    """1/s, times the mass matrix"""
-    give: float = 0.15
-    """of the torque limits, where the spring slips; 0 to 1"""
-
-
-@dataclass(eq=False, repr=False)
-class ModelErrorOptions(Spec):
-    """The constant part of what the model gets wrong, estimated from measurements and given back to
-    the model (offset-free model predictive control)."""
-
-    kind: ModelErrorKind = ModelErrorKind.TORQUE
-    """none, torque (per joint) or force (along the normal)"""
-    bandwidth: float = 30.0
-    """rad/s of the observer; more follows friction, and bears less delay. Force closes a loop
-    through the controller and is not to be faster than its delays bear: behind a force sensor
-    filtered at 50 Hz, 50 rad/s are well, 100 rad/s oscillate."""
-    limit: float = 30.0
-    """Nm (N): estimates stay within +- this"""
 
 
 @dataclass(eq=False, repr=False)

@@ -37,31 +37,7 @@ class Touch(enum.Enum):
     """pressed at first; free once the tool has come off, or `release` s are over"""
 
 
-@dataclass(eq=False, repr=False)
-class ToolLimits(Spec):
-    """When a run is given up for what happens at the tool. Infinite: never."""
-
-    force: float = 100.0
-    """N at the tool, mean over force_window. A rigid impact's force at a single instant is its
-    impulse over the sampling time and says little."""
-    force_window: float = 0.005
-    """s; rounded to ticks, one at least"""
-    tool_speed: float = 1.0
-    """m/s"""
-    contact_lost: float = 0.15
-    """s without force while it is wanted"""
-    late_contact_travel: float = 0.03
-    """m that the tool may go on after contact was due. Along the normal, from when the schedule's
-    clock began to wait for it (SchedulePhase.hold before it was due): how far the surface may lie
-    behind where it is thought to be."""
-    late_contact_time: float = 3.0
-    """s that contact may come late; from the same moment"""
-    unexpected_force: float = 15.0
-    """N while moving through free space. Mean over `force_window`, where nothing is to touch, and
-    while leaving once the tool has come off (its force fell below the threshold of contact) or
-    `release` s are over. More where noise reaches further: six deviations of that mean."""
-    release: float = 0.5
-    """s into the retreat after which it is free space at the latest"""
+# Described classes stand here (scripts/describe).
 
 
 @dataclass(eq=False, repr=False)

@@ -40,135 +40,7 @@ __all__ = [
 ]
 
 
-@dataclass(eq=False, repr=False)
-class Push(Spec):
-    """A force on the tool for a while."""
-
-    start: float = 0.0
-    """s"""
-    duration: float = 0.0
-    """s"""
-    force_world: ArrayLike = zeros(3)
-    """3, N, world axes, at the tip frame's origin"""
-
-
-@dataclass(eq=False, repr=False)
-class Disturbances(Spec):
-    """All that makes a plant differ from what its controller believes. Nothing is switched on
-    unless it is named: zero, empty, false or "no value" is off. What is drawn at random comes from
-    the seed. Joints are the entries of v; those of a floating base have neither motors nor encoders
-    and are spared. Units are those of revolute joints; prismatic ones have m and N in place of rad
-    and Nm."""
-
-    seed: int = 0
-    """of everything that is drawn at random"""
-
-    # From command to joint torque, in the order in which they act.
-    command_delay: float = 0.0
-    """s from the controller to the motors; rounded to plant steps"""
-    torque_cutoff: float = 0.0
-    """rad/s, first-order lag of the motors; 0: none; dtau/dt = cutoff (command - tau)"""
-    torque_scale_range: float = 0.0
-    """each joint gives 1 + r times its torque, |r| <= this"""
-    torque_scale: ArrayLike = empty()
-    """nv factors in place of drawn ones, or empty"""
-    torque_bias_range: float = 0.0
-    """Nm: each joint adds b, |b| <= this"""
-    torque_bias: ArrayLike = empty()
-    """nv, Nm (N), in place of drawn ones, or empty"""
-    torque_noise: float = 0.0
-    """Nm, deviation; new at every plant step"""
-    torque_limits: bool = True
-    """joints give no more than the robot's effort limits"""
-    torque_loop: bool = False
-    """a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
-    bandwidth; it follows the sensor's noise instead"""
-    torque_sensor_noise: float = 0.0
-    """Nm, deviation"""
-
-    # In the joints of the plant.
-    joint_coulomb: float = 0.0
-    """Nm, joint friction"""
-    joint_viscous: float = 0.0
-    """Nms/rad, joint friction"""
-
-    # From plant to measurement.
-    encoder_bits: int = 0
-    """per turn; 0: exact; of revolute and continuous joints"""
-    position_noise: float = 0.0
-    """rad, deviation, before the encoder rounds"""
-    velocity_noise: float = 0.0
-    """rad/s, deviation"""
-    finite_difference_velocity: bool = False
-    """velocities from measured positions; in place of the true ones"""
-    velocity_cutoff: float = 0.0
-    """rad/s, low-pass on those; 0: none"""
-    force_noise: float = 0.0
-    """N, deviation per axis of the force sensor"""
-    force_cutoff: float = 0.0
-    """rad/s, low-pass behind the noise; 0: none"""
-
-    # In the plant's model and scene: plant_model() and plant_scene().
-    mass_scale: float = 1.0
-    """of all masses and inertias of the plant"""
-    surface_tilt_deg: ArrayLike = zeros(2)
-    """2, degrees about the surface's two tangents, unknown to the controller; through its point,
-    about the first tangent after the second"""
-    surface_height: float = 0.0
-    """m along the normal; before the tilt"""
-    surface_friction: Optional[float] = None
-    """Coulomb coefficient in place of the scene's"""
-    pushes: List[Push] = items()
-    """on the tool"""
-
-
-@dataclass(eq=False, repr=False)
-class SurfaceSpec(Spec):
-    """A plane, or a square of one. All vectors in the world."""
-
-    point: ArrayLike = zeros(3)
-    """3, any point on it, m; of a square, its middle"""
-    normal: ArrayLike = vector(0.0, 0.0, 1.0)
-    """3, out of the material, towards the robot"""
-    friction: float = 0.0
-    """Coulomb coefficient mu"""
-    stiffness: float = 100000.0
-    """N/m; rigid plants pass it over"""
-    damping: float = 500.0
-    """Ns/m; rigid plants pass it over. MuJoCo's convex friction cone lifts a sliding tip by mu *
-    damping * speed: contact is lost unless damping < force / (mu * speed), and below a third of
-    that the force is clean."""
-    extent: float = math.inf
-    """m, half the side of the square about `point` that is there to be touched, its sides along the
-    columns of Reference.surface_with_normal(); infinite: the plane has no end"""
-    half_size: float = 0.4
-    """m, of the square that is drawn where the plane has no end"""
-
-
-@dataclass(eq=False, repr=False)
-class ToolTipSpec(Spec):
-    """A sphere about the origin of a frame. It touches a plane at one point, and the normal force
-    passes through the frame's origin."""
-
-    frame: str = "tool"
-    radius: float = 0.02
-    """m"""
-
-
-@dataclass(eq=False, repr=False)
-class SceneSpec(Spec):
-    """What the tool meets: a flat surface, and a round tip."""
-
-    surface: SurfaceSpec = field(default_factory=SurfaceSpec)
-    tip: ToolTipSpec = field(default_factory=ToolTipSpec)
-
-
-@dataclass(eq=False, repr=False)
-class PlantSnapshot(Spec):
-    """A moment of a plant, to go back to. What it holds belongs to the kind of plant that saved
-    it."""
-
-    numbers: ArrayLike = empty()
+# Described classes stand here (scripts/describe).
 
 
 class Plant(abc.ABC):
@@ -240,25 +112,6 @@ class Plant(abc.ABC):
 
 
 Plant.register(_core.CompiledPlant)
-
-
-@dataclass(eq=False, repr=False)
-class ActuationStep(Spec):
-    """One plant step of the actuation: the torque after each part, nv each, Nm or N."""
-
-    command: NDArray[np.float64] = empty()
-    """as it came"""
-    delayed: NDArray[np.float64] = empty()
-    tracked: NDArray[np.float64] = empty()
-    """behind the first-order lag"""
-    noise: NDArray[np.float64] = empty()
-    """added to what follows scale and bias"""
-    applied: NDArray[np.float64] = empty()
-    """to the plant: scaled, biased, noisy, within the limits"""
-    limited: int = 0
-    """joints at their effort limit"""
-    held: bool = False
-    """the command was not finite: the one before it was taken"""
 
 
 @dataclass(eq=False, repr=False)
@@ -341,20 +194,6 @@ class ImpedanceSpec(Spec):
 
 
 @dataclass(eq=False, repr=False)
-class IdealPlantOptions(Spec):
-    """How make_ideal_plant()'s plant steps."""
-
-    dt: float = 0.0005
-    """s"""
-    tip_viscous: float = 0.0
-    """Ns/m, against the contact point's sliding, besides Coulomb"""
-    stabilize_kp: float = 10000.0
-    """1/s^2, on the gap while in contact"""
-    stabilize_kd: float = 200.0
-    """1/s, on its rate"""
-
-
-@dataclass(eq=False, repr=False)
 class MujocoPlantOptions(Spec):
     dt: float = 5e-4
     """s"""
@@ -369,15 +208,3 @@ class MujocoPlantOptions(Spec):
     """of the constraint solver"""
     joint_stops: bool = True
     """revolute and prismatic joints stop at their limits"""
-
-
-@dataclass(eq=False, repr=False)
-class ClosedLoopOptions(Spec):
-    """How a ClosedLoop runs, and what it records."""
-
-    control_period: float = 0.001
-    """s, a multiple of the plant's step"""
-    max_duration: float = 20.0
-    """s that the trace has room for"""
-    record_every: int = 1
-    """plant steps per row of the trace"""

@@ -20,15 +20,7 @@ __all__ = ["CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "
            "StopReason"]
 
 
-class StepUpdate(enum.Enum):
-    """How a direction becomes the next iterate."""
-
-    ROLLOUT = 0
-    """The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After a
-    step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)."""
-    MULTIPLE_SHOOTING = 1
-    """States and controls move along the solution of the linear-quadratic problem; every knot is
-    evaluated on its own, in packs and threads. Gaps vanish with convergence."""
+# Described classes stand here (scripts/describe).
 
 
 class StopReason(enum.Enum):

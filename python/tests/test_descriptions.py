@@ -14,7 +14,7 @@ SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "describe"
 
 
 @pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
-def test_headers_dataclasses_and_docs_are_as_described() -> None:
+def test_headers_and_docs_are_as_described() -> None:
     done = subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__)],
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -34,3 +34,18 @@ def test_a_number_that_an_entry_has_no_room_for_is_refused() -> None:
     with pytest.raises(Error, match="Disturbances.encoder_bits: got 4294967297, wanted a whole"):
         _core.spec_round_trip(Disturbances(encoder_bits=2**32 + 1))
     assert _core.spec_round_trip(Disturbances(seed=2**64 - 1)).seed == 2**64 - 1
+
+
+@pytest.mark.skipif(not SCRIPT.exists(), reason="a package without its sources")
+def test_the_build_writes_every_described_class_where_its_module_has_room(tmp_path: Path) -> None:
+    (tmp_path / "base.py").symlink_to(SCRIPT)  # what stands there is replaced, not written through
+    before = SCRIPT.read_text()
+    subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__), "--package", str(tmp_path)], check=True)
+    assert SCRIPT.read_text() == before
+    package = Path(_core.__file__).parent
+    written = {path.name for path in tmp_path.iterdir()}
+    assert {"__init__.py", "_core.pyi", "py.typed"} < written
+    for name in written:
+        assert (tmp_path / name).read_text() == (package / name).read_text(), name
+    for spec in _core.descriptions() + _core.enumerations():
+        assert (tmp_path / f"{spec['module']}.py").read_text().count(f"\nclass {spec['name']}(") == 1, spec["name"]

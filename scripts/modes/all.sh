@@ -1,11 +1,11 @@
-# --all         all of these but --coverage, the tests of (nothing) and --bare last; all are run
+# --all         all of these but --coverage, the tests of (nothing), --types and --bare last; all are run
 #               even where one fails
 
 run_all() {
   local stage began lines=() failed=0
   local options=(${cmake_arguments[@]+"${cmake_arguments[@]}"})
   [[ $setup == yes ]] || options+=(--no-setup)
-  for stage in --format --types --api --tidy --instructions --core --aarch64 --portable --packages --sanitize --tsan --clang --fuzz "" --bare; do
+  for stage in --format --api --tidy --instructions --core --aarch64 --portable --packages --sanitize --tsan --clang --fuzz "" --types --bare; do
     say "./test $stage"
     began=$SECONDS
     # shellcheck disable=SC2086
