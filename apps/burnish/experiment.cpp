@@ -2,102 +2,129 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <set>
-
+#include "campaign.hpp"
 #include "command.hpp"
-#include "polishing/record/experiment_files.hpp"
 #include "progress_bar.hpp"
-#include "record/run_folder.hpp"
 #include "robot_arguments.hpp"
-#include "shell_word.hpp"
 #include "signals.hpp"
 
 namespace burnish::app {
 namespace {
 
 namespace fs = std::filesystem;
-using polishing::PlantKind;
+using polishing::ExperimentSpec;
 
 struct ExperimentArguments {
-  std::string name, plant, out;
-  std::vector<std::string> surfaces, robots, tools, overrides;
-  int seeds = 0, first_seed = 0, threads = 0;
-  bool quick = false, quiet = false, force = false, strict = false;
+  Campaign campaign;
+  std::string out, shard;
+  int threads = 0;
+  double time_limit = 0.0;
+  bool quiet = false, force = false, strict = false, resume = false, mixed = false, list = false;
+
+  bool measures() const { return campaign.name == "tick"; }
 };
 
-/// What repeats the results: options that change them and no others.
-std::string command_of(const ExperimentArguments& a) {
-  std::string command = "burnish experiment " + a.name;
-  if (a.seeds > 0) command += fmt::format(" --seeds {}", a.seeds);
-  if (a.first_seed > 0) command += fmt::format(" --first-seed {}", a.first_seed);
-  for (const std::string& surface : a.surfaces) command += " --surface " + shell_word(surface);
-  for (const std::string& robot : a.robots) command += " --robot " + shell_word(robot);
-  for (const std::string& tool : a.tools) command += " --tool " + shell_word(tool);
-  if (!a.plant.empty()) command += " --plant " + a.plant;
-  if (a.quick) command += " --quick";
-  for (const std::string& word : a.overrides) command += " --set " + shell_word(word);
-  return command;
+polishing::Shard shard_of(const std::string& text) {
+  if (text.empty()) return {};
+  int number = 0, count = 0, read = 0;
+  const bool ok = std::sscanf(text.c_str(), "%6d/%6d%n", &number, &count, &read) == 2 &&
+                  static_cast<std::size_t>(read) == text.size() && number >= 1 && number <= count;
+  if (!ok)
+    throw Error(
+        fmt::format("--shard is '{}'; wanted I/N, number I of N shards, such as 2/4", text));
+  return {number, count};
 }
 
-polishing::ExperimentSpec spec_of(const ExperimentArguments& a) {
-  polishing::ExperimentSpec spec;
-  if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
-  spec.seeds = a.seeds;
-  spec.first_seed = a.first_seed;
+/// Throws Error for options that do not go together.
+void check_options(const ExperimentArguments& a) {
+  if (a.measures() && !(a.shard.empty() && !a.resume && !a.list))
+    throw Error(
+        "the experiment 'tick' measures computing times on one machine in one go; it has no "
+        "--shard, --resume and --list");
+  if (a.resume && a.out.empty()) throw Error("--resume wants --out, the folder to go on with");
+  if (a.resume && a.force) throw Error("--resume and --force: wanted one of them");
+}
+
+/// Throws Error where a folder holds runs of another campaign. More seeds are no other one.
+void check_resumed(const ExperimentArguments& a) {
+  const std::optional<CampaignFile> there = CampaignFile::read(a.out);
+  if (!there) return;
+  if (there->version != program_version())
+    throw Error(fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted another folder",
+                            a.out, there->version, program_version()));
+  Campaign same = there->campaign;
+  same.seeds = a.campaign.seeds;
+  same.first_seed = a.campaign.first_seed;
+  if (!(same == a.campaign))
+    throw Error(
+        fmt::format("'{}' holds runs of `{}`; wanted the same words but for --seeds and "
+                    "--first-seed, or another folder",
+                    a.out, there->campaign.command()));
+}
+
+ExperimentSpec spec_of(const ExperimentArguments& a) {
+  ExperimentSpec spec = a.campaign.spec();
   spec.threads = a.threads;
-  spec.quick = a.quick;
-  spec.surfaces = a.surfaces;
-  spec.robots = a.robots;
-  spec.tools = a.tools;
-  spec.overrides = a.overrides;
+  spec.time_limit = a.time_limit;
+  spec.mixed = a.mixed;
+  spec.shard = shard_of(a.shard);
   spec.stopped = [] { return StopRequest::asked(); };
   if (!a.quiet && isatty(STDERR_FILENO) != 0)
-    spec.progress = [name = a.name](double share, const std::string& what) {
+    spec.progress = [name = a.campaign.name](double share, const std::string& what) {
       show_progress(name, share, what);
     };
   return spec;
 }
 
-int perform(const ExperimentArguments& arguments) {
-  const polishing::Experiment& experiment = polishing::experiment_named(arguments.name);
-  const polishing::ExperimentSpec spec = spec_of(arguments);
-  if (experiment.name != "robots" && !(arguments.robots.empty() && arguments.tools.empty()))
-    throw Error("--robot and --tool are for the experiment 'robots'; for " +
-                fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
-  if (arguments.tools.size() > arguments.robots.size())
-    throw Error(
-        fmt::format("{} times --tool and {} times --robot; wanted no more tools than robots",
-                    arguments.tools.size(), arguments.robots.size()));
-  // Bad words are refused, and the folder is there, before minutes of computing.
-  std::set<std::string> robots;
-  for (const std::string& surface :
-       arguments.surfaces.empty() ? std::vector<std::string>{"table"} : arguments.surfaces)
-    robots.insert(check_experiment_task(spec, surface).robot);
-  for (const std::string& robot : robots) print_warnings_of(robot, arguments.strict);
-  const StopRequest stop("the runs end, and what there is of them is written");
-  RunFolder folder(
-      {.out = arguments.out, .name = "experiment_" + arguments.name, .force = arguments.force});
-  folder.claim({"results.md", "results.json", "results.csv"});
-  const polishing::ExperimentReport report = experiment.perform(spec);
-  if (spec.progress) fmt::print(stderr, "\r\033[K");
+int list_runs(const ExperimentArguments& a, ExperimentSpec spec) {
+  const polishing::RunStore store(a.campaign.name, program_version(), {fs::path()});
+  spec.store = &store;
+  spec.list = [](std::size_t index, const std::string& result, const std::string& run) {
+    fmt::print("{}\t{}\t{}\n", index + 1, result, run);
+  };
+  polishing::experiment_named(a.campaign.name).perform(spec);
+  return exit_ok;
+}
 
-  const std::string command = command_of(arguments);
-  std::vector<std::string> names = experiment_files(report);
-  std::string unwritten;  // why files are missing
-  try {
-    folder.claim(names);
-    write_experiment(report, experiment.name, command, folder.path());
-    folder.finish();
-  } catch (const Error& error) {
-    unwritten = error.what();
+/// What became of a shard. The exit code.
+int finish_shard(const ExperimentArguments& a, const polishing::RunCounts& counts,
+                 RunFolder& folder) {
+  folder.finish();
+  if (!a.quiet)
+    fmt::print(
+        "shard {} of `{}`: {} of {} runs, {} made and {} there before, {} not polished\nin "
+        "{}: {}/\n",
+        a.shard, a.campaign.command(), counts.found + counts.made, counts.wanted, counts.made,
+        counts.found, counts.failed, folder.path().string(), results_folder);
+  return counts.failed == 0 && counts.found + counts.made == counts.wanted ? exit_ok : exit_failed;
+}
+
+int perform(const ExperimentArguments& a) {
+  // Bad words are refused, and the folder is there, before minutes of computing.
+  check_options(a);
+  ExperimentSpec spec = spec_of(a);
+  check_campaign(a.campaign, a.strict);
+  if (a.list) return list_runs(a, spec);
+  if (a.resume) check_resumed(a);
+  const StopRequest stop("the runs end, and what there is of them is written");
+  std::string name = "experiment_" + a.campaign.name;
+  if (!a.shard.empty()) name += fmt::format("_{}_of_{}", spec.shard.number, spec.shard.count);
+  RunFolder folder({.out = a.out, .name = name, .force = a.force, .resume = a.resume});
+  const polishing::RunStore store(a.campaign.name, program_version(),
+                                  {folder.path() / results_folder});
+  polishing::RunCounts counts;
+  spec.counts = &counts;
+  if (a.shard.empty()) folder.claim({"results.md", "results.json", "results.csv"});
+  if (!a.measures()) {
+    spec.store = &store;
+    folder.claim({CampaignFile::name, std::string(results_folder) + "/"});
+    CampaignFile{a.campaign, program_version(), a.shard}.write(folder.path());
   }
-  if (!arguments.quiet) {
-    fmt::print("{}", experiment_text(report, command));
-    if (unwritten.empty())
-      fmt::print("\nin {}: {}\n", folder.path().string(), fmt::join(names, ", "));
-  }
-  if (!unwritten.empty()) throw Error(unwritten);
-  return report.failures.empty() && !report.interrupted ? exit_ok : exit_failed;
+  const polishing::ExperimentReport report =
+      polishing::experiment_named(a.campaign.name).perform(spec);
+  if (spec.progress) fmt::print(stderr, "\r\033[K");
+  if (!a.shard.empty()) return finish_shard(a, counts, folder);
+  return write_report(report, a.campaign, folder, a.quiet);
 }
 
 std::string list_of_experiments() {
@@ -107,7 +134,7 @@ std::string list_of_experiments() {
   return text;
 }
 
-void add_options(CLI::App& command, ExperimentArguments& a) {
+void add_words(CLI::App& command, Campaign& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
       .add_option(
@@ -145,12 +172,31 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
                   "sweeps stays its own")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
+}
+
+void add_options(CLI::App& command, ExperimentArguments& a) {
+  add_words(command, a.campaign);
   command
       .add_option("--threads", a.threads,
                   "Runs at once, which changes no result; tick has one [one per core]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
+  command
+      .add_option("--shard", a.shard,
+                  "Make every Nth run alone, from the Ith on, and no tables: burnish merge does")
+      ->type_name("I/N");
+  command.add_flag("--resume", a.resume,
+                   "Go on with what the folder of --out holds: no run is made twice");
+  command
+      .add_option("--time-limit", a.time_limit,
+                  "Computing time that a run may take, s [20 times the median of those before]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--mixed", a.mixed,
+                   "Take runs too that kernels for other processors made, as the results then say");
+  command.add_flag("--list", a.list,
+                   "Print the runs and make none: number, name of the result, name");
   command
       .add_option("--out", a.out,
                   "Folder for what is written [a new one: experiment_NAME, experiment_NAME_2, ...]")
@@ -174,10 +220,13 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment paper --seeds 3\n"
       "  burnish experiment orientation --set path.radius=0.04\n"
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
+      "  burnish experiment seeds --shard 2/4 --out part_2 --resume\n"
       "\n"
-      "Each leaves results.md (its tables), results.json (all), results.csv (a row per run) and\n"
-      "figures. Ctrl-C (or SIGTERM, or SIGHUP) ends the runs and writes what there is.\n"
-      "docs/experiments.md shows and explains the results.\n"
+      "Each leaves results.md (its tables), results.json (all), results.csv (a row per run),\n"
+      "figures, and in runs/ what came out of each run. Ctrl-C (or SIGTERM, or SIGHUP) ends the\n"
+      "runs and writes what there is; --resume goes on from there.\n"
+      "docs/experiments.md shows and explains the results, docs/campaigns.md how many machines\n"
+      "share one.\n"
       "Exit codes: 0 all runs polished, as the task's `verdict` asks for, whether aims were met or "
       "not;\n"
       "1 some did not; 2 bad input.");

@@ -119,6 +119,7 @@ int run(int count, char** words) {
   add_polish(app, exit_code);
   add_run(app, exit_code);
   add_experiment(app, exit_code);
+  add_merge(app, exit_code);
   add_report(app, exit_code);
   add_bench(app, exit_code);
   if (count < 2) {
@@ -138,6 +139,9 @@ int run(int count, char** words) {
 }
 
 }  // namespace
+
+const char* program_version() { return BURNISH_VERSION; }
+
 }  // namespace burnish::app
 
 int main(int count, char** words) {

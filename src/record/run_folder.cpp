@@ -118,7 +118,7 @@ RunFolder::RunFolder(const FolderChoice& choice) {
   if (choice.out.empty())
     make_new(choice.name);
   else
-    take(choice.out, choice.force);
+    take(choice);
 }
 
 RunFolder::~RunFolder() {
@@ -135,7 +135,7 @@ RunFolder::~RunFolder() {
 void RunFolder::claim(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     std::error_code ignored;
-    if (name.ends_with('/') && fs::exists(path_ / name, ignored) &&
+    if (!resumed_ && name.ends_with('/') && fs::exists(path_ / name, ignored) &&
         !fs::is_empty(path_ / name, ignored))
       throw Error(fmt::format("'{}' holds files that no run left; wanted another folder",
                               (path_ / name).string()));
@@ -156,15 +156,18 @@ void RunFolder::make_new(const std::string& name) {
   throw Error(fmt::format("there are {} folders '{}' and so on; wanted --out", most_numbers, name));
 }
 
-void RunFolder::take(const fs::path& folder, bool force) {
+void RunFolder::take(const FolderChoice& choice) {
+  const fs::path& folder = choice.out;
   std::error_code ignored;
   made_ = !fs::exists(folder, ignored);
   make_folder(folder);
   path_ = folder;
   lock();
   const std::optional<Mark> mark = read_mark(folder);
-  if (!mark && !looks_like_a_run(folder)) return;
-  if (!force)
+  resumed_ = choice.resume && (mark || !looks_like_a_run(folder));
+  if (resumed_ && mark) claimed_ = mark->names;
+  if (resumed_ || (!mark && !looks_like_a_run(folder))) return;
+  if (!choice.force)
     throw Error(fmt::format("'{}' holds a run{}; wanted another folder, or --force to replace it",
                             folder.string(),
                             mark && !mark->finished ? " that did not come to its end" : ""));

@@ -19,6 +19,7 @@ struct FolderChoice {
   std::filesystem::path out = {};  ///< as --out names it; empty: a new one, called `name`
   std::string name;                ///< of new folders: NAME, NAME_2, NAME_3, ...
   bool force = false;              ///< replaces the run that `out` holds
+  bool resume = false;             ///< goes on with the run that `out` holds
 };
 
 /// A folder that is made, marked as running, held against all others, and finished. Its mark, the
@@ -27,9 +28,9 @@ struct FolderChoice {
 /// run that was broken off stays marked as not finished.
 class RunFolder {
  public:
-  /// Throws Error where the folder cannot be made, holds a run (unless `force`), holds what no run
-  /// left (with `force`), or is another run's that is not over yet. With `force` the old run goes
-  /// out of the way in one step, before anything is written.
+  /// Throws Error where the folder cannot be made, holds a run (unless `force` or `resume`), holds
+  /// what no run left (with `force`), or is another run's that is not over yet. With `force` the
+  /// old run goes out of the way in one step, before anything is written.
   explicit RunFolder(const FolderChoice& choice);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
@@ -45,7 +46,7 @@ class RunFolder {
 
  private:
   void make_new(const std::string& name);
-  void take(const std::filesystem::path& folder, bool force);
+  void take(const FolderChoice& choice);
   void replace();
   void lock();
 
@@ -54,6 +55,7 @@ class RunFolder {
   int lock_ = -1;          ///< file descriptor
   bool numbered_ = false;  ///< the name was not chosen
   bool made_ = false;      ///< it was not there before
+  bool resumed_ = false;   ///< what it holds is the run's own
   bool finished_ = false;
 };
 

@@ -1,11 +1,19 @@
 #include "polishing/experiments/batch.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <thread>
+
+#include "base/sentence.hpp"
+#include "dynamics/instruction_set.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -28,6 +36,122 @@ class Progress {
   std::vector<double> shares_;
   std::mutex mutex_;
 };
+
+/// s that this thread has computed: neither a busy machine nor one that slept makes a run late.
+double computed() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// How long a run may compute: what was said, or by the runs before it.
+class TimeLimit {
+ public:
+  explicit TimeLimit(double said) : said_(said) {}
+
+  void note(double seconds) {
+    const std::lock_guard lock(mutex_);
+    seen_.push_back(seconds);
+  }
+  double seconds() {
+    constexpr double times = 20.0, least = 10.0;
+    constexpr std::size_t enough = 5;
+    if (said_ > 0.0) return said_;
+    const std::lock_guard lock(mutex_);
+    if (seen_.size() < enough) return std::numeric_limits<double>::infinity();
+    return std::max(least, times * quantile_of(seen_, 0.5));
+  }
+
+ private:
+  double said_;
+  std::vector<double> seen_;
+  std::mutex mutex_;
+};
+
+/// Some of the runs, by their indices.
+using Indices = std::vector<std::size_t>;
+
+/// Those that are to be made; what the store holds of the others goes into `figures`.
+Indices find_results(const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
+                     const std::vector<std::string>& names, std::vector<RunFigures>& figures,
+                     RunCounts& counts) {
+  Indices missing;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    figures[i].name = runs[i].name;
+    figures[i].outcome = "not run";
+    figures[i].seed = runs[i].spec.task.disturbances.seed;
+    if (!spec.shard.has(i)) continue;
+    ++counts.wanted;
+    std::optional<RunFigures> found;
+    if (spec.store != nullptr) found = spec.store->find(names[i]);
+    // One that was late may have more time now.
+    if (!found || (found->late && !spec.only_found)) {
+      missing.push_back(i);
+      continue;
+    }
+    figures[i] = std::move(*found);
+    ++counts.found;
+  }
+  return missing;
+}
+
+[[noreturn]] void refuse_missing(const std::vector<BatchRun>& runs, const Indices& missing) {
+  throw Error(std::to_string(missing.size()) + " of " + std::to_string(runs.size()) +
+              " runs are not there, the first of them " + in_quotes(runs[missing[0]].name) +
+              " (number " + std::to_string(missing[0] + 1) +
+              "); wanted all shards, each with all of its runs");
+}
+
+std::string kernels_text(const std::vector<RunFigures>& runs, std::size_t& sets) {
+  std::map<std::string, int> counts;
+  for (const RunFigures& run : runs)
+    if (run.made) ++counts[run.kernels];
+  sets = counts.size();
+  std::string text;
+  for (const auto& [kernels, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " with " + kernels;
+  return text;
+}
+
+/// Results of other kernels differ in their last digits.
+void check_kernels(const ExperimentSpec& spec, std::vector<RunFigures> figures, bool makes_some) {
+  if (spec.mixed) return;
+  if (makes_some) figures.push_back({.made = true, .kernels = instruction_set()});
+  std::size_t sets = 0;
+  const std::string text = kernels_text(figures, sets);
+  if (sets > 1)
+    throw Error("the runs were made by kernels for different processors (" + text +
+                (makes_some ? ", this program's among them" : "") +
+                "), whose results differ in their last digits; wanted one kind, or --mixed");
+}
+
+RunFigures make_run(const BatchRun& run, const std::function<bool(double, double)>& goes_on,
+                    TimeLimit& limit) {
+  RunFigures figure{.name = run.name, .seed = run.spec.task.disturbances.seed};
+  RunSpec spec = run.spec;
+  const double begin = computed(), allowed = limit.seconds();
+  spec.progress = [&](double time, double end) {
+    figure.late = computed() - begin > allowed;
+    return goes_on(time, end) && !figure.late;
+  };
+  try {
+    const RunResult result = run_task(spec);
+    if (figure.late) {
+      figure.outcome = "ended by its time limit";
+    } else {
+      figure = figures_of(run.name, spec.task, result);
+      if (!run.curves.empty()) figure.curves = curves_of(result, run.curves);
+    }
+    figure.made = figure.late || !result.interrupted;
+  } catch (const Error& error) {
+    figure.outcome = error.what();
+    figure.refused = figure.made = true;
+  }
+  figure.computing = computed() - begin;
+  figure.kernels = instruction_set();
+  if (figure.made && !figure.refused && !figure.late) limit.note(figure.computing);
+  return figure;
+}
 
 }  // namespace
 
@@ -55,35 +179,60 @@ void for_each_index(int count, int threads, const std::function<void(int index)>
     if (each) std::rethrow_exception(each);
 }
 
-std::vector<RunFigures> run_batch(
-    const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
-    const std::function<void(int index, const RunResult& result)>& look) {
+std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs) {
+  std::vector<std::string> names(runs.size());
+  for (std::size_t i = 0; i < runs.size() && spec.store != nullptr; ++i)
+    if (spec.shard.has(i))
+      names[i] = spec.store->name_of(
+          runs[i].name + (runs[i].curves.empty() ? "" : ", curves " + runs[i].curves),
+          runs[i].spec);
   std::vector<RunFigures> figures(runs.size());
+  if (spec.list) {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (spec.shard.has(i)) spec.list(i, names[i], runs[i].name);
+    return figures;
+  }
+  RunCounts counts{.all = static_cast<int>(runs.size())};
+  const Indices missing = find_results(spec, runs, names, figures, counts);
+  if (spec.only_found && !missing.empty()) refuse_missing(runs, missing);
+  check_kernels(spec, figures, !missing.empty());
+
   Progress progress(spec, runs.size());
-  const auto stopped = [&] { return spec.stopped && spec.stopped(); };
-  for_each_index(static_cast<int>(runs.size()), spec.threads, [&](int i) {
-    const auto index = static_cast<std::size_t>(i);
-    RunFigures& figure = figures[index];
-    figure.name = runs[index].name;
-    figure.outcome = "not run";
-    figure.seed = runs[index].spec.task.disturbances.seed;
-    if (stopped()) return;
-    RunSpec run = runs[index].spec;
-    run.progress = [&](double time, double end) {
-      progress.tell(index, time / std::max(end, 1e-9), figure.name);
-      return !stopped();
-    };
-    try {
-      const RunResult result = run_task(run);
-      figure = figures_of(runs[index].name, run.task, result);
-      figure.made = !result.interrupted;
-      if (look) look(i, result);
-    } catch (const Error& error) {
-      figure.outcome = error.what();
-      figure.made = true;
+  TimeLimit limit(spec.time_limit);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (figures[i].made) {
+      progress.tell(i, 1.0, runs[i].name);
+      if (!figures[i].refused && !figures[i].late) limit.note(figures[i].computing);
     }
-    progress.tell(index, 1.0, figure.name);
+  std::atomic<bool> unwritten = false;  // a disk that is full for one is full for all
+  const auto stopped = [&] { return unwritten || (spec.stopped && spec.stopped()); };
+  for_each_index(static_cast<int>(missing.size()), spec.threads, [&](int i) {
+    const std::size_t index = missing[static_cast<std::size_t>(i)];
+    const BatchRun& run = runs[index];
+    if (stopped()) return;
+    const RunFigures made = make_run(
+        run,
+        [&](double time, double end) {
+          progress.tell(index, time / std::max(end, 1e-9), run.name);
+          return !stopped();
+        },
+        limit);
+    figures[index] = made;
+    progress.tell(index, 1.0, run.name);
+    if (!made.made || spec.store == nullptr) return;
+    try {
+      spec.store->keep(names[index], made);
+    } catch (...) {
+      unwritten = true;
+      throw;
+    }
   });
+  for (const RunFigures& run : figures) {
+    counts.made += run.made ? 1 : 0;
+    counts.failed += run.made && !run.polished ? 1 : 0;
+  }
+  counts.made -= counts.found;
+  if (spec.counts != nullptr) *spec.counts = counts;
   return figures;
 }
 
@@ -98,6 +247,12 @@ void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& ru
   if (stopped > 0)
     report.failures.push_back(std::to_string(stopped) + " of " + std::to_string(runs.size()) +
                               " runs were stopped before their end, or not made");
+  std::size_t sets = 0;
+  if (const std::string text = kernels_text(runs, sets); sets > 1)
+    report.findings.push_back(
+        "Runs were made by kernels for different processors, whose results "
+        "differ in their last digits: " +
+        text + ".");
 }
 
 }  // namespace burnish::polishing

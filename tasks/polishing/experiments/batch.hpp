@@ -12,21 +12,21 @@ namespace burnish::polishing {
 struct BatchRun {
   std::string name;
   RunSpec spec;
+  std::string curves = {};  ///< name of the curves to keep; empty: none
 };
 
 /// Calls `work` with 0 to count - 1, from `threads` threads (0: one per core). What a call throws
 /// is thrown here, of the lowest number that threw, when all have ended.
 void for_each_index(int count, int threads, const std::function<void(int index)>& work);
 
-/// Makes the runs and keeps a few figures of each, in their order. `look` sees a whole result
-/// before its trace is forgotten, called from several threads, each with its own index. An Error
-/// of a run becomes its outcome. After `stopped` the runs that are left have the outcome "not run".
-std::vector<RunFigures> run_batch(
-    const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
-    const std::function<void(int index, const RunResult& result)>& look = nullptr);
+/// Makes the runs of the spec's shard that its store does not hold, and keeps a few figures of
+/// each, in their order. An Error of a run becomes its outcome. Runs of other shards, and those
+/// that are left after `stopped`, have the outcome "not run". Throws Error where a result cannot be
+/// kept or is of other kernels.
+std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
 
 /// Adds a sentence for every run that did not polish, one for all that were stopped, and notes an
-/// interruption.
+/// interruption and results of several kernels.
 void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& runs,
                    ExperimentReport& report);
 

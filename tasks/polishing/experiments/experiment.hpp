@@ -8,11 +8,21 @@
 #include "burnish/report/svg_plot.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/experiments/results_table.hpp"
+#include "polishing/experiments/run_store.hpp"
 
 namespace burnish::polishing {
 
 /// What is more is refused: every run is kept in mind before the first one is made.
 inline constexpr int max_seeds = 10'000;
+
+/// What became of the runs of an experiment.
+struct RunCounts {
+  int all = 0;     ///< of the experiment
+  int wanted = 0;  ///< of these, of the shard
+  int found = 0;   ///< of the shard's, that were there
+  int made = 0;    ///< of the shard's, by this call
+  int failed = 0;  ///< of those that are there now, that did not polish
+};
 
 struct ExperimentSpec {
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
@@ -33,6 +43,20 @@ struct ExperimentSpec {
   std::function<void(double share, const std::string& what)> progress = nullptr;
   /// Whether to stop; called from several threads at once.
   std::function<bool()> stopped = nullptr;
+  /// Runs that it holds are not made again, and those that are made are kept in it; null: no run is
+  /// kept.
+  const RunStore* store = nullptr;
+  Shard shard = {};         ///< which runs are made
+  bool only_found = false;  ///< no run is made; throws Error where one is missing in the store
+  bool mixed = false;       ///< results of other kernels are taken too
+  /// s of computing (of a core, not of the clock) that a run may take; 0: 20 times the median of
+  /// those before it, from the fifth on, and not less than 10. It ends between two ticks.
+  double time_limit = 0.0;
+  RunCounts* counts = nullptr;  ///< where to put them
+  /// No run is made; it is called with each one's number from 0 on, its name in the store and its
+  /// own.
+  std::function<void(std::size_t, const std::string& result, const std::string& run)> list =
+      nullptr;
 };
 
 struct Figure {

@@ -39,10 +39,8 @@ std::vector<Direction> directions(bool quick) {
 /// A direction with what was found for it.
 struct Place {
   Direction direction;
-  std::optional<FoundPosture> posture;
-  std::string out_of_reach;  ///< why there is none
-  Eigen::Vector3d p_tool = Eigen::Vector3d::Zero();
-  RunFigures run;
+  RunFigures run = {};
+  bool out_of_reach() const { return run.refused; }  ///< run.outcome says why
 };
 
 Task task_for(const ExperimentSpec& spec, const Direction& direction) {
@@ -54,42 +52,21 @@ Task task_for(const ExperimentSpec& spec, const Direction& direction) {
   return task;
 }
 
-/// Looks for a posture for every direction, before anything moves.
-std::vector<Place> find_places(const ExperimentSpec& spec) {
+/// The table first; a posture is looked for in each of the other runs, before anything moves.
+std::vector<Place> run_places(const ExperimentSpec& spec, RunFigures& table) {
   std::vector<Place> places;
-  for (const Direction& direction : directions(spec.quick))
-    places.push_back({direction, {}, "", {}, {}});
-  for_each_index(static_cast<int>(places.size()), spec.threads, [&](int index) {
-    Place& place = places[static_cast<std::size_t>(index)];
-    const Task task = task_for(spec, place.direction);
-    try {
-      const Robot robot = load_task_robot(task);
-      place.posture = find_posture(task, robot, posture_options(task));
-      place.p_tool = make_setting(task, robot, place.posture->q).p_center;
-    } catch (const Error& error) {
-      place.out_of_reach = error.what();
-    }
-  });
-  return places;
-}
-
-void run_places(const ExperimentSpec& spec, std::vector<Place>& places, RunFigures& table) {
+  for (const Direction& direction : directions(spec.quick)) places.push_back({direction});
   std::vector<BatchRun> runs(1);
-  std::vector<RunFigures*> results{&table};
   runs[0].name = "table";
   runs[0].spec.task = experiment_task(spec, "table", "mismatch", 12.6);
   runs[0].spec.task.disturbances.seed = static_cast<std::uint64_t>(spec.first_seed);
-  for (Place& place : places) {
-    if (!place.posture) continue;
-    BatchRun run;
-    run.name = place.direction.name();
-    run.spec.task = task_for(spec, place.direction);
-    runs.push_back(std::move(run));
-    results.push_back(&place.run);
-  }
+  for (const Place& place : places)
+    runs.push_back({place.direction.name(), {.task = task_for(spec, place.direction)}});
   for (BatchRun& run : runs) run.spec.plant = spec.plant;
   const std::vector<RunFigures> figures = run_batch(spec, runs);
-  for (std::size_t i = 0; i < figures.size(); ++i) *results[i] = figures[i];
+  table = figures[0];
+  for (std::size_t i = 0; i < places.size(); ++i) places[i].run = figures[i + 1];
+  return places;
 }
 
 std::string in_words(const Eigen::VectorXd& values) {
@@ -122,8 +99,8 @@ ResultTable runs_table(const std::vector<Place>& places, const RunFigures& table
   add({std::string("table, named posture"), 0.0, 0.0, {}, {}, {}}, table);
   for (const Place& place : places)
     add({place.direction.name(), 1.0 * place.direction.tilt, 1.0 * place.direction.azimuth,
-         place.out_of_reach, place.posture ? in_words(place.posture->q) : "",
-         place.posture ? in_words(place.p_tool) : ""},
+         place.out_of_reach() ? place.run.outcome : "", in_words(place.run.q_start),
+         place.run.q_start.size() > 0 ? in_words(place.run.p_center) : ""},
         place.run);
   return result;
 }
@@ -151,7 +128,7 @@ ResultTable normals_table(const std::vector<Place>& places, const RunFigures& ta
   };
   add("table, named posture", table, "-");
   for (const Place& place : places) {
-    if (!place.posture)
+    if (place.out_of_reach())
       add(place.direction.name(), place.run, "out of reach");
     else
       add(place.direction.name(), place.run,
@@ -164,7 +141,7 @@ ResultTable unreachable_table(const std::vector<Place>& places) {
   ResultTable result{.name = "out_of_reach", .title = "Out of reach, known before anything moved"};
   result.columns = {{"surface"}, {"why"}};
   for (const Place& place : places)
-    if (!place.posture) result.add({place.direction.name(), place.out_of_reach});
+    if (place.out_of_reach()) result.add({place.direction.name(), place.run.outcome});
   return result;
 }
 
@@ -213,15 +190,14 @@ Figure error_figure(const std::vector<Place>& places, const RunFigures& table) {
 
 ExperimentReport perform_orientation(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Surfaces of any orientation"};
-  std::vector<Place> places = find_places(spec);
   RunFigures table;
-  run_places(spec, places, table);
+  const std::vector<Place> places = run_places(spec, table);
   report.tables = {runs_table(places, table), normals_table(places, table)};
   std::vector<RunFigures> made{table};
   int within = 0;
   const Place* worst = nullptr;
   for (const Place& place : places) {
-    if (!place.posture) continue;
+    if (place.out_of_reach()) continue;
     made.push_back(place.run);
     within += worst_ratio(place, table) <= allowed_ratio ? 1 : 0;
     if (worst == nullptr || !(worst_ratio(place, table) <= worst_ratio(*worst, table)))

@@ -5,7 +5,6 @@
 
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
-#include "polishing/experiments/run_curves.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -171,35 +170,30 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
   std::vector<Group> groups;
   std::vector<BatchRun> runs;
-  std::vector<int> drawn;  // figure's place of a run, or -1
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  for (const std::string& surface : surfaces)
     for (const char* disturbances : {"none", "mismatch", "joint_friction"})
       for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
-        groups.push_back({surfaces[s], disturbances, controller});
+        groups.push_back({surface, disturbances, controller});
         // Without disturbances nothing is drawn.
         const int count = disturbances == std::string("none") ? 1 : seeds;
         for (int seed = spec.first_seed; seed < spec.first_seed + count; ++seed) {
           BatchRun run;
-          run.name = surfaces[s] + ", " + disturbances + ", " + name_of(controller) + ", seed " +
+          run.name = surface + ", " + disturbances + ", " + name_of(controller) + ", seed " +
                      std::to_string(seed);
-          run.spec.task = experiment_task(spec, surfaces[s], disturbances, 12.6);
+          run.spec.task = experiment_task(spec, surface, disturbances, 12.6);
           run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
           run.spec.controller = controller;
           run.spec.plant = spec.plant;
-          const bool first = disturbances == std::string("mismatch") && seed == spec.first_seed;
-          const int place = 2 * static_cast<int>(s) + (controller == ControllerKind::Mpc ? 0 : 1);
-          drawn.push_back(first ? place : -1);
+          if (disturbances == std::string("mismatch") && seed == spec.first_seed)
+            run.curves = name_of(controller);
           groups.back().runs.push_back(static_cast<int>(runs.size()));
           runs.push_back(std::move(run));
         }
       }
-  std::vector<RunCurves> curves(2 * surfaces.size());
-  const auto figures = run_batch(spec, runs, [&](int index, const RunResult& result) {
-    const int place = drawn[static_cast<std::size_t>(index)];
-    if (place < 0) return;
-    const auto kind = runs[static_cast<std::size_t>(index)].spec.controller;
-    curves[static_cast<std::size_t>(place)] = curves_of(result, name_of(kind));
-  });
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  std::vector<RunCurves> curves;  // MPC and baseline of every surface
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (!runs[i].curves.empty()) curves.push_back(figures[i].curves.value_or(RunCurves{}));
   report.tables = {runs_table(groups, figures), summary_table(groups, figures)};
   report.tables.push_back(aims_table(groups, figures, report));
   report.figures = {force_and_path(surfaces, curves)};

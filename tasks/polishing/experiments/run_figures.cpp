@@ -134,6 +134,8 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   f.largest_command = largest_share(result.trace, model, "tau_command");
   const auto limited = result.trace.column("limited_joints");
   if (limited.size() > 0) f.run_limited_torque = (limited.array() > 0.0).cast<double>().mean();
+  f.q_start = result.setting.q_start;
+  f.p_center = result.setting.p_center;
   f.ticks = result.ticks;
   f.metrics = result.metrics;
   if (!result.metrics) return f;

@@ -3,6 +3,7 @@
 
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/experiments/results_table.hpp"
+#include "polishing/experiments/run_curves.hpp"
 #include "report/figures.hpp"
 
 namespace burnish::polishing {
@@ -12,6 +13,8 @@ struct RunFigures {
   std::string name = {};
   std::string outcome = {};  ///< one sentence
   bool made = false;         ///< it was not stopped from outside, before or on its way
+  bool refused = false;      ///< before anything moved; `outcome` says why
+  bool late = false;         ///< it was ended by its time limit
   bool polished = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
@@ -21,6 +24,11 @@ struct RunFigures {
   // See each_run_figure(); NaN where there is none.
   double force_error_mean = none, tool_to_normal = none;
   double run_torque_margin = none, run_limited_torque = none, largest_command = none;
+  Eigen::VectorXd q_start = {};                        ///< nq; empty where it was refused
+  Eigen::Vector3d p_center = Eigen::Vector3d::Zero();  ///< see Setting::p_center
+  std::optional<RunCurves> curves = {};                ///< where they were asked for
+  double computing = 0.0;                              ///< s of a core
+  std::string kernels = {};                            ///< see instruction_set()
 
   /// A figure by its full name, in its unit: of Metrics, the solver, the ticks, each_run_figure();
   /// NaN where there is none. Throws Error for a name that there is not.

@@ -1,0 +1,131 @@
+#include "campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "command.hpp"
+#include "document/reader.hpp"
+#include "polishing/record/experiment_files.hpp"
+#include "record/json_text.hpp"
+#include "robot_arguments.hpp"
+#include "shell_word.hpp"
+
+namespace burnish::app {
+namespace {
+
+namespace fs = std::filesystem;
+using document::Reader;
+using polishing::PlantKind;
+
+/// Calls see(key, member) for each word of a campaign, in the order of the command line.
+template <class See>
+void each_word(const See& see) {
+  see("seeds", &Campaign::seeds);
+  see("first_seed", &Campaign::first_seed);
+  see("surface", &Campaign::surfaces);
+  see("robot", &Campaign::robots);
+  see("tool", &Campaign::tools);
+  see("plant", &Campaign::plant);
+  see("quick", &Campaign::quick);
+  see("set", &Campaign::overrides);
+}
+
+void read_word(const Reader& value, int& to) { to = value.count(0); }
+void read_word(const Reader& value, bool& to) { to = value.yes_or_no(); }
+void read_word(const Reader& value, std::string& to) {
+  to = value.is_text() && value.node().text.empty() ? std::string() : value.text();
+}
+void read_word(const Reader& value, std::vector<std::string>& to) { to = value.texts(); }
+
+}  // namespace
+
+std::string Campaign::command() const {
+  std::string command = "burnish experiment " + name;
+  if (seeds > 0) command += fmt::format(" --seeds {}", seeds);
+  if (first_seed > 0) command += fmt::format(" --first-seed {}", first_seed);
+  for (const std::string& surface : surfaces) command += " --surface " + shell_word(surface);
+  for (const std::string& robot : robots) command += " --robot " + shell_word(robot);
+  for (const std::string& tool : tools) command += " --tool " + shell_word(tool);
+  if (!plant.empty()) command += " --plant " + plant;
+  if (quick) command += " --quick";
+  for (const std::string& word : overrides) command += " --set " + shell_word(word);
+  return command;
+}
+
+polishing::ExperimentSpec Campaign::spec() const {
+  polishing::ExperimentSpec spec;
+  if (!plant.empty()) spec.plant = plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+  spec.seeds = seeds;
+  spec.first_seed = first_seed;
+  spec.quick = quick;
+  spec.surfaces = surfaces;
+  spec.robots = robots;
+  spec.tools = tools;
+  spec.overrides = overrides;
+  return spec;
+}
+
+void CampaignFile::write(const fs::path& folder) const {
+  Json words;
+  each_word([&](const char* key, auto member) { words[key] = campaign.*member; });
+  const Json json{{"experiment", campaign.name},
+                  {"command", campaign.command()},
+                  {"version", version},
+                  {"shard", shard},
+                  {"words", words}};
+  write_text(folder / name, json_text(json));
+}
+
+std::optional<CampaignFile> CampaignFile::read(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / name, ignored)) return std::nullopt;
+  const Reader map = Reader::load(folder / name);
+  CampaignFile file;
+  file.campaign.name = map["experiment"].text();
+  file.version = map["version"].text();
+  read_word(map["shard"], file.shard);
+  const Reader words = map["words"];
+  each_word([&](const char* key, auto member) { read_word(words[key], file.campaign.*member); });
+  return file;
+}
+
+void check_campaign(const Campaign& campaign, bool strict) {
+  const polishing::Experiment& experiment = polishing::experiment_named(campaign.name);
+  if (experiment.name != "robots" && !(campaign.robots.empty() && campaign.tools.empty()))
+    throw Error("--robot and --tool are for the experiment 'robots'; for " +
+                fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
+  if (campaign.tools.size() > campaign.robots.size())
+    throw Error(
+        fmt::format("{} times --tool and {} times --robot; wanted no more tools than robots",
+                    campaign.tools.size(), campaign.robots.size()));
+  const polishing::ExperimentSpec spec = campaign.spec();
+  std::set<std::string> robots;
+  for (const std::string& surface :
+       campaign.surfaces.empty() ? std::vector<std::string>{"table"} : campaign.surfaces)
+    robots.insert(check_experiment_task(spec, surface).robot);
+  for (const std::string& robot : robots) print_warnings_of(robot, strict);
+}
+
+int write_report(const polishing::ExperimentReport& report, const Campaign& campaign,
+                 RunFolder& folder, bool quiet) {
+  const std::string command = campaign.command();
+  const std::vector<std::string> names = experiment_files(report);
+  std::string unwritten;  // why files are missing
+  try {
+    folder.claim(names);
+    write_experiment(report, campaign.name, command, folder.path());
+    folder.finish();
+  } catch (const Error& error) {
+    unwritten = error.what();
+  }
+  if (!quiet) {
+    fmt::print("{}", experiment_text(report, command));
+    if (unwritten.empty())
+      fmt::print("\nin {}: {}\n", folder.path().string(), fmt::join(names, ", "));
+  }
+  if (!unwritten.empty()) throw Error(unwritten);
+  return report.failures.empty() && !report.interrupted ? exit_ok : exit_failed;
+}
+
+}  // namespace burnish::app

@@ -1,0 +1,189 @@
+// Shards, merge and resume from outside: the same files as of one process, no run twice, bad input.
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "apps/program.hpp"
+
+namespace burnish::testing {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string paper = "experiment paper --quick --quiet --surface table --plant ideal ";
+const std::string seeds = "experiment seeds --quick --quiet --seeds 3 --plant ideal ";
+
+std::string to(const fs::path& folder) { return " --out " + quoted(folder); }
+
+bool measured(const fs::path& file) { return file.filename().string().ends_with(".times.json"); }
+
+/// Files of a folder by name, but for what was measured.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && !measured(entry.path()))
+      files[entry.path().filename().string()] = contents(entry.path());
+  return files;
+}
+
+/// What a report is.
+std::map<std::string, std::string> report_in(const fs::path& folder) {
+  std::map<std::string, std::string> files = files_in(folder);
+  files.erase(".burnish");
+  files.erase("campaign.json");
+  return files;
+}
+
+TEST(Campaign, ShardsMergeToWhatOneProcessWrites) {
+  for (const std::string& experiment : {paper, seeds}) {
+    const Scratch scratch;
+    const fs::path one = scratch.folder / "one", merged = scratch.folder / "merged";
+    ASSERT_EQ(run(experiment + to(one)).exit_code, 0);
+    std::string folders;
+    std::map<std::string, std::string> results;
+    for (const char* number : {"1", "2", "3"}) {
+      const fs::path folder = scratch.folder / number;
+      ASSERT_EQ(run(experiment + "--threads 1 --shard " + number + "/3" + to(folder)).exit_code, 0);
+      EXPECT_FALSE(fs::exists(folder / "results.md"));
+      for (const auto& [name, text] : files_in(folder / "runs"))
+        EXPECT_TRUE(results.emplace(name, text).second) << name << " was made twice";
+      folders += " " + quoted(folder);
+    }
+    const Outcome outcome = run("merge" + folders + to(merged));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("results.csv"), std::string::npos);
+    EXPECT_EQ(results, files_in(one / "runs"));
+    EXPECT_EQ(report_in(merged), report_in(one));
+    EXPECT_GE(report_in(merged).size(), 4U);
+  }
+}
+
+TEST(Campaign, ARunThatIsThereIsNotMadeAgain) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  const std::string shard =
+      "experiment seeds --quick --seeds 3 --plant ideal --shard 1/2 --resume" + to(out);
+  const Outcome first = run(shard);
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("2 of 2 runs, 2 made and 0 there before"), std::string::npos)
+      << first.out;
+  EXPECT_NE(run(shard).out.find("0 made and 2 there before"), std::string::npos);
+  for (const auto& [name, text] : files_in(out / "runs")) {
+    fs::remove(out / "runs" / name);
+    break;
+  }
+  EXPECT_NE(run(shard).out.find("1 made and 1 there before"), std::string::npos);
+  // All of it takes the shard's, and so do more seeds.
+  const Outcome all = run(seeds + "--resume" + to(out));
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(files_in(out / "runs").size(), 3U);
+  EXPECT_EQ(
+      run("experiment seeds --quick --quiet --seeds 4 --plant ideal --resume" + to(out)).exit_code,
+      0);
+  EXPECT_EQ(files_in(out / "runs").size(), 4U);
+}
+
+TEST(Campaign, InterruptedItGoesOnWhereItWas) {
+  const Scratch scratch;
+  const fs::path one = scratch.folder / "one", out = scratch.folder / "out";
+  const std::string command =
+      "experiment seeds --quick --quiet --seeds 6 --threads 1 --plant ideal";
+  ASSERT_EQ(run(command + to(one)).exit_code, 0);
+  // Once asked to end and once killed where it stands, each time after some results.
+  for (const auto& [signal, count] : {std::pair("INT", 1), std::pair("KILL", 3)}) {
+    const Outcome outcome =
+        shell("'" BURNISH_PROGRAM "' " + command + " --resume" + to(out) +
+              " >/dev/null 2>&1 & pid=$!; until [ $(ls " + quoted(out / "runs") +
+              "/*[0-9a-f].json 2>/dev/null | grep -vc times) -ge " + std::to_string(count) +
+              " ]; do kill -0 $pid || exit 9; done; kill -" + signal +
+              " $pid; { wait $pid; } 2>/dev/null; true");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_LT(files_in(out / "runs").size(), 6U) << signal;
+  }
+  EXPECT_EQ(run(command + " --resume" + to(out)).exit_code, 0);
+  EXPECT_EQ(files_in(out / "runs"), files_in(one / "runs"));
+  EXPECT_EQ(report_in(out), report_in(one));
+}
+
+TEST(Campaign, ListsItsRuns) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  const std::string list = run("experiment seeds --quick --seeds 3 --plant ideal --list").out;
+  EXPECT_TRUE(
+      std::regex_match(list, std::regex("1\t[0-9a-f]{32}\tseed 0\n2\t.*\tseed 1\n3\t.*\tseed 2\n")))
+      << list;
+  ASSERT_EQ(run(seeds + "--shard 2/3" + to(out)).exit_code, 0);
+  EXPECT_NE(list.find(fs::path(files_in(out / "runs").begin()->first).stem().string()),
+            std::string::npos);
+}
+
+TEST(Campaign, ShardsThatDoNotGoTogetherAreRefused) {
+  const Scratch scratch;
+  const fs::path first = scratch.folder / "first", second = scratch.folder / "second",
+                 other = scratch.folder / "other", merged = scratch.folder / "merged";
+  ASSERT_EQ(run(seeds + "--shard 1/2" + to(first)).exit_code, 0);
+  ASSERT_EQ(run(seeds + "--shard 2/2" + to(second)).exit_code, 0);
+  ASSERT_EQ(run(seeds + "--set force=20 --shard 2/2" + to(other)).exit_code, 0);
+  const auto refused = [&](const std::string& folders, const std::string& words) {
+    expect_refused(run("merge " + folders + to(merged)), words);
+    EXPECT_FALSE(fs::exists(merged));
+  };
+  refused(quoted(first),
+          "1 of 3 runs are not there, the first of them 'seed 1' (number 2); wanted "
+          "all shards, each with all of its runs (no folder is of 2/2)");
+  refused(quoted(first) + " " + quoted(other),
+          "'" + other.string() +
+              "' holds runs of `burnish experiment seeds --seeds 3 --plant "
+              "ideal --quick --set force=20`, and '" +
+              first.string() + "' of");
+  refused(quoted(scratch.folder), "holds no runs of an experiment: there is no campaign.json");
+  const auto replace = [](const fs::path& file, const std::string& what, const std::string& by) {
+    const std::string text = std::regex_replace(contents(file), std::regex(what), by);
+    std::ofstream(file) << text;
+  };
+  replace(second / "campaign.json", BURNISH_VERSION, "0.1.7");
+  refused(quoted(first) + " " + quoted(second), "'" + second.string() +
+                                                    "' holds runs of burnish "
+                                                    "0.1.7, and this is " BURNISH_VERSION);
+  replace(second / "campaign.json", "0.1.7", BURNISH_VERSION);
+  for (const auto& entry : fs::directory_iterator(second / "runs"))
+    if (measured(entry.path()))
+      replace(entry.path(), "\"kernels\": \"[^\"]*\"", "\"kernels\": \"MMX\"");
+  refused(quoted(first) + " " + quoted(second), "kernels for different processors");
+  const Outcome mixed = run("merge --mixed " + quoted(first) + " " + quoted(second) + to(merged));
+  EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
+  EXPECT_NE(contents(merged / "results.md").find("1 with MMX"), std::string::npos);
+  // A folder that is to go on holds what it is about.
+  expect_refused(run(seeds + "--set force=20 --shard 1/2 --resume" + to(first)),
+                 "wanted the same words but for --seeds and --first-seed");
+}
+
+TEST(Campaign, BadWordsAreOneSentence) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  for (const char* shard : {"0/4", "5/4", "2", "2/4x", "a/b", "-1/2"})
+    expect_refused(run(seeds + "--shard " + std::string(shard) + to(out)),
+                   "wanted I/N, number I of N shards, such as 2/4");
+  expect_refused(run("experiment tick --shard 1/2" + to(out)), "it has no --shard");
+  expect_refused(run(seeds + "--resume"), "--resume wants --out");
+  expect_refused(run(seeds + "--resume --force" + to(out)), "wanted one of them");
+  expect_refused(run(seeds + "--time-limit -1" + to(out)), "--time-limit");
+  expect_refused(run("merge"), "SHARD is required");
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Campaign, ADiskThatIsFullIsOneSentenceAndNothingHalfWritten) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  // Files cannot grow beyond two blocks of 512 bytes: less than a result takes.
+  const Outcome outcome =
+      shell("trap '' XFSZ; ulimit -f 2; '" BURNISH_PROGRAM "' " + seeds + "--threads 1" + to(out));
+  expect_refused(outcome, "cannot write '" + (out / "runs").string());
+  for (const auto& entry : fs::directory_iterator(out / "runs"))
+    EXPECT_TRUE(measured(entry.path())) << entry.path();
+  EXPECT_EQ(run(seeds + "--resume" + to(out)).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace burnish::testing
