@@ -43,12 +43,9 @@ void Builder::check_key(const Node& node) {
 }
 
 void Builder::count(const Node& node, std::size_t depth) {
-  // Of a long text every 32 bytes are one: an alias may repeat it.
-  values_ += 1 + node.text.size() / 32;
-  if (values_ > max_values_)
+  if (++values_ > max_values_)
     refuse(node.place, "it has more than " + std::to_string(max_values_) +
-                           " values, those of an alias counted wherever it stands; at most that "
-                           "many are read");
+                           " values; at most that many are read");
   if (node.is_scalar()) return;
   if (depth >= max_nesting)
     refuse(node.place,
@@ -67,6 +64,28 @@ void Builder::add(Node&& node) {
   count(node, open_.size());
   check_key(node);
   put(std::move(node));
+}
+
+namespace {
+std::size_t weight(const Node& node) {
+  // Of a long text every 32 bytes are one value.
+  std::size_t sum = 1 + node.text.size() / 32;
+  for (const Node& value : node.values) sum += weight(value);
+  return sum;
+}
+}  // namespace
+
+void Builder::count_copy(const Node& node, Place place) {
+  constexpr std::size_t most = 200'000;
+  copied_ += weight(node);
+  if (copied_ > most)
+    refuse(place, "anchors and aliases stand for more than " + std::to_string(most) +
+                      " values; at most that many are read");
+}
+
+void Builder::add_copy(const Node& node, Place place) {
+  count_copy(node, place);
+  add(Node(node));
 }
 
 void Builder::begin(Kind kind, Place place) {

@@ -19,8 +19,13 @@ class Builder {
   bool expects_key() const {
     return !open_.empty() && open_.back().kind == Kind::Map && open_.back().values.size() % 2 == 0;
   }
-  /// A scalar, or a whole tree.
+  /// A scalar.
   void add(Node&& node);
+  /// Counts what is about to be copied, of which there is less than of what is read: a text of a
+  /// few lines can ask for a lot of it.
+  void count_copy(const Node& node, Place place);
+  /// A copy of a tree, which stands here.
+  void add_copy(const Node& node, Place place);
   void begin(Kind kind, Place place);
   /// Ends the innermost list or map, which `seen` sees before it goes into what holds it.
   template <class See>
@@ -49,7 +54,7 @@ class Builder {
   void check_keys(const Node& map) const;
 
   const std::string& name_;
-  std::size_t max_values_, values_ = 0;
+  std::size_t max_values_, values_ = 0, copied_ = 0;
   std::vector<Node> open_;
   Node root_;
   std::string bad_key_;  ///< what is wrong with the first one, or empty

@@ -49,18 +49,17 @@ class YamlEvents final : public YAML::EventHandler {
     begin(Kind::Map, mark, anchor);
   }
   void OnMapEnd() override { end(); }
-  /// What stands behind an alias is copied; the builder counts it wherever it stands.
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
     if (found == anchored_.end()) tree_.refuse(place_of(mark), "an alias stands for what holds it");
-    tree_.add(Node(found->second));
+    tree_.add_copy(found->second, place_of(mark));
   }
 
   Node take() { return tree_.take(); }
 
  private:
   void scalar(Node node, YAML::anchor_t anchor) {
-    if (anchor != YAML::NullAnchor) anchored_[anchor] = node;
+    note(node, anchor);
     tree_.add(std::move(node));
   }
   void begin(Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -70,9 +69,12 @@ class YamlEvents final : public YAML::EventHandler {
   void end() {
     const YAML::anchor_t anchor = anchors_.back();
     anchors_.pop_back();
-    tree_.end([&](const Node& node) {
-      if (anchor != YAML::NullAnchor) anchored_[anchor] = node;
-    });
+    tree_.end([&](const Node& node) { note(node, anchor); });
+  }
+  void note(const Node& node, YAML::anchor_t anchor) {
+    if (anchor == YAML::NullAnchor) return;
+    tree_.count_copy(node, node.place);
+    anchored_[anchor] = node;
   }
 
   Builder tree_;

@@ -1,6 +1,7 @@
 #include "burnish/files/problem_file.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "files/read_costs.hpp"
 #include "files/read_parts.hpp"
@@ -50,7 +51,13 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
       if (static_cast<std::size_t>(times) > max_knots / once.size())
         entry.refuse("it repeats more than " + std::to_string(max_knots) +
                      " knots; at most that many are supported");
-      for (int i = 0; i < times; ++i) horizon.insert(horizon.end(), once.begin(), once.end());
+      for (int i = 1; i < times; ++i) horizon.insert(horizon.end(), once.begin(), once.end());
+      // The last time is moved, and what stands alone as a whole: repeats may be nested.
+      if (horizon.empty())
+        horizon = std::move(once);
+      else
+        horizon.insert(horizon.end(), std::move_iterator(once.begin()),
+                       std::move_iterator(once.end()));
     } else {
       if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
       entry.allow_only(known);

@@ -75,6 +75,30 @@ INSTANTIATE_TEST_SUITE_P(
                                       "]\n");
                  },
                  "more than 100000 knots"},
+        LongText{"nested_repeats", problem,
+                 [] {
+                   return std::string(swing + "horizon: [" + times(28, "{repeat: 1, of: [") +
+                                      "{repeat: 90000, of: [s: 1]}" + times(28, "]}") + "]\n");
+                 },
+                 ""},
+        LongText{"doubling_aliases", problem,
+                 [] {
+                   std::string text = swing + "a0: &a0 [s: 1]\n";
+                   for (int i = 1; i < 25; ++i) {
+                     const std::string last = "{repeat: 2, of: *a" + std::to_string(i - 1) + "}";
+                     text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + last +
+                             "," + last + "]\n";
+                   }
+                   return text + "horizon: *a24\n";
+                 },
+                 "stand for more than 200000 values"},
+        LongText{"nested_anchors", problem,
+                 [] {
+                   std::string text = "x: ";
+                   for (int i = 0; i < 60; ++i) text += "&a" + std::to_string(i) + " [";
+                   return text + many("1", 60000) + times(60, "]") + "\n";
+                 },
+                 "stand for more than 200000 values"},
         LongText{"alias_of_itself", problem,
                  [] { return std::string(swing + "horizon: &h [{repeat: 2, of: *h}]\n"); },
                  "an alias stands for what holds it"},
@@ -167,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
                        many([](const auto& i) { return "j" + i + ": 1"; }, 32000) + "}, " +
                        many([](const auto& i) { return "q" + i + ": *p"; }, 32000) + "}\n");
                  },
-                 "more than 1000000 values"}),
+                 "stand for more than 200000 values"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
