@@ -151,8 +151,8 @@ class Evaluation {
                  {"value", numbers_json(force.value)},
                  {"text", force.text()}};
       if (!request_.forces_in.empty()) entry["in"] = Json::object();
-      for (const std::string& name : request_.forces_in) {
-        const ContactForce other = force.in(Reference::parse(name));
+      for (const auto& [name, reference] : request_.forces_in) {
+        const ContactForce other = dynamics_.force(c, reference);
         entry["in"][name] = {{"value", numbers_json(other.value)}, {"text", other.text()}};
       }
       list.push_back(entry);

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "document/text.hpp"
+#include "dynamics/reference.hpp"
 #include "files/read_parts.hpp"
 
 namespace burnish::app {
@@ -107,6 +108,31 @@ void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& 
   }
 }
 
+/// A reference, a list of them, each called what it is, or an object of them by names of their own.
+void read_forces_in(const Reader& reader, EvalRequest& request) {
+  const auto add = [&](const std::string& own_name, const Reader& entry) {
+    const Reference reference = files::read_reference(entry);
+    entry.named([&] {  // frames that there are
+      return compile_reference(request.robot.model, reference, world_frame(), world_frame());
+    });
+    const std::string name = own_name.empty() ? reference.name() : own_name;
+    for (const auto& [taken, other] : request.forces_in)
+      if (taken == name && other.rotation != reference.rotation)
+        entry.refuse("two references are called " + in_quotes(name) +
+                     "; wanted an object of references by names of their own");
+    request.forces_in.emplace_back(name, reference);
+  };
+  const bool is_reference =
+      reader.has("origin") || reader.has("axes") || reader.has("surface") || reader.has("local");
+  if (reader.is_list()) {
+    for (const Reader& entry : reader.entries()) add("", entry);
+  } else if (reader.is_map() && !is_reference) {
+    for (const auto& [name, entry] : reader.items()) add(name, entry);
+  } else {
+    add("", reader);
+  }
+}
+
 void read_states(const Reader& states, const StateSpace& space, Shared& shared,
                  EvalRequest& request) {
   constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
@@ -135,10 +161,8 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
     request.solver = files::read_contact_solver(*solver);
   const auto compute = reader.find("compute");
   request.compute = compute ? read_compute(*compute) : std::set<std::string>{"forward"};
-  if (const auto list = reader.find("forces_in")) {
-    request.forces_in = list->texts();
-    for (const std::string& name : request.forces_in)
-      list->named([&] { return Reference::parse(name); });
+  if (const auto forces_in = reader.find("forces_in")) {
+    read_forces_in(*forces_in, request);
     request.compute.insert("forces");
   }
   StateSpace space{request.robot, request.robot.reference_configuration(), {}, {}};

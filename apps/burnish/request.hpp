@@ -22,7 +22,7 @@ struct EvalRequest {
   ContactSolver solver;
   std::vector<EvalState> states;
   std::set<std::string> compute;
-  std::vector<std::string> forces_in;  ///< names of references
+  std::vector<std::pair<std::string, Reference>> forces_in;  ///< by what they are called
 };
 
 /// What a file asks for: one request, or a list of them.

@@ -1,17 +1,26 @@
 #include "files/here.hpp"
 
 #include "burnish/dynamics/placement.hpp"
+#include "dynamics/frame_kinematics.hpp"
 #include "dynamics/momentum.hpp"
 
 namespace burnish::files {
+namespace {
+
+Kinematics<double> at_rest(const Tree& tree, const Eigen::VectorXd& q) {
+  Kinematics<double> kinematics(tree);
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(tree.nv);
+  update_kinematics(tree, q.data(), v.data(), kinematics);
+  return kinematics;
+}
+
+}  // namespace
 
 Eigen::VectorXd center_of_mass(const Model& model, const Eigen::VectorXd& q) {
   const Tree tree(model);
-  Kinematics<double> kinematics(tree);
   Momentum<double> momentum(tree);
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
-  update_kinematics(tree, q.data(), v.data(), kinematics);
-  update_momentum(tree, kinematics, v.data(), momentum);
+  update_momentum(tree, at_rest(tree, q), v.data(), momentum);
   Eigen::VectorXd com(3);
   com << momentum.com.x, momentum.com.y, momentum.com.z;
   return com;
@@ -24,6 +33,17 @@ Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
   result.head<3>() = placement.translation();
   result.tail<4>() = Eigen::Quaterniond(placement.linear()).coeffs();
   return result;
+}
+
+Eigen::Vector3d position_here(const Model& model, const Eigen::VectorXd& q,
+                              const std::string& frame, const Reference& reference) {
+  const Kinematics<double> kinematics = at_rest(Tree(model), q);
+  const CompiledFrame seen = compile_frame(model, frame);
+  const CompiledReference in = compile_reference(model, reference, seen, world_frame());
+  FrameState<double> state;
+  update_frame(seen, kinematics, state);
+  return to_eigen(transpose_times(reference_axes(in, in.fixed_in, kinematics),
+                                  state.p - reference_origin(in, kinematics)));
 }
 
 }  // namespace burnish::files

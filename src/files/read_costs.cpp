@@ -170,21 +170,6 @@ struct CostReader {
     return residual::JointTorque{joint_names(), torque};
   }
 
-  /// Of the frame in its reference, as targets are stated.
-  Eigen::Vector3d position_here(const residual::FramePosition& residual) const {
-    const auto placement = [&](const Anchor& anchor) {
-      if (anchor.of == Anchor::Frame)
-        return burnish::frame_placement(model(), scene.q, anchor.frame);
-      return anchor.of == Anchor::Tool ? burnish::frame_placement(model(), scene.q, residual.frame)
-                                       : Eigen::Isometry3d::Identity();
-    };
-    const Eigen::Vector3d p =
-        burnish::frame_placement(model(), scene.q, residual.frame).translation();
-    return reader.named([&]() -> Eigen::Vector3d {
-      return placement(residual.reference.axes).linear().transpose() *
-             (p - placement(residual.reference.origin).translation());
-    });
-  }
   Residual frame_position() {
     keys({"frame", "target", "axes", "reference"});
     rows.rows = direction_rows(Directions::linear());
@@ -192,7 +177,8 @@ struct CostReader {
     if (const auto axes = reader.find("axes"))
       result.reference = Reference::world(read_axes(*axes));
     result = in_reference(result, "axes");
-    result.target = target(position_here(result));
+    result.target = target(reader.named(
+        [&] { return position_here(model(), scene.q, result.frame, result.reference); }));
     return result;
   }
   Residual frame_rotation() {

@@ -292,7 +292,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 1: states[0].tau[6]: 'x' is no number"},
         Refused{R"({"robot": "arm7", "compute": ["foward"]})",
                 "compute[0]: 'foward' is unknown; did you mean 'forward'?"},
-        Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in: "},
+        Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in[0]: reference: unknown"},
+        Refused{R"({"robot": "arm7", "forces_in": [{"axes": "tol"}]})",
+                "forces_in[0]: robot 'arm7': frame 'tol' does not exist"},
+        Refused{
+            R"({"robot": "arm7", "forces_in": ["surface", {"surface": {"normal": [1, 0, 0]}}]})",
+            "forces_in[1]: two references are called 'surface'; wanted an object"},
         Refused{R"({"robot": "arm7", "solver": {"mu": -1}})", "solver.mu: it is -1"},
         Refused{R"({"robot": "arm7", "solver": {"max_proximal_iterations": 1.5}})",
                 "solver.max_proximal_iterations: it is 1.5; wanted a whole number"},
@@ -302,6 +307,26 @@ INSTANTIATE_TEST_SUITE_P(
                 "frames[0].name: the name 'tool' is taken"},
         Refused{R"({"robot": "arm7", "frames": [{"name": "a", "parent": "tol"}]})",
                 "frames[0].parent: robot 'arm7': frame 'tol' does not exist"}));
+
+TEST(Eval, ForcesAreWrittenInAnyReference) {
+  const Json slope{{"surface", {{"normal", {0, 1, 1}}}}},
+      link{{"axes", "link_3"}, {"rpy", {0, 0, 1}}};
+  const auto forces = [](const Json& reference, const Json& forces_in) {
+    return answer_to({{"robot", "arm7"},
+                      {"contacts", {{{"name", "tip"}, {"tool", "tool"}, {"reference", reference}}}},
+                      {"states", {{{"q", "ready"}}}},
+                      {"forces_in", forces_in}})["states"][0]["forces"][0];
+  };
+  const Json listed = forces("local", {"world", slope, link})["in"];
+  const Json named = forces("local", {{"room", "world"}, {"board", slope}, {"link", link}})["in"];
+  EXPECT_EQ(listed["world"], named["room"]);
+  EXPECT_EQ(listed["surface"], named["board"]);
+  EXPECT_EQ(listed["axes of link_3 at the tool"], named["link"]);
+  EXPECT_EQ(forces("local", link)["in"], Json({{"axes of link_3 at the tool", named["link"]}}));
+  // Six directions are held, at rest: the reference of the contact changes nothing else.
+  for (const auto& [reference, name] : {std::pair{slope, "board"}, std::pair{link, "link"}})
+    expect_near(named[name]["value"], forces(reference, Json::array())["value"], 1e-9, name);
+}
 
 TEST(Eval, FilesThatCannotBeRead) {
   expect_refused(run("eval nowhere.json"), "nowhere.json: the file cannot be opened");
