@@ -1,10 +1,10 @@
 #include "burnish/contact/contact_force.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 
 #include "burnish/base/error.hpp"
+#include "dynamics/reference.hpp"
 
 namespace burnish {
 namespace {
@@ -28,6 +28,31 @@ std::string name_of_origin(const Anchor& origin) {
   return origin.of == Anchor::Frame ? ", at the origin of " + origin.frame : names[origin.of];
 }
 
+/// Of the force's reference.
+ReferencePose<double> pose_of(const ContactForce& force) {
+  using Pose = ReferencePose<double>;
+  const auto pose = [](const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
+    return Pose{from_eigen(R), from_eigen(p)};
+  };
+  const Pose world{Mat3<double>::identity(), Vec3<double>::zero()};
+  const auto place = [&](const Anchor& anchor) {
+    return fixed_in(anchor, pose(force.tool_rotation, force.tool_position),
+                    pose(force.base_rotation, force.base_position), world, [&](const std::string&) {
+                      return pose(force.frame_rotation, force.frame_position);
+                    });
+  };
+  const Reference& reference = force.reference;
+  return {place(reference.axes).R * from_eigen(reference.rotation), place(reference.origin).p};
+}
+
+/// World axes, about the world's origin.
+Force<double> force_in_world(const ContactForce& force) {
+  const ReferencePose<double> at = pose_of(force);
+  const Vec3<double> f = at.R * from_eigen(Eigen::Vector3d(force.value.head<3>()));
+  const Vec3<double> m = at.R * from_eigen(Eigen::Vector3d(force.value.tail<3>()));
+  return {f, m + cross(at.p, f)};
+}
+
 /// "30.0 N along +z" for a vector along one axis, "(1.0, 2.0, 30.0) N" otherwise.
 std::string vector_text(const Eigen::Vector3d& value, const char* unit, const char* along) {
   int largest = 0;
@@ -45,19 +70,8 @@ std::string vector_text(const Eigen::Vector3d& value, const char* unit, const ch
 
 }  // namespace
 
-Eigen::Matrix3d ContactForce::axes() const {
-  const Eigen::Matrix3d world = Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d* const fixed_in[] = {&tool_rotation, &base_rotation, &world,
-                                             &frame_rotation};
-  return *fixed_in[reference.axes.of] * reference.rotation;
-}
-
-Eigen::Vector3d ContactForce::origin() const {
-  const Eigen::Vector3d world = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d* const fixed_in[] = {&tool_position, &base_position, &world,
-                                             &frame_position};
-  return *fixed_in[reference.origin.of];
-}
+Eigen::Matrix3d ContactForce::axes() const { return to_eigen(pose_of(*this).R); }
+Eigen::Vector3d ContactForce::origin() const { return to_eigen(pose_of(*this).p); }
 
 ContactForce ContactForce::in(const Reference& other) const {
   const auto is_known = [](const Anchor& anchor, const Anchor& own) {
@@ -66,13 +80,10 @@ ContactForce ContactForce::in(const Reference& other) const {
   if (!is_known(other.axes, reference.axes) || !is_known(other.origin, reference.origin))
     throw Error("contact force of '" + contact + "': it does not know where the frames of the " +
                 other.name() + " are; wanted tool, base or world, or ask the dynamics");
-  const Eigen::Vector3d force_world = axes() * value.head<3>();
-  const Eigen::Vector3d moment_world = axes() * value.tail<3>();
   ContactForce result = *this;
   result.reference = other;
-  const Eigen::Vector3d arm = origin() - result.origin();
-  result.value << result.axes().transpose() * force_world,
-      result.axes().transpose() * (moment_world + arm.cross(force_world));
+  const Force<double> there = in_reference(pose_of(result), force_in_world(*this));
+  result.value << to_eigen(there.linear), to_eigen(there.angular);
   return result;
 }
 

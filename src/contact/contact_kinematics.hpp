@@ -3,6 +3,7 @@
 #pragma once
 
 #include "burnish/contact/contact_set.hpp"
+#include "dynamics/frame.hpp"
 #include "dynamics/reference.hpp"
 
 namespace burnish {
@@ -29,6 +30,9 @@ template <class S>
 void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
                     const Kinematics<S>& kinematics, ContactState<S>& state);
 
+/// C2 and C1, without what moves them.
+CompiledFrame tool_of(const CompiledContact& contact);
+CompiledFrame base_of(const CompiledContact& contact);
 /// What `reference` means at this contact.
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledContact& contact);

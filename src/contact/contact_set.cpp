@@ -107,11 +107,29 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
 
 }  // namespace
 
+CompiledFrame tool_of(const CompiledContact& contact) {
+  return {contact.tool_body, contact.tool_R, contact.tool_p, {}};
+}
+CompiledFrame base_of(const CompiledContact& contact) {
+  return {contact.base_body, contact.base_R, contact.base_p, {}};
+}
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledContact& contact) {
-  return compile_reference(model, reference,
-                           CompiledFrame{contact.tool_body, contact.tool_R, contact.tool_p, {}},
-                           CompiledFrame{contact.base_body, contact.base_R, contact.base_p, {}});
+  return compile_reference(model, reference, tool_of(contact), base_of(contact));
+}
+
+std::vector<ContactSpec> contacts_at(std::vector<ContactSpec> contacts, double time) {
+  for (ContactSpec& contact : contacts) {
+    const std::string who =
+        "contact '" + (contact.name.empty() ? contact.tool : contact.name) + "'";
+    contact.reference.check(who);
+    try {
+      contact.reference = contact.reference.at(time);
+    } catch (const Error& error) {
+      throw Error(who + ": reference: " + error.what());
+    }
+  }
+  return contacts;
 }
 
 ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {

@@ -35,9 +35,16 @@ struct ContactDynamics::Impl {
         velocity(Eigen::VectorXd::Zero(set.rows())),
         error(Eigen::VectorXd::Zero(set.rows())) {
     entries.reserve(static_cast<std::size_t>(nv));
+    for (const CompiledContact& contact : set.contacts())
+      references.push_back(contact.spec.reference);
     for (const int joint : robot.joint_of_v) joint_names.push_back(robot.joints[joint].name);
   }
 
+  void check(const char* call, int contact) const {
+    if (contact < 0 || contact >= set.size())
+      throw Error(std::string(call) + ": there is no contact " + std::to_string(contact) +
+                  "; the set has " + std::to_string(set.size()));
+  }
   MatrixView rows_of_a(const std::vector<double>& stacked) const {
     return {stacked.data(), nv, nv};
   }
@@ -101,8 +108,9 @@ struct ContactDynamics::Impl {
   ConstrainedDerivatives<double> derivatives;
   int nq, nv;
   std::vector<char> active;
-  RowMatrix mass, jacobian;        ///< dense copies: nv x nv, rows x nv
-  RowMatrix negated_q, negated_v;  ///< dalpha/dq and dalpha/dv
+  std::vector<Reference> references;  ///< per contact, turned as they are
+  RowMatrix mass, jacobian;           ///< dense copies: nv x nv, rows x nv
+  RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error;
   Evaluated evaluated = Evaluated::Nothing;
   std::vector<WrenchEntry> entries;      ///< of the last derivatives of a wrench
@@ -121,15 +129,22 @@ int ContactDynamics::nv() const { return impl_->nv; }
 int ContactDynamics::rows() const { return impl_->dynamics.rows(); }
 
 void ContactDynamics::set_active(int contact, bool active) {
-  if (contact < 0 || contact >= impl_->set.size())
-    throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
-                std::to_string(impl_->set.size()));
+  impl_->check("set_active", contact);
   impl_->active[contact] = active ? 1 : 0;
   impl_->evaluated = Evaluated::Nothing;
   impl_->dynamics.set_active(contact, active);
 }
 
 bool ContactDynamics::is_active(int contact) const { return impl_->active.at(contact) != 0; }
+
+Status ContactDynamics::set_reference_rotation(int contact, const Eigen::Matrix3d& rotation) {
+  impl_->check("set_reference_rotation", contact);
+  if (!is_rotation(rotation)) return Status::NotNormalized;
+  impl_->references[static_cast<std::size_t>(contact)].rotation = rotation;
+  impl_->evaluated = Evaluated::Nothing;
+  impl_->dynamics.set_reference_rotation(contact, from_eigen(rotation));
+  return Status::Ok;
+}
 
 std::vector<std::string> ContactDynamics::row_names() const {
   std::vector<std::string> names;
@@ -238,7 +253,7 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
 }
 
 ContactForce ContactDynamics::force(int contact) const {
-  return force(contact, impl_->set.contacts().at(contact).spec.reference);
+  return force(contact, impl_->references.at(static_cast<std::size_t>(contact)));
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
@@ -280,7 +295,7 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
   const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
   const auto pose = reference_pose(asked, kinematics);
-  wrench_entries(impl_->model, compiled, asked, impl_->entries);
+  wrench_entries(impl_->dynamics.tree(), compiled, asked, impl_->entries);
   // World wrench of a change of lambda: the columns of the stacked derivatives.
   const auto change = [&](const std::vector<double>& stacked, int k) {
     double column[6];

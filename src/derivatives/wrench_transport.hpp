@@ -13,9 +13,8 @@ struct WrenchEntry {
   ReferenceAxes own, asked;
 };
 
-/// Fills `out`, ascending in v. Allocates where `asked` is fixed in bodies that the contact does
-/// not know, or `out` has no room for nv entries.
-void wrench_entries(const Model& model, const CompiledContact& contact,
+/// Fills `out`, ascending in v. Allocates nothing where `out` has room for nv entries.
+void wrench_entries(const Tree& tree, const CompiledContact& contact,
                     const CompiledReference& asked, std::vector<WrenchEntry>& out);
 
 /// Derivative of state.force_world in the reference at `pose`, when lambda changes by `dlambda`

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "dynamics/reference.hpp"
 
@@ -81,10 +82,36 @@ Reference Reference::parse(const std::string& name) {
 }
 
 void Reference::check(const std::string& who) const {
-  if (!rotation.allFinite() ||
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() > 1e-6 ||
-      rotation.determinant() < 0.0)
+  if (!is_rotation(rotation))
     throw Error(who + ": the reference's rotation is not a rotation matrix");
+  if (rotation_over_time.empty()) return;
+  if (!rotation.isIdentity(0.0))
+    throw Error(who + ": the reference has a rotation and one over time; wanted one of them");
+  if (rotation_over_time.size() != 4)
+    throw Error(who + ": the reference's rotation over time has " +
+                std::to_string(rotation_over_time.size()) +
+                " entries; wanted a quaternion x, y, z, w");
+}
+
+Reference Reference::at(double time) const {
+  if (rotation_over_time.empty()) return *this;
+  check("at");
+  Eigen::VectorXd xyzw(4);
+  rotation_over_time.at(time, xyzw);
+  if (!is_unit_quaternion(xyzw))
+    throw Error("its rotation has length " + number(xyzw.norm()) + " at " + number(time) +
+                " s; wanted a quaternion of length 1");
+  return {origin, axes, rotation_matrix(xyzw)};
+}
+
+bool is_rotation(const Eigen::Matrix3d& matrix) {
+  return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).norm() <= 1e-6 &&
+         matrix.determinant() > 0.0;
+}
+bool is_unit_quaternion(const ConstVectorRef& xyzw) { return std::abs(xyzw.norm() - 1.0) <= 1e-6; }
+Eigen::Matrix3d rotation_matrix(const ConstVectorRef& xyzw) {
+  const Eigen::Vector4d entries = xyzw;
+  return Eigen::Quaterniond(entries).normalized().toRotationMatrix();
 }
 
 namespace {
@@ -97,21 +124,14 @@ struct Place {
 
 Place place_of(const Model& model, const Anchor& anchor, const CompiledFrame& tool,
                const CompiledFrame& base) {
-  switch (anchor.of) {
-    case Anchor::Tool:
-      return {tool.body, tool.R, tool.p};
-    case Anchor::Base:
-      return {base.body, base.R, base.p};
-    case Anchor::World:
-      break;
-    case Anchor::Frame: {
-      if (anchor.frame == "world" && !model.has_frame(anchor.frame)) break;
-      const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(anchor.frame))];
-      return {frame.body, from_eigen(Eigen::Matrix3d(frame.placement.linear())),
-              from_eigen(Eigen::Vector3d(frame.placement.translation()))};
-    }
-  }
-  return {-1, Mat3<double>::identity(), Vec3<double>::zero()};
+  const auto place = [](const CompiledFrame& frame) { return Place{frame.body, frame.R, frame.p}; };
+  const Place world = place(world_frame());
+  return fixed_in(anchor, place(tool), place(base), world, [&](const std::string& name) {
+    if (name == "world" && !model.has_frame(name)) return world;
+    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(name))];
+    return Place{frame.body, from_eigen(Eigen::Matrix3d(frame.placement.linear())),
+                 from_eigen(Eigen::Vector3d(frame.placement.translation()))};
+  });
 }
 
 bool is_same(const Vec3<double>& a, const Vec3<double>& b) {
@@ -122,6 +142,10 @@ bool is_same(const Vec3<double>& a, const Vec3<double>& b) {
 
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledFrame& tool, const CompiledFrame& base) {
+  if (!reference.rotation_over_time.empty())
+    throw Error(
+        "its rotation changes over time, which the knots of a problem have; wanted that of "
+        "one time: Reference::at");
   const Place origin = place_of(model, reference.origin, tool, base);
   const Place axes = place_of(model, reference.axes, tool, base);
   CompiledReference result;

@@ -17,10 +17,33 @@
 
 namespace burnish {
 
+/// What an anchor is fixed in, of those that it may mean; frame(name) answers for one of the robot.
+template <class Place>
+Place fixed_in(const Anchor& anchor, const Place& tool, const Place& base, const Place& world,
+               const auto& frame) {
+  switch (anchor.of) {
+    case Anchor::Tool:
+      return tool;
+    case Anchor::Base:
+      return base;
+    case Anchor::World:
+      break;
+    case Anchor::Frame:
+      return frame(anchor.frame);
+  }
+  return world;
+}
+
 /// `tool` and `base` are what the reference means by these names. Throws Error with the nearest
-/// known name where it names a frame that the model lacks.
+/// known name where it names a frame that the model lacks, and where it turns over time.
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledFrame& tool, const CompiledFrame& base);
+
+/// To 1e-6.
+bool is_rotation(const Eigen::Matrix3d& matrix);
+/// Of entries x, y, z, w: whether they are a rotation (to 1e-6), and which.
+bool is_unit_quaternion(const ConstVectorRef& xyzw);
+Eigen::Matrix3d rotation_matrix(const ConstVectorRef& xyzw);
 
 /// World axes.
 template <class S>
@@ -60,6 +83,15 @@ template <class S>
 BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
                                                const Kinematics<S>& kinematics) {
   return {reference_axes(reference, lift<S>(reference.axes), kinematics),
+          reference_origin(reference, kinematics)};
+}
+
+/// The same with another rotation in the place of its own.
+template <class S>
+BURNISH_INLINE ReferencePose<S> reference_pose(const CompiledReference& reference,
+                                               const Mat3<S>& rotation,
+                                               const Kinematics<S>& kinematics) {
+  return {reference_axes(reference, lift<S>(reference.fixed_in) * rotation, kinematics),
           reference_origin(reference, kinematics)};
 }
 

@@ -80,6 +80,19 @@ std::vector<MovingAxis> moving_axes(const Model& model, int body) {
   return result;
 }
 
+int moving_axis(const Tree& tree, int body, int v) {
+  while (body >= 0) {
+    const TreeJoint& joint = tree.joints[static_cast<std::size_t>(body)];
+    if (joint.v <= v && v < joint.v + joint.nv) {
+      for (std::size_t i = 0; i < tree.sums.size(); ++i)
+        if (tree.sums[i].own == joint.axis) return tree.axes + static_cast<int>(i);
+      return joint.axis + v - joint.v;
+    }
+    body = joint.parent;
+  }
+  return -1;
+}
+
 Tree::Tree(const Model& model)
     : parent_of_v(model.parent_of_v),
       gravity(from_eigen(model.gravity)),

@@ -73,5 +73,8 @@ struct MovingAxis {
 };
 /// Of a body (joint index, -1 for the world), ascending in v.
 std::vector<MovingAxis> moving_axes(const Model& model, int body);
+/// The axis, or sum of axes, by which entry v moves a body; -1 where it does not. Allocates
+/// nothing.
+int moving_axis(const Tree& tree, int body, int v);
 
 }  // namespace burnish

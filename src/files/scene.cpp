@@ -52,7 +52,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed) {
   const int nv = spec.model.nv;
   // Forward dynamics may be singular here; its bias and Jacobian are what is read.
-  ContactDynamics dynamics(spec.model, spec.contacts, {.mu = 1e-6});
+  ContactDynamics dynamics(spec.model, contacts_at(spec.contacts, spec.start_time), {.mu = 1e-6});
   for (std::size_t c = 0; c < spec.contacts.size(); ++c)
     dynamics.set_active(static_cast<int>(c), holds(contacts, name_of_contact(spec.contacts[c])));
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nv);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dynamics/reference.hpp"
+
 namespace burnish {
 namespace {
 
@@ -15,7 +17,11 @@ std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
 }  // namespace
 
 ContactForceEstimate::ContactForceEstimate(const ProblemSpec& problem)
-    : dynamics_(problem.model, without_gains(problem.contacts), {.mu = 1e-9}) {
+    : xyzw_(4),
+      dynamics_(problem.model, without_gains(contacts_at(problem.contacts, problem.start_time)),
+                {.mu = 1e-9}) {
+  for (const ContactSpec& contact : problem.contacts)
+    rotations_.push_back(contact.reference.rotation_over_time);
   for (const Stage& stage : problem.stages) {
     std::vector<char>& holds = holds_.emplace_back();
     for (const ContactSpec& contact : problem.contacts)
@@ -31,10 +37,26 @@ bool ContactForceEstimate::has_contact(int stage) const noexcept {
   return std::find(holds.begin(), holds.end(), 1) != holds.end();
 }
 
-bool ContactForceEstimate::force_at(int stage, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                                    const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept {
+/// False where a reference has no rotation at this time.
+bool ContactForceEstimate::turn(double time) noexcept {
+  for (std::size_t c = 0; c < rotations_.size(); ++c) {
+    if (rotations_[c].empty()) continue;
+    try {
+      rotations_[c].at(time, xyzw_);
+    } catch (...) {  // a user's function
+      return false;
+    }
+    if (!is_unit_quaternion(xyzw_)) return false;
+    (void)dynamics_.set_reference_rotation(static_cast<int>(c), rotation_matrix(xyzw_));
+  }
+  return true;
+}
+
+bool ContactForceEstimate::force_at(int stage, double time, const Eigen::VectorXd& q,
+                                    const Eigen::VectorXd& v, const Eigen::VectorXd& tau,
+                                    Eigen::Vector3d& out) noexcept {
   out.setZero();
-  if (!has_contact(stage)) return false;
+  if (!has_contact(stage) || !turn(time)) return false;
   const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
   for (int c = 0; c < static_cast<int>(holds.size()); ++c) {
     const bool active = holds[static_cast<std::size_t>(c)] != 0;

@@ -10,12 +10,16 @@ class ContactForceEstimate {
  public:
   explicit ContactForceEstimate(const ProblemSpec& problem);
   bool has_contact(int stage) const noexcept;
-  /// Of all contacts of the stage, N, world axes, at tau (nv). False and zero where it has none, or
-  /// the dynamics no solution.
-  bool force_at(int stage, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+  /// Of all contacts of the stage, N, world axes, at tau (nv), their references as they are at a
+  /// time of the schedule, s. False and zero where it has none, or the dynamics no solution.
+  bool force_at(int stage, double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                 const Eigen::VectorXd& tau, Eigen::Vector3d& out) noexcept;
 
  private:
+  bool turn(double time) noexcept;
+
+  std::vector<Signal> rotations_;  ///< per contact, empty where its reference stays
+  Eigen::VectorXd xyzw_;
   ContactDynamics dynamics_;
   std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
 };

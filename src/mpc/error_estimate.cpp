@@ -28,7 +28,8 @@ void ErrorEstimate::reset() noexcept {
   pressed_ = force_error_ = 0.0;
 }
 
-void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, int stage) noexcept {
+void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, int stage,
+                           double schedule_time) noexcept {
   const Measurement& m = gate.last();
   const double share = -std::expm1(-options_.bandwidth * gate.dt());
   follow_command(gate, before);
@@ -42,8 +43,8 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
     total_ += observer_.torque_error() - torque_offset_;
     total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
   }
-  if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, share);
-  (void)contact_force_.force_at(stage, m.q, m.v, total_, force_world_);
+  if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, share);
+  (void)contact_force_.force_at(stage, schedule_time, m.q, m.v, total_, force_world_);
 }
 
 /// What the model believes to act on the joints: the command of the tick before, behind the torque
@@ -80,12 +81,13 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
       ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
 }
 
-void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double share) noexcept {
+void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double schedule_time,
+                                       double share) noexcept {
   const bool pressed = normal_force(m) > contact_threshold_;
   double error = 0.0;
   if (pressed && contact_force_.has_contact(stage)) {
     Eigen::Vector3d model_force;
-    if (!contact_force_.force_at(stage, m.q, m.v, acted_, model_force)) return;
+    if (!contact_force_.force_at(stage, schedule_time, m.q, m.v, acted_, model_force)) return;
     error = normal_force(m) - model_force.dot(normal_world_);
   }
   force_error_ += share * (error - force_error_);

@@ -13,9 +13,10 @@ class ErrorEstimate {
   explicit ErrorEstimate(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// After a good measurement, with the command of the tick before and the stage that the schedule
-  /// is in. What cannot be evaluated changes nothing.
-  void update(const MeasurementGate& gate, const Command& before, int stage) noexcept;
+  /// After a good measurement, with the command of the tick before, the stage that the schedule is
+  /// in and its time, s. What cannot be evaluated changes nothing.
+  void update(const MeasurementGate& gate, const Command& before, int stage,
+              double schedule_time) noexcept;
 
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
@@ -31,7 +32,8 @@ class ErrorEstimate {
   }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
-  void follow_force_error(const Measurement& m, int stage, double share) noexcept;
+  void follow_force_error(const Measurement& m, int stage, double schedule_time,
+                          double share) noexcept;
 
   ModelErrorOptions options_;
   std::optional<TorqueModel> filter_;

@@ -104,7 +104,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   const unsigned happened = task->sense(view);
-  error.update(gate, command_, horizon.stage_at(schedule.time()));
+  error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());
   command_.force_estimate_world = error.force_world();
   if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);

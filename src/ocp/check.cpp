@@ -104,7 +104,9 @@ class ProblemCheck {
     for (int c = 0; c < compiled.contacts.size(); ++c)
       if (at.active[static_cast<std::size_t>(c)] != 0) active.push_back(c);
     if (active.empty()) return true;
-    return diagnose(compiled.model, compiled.contacts, q, active).condition < largest_condition;
+    const ContactSet contacts(compiled.model,
+                              contacts_at(problem_.spec().contacts, problem_.time_of(knot)));
+    return diagnose(compiled.model, contacts, q, active).condition < largest_condition;
   }
 
   void compare_at(int index, int knot, int state) {

@@ -12,6 +12,8 @@ namespace burnish::ocp {
 namespace {
 
 StateLayout make_layout(const ProblemSpec& spec) {
+  if (!std::isfinite(spec.start_time))
+    throw Error("start_time is " + number(spec.start_time) + " s; wanted a finite number");
   StateLayout layout;
   layout.nq = spec.model.nq;
   layout.nv = spec.model.nv;
@@ -73,6 +75,14 @@ void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
                 " s or the exact discretisation");
 }
 
+/// The references of active contacts that turn over time.
+void turn_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
+  for (std::size_t c = 0; c < spec.contacts.size(); ++c)
+    if (stage.active[c] != 0)
+      add_turning(spec.contacts[c].reference, static_cast<int>(c),
+                  "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
+}
+
 CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem,
                          const Stage& given) {
   const std::string place = "stage " + in_quotes(given.name);
@@ -95,6 +105,7 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   }
   if (given.impact && given.contacts.empty())
     throw Error(place + ": an impact makes no contact; wanted at least one");
+  turn_contacts(spec, problem.contacts, stage);
   set_filter(spec, stage);
   compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
@@ -136,12 +147,10 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       tree(model),
       layout(make_layout(spec)),
       blocks(tangent_blocks(tree)),
-      contacts(model, spec.contacts),
+      contacts(model, contacts_at(spec.contacts, spec.start_time)),
       contact_solver(spec.contact_solver),
       torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
   shape = make_shape(layout, blocks);
-  if (!std::isfinite(spec.start_time))
-    throw Error("start_time is " + number(spec.start_time) + " s; wanted a finite number");
   if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
   check_initial_state(spec, layout);
   for (const Stage& given : spec.stages) {
@@ -162,6 +171,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   if (layout.filtered > 0 && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
+  turn_contacts(spec, contacts, terminal);
   compile_terms(spec, *this, spec.terminal, spec.terminal_constraints, "terminal", terminal);
   stages.push_back(std::move(terminal));
   check_weights(stages);

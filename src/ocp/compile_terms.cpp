@@ -92,16 +92,26 @@ struct TermBuilder {
     stage.frame_names.push_back(name);
     return static_cast<int>(stage.frames.size()) - 1;
   }
-  /// Of a reference whose tool is the frame and whose base is the world.
-  FrameView view(int frame, const Reference& reference) const {
+  /// As compile_reference makes it of the reference at the start, and where the stage's targets
+  /// have the rotation of one that turns.
+  TurningReference turning(const Reference& reference, const CompiledFrame& tool,
+                           const CompiledFrame& base) {
     reference.check(where);
-    const CompiledFrame& seen = stage.frames[frame];
-    FrameView result;
     try {
-      result.reference = compile_reference(problem.model, reference, seen, world_frame());
+      TurningReference result{
+          compile_reference(problem.model, reference.at(spec.start_time), tool, base)};
+      result.turning = add_turning(reference, -1, "reference", stage);
+      if (result.turning >= 0) result.is_aligned = false;
+      return result;
     } catch (const Error& error) {
       refuse("reference: " + std::string(error.what()));
     }
+  }
+  /// Of a reference whose tool is the frame and whose base is the world.
+  FrameView view(int frame, const Reference& reference) {
+    const CompiledFrame& seen = stage.frames[frame];
+    FrameView result;
+    result.reference = turning(reference, seen, world_frame());
     const auto others = [&](int body) {
       return body == seen.body ? std::vector<MovingAxis>{} : moving_axes(problem.model, body);
     };
@@ -115,17 +125,12 @@ struct TermBuilder {
     result.entries.assign(entries.begin(), entries.end());
     return result;
   }
-  WrenchView wrench(int contact, const std::optional<Reference>& reference) const {
+  WrenchView wrench(int contact, const std::optional<Reference>& reference) {
     WrenchView result{contact, {}, {}};
     if (!reference) return result;
-    reference->check(where);
     const CompiledContact& compiled = problem.contacts.contacts()[contact];
-    try {
-      result.reference = compile_reference(problem.model, *reference, compiled);
-    } catch (const Error& error) {
-      refuse("reference: " + std::string(error.what()));
-    }
-    wrench_entries(problem.model, compiled, *result.reference, result.entries);
+    result.reference = turning(*reference, tool_of(compiled), base_of(compiled));
+    wrench_entries(problem.tree, compiled, *result.reference, result.entries);
     return result;
   }
   int contact(const std::string& name) {

@@ -32,18 +32,27 @@ struct CompiledTerm {
   int first_row = 0;  ///< of a constraint, in the stage's rows
 };
 
+/// A reference whose rotation is data of each knot: nine of the stage's targets, by columns.
+struct CompiledTurning {
+  Signal rotation;   ///< quaternions
+  int target = 0;    ///< first entry in the stage's targets
+  int contact = -1;  ///< whose it is; -1: a term's own
+  std::string of;    ///< for messages, such as "contact 'pad'"
+};
+
 struct CompiledStage {
   std::string name;
   std::vector<char> active;  ///< per contact of the problem
   std::vector<CompiledFrame> frames;
   std::vector<std::string> frame_names;
+  std::vector<CompiledTurning> turnings;
   std::vector<CompiledTerm> terms;           ///< costs, then constraints
   std::size_t costs = 0;                     ///< how many are costs
   std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
   std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }
-  int targets = 0;  ///< entries of all targets
+  int targets = 0;  ///< entries of all targets and turnings
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed
@@ -78,8 +87,12 @@ struct CompiledProblem {
 
 /// A target as the user writes it -> target entries of the term.
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out);
-/// The same from the term's signal at a time; scratch: at least signal_size entries.
-void load_target(const CompiledTerm& term, double time, Eigen::VectorXd& scratch, double* out);
+/// Targets and rotations of a stage from their signals at a time; scratch: as many entries as the
+/// largest signal, at least 4. What is no rotation becomes NaN.
+void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out);
+/// Makes room for a rotation over time among the stage's targets; -1 for a reference that stays.
+int add_turning(const Reference& reference, int contact, const std::string& of,
+                CompiledStage& stage);
 
 /// Makes the terms of a stage. `place` says where for messages, such as "stage 'press'".
 void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,

@@ -42,9 +42,20 @@ struct Selection {
   void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
 };
 
+/// A reference that may turn from knot to knot.
+struct TurningReference : CompiledReference {
+  int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
+  template <class S>
+  ReferencePose<S> pose(const Scene<S>& scene) const {
+    const Kinematics<S>& kinematics = scene.dynamics->kinematics();
+    if (turning < 0) return reference_pose(*this, kinematics);
+    return reference_pose(*this, rotation_of(scene.targets + turning), kinematics);
+  }
+};
+
 /// A reference that a frame is seen in, and the entries of v that move it or the frame.
 struct FrameView {
-  CompiledReference reference;
+  TurningReference reference;
   std::vector<MovingAxis> origin, axes;  ///< of other bodies than the frame's
   std::vector<int> entries;              ///< of v, ascending
   template <class S>
@@ -85,7 +96,7 @@ struct OwnForceError {
 /// A reference that a contact's wrench is asked in; none: the contact's own.
 struct WrenchView {
   int contact;
-  std::optional<CompiledReference> reference;
+  std::optional<TurningReference> reference;
   std::vector<WrenchEntry> entries;
   /// Six rows w and, unless J is null, dw/dz (6 x nz).
   template <class S>

@@ -127,11 +127,12 @@ struct Balance {
   Eigen::VectorXd c;
 };
 
-Balance balance_of(const Problem& problem, const ocp::CompiledStage& stage,
-                   const Eigen::VectorXd& q) {
+Balance balance_of(const Problem& problem, std::size_t index, const Eigen::VectorXd& q) {
   const auto& impl = ProblemInside::of(problem);
+  const ocp::CompiledStage& stage = impl.compiled.stages[index];
   const StateLayout& l = problem.layout();
-  ContactDynamics dynamics(problem.model(), problem.spec().contacts, {.mu = 1e-6});
+  ContactDynamics dynamics(problem.model(), impl.contacts_of(static_cast<int>(index)),
+                           {.mu = 1e-6});
   for (int c = 0; c < impl.compiled.contacts.size(); ++c)
     dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(l.nv);
@@ -183,7 +184,7 @@ void about_bounds(const Problem& problem, std::vector<std::string>& sentences) {
     const ocp::CompiledStage& stage = impl.compiled.stages[s];
     if (stage.impact) continue;
     const Problem::QuasiStatic rest = problem.quasi_static(static_cast<int>(s), x);
-    const Balance balance = balance_of(problem, stage, x.head(l.nq));
+    const Balance balance = balance_of(problem, s, x.head(l.nq));
     const double scale =
         std::max(1.0, balance.c.size() == 0 ? 0.0 : balance.c.cwiseAbs().maxCoeff());
     // Where even boundless controls leave something, the robot falls: not what bounds are for.
@@ -212,14 +213,15 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   const auto& impl = ProblemInside::of(problem);
   if (impl.compiled.contact_solver.mu > 0.0) return;
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
-  for (const ocp::CompiledStage& stage : impl.compiled.stages) {
+  for (std::size_t s = 0; s < impl.compiled.stages.size(); ++s) {
+    const ocp::CompiledStage& stage = impl.compiled.stages[s];
     if (stage.terminal) continue;
     std::vector<int> active;
     for (int c = 0; c < impl.compiled.contacts.size(); ++c)
       if (stage.active[static_cast<std::size_t>(c)] != 0) active.push_back(c);
     if (active.empty()) continue;
-    for (const RedundantRow& row :
-         diagnose(problem.model(), impl.compiled.contacts, q, active).redundant)
+    const ContactSet contacts(problem.model(), impl.contacts_of(static_cast<int>(s)));
+    for (const RedundantRow& row : diagnose(problem.model(), contacts, q, active).redundant)
       sentences.push_back("stage " + in_quotes(stage.name) + ", initial posture: " + row.text() +
                           "; wanted independent rows, or mu > 0");
   }

@@ -60,7 +60,7 @@ class CustomLanes {
   LaneView<double> moved_view_;
   Eigen::VectorXd value_, plus_, minus_;
   RowMatrix jacobian_;
-  std::vector<double> x_, x_moved_, u_, dx_;
+  std::vector<double> x_, x_moved_, u_, targets_, dx_;
 };
 
 }  // namespace burnish::ocp

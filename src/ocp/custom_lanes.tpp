@@ -123,6 +123,7 @@ CustomLanes<S>::CustomLanes(const CompiledProblem& problem)
       x_(static_cast<std::size_t>(problem.layout.nx())),
       x_moved_(x_),
       u_(static_cast<std::size_t>(problem.layout.nu)),
+      targets_(static_cast<std::size_t>(problem.largest_targets)),
       dx_(static_cast<std::size_t>(problem.layout.ndx())) {}
 
 template <class S>
@@ -148,6 +149,8 @@ void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& 
       copy(scene.v, x_, nq, nv);
       copy(scene.torque_state, x_, nq + nv, static_cast<std::size_t>(layout.filtered));
       copy(scene.u, u_, 0, u_.size());
+      copy(scene.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
+      moved_.turn(stage, targets_.data());
       differences(stage, residual, times[l]);
     }
     for (int i = 0; i < rows; ++i)

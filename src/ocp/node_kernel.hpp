@@ -30,7 +30,10 @@ class NodeKernel {
   void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x, const S* u,
                    const S* targets, const double* times, S* r, S* J);
   /// Accelerations and forces alone, into dynamics().
-  void look(const CompiledStage& stage, const S* x, const S* u) { dynamics_.values(stage, x, u); }
+  void look(const CompiledStage& stage, const S* x, const S* u, const S* targets) {
+    dynamics_.turn(stage, targets);
+    dynamics_.values(stage, x, u);
+  }
   const StageDynamics<S>& dynamics() const { return dynamics_; }
 
   std::vector<S> next;  ///< nx

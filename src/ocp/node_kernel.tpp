@@ -70,6 +70,7 @@ void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& ter
 template <class S>
 void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x,
                                 const S* u, const S* targets, const double* times, S* r, S* J) {
+  dynamics_.turn(stage, targets);
   dynamics_.values(stage, x, u);
   if (J != nullptr) dynamics_.derivatives(stage);
   residual(stage, term, targets, times, r, J);
@@ -230,6 +231,7 @@ void NodeKernel<S>::load_status() {
 template <class S>
 void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
                            const double* times) {
+  dynamics_.turn(stage, targets);
   dynamics_.values(stage, x, u);
   add_costs(stage, targets, times, false);
   if (stage.rows() > 0) [[unlikely]]
@@ -252,6 +254,7 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
 template <class S>
 void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
                            const double* times) {
+  dynamics_.turn(stage, targets);
   dynamics_.values(stage, x, u);
   dynamics_.derivatives(stage);
   std::fill(gradient.begin(), gradient.end(), S(0.0));

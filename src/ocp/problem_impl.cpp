@@ -107,7 +107,7 @@ Problem::Impl::Impl(const ProblemSpec& given)
     if (lower[i] > upper[i])
       throw Error("control_lower " + number(lower[i]) + " is above control_upper " +
                   number(upper[i]) + " at entry " + std::to_string(i));
-  int largest_signal = 1;
+  int largest_signal = 4;  // of rotations
   for (const ocp::CompiledStage& stage : compiled.stages)
     for (const ocp::CompiledTerm& term : stage.terms)
       largest_signal = std::max(largest_signal, term.signal_size);
@@ -123,7 +123,10 @@ Problem::Impl::Impl(const ProblemSpec& given)
   stage_of.push_back(static_cast<int>(compiled.stages.size()) - 1);
   times.push_back(time);
   targets.assign(stage_of.size() * static_cast<std::size_t>(compiled.largest_targets), 0.0);
-  for (std::size_t k = 0; k < stage_of.size(); ++k) load_targets(static_cast<int>(k));
+  for (std::size_t k = 0; k < stage_of.size(); ++k) {
+    load_targets(static_cast<int>(k));
+    check_rotations(static_cast<int>(k));
+  }
   ranges.reserve(stage_of.size());
   cut_ranges();
   prepare(1);
@@ -151,9 +154,17 @@ Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
 }
 
 void Problem::Impl::load_targets(int knot) {
-  for (const ocp::CompiledTerm& term : stage(knot).terms)
-    ocp::load_target(term, times[static_cast<std::size_t>(knot)], signal_scratch,
-                     targets_of(knot) + term.target);
+  ocp::load_targets(stage(knot), times[static_cast<std::size_t>(knot)], signal_scratch,
+                    targets_of(knot));
+}
+
+void Problem::Impl::check_rotations(int knot) {
+  for (const ocp::CompiledTurning& turning : stage(knot).turnings)
+    if (!std::isfinite(targets_of(knot)[turning.target]))
+      throw Error("stage " + in_quotes(stage(knot).name) + ", knot " + std::to_string(knot) + ": " +
+                  turning.of + ": its rotation at " +
+                  number(times[static_cast<std::size_t>(knot)]) +
+                  " s is no quaternion of length 1");
 }
 
 void Problem::Impl::set_knot(int knot, int stage_index, double time) {
@@ -195,6 +206,12 @@ void Problem::Impl::cut_ranges() {
   }
 }
 
+std::vector<ContactSpec> Problem::Impl::contacts_of(int stage) const {
+  const auto first = std::find(stage_of.begin(), stage_of.end(), stage);
+  const auto knot = first == stage_of.end() ? 0 : first - stage_of.begin();
+  return contacts_at(spec.contacts, times[static_cast<std::size_t>(knot)]);
+}
+
 const ocp::CompiledTerm& Problem::Impl::term(const char* call, int knot, int term) const {
   if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
     throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
@@ -220,7 +237,7 @@ const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const Co
   check_point(knot, x, u);
   // A residual-free look at the dynamics: Runge-Kutta steps would leave their last point behind.
   ocp::NodeKernel<double>& kernel = worker(0).one;
-  kernel.look(stage(knot), x.data(), u.data());
+  kernel.look(stage(knot), x.data(), u.data(), targets_of(knot));
   return kernel.dynamics();
 }
 

@@ -41,9 +41,12 @@ struct Problem::Impl {
   void set_knot(int knot, int stage, double time);
   void advance(int stage);
   void load_targets(int knot);
+  void check_rotations(int knot);
   void cut_ranges();
   void prepare(int count);
   void check_point(int knot, const ConstVectorRef& x, const ConstVectorRef& u) const;
+  /// Their references as they are at the first knot of a stage, or of the horizon.
+  std::vector<ContactSpec> contacts_of(int stage) const;
   /// Throws Error("<call>: ...") for a knot or a term that there is not.
   const ocp::CompiledTerm& term(const char* call, int knot, int term) const;
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,

@@ -15,7 +15,7 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
     throw Error("quasi_static: x has " + std::to_string(x.size()) + " entries; wanted at least " +
                 std::to_string(l.nq));
   // Nothing is solved: contacts and the mass matrix may be singular here.
-  ContactDynamics dynamics(compiled.model, impl_->spec.contacts, {.mu = 1e-6});
+  ContactDynamics dynamics(compiled.model, impl_->contacts_of(stage), {.mu = 1e-6});
   for (int c = 0; c < compiled.contacts.size(); ++c)
     dynamics.set_active(c, at.active[static_cast<std::size_t>(c)] != 0);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);

@@ -17,8 +17,8 @@ void WrenchView::evaluate(const Scene<S>& scene, S* w, S* J) const {
   const int rows = static_cast<int>(compiled.directions.size());
   ContactState<S> state = dynamics.contact_states[contact];
   set_contact_force(compiled, dynamics.lambda.data() + first, state);
-  const ReferencePose<S> pose = reference ? reference_pose(*reference, dynamics.kinematics())
-                                          : ReferencePose<S>{state.axes, state.origin};
+  const ReferencePose<S> pose =
+      reference ? reference->pose(scene) : ReferencePose<S>{state.axes, state.origin};
   store_column(in_reference(pose, state.force_world), w, 1);
   if (J == nullptr) return;
 

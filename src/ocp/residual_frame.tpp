@@ -11,13 +11,6 @@ namespace burnish::ocp {
 namespace frame_detail {
 
 template <class S>
-Mat3<S> rotation_of(const S* target) {
-  return {{target[0], target[1], target[2]},
-          {target[3], target[4], target[5]},
-          {target[6], target[7], target[8]}};
-}
-
-template <class S>
 void store(const Vec3<S>& x, S* out) {
   out[0] = x.x;
   out[1] = x.y;
@@ -54,7 +47,7 @@ FrameReference<S> FrameView::at(const Scene<S>& scene, int frame) const {
     return std::span<const MovingAxis>(body == seen.body ? seen.support : other);
   };
   return {reference,
-          reference_pose(reference, scene.dynamics->kinematics()),
+          reference.pose(scene),
           {support(reference.origin_body, origin), support(reference.axes_body, axes)}};
 }
 
@@ -84,8 +77,7 @@ void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, 
 template <class S>
 void FrameRotationError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
   const FrameState<S>& state = scene.frames[frame];
-  const FrameError<S> error =
-      frame_error(state, frame_detail::rotation_of(target), Vec3<S>::zero());
+  const FrameError<S> error = frame_error(state, rotation_of(target), Vec3<S>::zero());
   frame_detail::store(error.rotation, r);
   if (J == nullptr) return;
   const CompiledFrame& compiled = scene.compiled_frames[frame];
@@ -99,8 +91,8 @@ void FrameRotationError::evaluate(const Scene<S>& scene, const S* target, S* r, 
 template <class S>
 void FramePlacementError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
   const FrameState<S>& state = scene.frames[frame];
-  const FrameError<S> error = frame_error(state, frame_detail::rotation_of(target + 3),
-                                          Vec3<S>{target[0], target[1], target[2]});
+  const FrameError<S> error =
+      frame_error(state, rotation_of(target + 3), Vec3<S>{target[0], target[1], target[2]});
   frame_detail::store(error.placement, r);
   if (J == nullptr) return;
   const CompiledFrame& compiled = scene.compiled_frames[frame];

@@ -8,6 +8,14 @@
 
 namespace burnish::ocp {
 
+/// Nine entries by columns, as targets hold a rotation.
+template <class S>
+Mat3<S> rotation_of(const S* entries) {
+  return {{entries[0], entries[1], entries[2]},
+          {entries[3], entries[4], entries[5]},
+          {entries[6], entries[7], entries[8]}};
+}
+
 /// Filled by StageDynamics. Pointers that a stage has no use for are null.
 template <class S>
 struct Scene {
@@ -22,7 +30,8 @@ struct Scene {
   const FrameState<S>* frames = nullptr;  ///< of the stage, in its order
   const CompiledFrame* compiled_frames = nullptr;
   const Momentum<S>* momentum = nullptr;
-  S* scratch = nullptr;  ///< 12 x nv, for a residual that needs room
+  const S* targets = nullptr;  ///< of the stage
+  S* scratch = nullptr;        ///< 12 x nv, for a residual that needs room
 
   // While derivatives are asked for:
   const S* da_dz = nullptr;       ///< nv x nz, row-major

@@ -15,7 +15,9 @@ class StageDynamics {
  public:
   explicit StageDynamics(const CompiledProblem& problem);
 
-  /// Evaluates a stage at x (nx) and u (nu): frames, momentum, a and lambda.
+  /// Loads what a knot's targets (stage.targets entries) turn; they must outlive what follows.
+  void turn(const CompiledStage& stage, const S* targets);
+  /// Evaluates a stage at x (nx) and u (nu): frames, momentum, a and lambda. Needs turn().
   void values(const CompiledStage& stage, const S* x, const S* u);
   /// Their derivatives by z, at the last values().
   void derivatives(const CompiledStage& stage);

@@ -70,6 +70,17 @@ void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
 }
 
 template <class S>
+void StageDynamics<S>::turn(const CompiledStage& stage, const S* targets) {
+  scene_.targets = targets;
+  for (const CompiledTurning& turning : stage.turnings) {
+    if (turning.contact < 0) continue;
+    const Mat3<S> rotation = rotation_of(targets + turning.target);
+    dynamics_.set_reference_rotation(turning.contact, rotation);
+    if (stage.impact) impact_->dynamics.set_reference_rotation(turning.contact, rotation);
+  }
+}
+
+template <class S>
 void StageDynamics<S>::values(const CompiledStage& stage, const S* x, const S* u) {
   std::copy_n(x, x_.size(), x_.data());
   if (stage.nu > 0) {

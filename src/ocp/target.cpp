@@ -1,15 +1,15 @@
-// Targets as users write them, as the kernels read them.
-#include <Eigen/Geometry>
+// Targets and rotations as users write them, as the kernels read them.
 #include <algorithm>
+#include <limits>
 
+#include "dynamics/reference.hpp"
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::ocp {
 
 void store_target(const CompiledTerm& term, const ConstVectorRef& value, double* out) {
-  const auto store_rotation = [](const Eigen::Vector4d& quaternion, double* to) {
-    Eigen::Map<Eigen::Matrix3d>(to, 3, 3) =
-        Eigen::Quaterniond(quaternion.normalized()).toRotationMatrix();
+  const auto store_rotation = [](const ConstVectorRef& xyzw, double* to) {
+    Eigen::Map<Eigen::Matrix3d>(to, 3, 3) = rotation_matrix(xyzw);
   };
   switch (term.load) {
     case CompiledTerm::Load::Plain:
@@ -25,11 +25,31 @@ void store_target(const CompiledTerm& term, const ConstVectorRef& value, double*
   }
 }
 
-void load_target(const CompiledTerm& term, double time, Eigen::VectorXd& scratch, double* out) {
-  if (term.target_size == 0) return;
-  auto value = scratch.head(term.signal_size);
-  term.signal.at(time, value);
-  store_target(term, value, out);
+void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out) {
+  for (const CompiledTerm& term : stage.terms) {
+    if (term.target_size == 0) continue;
+    auto value = scratch.head(term.signal_size);
+    term.signal.at(time, value);
+    store_target(term, value, out + term.target);
+  }
+  for (const CompiledTurning& turning : stage.turnings) {
+    auto xyzw = scratch.head(4);
+    turning.rotation.at(time, xyzw);
+    Eigen::Map<Eigen::Matrix3d> rotation(out + turning.target, 3, 3);
+    if (is_unit_quaternion(xyzw)) {
+      rotation = rotation_matrix(xyzw);
+    } else {
+      rotation.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
+
+int add_turning(const Reference& reference, int contact, const std::string& of,
+                CompiledStage& stage) {
+  if (reference.rotation_over_time.empty()) return -1;
+  stage.turnings.push_back({reference.rotation_over_time, stage.targets, contact, of});
+  stage.targets += 9;
+  return stage.turnings.back().target;
 }
 
 }  // namespace burnish::ocp

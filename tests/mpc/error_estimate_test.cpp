@@ -33,7 +33,7 @@ struct Pressing {
       m.time = 1e-3 * tick;
       m.tau = tau;
       gate.take(m, latch, status);
-      estimate.update(gate, command, stage);
+      estimate.update(gate, command, stage, m.time);
     }
     ASSERT_FALSE(latch.is_set());
   }

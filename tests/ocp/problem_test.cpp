@@ -184,7 +184,7 @@ TEST_P(Rest, QuasiStaticControlHoldsTheRobot) {
   const Problem::QuasiStatic rest = problem.quasi_static(stage, x);
   EXPECT_EQ(rest.force.size(), 7);
   // What the joints and the contacts give is what gravity takes.
-  ContactDynamics dynamics(model, spec.contacts);
+  ContactDynamics dynamics(model, contacts_at(spec.contacts, spec.start_time));
   dynamics.set_active(0, false);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
   Eigen::VectorXd torque = bias;
@@ -226,6 +226,7 @@ TEST(Forces, AreKnownAtTheEndWithATorqueModel) {
   std::mt19937_64 generator(9);
   const OcpState at = random_ocp_state(problem, generator);
   const int last = problem.knots();
+  problem.set_knot(last - 1, problem.stage_of(last - 1), problem.time_of(last));
   // The same torques in "hold", which the terminal state takes its contacts from.
   const Eigen::VectorXd end = problem.residual(last, 1, at.x, at.u);
   EXPECT_LT(relative_error(end, problem.residual(last - 1, 0, at.x, at.u)), 1e-12);

@@ -79,8 +79,13 @@ Duals filtered(const ocp::CompiledProblem& problem, Duals x, const Duals& u, dou
 
 class Stepper {
  public:
-  Stepper(const ocp::CompiledProblem& problem, const ocp::CompiledStage& stage)
-      : problem_(problem), stage_(stage), dynamics_(problem) {}
+  Stepper(const ocp::CompiledProblem& problem, const OcpPoint& at)
+      : problem_(problem),
+        stage_(stage_of(problem, at)),
+        targets_(at.targets.begin(), at.targets.end()),
+        dynamics_(problem) {
+    dynamics_.turn(stage_, targets_.data());
+  }
 
   Duals euler(const Duals& x, const Duals& u) {
     const StateLayout& l = problem_.layout;
@@ -131,6 +136,7 @@ class Stepper {
 
   const ocp::CompiledProblem& problem_;
   const ocp::CompiledStage& stage_;
+  Duals targets_;
   ocp::StageDynamics<Dual> dynamics_;
 };
 
@@ -140,8 +146,7 @@ std::vector<double> targets_of(const ocp::CompiledProblem& problem, int stage, d
   const ocp::CompiledStage& at = problem.stages[static_cast<std::size_t>(stage)];
   std::vector<double> targets(static_cast<std::size_t>(std::max(at.targets, 1)));
   Eigen::VectorXd scratch(512);
-  for (const ocp::CompiledTerm& term : at.terms)
-    ocp::load_target(term, time, scratch, targets.data() + term.target);
+  ocp::load_targets(at, time, scratch, targets.data());
   return targets;
 }
 
@@ -152,6 +157,7 @@ Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const 
   ocp::StageDynamics<Dual> dynamics(problem);
   const Duals targets(at.targets.begin(), at.targets.end());
   return by_z(problem, at, [&](const Duals& x, const Duals& u) {
+    dynamics.turn(stage, targets.data());
     dynamics.values(stage, x.data(), u.data());
     Duals r(static_cast<std::size_t>(compiled.rows), Dual(0.0));
     std::visit(
@@ -171,7 +177,7 @@ Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const 
 Eigen::MatrixXd step_by_autodiff(const ocp::CompiledProblem& problem, const OcpPoint& at) {
   const ocp::CompiledStage& stage = stage_of(problem, at);
   const StateLayout& l = problem.layout;
-  Stepper stepper(problem, stage);
+  Stepper stepper(problem, at);
   return by_z(problem, at, [&](const Duals& x, const Duals& u) {
     const Duals next = stage.integrator == Integrator::RungeKutta4 ? stepper.runge_kutta(x, u)
                                                                    : stepper.euler(x, u);

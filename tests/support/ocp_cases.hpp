@@ -105,6 +105,20 @@ struct WithJacobian {
   }
 };
 
+/// A rotation that turns by 2 rad/s, its quaternions now of one sign and now of the other.
+inline Eigen::Matrix3d turned_at(double time) {
+  return Eigen::AngleAxisd(0.4 + 2.0 * time, Eigen::Vector3d(0.6, -0.48, 0.64)).toRotationMatrix();
+}
+inline Signal turning() {
+  return Signal::over_time(4, [](double time, Eigen::Ref<Eigen::VectorXd> xyzw) {
+    const double sign = std::fmod(time, 0.04) < 0.02 ? 1.0 : -1.0;
+    xyzw = sign * Eigen::Quaterniond(turned_at(time)).coeffs();
+  });
+}
+inline Reference turning_reference(const Anchor& origin, const Anchor& axes) {
+  return {.origin = origin, .axes = axes, .rotation_over_time = turning()};
+}
+
 struct ResidualCase {
   std::string name;
   std::function<Residual(const OcpSetup&)> make;
@@ -161,9 +175,9 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::FrameVelocity{s.tool, Reference::local(tilt()), s.random(6)};
        }},
-      {"turned world velocity",
+      {"velocity in turning axes of the world",
        [](Setup s) {
-         return R::FrameVelocity{s.tool, Reference::world(tilt()), 0.1};
+         return R::FrameVelocity{s.tool, turning_reference(Anchor::World, Anchor::World), 0.1};
        },
        abs},
       {"velocity", [](Setup s) { return R::FrameVelocity{s.tool}; }, abs},
@@ -175,9 +189,9 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::FramePosition{s.tool, s.random(3), {s.other(), Anchor::World, tilt()}};
        }},
-      {"position in the axes of another frame",
+      {"position in axes that turn in another frame",
        [](Setup s) {
-         return R::FramePosition{s.tool, s.random(3), {Anchor::World, s.other(), tilt()}};
+         return R::FramePosition{s.tool, s.random(3), turning_reference(Anchor::World, s.other())};
        }},
       {"force",
        [](Setup s) {
@@ -200,9 +214,9 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
          return R::ContactForce{"brace", Reference::world()};
        },
        square, torque_model},
-      {"force about another frame",
+      {"force about another frame in turning axes",
        [](Setup s) {
-         return R::ContactForce{"pad", Reference{s.other(), Anchor::Tool, tilt()}, 1.0};
+         return R::ContactForce{"pad", turning_reference(s.other(), Anchor::Tool), 1.0};
        },
        square, torque_model},
       {"cone",
@@ -241,11 +255,13 @@ inline std::string frame_on_the_way(const Model& model, const std::string& tool)
   throw Error("no frame on the way to " + tool);
 }
 
-/// "idle" never holds, "brace" holds one direction on the way to the tool, "pad" all six of it.
+/// "idle" never holds, "brace" holds one direction on the way to the tool, which turns, "pad" all
+/// six of it.
 inline std::vector<ContactSpec> ocp_contacts(const Model& model, const std::string& tool) {
   ContactSpec idle = contact(tool), pad = contact(tool, "world", Reference::surface(tilt()));
-  ContactSpec brace = contact(frame_on_the_way(model, tool), "world", Reference::centered(),
-                              Directions::z(), Acceleration::Classical);
+  ContactSpec brace = contact(frame_on_the_way(model, tool), "world",
+                              turning_reference(Anchor::Tool, Anchor::World), Directions::z(),
+                              Acceleration::Classical);
   idle.name = "idle";
   pad.name = "pad";
   pad.with_gains(0.0, 5.0);
@@ -296,7 +312,7 @@ struct OcpState {
 inline OcpState random_ocp_state(const Problem& problem, std::mt19937_64& generator) {
   const Model& model = problem.model();
   const StateLayout& l = problem.layout();
-  ContactDynamics dynamics(model, problem.spec().contacts);
+  ContactDynamics dynamics(model, contacts_at(problem.spec().contacts, problem.time_of(0)));
   dynamics.set_active(0, false);
   const RobotState s = problem.spec().contact_solver.mu > 0.0
                            ? random_state(model, generator)
@@ -330,18 +346,20 @@ struct OcpHorizon {
       rows.emplace_back(problem.rows(static_cast<int>(k)), stride);
       row_values.emplace_back(problem.rows(static_cast<int>(k)));
     }
-    for (std::size_t k = 0; k < knots; ++k) {
-      KnotExpansion knot;
-      knot.stride = stride;
-      knot.gradient = gradient[k].data();
-      knot.hessian = hessian[k].data();
-      knot.dynamics = dynamics[k].data();
-      knot.lead = lead[k].data();
-      knot.decay = decay[k].data();
-      knot.rows = rows[k].data();
-      knot.row_values = row_values[k].data();
-      out.push_back(knot);
-    }
+    out.resize(knots);
+    for (std::size_t k = 0; k < knots; ++k) point_at(k);
+  }
+  /// Of a copy: its expansion of knot k goes into its own room.
+  void point_at(std::size_t k) {
+    KnotExpansion& knot = out[k];
+    knot.stride = stride;
+    knot.gradient = gradient[k].data();
+    knot.hessian = hessian[k].data();
+    knot.dynamics = dynamics[k].data();
+    knot.lead = lead[k].data();
+    knot.decay = decay[k].data();
+    knot.rows = rows[k].data();
+    knot.row_values = row_values[k].data();
   }
   TrajectoryView view() const { return {x.data(), u.data()}; }
   void expand(Problem& problem) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "burnish/base/views.hpp"
 #include "burnish/contact/directions.hpp"
@@ -48,5 +49,9 @@ struct ContactSpec {
   /// The same gains in every direction. `kp` in 1/s^2, `kd` in 1/s.
   ContactSpec& with_gains(double kp_all, double kd_all);
 };
+
+/// The contacts with their references as they are at a time, s. Throws Error where one has no
+/// rotation there.
+std::vector<ContactSpec> contacts_at(std::vector<ContactSpec> contacts, double time);
 
 }  // namespace burnish

@@ -46,6 +46,10 @@ class ContactDynamics {
   /// Makes or breaks a contact. Does not allocate. Throws Error for an unknown index.
   void set_active(int contact, bool active);
   bool is_active(int contact) const;
+  /// Another rotation in the place of that of a contact's reference, for states evaluated from then
+  /// on. Does not allocate. Returns Ok, or NotNormalized for what is no rotation matrix to 1e-6,
+  /// which changes nothing. Throws Error for an unknown index.
+  Status set_reference_rotation(int contact, const Eigen::Matrix3d& rotation);
   /// Names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
 
@@ -108,7 +112,6 @@ class ContactDynamics {
   /// The same as numbers: force, then moment.
   Vector6 wrench(int contact, const Reference& reference) const;
   /// Its derivatives at the last forward_derivatives(); `out` is resized on first use.
-  /// Allocates where the reference names a frame of another body than tool and base.
   void wrench_derivatives(int contact, const Reference& reference, WrenchDerivatives& out) const;
 
  private:

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/signal.hpp"
 
 namespace burnish {
 
@@ -42,6 +42,10 @@ struct Reference {
   Anchor axes = Anchor::World;  ///< what `rotation` is fixed in
   /// Rotation from the reference's axes to the axes that it is fixed in.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  /// The same over time, as quaternions x, y, z, w of unit length, of which q and -q are one
+  /// rotation. For the knots of a problem, each of which holds the rotation of its time; empty:
+  /// `rotation`, which is the identity otherwise.
+  Signal rotation_over_time = {};
 
   /// The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation` if given.
   static Reference local(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
@@ -59,7 +63,10 @@ struct Reference {
   std::string name() const;
   /// Reads those four ("surface" gets the identity). Throws Error with the nearest known name.
   static Reference parse(const std::string& name);
-  /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6.
+  /// As it is at a time, s, with that rotation. Throws Error where it has none there, to 1e-6.
+  Reference at(double time) const;
+  /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6, and the one that
+  /// is stated.
   void check(const std::string& who) const;
 };
 

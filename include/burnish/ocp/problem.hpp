@@ -66,6 +66,7 @@ class Problem final : public ShootingProblem {
     double residual = 0.0;    ///< largest torque that nothing balances, Nm
   };
   /// `force`, when not empty, prescribes the contact forces, and only the control is free.
+  /// References that turn are as at the first knot of the stage.
   QuasiStatic quasi_static(int stage, const ConstVectorRef& x,
                            const Eigen::VectorXd& force = {}) const;
 

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "burnish/base/signal.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/ocp/node_view.hpp"
-#include "burnish/ocp/signal.hpp"
 
 namespace burnish::residual {
 

@@ -1,4 +1,4 @@
-#include "burnish/ocp/signal.hpp"
+#include "burnish/base/signal.hpp"
 
 #include "burnish/base/error.hpp"
 

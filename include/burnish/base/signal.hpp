@@ -1,4 +1,4 @@
-// A quantity that a cost aims at, constant or over time.
+// A quantity over time, or constant: what a cost aims at, how a reference is turned.
 #pragma once
 
 #include <Eigen/Core>

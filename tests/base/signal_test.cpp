@@ -1,5 +1,5 @@
 // Signals: nothing, numbers or a function of time, and what they say of themselves.
-#include "burnish/ocp/signal.hpp"
+#include "burnish/base/signal.hpp"
 
 #include <gtest/gtest.h>
 
