@@ -40,17 +40,27 @@ void read_word(const Reader& value, std::vector<std::string>& to) { to = value.t
 
 }  // namespace
 
+std::vector<std::string> Campaign::command_words() const {
+  std::vector<std::string> words{"burnish", "experiment", name};
+  const auto add = [&](const char* option, const std::string& value) {
+    words.insert(words.end(), {option, value});
+  };
+  if (seeds > 0) add("--seeds", std::to_string(seeds));
+  if (first_seed > 0) add("--first-seed", std::to_string(first_seed));
+  for (const std::string& surface : surfaces) add("--surface", surface);
+  for (const std::string& robot : robots) add("--robot", robot);
+  for (const std::string& tool : tools) add("--tool", tool);
+  if (!plant.empty()) add("--plant", plant);
+  if (quick) words.emplace_back("--quick");
+  for (const std::string& change : overrides) add("--set", change);
+  return words;
+}
+
 std::string Campaign::command() const {
-  std::string command = "burnish experiment " + name;
-  if (seeds > 0) command += fmt::format(" --seeds {}", seeds);
-  if (first_seed > 0) command += fmt::format(" --first-seed {}", first_seed);
-  for (const std::string& surface : surfaces) command += " --surface " + shell_word(surface);
-  for (const std::string& robot : robots) command += " --robot " + shell_word(robot);
-  for (const std::string& tool : tools) command += " --tool " + shell_word(tool);
-  if (!plant.empty()) command += " --plant " + plant;
-  if (quick) command += " --quick";
-  for (const std::string& word : overrides) command += " --set " + shell_word(word);
-  return command;
+  std::string text;
+  for (const std::string& word : command_words())
+    text += (text.empty() ? "" : " ") + shell_word(word);
+  return text;
 }
 
 polishing::ExperimentSpec Campaign::spec() const {

@@ -19,7 +19,8 @@ struct Campaign {
   bool quick = false;
 
   bool operator==(const Campaign&) const = default;
-  /// What repeats the results.
+  /// What repeats the results: "burnish", "experiment", NAME, ...
+  std::vector<std::string> command_words() const;
   std::string command() const;
   polishing::ExperimentSpec spec() const;
 };

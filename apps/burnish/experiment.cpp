@@ -4,6 +4,7 @@
 
 #include "campaign.hpp"
 #include "command.hpp"
+#include "hand_over.hpp"
 #include "progress_bar.hpp"
 #include "robot_arguments.hpp"
 #include "signals.hpp"
@@ -16,7 +17,7 @@ using polishing::ExperimentSpec;
 
 struct ExperimentArguments {
   Campaign campaign;
-  std::string out, shard;
+  std::string out, shard, scheduler;
   int threads = 0;
   double time_limit = 0.0;
   bool quiet = false, force = false, strict = false, resume = false, mixed = false, list = false;
@@ -37,11 +38,16 @@ polishing::Shard shard_of(const std::string& text) {
 
 /// Throws Error for options that do not go together.
 void check_options(const ExperimentArguments& a) {
-  if (a.measures() && !(a.shard.empty() && !a.resume && !a.list))
+  if (a.measures() && !(a.shard.empty() && a.scheduler.empty() && !a.resume && !a.list))
     throw Error(
         "the experiment 'tick' measures computing times on one machine in one go; it has no "
-        "--shard, --resume and --list");
+        "--shard, --scheduler, --resume and --list");
   if (a.resume && a.out.empty()) throw Error("--resume wants --out, the folder to go on with");
+  if (!a.scheduler.empty() && (!a.shard.empty() || a.list || a.threads > 0 || a.force))
+    throw Error(
+        "--scheduler leaves the runs to its workers; it goes without --shard, --list, --threads "
+        "and "
+        "--force");
   if (a.resume && a.force) throw Error("--resume and --force: wanted one of them");
 }
 
@@ -76,6 +82,20 @@ ExperimentSpec spec_of(const ExperimentArguments& a) {
   return spec;
 }
 
+std::vector<std::string> words_for_python(const ExperimentArguments& a) {
+  std::vector<std::string> words{"experiment", "--scheduler", a.scheduler};
+  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
+  if (a.time_limit > 0.0)
+    words.insert(words.end(), {"--time-limit", fmt::format("{}", a.time_limit)});
+  for (const auto& [wanted, flag] :
+       {std::pair(a.resume, "--resume"), {a.mixed, "--mixed"}, {a.quiet, "--quiet"}})
+    if (wanted) words.emplace_back(flag);
+  words.emplace_back("--");
+  const std::vector<std::string> campaign = a.campaign.command_words();
+  words.insert(words.end(), campaign.begin() + 2, campaign.end());
+  return words;
+}
+
 int list_runs(const ExperimentArguments& a, ExperimentSpec spec) {
   const polishing::RunStore store(a.campaign.name, program_version(), {fs::path()});
   spec.store = &store;
@@ -104,8 +124,9 @@ int perform(const ExperimentArguments& a) {
   check_options(a);
   ExperimentSpec spec = spec_of(a);
   check_campaign(a.campaign, a.strict);
-  if (a.list) return list_runs(a, spec);
   if (a.resume) check_resumed(a);
+  if (a.list) return list_runs(a, spec);
+  if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a));
   const StopRequest stop("the runs end, and what there is of them is written");
   std::string name = "experiment_" + a.campaign.name;
   if (!a.shard.empty()) name += fmt::format("_{}_of_{}", spec.shard.number, spec.shard.count);
@@ -195,6 +216,11 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       ->check(CLI::PositiveNumber);
   command.add_flag("--mixed", a.mixed,
                    "Take runs too that kernels for other processors made, as the results then say");
+  command
+      .add_option("--scheduler", a.scheduler,
+                  "Leave the runs to the workers of a Dask scheduler, such as "
+                  "tcp://192.168.0.5:8786")
+      ->type_name("ADDRESS");
   command.add_flag("--list", a.list,
                    "Print the runs and make none: number, name of the result, name");
   command

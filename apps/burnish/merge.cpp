@@ -1,6 +1,7 @@
 // burnish merge: the tables of an experiment whose runs were made in shards.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "campaign.hpp"
@@ -77,7 +78,16 @@ int merge(const MergeArguments& a) {
       throw Error(sentence + (lacks_runs ? missing_shards(a.folders) : ""));
     }
   }();
-  RunFolder folder({.out = a.out, .name = "experiment_" + campaign.name, .force = a.force});
+  // The tables may stand beside the runs.
+  const bool beside = std::any_of(a.folders.begin(), a.folders.end(), [&](const auto& each) {
+    std::error_code ignored;
+    return !a.out.empty() && fs::equivalent(each, a.out, ignored);
+  });
+  RunFolder folder({.out = a.out,
+                    .name = "experiment_" + campaign.name,
+                    .force = a.force && !beside,
+                    .resume = beside});
+  if (beside) folder.claim({CampaignFile::name, std::string(results_folder) + "/"});
   return write_report(report, campaign, folder, a.quiet);
 }
 

@@ -1,0 +1,13 @@
+// What Python does for the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace burnish::app {
+
+/// Becomes `python3 -m burnish.campaign WORDS...`, and does not return. Throws Error where there is
+/// no Python that has the package burnish and Dask distributed, naming what to install.
+[[noreturn]] void hand_over_to_python(const std::vector<std::string>& words);
+
+}  // namespace burnish::app

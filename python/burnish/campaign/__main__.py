@@ -1,0 +1,50 @@
+"""What `python3 -m burnish.campaign` does."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import List, Optional, Sequence
+
+from . import CampaignError
+from . import _experiment as perform
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python3 -m burnish.campaign",
+        description="Performs an experiment on the workers of a Dask scheduler, or on the cores here.",
+        epilog="Exit codes: those of burnish experiment.")
+    commands = parser.add_subparsers(dest="command", required=True)
+    one = commands.add_parser("experiment", help="as burnish experiment, with --scheduler")
+    one.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
+    one.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
+    one.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
+    one.add_argument("--mixed", action="store_true", help="take results of kernels for other processors")
+    one.add_argument("--quiet", action="store_true", help="print nothing")
+    one.add_argument("--time-limit", type=float, default=0.0, metavar="S",
+                     help="computing time of a run [20 times the median of those before]")
+    one.add_argument("--patience", type=float, default=600.0, metavar="S",
+                     help="how long a scheduler that is lost is waited for [600]")
+    one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
+                     help="name and options of burnish experiment")
+    return parser
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """What the command line does; its exit code."""
+    a = _parser().parse_args(arguments)
+    words: List[str] = a.words[1:] if a.words[:1] == ["--"] else a.words
+    try:
+        return perform(words, a.scheduler, a.out, a.resume, a.mixed, a.quiet, a.time_limit, a.patience)[1]
+    except CampaignError as error:
+        print(f"burnish: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("burnish: interrupted; what came back stays, and --resume goes on with it", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,260 @@
+"""Runs of an experiment handed to Dask distributed, which balances them and hands over again what a
+worker had that died. What is here besides is files: a run whose result is there is not made."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+import socket
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+from ._results import CampaignError, Listed, RunFolder
+
+Result = Dict[str, bytes]
+
+_FIRST_LIMIT = 3600.0
+"""s of the clock that a run may take while nothing is known of the others"""
+
+
+def make_run(program: str, words: List[str], folder: str, number: int, count: int, name: str,
+             limit: float, clock: float) -> Result:
+    """What a worker does: one shard of one run, in a process of its own that ends with its time.
+    Sent by value: workers need the program and Dask, and no Python package of burnish."""
+    import os
+    import pathlib
+    import shutil
+    import subprocess
+    import tempfile
+
+    found = program if os.access(program, os.X_OK) else shutil.which("burnish")
+    if found is None:
+        raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
+                           f"or as '{program}'")
+    there: str = found
+    with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
+        def attempt(to: pathlib.Path, seconds: float, of_clock: float) -> Any:
+            command = ["timeout", "-k", "10", str(of_clock), there, *words, "--shard", f"{number}/{count}",
+                       "--threads", "1", "--quiet", "--out", str(to)]
+            if seconds > 0:
+                command += ["--time-limit", str(seconds)]
+            return subprocess.run(command, cwd=folder if os.path.isdir(folder) else None,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, text=True)
+
+        out = pathlib.Path(scratch) / "part"
+        done = attempt(out, limit, clock)
+        if done.returncode in (124, 137):  # it hangs: its result says that it was ended
+            out = pathlib.Path(scratch) / "ended"
+            done = attempt(out, 1e-9, 60.0)
+        result = out / "runs" / f"{name}.json"
+        if not result.exists():
+            said = done.stderr.strip().splitlines()
+            other = sorted(p.name for p in (out / "runs").glob("*.json")) if out.exists() else []
+            raise RuntimeError(
+                f"the worker on {os.uname().nodename} made another run than was asked for; wanted the "
+                f"same version of burnish and the same files of robots there" if other else
+                f"the worker on {os.uname().nodename}: {said[-1] if said else 'burnish ended with code '}"
+                f"{'' if said else done.returncode}")
+        return {"times": (out / "runs" / f"{name}.times.json").read_bytes(),
+                "result": result.read_bytes(),
+                "campaign": (out / "campaign.json").read_bytes()}
+
+
+def dask() -> Any:
+    """The module distributed. Raises CampaignError where it is not installed."""
+    try:
+        return importlib.import_module("distributed")
+    except ImportError as missing:
+        raise CampaignError("Dask distributed is not installed here (Debian: apt install "
+                            "python3-distributed); wanted it here and on the workers, or no --scheduler"
+                            ) from missing
+
+
+def _by_value(function: Callable[..., Result]) -> None:
+    cloudpickle = importlib.import_module("cloudpickle")
+    cloudpickle.register_pickle_by_value(sys.modules[function.__module__])
+
+
+@dataclass
+class Job:
+    """Runs to be made."""
+
+    program: str
+    words: List[str]
+    runs: List[Listed]
+    """those that have no result yet"""
+    count: int
+    """of all runs"""
+    limit: float
+    """s of computing that a run may take; 0: 20 times the median of those before it"""
+    folder: RunFolder
+    say: Callable[[str], None]
+    """for sentences"""
+    progress: Callable[[int, str], None]
+    """called with the number of results that came, and the last one's run"""
+
+
+class _Limit:
+    """20 times the median of what runs computed, as burnish experiment has it."""
+
+    def __init__(self, said: float) -> None:
+        self._said = said
+        self._seen: List[float] = []
+
+    def note(self, seconds: float) -> None:
+        self._seen.append(seconds)
+
+    def seconds(self) -> float:
+        if self._said > 0 or len(self._seen) < 5:
+            return self._said
+        return max(10.0, 20.0 * sorted(self._seen)[(len(self._seen) - 1) // 2])
+
+    def clock(self) -> float:
+        """A machine may be busy, and a limit is looked at between two ticks alone."""
+        limit = self.seconds()
+        return 3.0 * limit + 30.0 if limit > 0 else _FIRST_LIMIT
+
+
+class _Lost(Exception):
+    """The scheduler is gone."""
+
+
+def hand_over(job: Job, address: str, patience: float) -> None:
+    """Makes the runs of a job on the workers of a scheduler, and keeps each result as it comes. A
+    scheduler that is lost is waited for, `patience` s; what has no result then is handed over again.
+    Raises CampaignError where there is no scheduler to begin with, where it does not come back, and
+    for what a run was refused with."""
+    distributed = dask()
+    _by_value(make_run)
+    limit = _Limit(job.limit)
+    left = {run.name: run for run in job.runs}
+    client = _connect(distributed, address, 5.0)
+    if client is None:
+        raise CampaignError(f"there is no Dask scheduler at '{address}'; wanted one that runs, such as "
+                            f"dask-scheduler prints its address")
+    try:
+        while left:
+            try:
+                _drain(job, client, left, limit)
+            except _Lost:
+                job.say(f"the scheduler at {address} is lost; {len(left)} runs wait for it")
+                _close(client)
+                client = _connect(distributed, address, patience)
+                if client is None:
+                    raise CampaignError(
+                        f"the scheduler at {address} did not come back in {patience:g} s; {len(left)} "
+                        f"runs have no result, and --resume goes on with them") from None
+    finally:
+        _close(client)
+
+
+def _port_of(address: str) -> Tuple[str, int]:
+    """Raises CampaignError for what is no address."""
+    host, colon, port = address.split("://")[-1].rpartition(":")
+    if not (colon and host and port.isdigit() and 0 < int(port) < 65536):
+        raise CampaignError(f"'{address}' is no address of a scheduler; wanted one such as "
+                            f"tcp://192.168.0.5:8786")
+    return host.strip("[]"), int(port)
+
+
+def _connect(distributed: Any, address: str, patience: float) -> Any:
+    """A client, or None."""
+    place = _port_of(address)
+    # What is retried is told here, once.
+    for noise in ("distributed", "asyncio", "tornado"):
+        logging.getLogger(noise).setLevel(logging.CRITICAL)
+    end = time.monotonic() + patience
+    while True:
+        try:
+            socket.create_connection(place, timeout=5.0).close()
+            return distributed.Client(address, timeout=10.0, set_as_default=False)
+        except OSError:  # TimeoutError is one
+            if time.monotonic() > end:
+                return None
+            time.sleep(0.5)
+
+
+def _close(client: Any) -> None:
+    if client is None:
+        return
+    try:
+        client.close(timeout=2)
+    except Exception:  # whatever state it was in
+        pass
+
+
+def _threads(client: Any) -> int:
+    try:
+        workers = client.scheduler_info(timeout=5)["workers"].values()
+        return sum(int(worker["nthreads"]) for worker in workers)
+    except Exception as gone:
+        raise _Lost from gone
+
+
+def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: _Limit) -> None:
+    """Until nothing is left. Raises _Lost."""
+    waiting = [run for run in left.values()]
+    pending: List[Tuple[Any, Listed]] = []
+    window, looked, silent = 0, 0.0, False
+    while left:
+        now = time.monotonic()
+        if now - looked > 2.0:
+            # Some for every thread to come: workers that join have theirs at once.
+            threads, looked = _threads(client), now
+            window = max(8, 4 * threads)
+            if threads == 0 and not silent:
+                job.say("the scheduler has no workers; the runs wait for some")
+            silent = threads == 0
+        while waiting and len(pending) < window:
+            run = waiting.pop(0)
+            pending.append((_submit(job, client, run, limit), run))
+        still: List[Tuple[Any, Listed]] = []
+        for future, run in pending:
+            status = future.status
+            if status == "pending":
+                still.append((future, run))
+            elif status == "finished":
+                _keep(job, run, future, left, limit)
+            elif status == "error":
+                raise CampaignError(_why(run, future))
+            else:  # cancelled or lost: the connection is gone
+                raise _Lost
+        if len(still) == len(pending):
+            if client.status != "running":
+                raise _Lost
+            time.sleep(0.01)
+        pending = still
+
+
+def _submit(job: Job, client: Any, run: Listed, limit: _Limit) -> Any:
+    try:
+        return client.submit(make_run, job.program, job.words, str(Path.cwd()), run.number, job.count,
+                             run.name, limit.seconds(), limit.clock(), key=f"burnish-{run.name}",
+                             pure=False)
+    except Exception as gone:
+        raise _Lost from gone
+
+
+def _keep(job: Job, run: Listed, future: Any, left: Dict[str, Listed], limit: _Limit) -> None:
+    try:
+        result: Result = future.result(timeout=60)
+    except Exception as gone:  # its worker went before it was fetched
+        raise _Lost from gone
+    seconds: Optional[float] = job.folder.keep(run.name, result)
+    if seconds is not None:
+        limit.note(seconds)
+    del left[run.name]
+    future.release()
+    job.progress(len(job.runs) - len(left), run.run)
+
+
+def _why(run: Listed, future: Any) -> str:
+    error = future.exception(timeout=60)
+    if type(error).__name__ == "KilledWorker":
+        return (f"the run '{run.run}' was on several workers that died one after the other; wanted "
+                f"workers with more memory, or a look at it by itself")
+    return f"the run '{run.run}' could not be made: {error}"
