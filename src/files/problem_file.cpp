@@ -120,7 +120,7 @@ std::vector<std::string> first_contacts(const Reader& top, const FileScene& scen
 }
 
 /// What does not depend on the stages: everything that `hold` and `here` need.
-void read_scene(const Reader& top, ProblemFile& result) {
+void read_scene(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -129,7 +129,7 @@ void read_scene(const Reader& top, ProblemFile& result) {
   if (const auto contacts = top.find("contacts"))
     for (const auto& [name, contact] : contacts_in(*contacts))
       spec.contacts.push_back(
-          read_contact(name, contact, model, spec.initial_state.head(model.nq)));
+          read_contact(name, contact, model, spec.initial_state.head(model.nq), &folder));
   if (const auto solver = top.find("contact_solver"))
     spec.contact_solver = read_contact_solver(*solver);
   if (const auto actuation = top.find("actuation"))
@@ -174,7 +174,7 @@ ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder)
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);
   result.spec.model = result.robot.model;
-  read_scene(top, result);
+  read_scene(top, folder, result);
   ProblemSpec& spec = result.spec;
   const FileScene scene{result.robot, spec, spec.initial_state.head(spec.model.nq), folder};
   if (spec.torque_model) {

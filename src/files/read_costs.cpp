@@ -34,7 +34,7 @@ struct CostReader {
     std::vector<RowGroup> groups = rows.rows;
     if (kind == TargetSpace::Kind::Rotation) groups = {{"quaternion", 4}};
     if (kind == TargetSpace::Kind::Placement) groups = {{"xyz", 3}, {"quaternion", 4}};
-    return read_target(scene, {groups, std::move(here), kind}, *given);
+    return read_target(scene.folder, {groups, std::move(here), kind}, *given);
   }
 
   std::string frame() const {
@@ -48,7 +48,8 @@ struct CostReader {
   }
   std::optional<Reference> reference() const {
     const auto given = reader.find("reference");
-    return given ? std::optional(read_reference(*given)) : std::nullopt;
+    if (!given) return std::nullopt;
+    return read_reference(*given, Reference::centered(), &scene.folder);
   }
 
   /// The residual with the reference that is stated, if it is; `shorter` is a key that states parts
@@ -59,7 +60,7 @@ struct CostReader {
     if (!given) return residual;
     if (reader.has(shorter))
       reader.refuse("keys 'reference' and '" + shorter + "' are both stated; state one");
-    residual.reference = read_reference(*given, Frame{}.reference);
+    residual.reference = read_reference(*given, Frame{}.reference, &scene.folder);
     return residual;
   }
 

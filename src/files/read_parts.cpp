@@ -55,7 +55,7 @@ std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader) {
 }
 
 ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
-                         const Eigen::VectorXd& q) {
+                         const Eigen::VectorXd& q, const fs::path* tables) {
   std::vector<std::string> keys{"tool",  "base", "reference", "directions", "acceleration",
                                 "error", "kp",   "kd",        "target"};
   if (name.empty()) keys.emplace_back("name");
@@ -71,7 +71,8 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
     spec.base = other->text();
     base = placed(*other);
   }
-  if (const auto reference = reader.find("reference")) spec.reference = read_reference(*reference);
+  if (const auto reference = reader.find("reference"))
+    spec.reference = read_reference(*reference, Reference::centered(), tables);
   if (const auto directions = reader.find("directions")) {
     std::string words;
     for (const std::string& word : directions->texts()) words += (words.empty() ? "" : ",") + word;

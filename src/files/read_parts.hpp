@@ -13,8 +13,9 @@ Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
 /// {name: contact, ...}, or a list of contacts with a key `name` each, which may be missing.
 std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader);
 /// A contact whose target, unless said, is where the tool is at q. An empty name: it may state one.
+/// `tables`: as read_reference has it.
 ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
-                         const Eigen::VectorXd& q);
+                         const Eigen::VectorXd& q, const std::filesystem::path* tables = nullptr);
 ContactSolver read_contact_solver(const Reader& reader);
 ActuationSpec read_actuation(const Reader& reader, const Model& model);
 TorqueModel read_torque_model(const Reader& reader);

@@ -17,9 +17,18 @@ Eigen::VectorXd here_of(const TargetSpace& space, const Reader& reader) {
   return *space.here;
 }
 
-/// A fixed point of the space: numbers, `here`, or {here: offset}.
+Eigen::VectorXd coefficients(const Eigen::Quaterniond& rotation) { return rotation.coeffs(); }
+
+/// A fixed point of the space: numbers, `here`, or {here: offset}; a rotation or a placement.
 Eigen::VectorXd read_point(const TargetSpace& space, const Reader& reader) {
   if (reader.is("here")) return here_of(space, reader);
+  if (space.kind == TargetSpace::Kind::Rotation) return coefficients(read_rotation(reader));
+  if (space.kind == TargetSpace::Kind::Placement) {
+    const Eigen::Isometry3d placement = read_placement(reader);
+    Eigen::VectorXd seven(7);
+    seven << placement.translation(), coefficients(Eigen::Quaterniond(placement.linear()));
+    return seven;
+  }
   if (reader.is_number()) return Eigen::VectorXd::Constant(space.size(), reader.number());
   if (reader.is_list()) return reader.numbers(space.size());
   if (reader.has("here")) {
@@ -72,11 +81,18 @@ Signal read_line(const TargetSpace& space, const Reader& reader) {
   const double duration = reader["duration"].positive();
   const auto profile = reader.find("profile");
   const bool smooth = !profile || profile->word({"smooth", "constant_speed"}) == "smooth";
+  const Eigen::Index turned = space.turned();
   return Signal::over_time(space.size(), [=](double t, Out p) {
     double s = std::clamp((t - start) / duration, 0.0, 1.0);
     // At rest at both ends, with no jump of the acceleration.
     if (smooth) s = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-    p = from + s * (to - from);
+    const Eigen::Index plain = p.size() - turned;
+    p.head(plain) = from.head(plain) + s * (to - from).head(plain);
+    if (turned == 0) return;
+    // About one axis, at the rate of s, the short way.
+    const Eigen::Quaterniond first(Eigen::Vector4d(from.tail(4))),
+        last(Eigen::Vector4d(to.tail(4)));
+    p.tail(4) = first.slerp(s, last).coeffs();
   });
 }
 
@@ -97,10 +113,25 @@ std::pair<Eigen::Index, double> between(const Eigen::VectorXd& times, double tim
   return {after - 1, (time - times[after - 1]) / (times[after] - times[after - 1])};
 }
 
-Signal read_points(const FileScene& scene, const TargetSpace& space, const Reader& reader) {
+/// Quaternions of length 1, rounded as tables are, and each on the side of the one before it: q and
+/// -q are one rotation, and between two rows it goes the short way.
+void align_quaternions(const Reader& file, const Eigen::VectorXd& times, Eigen::MatrixXd& points) {
+  for (Eigen::Index i = 0; i < times.size(); ++i) {
+    auto xyzw = points.col(i).tail<4>();
+    const double length = xyzw.norm();
+    if (std::abs(length - 1.0) > 1e-3)
+      file.refuse("the quaternion at " + number(times[i]) + " s has length " + number(length) +
+                  "; wanted 1");
+    xyzw /= length;
+    if (i > 0 && xyzw.dot(points.col(i - 1).tail<4>()) < 0.0) xyzw = -xyzw;
+  }
+}
+
+Signal read_points(const std::filesystem::path& folder, const TargetSpace& space,
+                   const Reader& reader) {
   reader.allow_only({"file", "columns", "relative_to"});
   const Reader file = reader["file"];
-  const CsvTable table = file.named([&] { return read_csv(beside(scene.folder, file.text())); });
+  const CsvTable table = file.named([&] { return read_csv(beside(folder, file.text())); });
   const Reader columns = reader["columns"];
   const std::vector<std::string> names = columns.texts();
   if (static_cast<int>(names.size()) != space.size())
@@ -118,35 +149,13 @@ Signal read_points(const FileScene& scene, const TargetSpace& space, const Reade
     if (space.kind != TargetSpace::Kind::Plain) origin->refuse("rotations have no offset");
     points.colwise() += read_point(space, *origin);
   }
-  const int turned = space.kind == TargetSpace::Kind::Plain ? 0 : 4;
+  const Eigen::Index turned = space.turned();
+  if (turned > 0) align_quaternions(file, times, points);
   return Signal::over_time(space.size(), [=](double t, Out p) {
     const auto [row, share] = between(times, t);
-    p = points.col(row);
-    // q and -q are the same rotation: go the short way.
-    const double sign =
-        turned > 0 && points.col(row).tail(4).dot(points.col(row + 1).tail(4)) < 0.0 ? -1.0 : 1.0;
-    const Eigen::Index plain = p.size() - turned;
-    p.head(plain) += share * (points.col(row + 1) - points.col(row)).head(plain);
-    p.tail(turned) += share * (sign * points.col(row + 1) - points.col(row)).tail(turned);
+    p = points.col(row) + share * (points.col(row + 1) - points.col(row));
     if (turned > 0) p.tail(4).normalize();
   });
-}
-
-Signal read_constant(const TargetSpace& space, const Reader& reader) {
-  if (space.kind == TargetSpace::Kind::Rotation) {
-    const Eigen::Quaterniond rotation = read_rotation(reader);
-    Eigen::VectorXd xyzw(4);
-    xyzw << rotation.x(), rotation.y(), rotation.z(), rotation.w();
-    return xyzw;
-  }
-  if (space.kind == TargetSpace::Kind::Placement) {
-    const Eigen::Isometry3d placement = read_placement(reader);
-    Eigen::VectorXd seven(7);
-    seven.head<3>() = placement.translation();
-    seven.tail<4>() = Eigen::Quaterniond(placement.linear()).coeffs();
-    return seven;
-  }
-  return read_point(space, reader);
 }
 
 }  // namespace
@@ -159,18 +168,26 @@ std::vector<RowGroup> direction_rows(Directions directions) {
   return rows;
 }
 
-Signal read_target(const FileScene& scene, const TargetSpace& space, const Reader& reader) {
+Signal read_rotation_over_time(const std::filesystem::path& folder, const Reader& reader) {
+  reader.allow_only({"line", "points"});
+  if (reader.has("line") == reader.has("points")) reader.refuse("wanted either 'line' or 'points'");
+  return read_target(folder, {{{"quaternion", 4}}, {}, TargetSpace::Kind::Rotation}, reader);
+}
+
+Signal read_target(const std::filesystem::path& folder, const TargetSpace& space,
+                   const Reader& reader) {
   static const std::vector<std::string> paths{"circle", "line", "sine", "points"};
   if (reader.is("here")) return here_of(space, reader);
   for (const std::string& name : paths) {
     const auto path = reader.find(name);
     if (!path) continue;
     reader.allow_only({name});
-    if (name == "points") return read_points(scene, space, *path);
+    if (name == "points") return read_points(folder, space, *path);
+    if (name == "line") return read_line(space, *path);
     if (space.kind != TargetSpace::Kind::Plain)
-      path->refuse("a rotation goes along no such path; wanted a constant, 'here' or 'points'");
-    if (name == "circle") return read_circle(space, *path);
-    return name == "line" ? read_line(space, *path) : read_sine(space, *path);
+      path->refuse(
+          "a rotation goes along no such path; wanted a constant, 'here', 'line' or 'points'");
+    return name == "circle" ? read_circle(space, *path) : read_sine(space, *path);
   }
   if (reader.is_text())
     reader.refuse(in_quotes(reader.text()) + " is no target; wanted numbers, 'here' or a path (" +
@@ -181,7 +198,7 @@ Signal read_target(const FileScene& scene, const TargetSpace& space, const Reade
     for (const RowGroup& group : space.rows) known.push_back(group.name);
     reader.allow_only(known);
   }
-  return read_constant(space, reader);
+  return read_point(space, reader);
 }
 
 }  // namespace burnish::files

@@ -19,12 +19,17 @@ struct TargetSpace {
   Kind kind = Kind::Plain;
 
   int size() const { return rows_of(rows); }
+  /// How many of the last entries are a quaternion.
+  int turned() const { return kind == Kind::Plain ? 0 : 4; }
 };
 
 /// Directions as rows: "x", "y", "z", "rx", ...
 std::vector<RowGroup> direction_rows(Directions directions);
 
-/// Reads a target. Refuses what does not fit the space.
-Signal read_target(const FileScene& scene, const TargetSpace& space, const Reader& reader);
+/// Reads a target; its tables are in `folder`. Refuses what does not fit the space.
+Signal read_target(const std::filesystem::path& folder, const TargetSpace& space,
+                   const Reader& reader);
+/// {line: ...} or {points: ...}: quaternions.
+Signal read_rotation_over_time(const std::filesystem::path& folder, const Reader& reader);
 
 }  // namespace burnish::files

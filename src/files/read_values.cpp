@@ -6,6 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/model/state.hpp"
 #include "document/text.hpp"
+#include "files/read_target.hpp"
 
 namespace burnish::files {
 namespace {
@@ -21,6 +22,23 @@ Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others
   return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
 }
 
+/// The same as the reference's rotation, or one over time.
+Reference turned(Reference reference, const Reader& reader, const std::vector<std::string>& others,
+                 const std::filesystem::path* tables) {
+  const auto path = reader.find("over_time");
+  if (!path) {
+    reference.rotation = columns_of(reader, others);
+    return reference;
+  }
+  if (tables == nullptr)
+    path->refuse("a reference turns from knot to knot of a problem; here it has one rotation");
+  std::vector<std::string> keys = others;
+  keys.emplace_back("over_time");
+  reader.allow_only(keys);
+  reference.rotation_over_time = read_rotation_over_time(*tables, *path);
+  return reference;
+}
+
 /// A new value of a joint puts those that move with it elsewhere.
 void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
   const auto& joints = model.joints;
@@ -34,7 +52,8 @@ void forget_coupled(const Model& model, const std::string& name, Posture& postur
 
 }  // namespace
 
-Reference read_reference(const Reader& reader, const Reference& otherwise) {
+Reference read_reference(const Reader& reader, const Reference& otherwise,
+                         const std::filesystem::path* tables) {
   if (!reader.is_map()) return reader.named([&] { return Reference::parse(reader.text()); });
   if (const auto type = reader.find("type")) {
     // As requests stated it up to version 0.2.
@@ -54,15 +73,15 @@ Reference read_reference(const Reader& reader, const Reference& otherwise) {
     if (reader.items().size() > 1) reader.refuse("key '" + kind + "' stands alone");
     if (axes->has("normal") && (kind == "local" || axes->items().size() > 1))
       axes->refuse("a normal goes with 'surface' and stands alone");
-    const Eigen::Matrix3d rotation = read_axes(*axes);
-    return kind == "surface" ? Reference::surface(rotation) : Reference::local(rotation);
+    return turned(kind == "surface" ? Reference::parse(kind) : Reference::local(), *axes, {},
+                  tables);
   }
   const auto anchor = [&](const char* key, const Anchor& unstated) {
     const auto given = reader.find(key);
     return given ? Anchor::parse(given->text()) : unstated;
   };
-  return {anchor("origin", otherwise.origin), anchor("axes", otherwise.axes),
-          columns_of(reader, {"surface", "local", "origin", "axes"})};
+  return turned({anchor("origin", otherwise.origin), anchor("axes", otherwise.axes)}, reader,
+                {"surface", "local", "origin", "axes"}, tables);
 }
 
 Eigen::Matrix3d read_axes(const Reader& reader) { return columns_of(reader, {}); }

@@ -10,8 +10,10 @@ using document::read_placement;
 using document::read_rotation;
 /// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
 /// on, or {origin: ..., axes: ...}, each tool, base, world or the name of a frame, with the same
-/// keys if they are turned; what is not said is that of `otherwise`.
-Reference read_reference(const Reader& reader, const Reference& otherwise = Reference::centered());
+/// keys if they are turned; what is not said is that of `otherwise`. Of a problem, whose tables are
+/// in the folder `tables`, {over_time: path} is such a key too.
+Reference read_reference(const Reader& reader, const Reference& otherwise = Reference::centered(),
+                         const std::filesystem::path* tables = nullptr);
 /// Columns of axes: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or {matrix: [...]}.
 Eigen::Matrix3d read_axes(const Reader& reader);
 /// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers. Joints that are

@@ -293,6 +293,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"robot": "arm7", "compute": ["foward"]})",
                 "compute[0]: 'foward' is unknown; did you mean 'forward'?"},
         Refused{R"({"robot": "arm7", "forces_in": ["here"]})", "forces_in[0]: reference: unknown"},
+        Refused{R"({"robot": "arm7", "forces_in": [{"local": {"over_time": {"line": {}}}}]})",
+                "forces_in[0].local.over_time: a reference turns from knot to knot of a problem"},
         Refused{R"({"robot": "arm7", "forces_in": [{"axes": "tol"}]})",
                 "forces_in[0]: robot 'arm7': frame 'tol' does not exist"},
         Refused{

@@ -192,6 +192,68 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }
 
+Eigen::Matrix3d rotation_at(const Reference& reference, double time) {
+  return reference.at(time).rotation;
+}
+Eigen::Matrix3d about_z(double angle) {
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+TEST_F(ProblemFiles, ReferencesTurnOverTime) {
+  // Quarter turns about z, the second of the other sign, the third rounded.
+  write("time [s],x [-],y,z,w\n0,0,0,0,1\n1,0,0,-0.38268343,-0.92387953\n2,0,0,0.7071,0.7071\n",
+        "turn.csv");
+  const std::string table = "{points: {file: turn.csv, columns: [x, y, z, w]}}";
+  const std::string line =
+      "{line: {from: {rpy: [0, 0, 0.2]}, to: {rpy: [0, 0, 1.2]}, duration: 2,"
+      " profile: constant_speed}}";
+  const ProblemFile file =
+      read(small("directions: z", "directions: z, reference: {surface: {over_time: " + table + "}}",
+                 "terminal_constraints:\n"
+                 "  turned: {type: frame_velocity, frame: tool, lower: 0,"
+                 " reference: {axes: link_3, over_time: " +
+                     line +
+                     "}}\n"
+                     "  held: {type: frame_rotation, frame: tool, target: " +
+                     line + ", lower: -1}\n"));
+  const Reference& pad = file.spec.contacts[0].reference;
+  EXPECT_EQ(pad.axes, Anchor(Anchor::Base));
+  EXPECT_LT((rotation_at(pad, -1.0) - about_z(0.0)).norm(), 1e-8);
+  EXPECT_LT((rotation_at(pad, 0.5) - about_z(M_PI / 8)).norm(), 1e-8) << "the short way";
+  EXPECT_LT((rotation_at(pad, 1.5) - about_z(3 * M_PI / 8)).norm(), 1e-4);
+  EXPECT_LT((rotation_at(pad, 9.0) - about_z(M_PI / 2)).norm(), 1e-4);
+  const auto& velocity =
+      std::get<residual::FrameVelocity>(file.spec.terminal_constraints[0].residual);
+  EXPECT_EQ(velocity.reference.axes, Anchor("link_3"));
+  EXPECT_EQ(velocity.reference.origin, Anchor(Anchor::Tool));
+  for (const double t : {-1.0, 0.3, 1.7, 5.0})
+    EXPECT_LT(
+        (rotation_at(velocity.reference, t) - about_z(0.2 + 0.5 * std::clamp(t, 0.0, 2.0))).norm(),
+        1e-12)
+        << t;
+  Eigen::VectorXd xyzw(4);
+  std::get<residual::FrameRotation>(file.spec.terminal_constraints[1].residual)
+      .target.at(1.0, xyzw);
+  EXPECT_NEAR(xyzw[2], std::sin(0.35), 1e-12);
+}
+
+TEST_F(ProblemFiles, RotationsOverTimeThatAreNoneAreRefused) {
+  const auto refused = [&](const std::string& path) {
+    return refusal(
+        [&] { read(small("directions: z", "directions: z, reference: {local: {" + path + "}}")); });
+  };
+  write("time,x,y,z,w\n0,0,0,0,1\n1,0,0,0,0\n", "zero.csv");
+  write("time,x,y,z,w\n0,0,0,0,1\n1,0,0,0,1.1\n", "long.csv");
+  const auto table = [](const std::string& name) {
+    return "over_time: {points: {file: " + name + ", columns: [x, y, z, w]}}";
+  };
+  expect_words(refused(table("zero.csv")), {"points.file", "quaternion at 1 s", "length 0"});
+  expect_words(refused(table("long.csv")), {"points.file", "quaternion at 1 s", "length 1.1"});
+  expect_words(refused("over_time: {sine: {}}"), {"over_time", "'sine'"});
+  expect_words(refused("over_time: {}"), {"over_time", "either 'line' or 'points'"});
+  expect_words(refused("rpy: [0, 0, 1], " + table("zero.csv")), {"'rpy'", "unknown"});
+}
+
 TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
   const ProblemFile file =
       read(small("    costs:\n",
