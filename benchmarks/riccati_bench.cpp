@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 #include "burnish/base/views.hpp"
 #include "solver/riccati.hpp"
 

@@ -79,7 +79,7 @@ endfunction()
 # burnish_variants(name): the layer once more for newer processors, as shared libraries that the C
 # library's loader prefers where the processor has what they need (glibc-hwcaps). Only layers whose
 # kernels gain by it call this. What crosses the library's boundary is the same in all of them
-# (base/abi.hpp), and a set cannot be mixed: packs of another width are other symbols.
+# (base/views.hpp), and a set cannot be mixed: packs of another width are other symbols.
 function(burnish_variants name)
   get_target_property(sources burnish_${name} SOURCES)
   get_target_property(links burnish_${name} LINK_LIBRARIES)
@@ -119,7 +119,7 @@ function(burnish_layer name)
   target_include_directories(burnish_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_include_directories(burnish_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  # See include/burnish/base/abi.hpp.
+  # See include/burnish/base/views.hpp.
   target_compile_definitions(burnish_${name} PUBLIC
     EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=0)
   target_link_libraries(burnish_${name} PUBLIC Eigen3::Eigen ${arg_LINK}

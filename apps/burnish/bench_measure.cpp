@@ -149,8 +149,7 @@ class States {
  private:
   void measure_batch(BenchReport& report, int threads, const OperationCounts& counts) {
     const int states = ring * threads;
-    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads,
-                               spec_.pin_threads ? Pinning::Cores : Pinning::None);
+    ContactDynamicsBatch batch(model_, contacts_, states, {}, threads, spec_.pin_threads);
     const Eigen::MatrixXd q = q_.replicate(1, threads), v = v_.replicate(1, threads),
                           tau = tau_.replicate(1, threads);
     const std::string name =

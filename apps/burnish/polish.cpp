@@ -6,8 +6,8 @@
 #include <map>
 
 #include "base/yaml_word.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "burnish/tasks/polishing/task_notes.hpp"
 #include "command.hpp"
 #include "polishing/record/run_files.hpp"
 #include "progress_bar.hpp"

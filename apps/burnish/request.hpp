@@ -5,7 +5,7 @@
 #include <set>
 
 #include "burnish/contact/contact.hpp"
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "burnish/robots/robot.hpp"
 
 namespace burnish::app {

@@ -15,8 +15,7 @@ constexpr unsigned any = forward | inverse | acceleration;
 struct Dynamics {
   Dynamics(const Model& model, const std::vector<ContactSpec>& specs, const ContactSolver& solver)
       : machine(model, specs, solver), robot(model.name), nq(model.nq) {
-    for (const CompiledContact& contact : machine.contacts().contacts())
-      names.push_back(contact.spec.name);
+    for (const ContactSpec& contact : machine.contacts().specs()) names.push_back(contact.name);
   }
 
   /// Runs `evaluate` with the interpreter's lock released. Throws for all but Ok and NotConverged,
@@ -247,13 +246,7 @@ void bind_contact_dynamics(py::module_& m) {
          py::arg("model"), py::arg("contacts") = py::tuple(), py::arg("solver") = py::none(),
          "Compiles the contacts against the model. Raises Error with one sentence.")
       .def_property_readonly(
-          "contacts",
-          [](const Dynamics& self) {
-            std::vector<ContactSpec> specs;
-            for (const CompiledContact& contact : self.machine.contacts().contacts())
-              specs.push_back(contact.spec);
-            return specs;
-          },
+          "contacts", [](const Dynamics& self) { return self.machine.contacts().specs(); },
           "The contacts, in the order given, all named.")
       .def_readonly("nq", &Dynamics::nq, "Entries of q.")
       .def_property_readonly(

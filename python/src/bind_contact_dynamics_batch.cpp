@@ -14,13 +14,13 @@ using Rows = Eigen::Ref<const RowMatrix>;
 
 struct Batch {
   Batch(const Model& model, const std::vector<ContactSpec>& specs, int capacity,
-        const ContactSolver& solver, int threads, Pinning pinning)
-      : machine(model, specs, capacity, solver, threads, pinning),
+        const ContactSolver& solver, int threads, bool pin_threads)
+      : machine(model, specs, capacity, solver, threads, pin_threads),
         robot(model.name),
         nq(model.nq),
         nv(model.nv) {
     const ContactSet set(model, specs);
-    for (const CompiledContact& contact : set.contacts()) names.push_back(contact.spec.name);
+    for (const ContactSpec& contact : set.specs()) names.push_back(contact.name);
   }
 
   static void require_shape(const char* name, const char* argument, const Rows& given,
@@ -141,7 +141,7 @@ std::unique_ptr<Batch> make_batch(const Model& model, const std::vector<ContactS
                                   int capacity, const std::optional<ContactSolver>& solver,
                                   int threads, bool pin_threads) {
   return std::make_unique<Batch>(model, contacts, capacity, solver.value_or(ContactSolver{}),
-                                 threads, pin_threads ? Pinning::Cores : Pinning::None);
+                                 threads, pin_threads);
 }
 
 }  // namespace

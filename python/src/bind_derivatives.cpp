@@ -44,7 +44,7 @@ ContactDiagnosis diagnosis(const Model& model, const std::vector<ContactSpec>& c
                            const std::vector<NumberOrName>& active, double tolerance) {
   const ContactSet set(model, contacts);
   std::vector<std::string> names;
-  for (const CompiledContact& contact : set.contacts()) names.push_back(contact.spec.name);
+  for (const ContactSpec& contact : set.specs()) names.push_back(contact.name);
   std::vector<int> examined;
   for (const NumberOrName& contact : active)
     examined.push_back(contact_number("diagnose", contact, names));

@@ -5,7 +5,6 @@
 
 #include "bind.hpp"
 #include "burnish/tasks/polishing/run.hpp"
-#include "burnish/tasks/polishing/task_notes.hpp"
 #include "specs_polishing.hpp"
 #ifdef BURNISH_HAS_RECORD
 #include "polishing/record/run_files.hpp"

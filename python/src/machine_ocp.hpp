@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "machine.hpp"
 

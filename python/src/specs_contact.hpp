@@ -3,7 +3,7 @@
 
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "specs_dynamics.hpp"
 
 namespace burnish::python {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "burnish/tasks/polishing/verdict.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/experiments/experiment.hpp"
 #include "specs_model.hpp"

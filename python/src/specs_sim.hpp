@@ -2,7 +2,6 @@
 #pragma once
 
 #include "burnish/mujoco/mujoco_plant.hpp"
-#include "burnish/tasks/pressing/circle_path.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "sim/descriptions.hpp"
 #include "specs_mpc.hpp"

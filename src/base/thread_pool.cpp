@@ -1,4 +1,4 @@
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 
 #ifdef __linux__
 #include <pthread.h>

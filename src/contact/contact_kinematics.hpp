@@ -2,7 +2,7 @@
 // world's origin and written in the reference at the end, so that only the held rows are computed.
 #pragma once
 
-#include "burnish/contact/contact_set.hpp"
+#include "contact/compiled_contact.hpp"
 #include "dynamics/frame.hpp"
 #include "dynamics/reference.hpp"
 

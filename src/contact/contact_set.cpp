@@ -1,9 +1,12 @@
 #include "burnish/contact/contact_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "contact/compiled_contact.hpp"
 #include "contact/row_size.hpp"
 #include "dynamics/reference.hpp"
 
@@ -107,12 +110,24 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
 
 }  // namespace
 
+void ContactSolver::check() const {
+  if (!std::isfinite(mu) || mu < 0.0)
+    throw Error("contact solver: mu is " + number(mu) + "; wanted a number >= 0");
+  if (max_proximal_iterations < 0)
+    throw Error("contact solver: max_proximal_iterations is " +
+                std::to_string(max_proximal_iterations) + "; wanted 0 or more");
+  if (!std::isfinite(proximal_tolerance) || proximal_tolerance < 0.0)
+    throw Error("contact solver: proximal_tolerance is " + number(proximal_tolerance) +
+                "; wanted a number >= 0");
+}
+
 CompiledFrame tool_of(const CompiledContact& contact) {
   return {contact.tool_body, contact.tool_R, contact.tool_p, {}};
 }
 CompiledFrame base_of(const CompiledContact& contact) {
   return {contact.base_body, contact.base_R, contact.base_p, {}};
 }
+
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledContact& contact) {
   return compile_reference(model, reference, tool_of(contact), base_of(contact));
@@ -132,34 +147,45 @@ std::vector<ContactSpec> contacts_at(std::vector<ContactSpec> contacts, double t
   return contacts;
 }
 
+ContactSet::ContactSet() : contacts_(std::make_shared<const std::vector<CompiledContact>>()) {}
+
 ContactSet::ContactSet(const Model& model, const std::vector<ContactSpec>& specs) {
   if (specs.size() > max_contacts)
     throw Error("there are " + std::to_string(specs.size()) + " contacts; at most " +
                 std::to_string(max_contacts) + " are supported");
+  std::vector<CompiledContact> compiled;
   for (ContactSpec spec : specs) {
     if (spec.name.empty()) spec.name = spec.tool;
-    for (const CompiledContact& other : contacts_)
+    for (const CompiledContact& other : compiled)
       if (other.spec.name == spec.name)
         throw Error("contact '" + spec.name +
                     "': the name is taken by another contact; give each "
                     "contact a name of its own");
-    contacts_.push_back(compile(model, spec));
-    rows_ += static_cast<int>(contacts_.back().directions.size());
+    compiled.push_back(compile(model, spec));
+    rows_ += static_cast<int>(compiled.back().directions.size());
   }
+  size_ = static_cast<int>(compiled.size());
+  contacts_ = std::make_shared<const std::vector<CompiledContact>>(std::move(compiled));
+}
+
+std::vector<ContactSpec> ContactSet::specs() const {
+  std::vector<ContactSpec> specs;
+  for (const CompiledContact& contact : *contacts_) specs.push_back(contact.spec);
+  return specs;
 }
 
 int ContactSet::index(const std::string& name) const {
   std::vector<std::string> known;
-  for (int i = 0; i < size(); ++i) {
-    if (contacts_[i].spec.name == name) return i;
-    known.push_back(contacts_[i].spec.name);
+  for (const CompiledContact& contact : *contacts_) {
+    if (contact.spec.name == name) return static_cast<int>(known.size());
+    known.push_back(contact.spec.name);
   }
   throw Error("unknown contact '" + name + "'" + did_you_mean(name, known));
 }
 
 std::vector<std::string> ContactSet::row_names() const {
   std::vector<std::string> names;
-  for (const CompiledContact& contact : contacts_)
+  for (const CompiledContact& contact : *contacts_)
     for (const int d : contact.directions)
       names.push_back(contact.spec.name + "/" + std::string(direction_names[d]));
   return names;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "contact/row_size.hpp"
 #include "dynamics/mass_matrix.hpp"
 

@@ -1,6 +1,6 @@
-#include "burnish/contact/directions.hpp"
-
 #include <vector>
+
+#include "burnish/contact/contact.hpp"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 // normalisation, beside what the joints could do with these lengths at some other posture.
 #pragma once
 
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "contact/contact_kinematics.hpp"
 
 namespace burnish {

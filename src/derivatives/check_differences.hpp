@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

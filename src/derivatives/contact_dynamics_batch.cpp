@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/thread_pool.hpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
 #include "math/pack.hpp"
@@ -63,8 +64,12 @@ struct ContactDynamicsBatch::Impl {
   };
 
   Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
-       const ContactSolver& solver, int threads, Pinning pinning)
-      : set(model, specs), nq(model.nq), nv(model.nv), capacity(room), pool(threads, pinning) {
+       const ContactSolver& solver, int threads, bool pin_threads)
+      : set(model, specs),
+        nq(model.nq),
+        nv(model.nv),
+        capacity(room),
+        pool(threads, pin_threads ? Pinning::Cores : Pinning::None) {
     if (room < 1)
       throw Error("ContactDynamicsBatch: a capacity of " + std::to_string(room) +
                   " states; wanted at least 1");
@@ -158,8 +163,8 @@ struct ContactDynamicsBatch::Impl {
 ContactDynamicsBatch::ContactDynamicsBatch(const Model& model,
                                            const std::vector<ContactSpec>& contacts, int capacity,
                                            const ContactSolver& solver, int threads,
-                                           Pinning pinning)
-    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver, threads, pinning)) {}
+                                           bool pin_threads)
+    : impl_(std::make_unique<Impl>(model, contacts, capacity, solver, threads, pin_threads)) {}
 ContactDynamicsBatch::~ContactDynamicsBatch() = default;
 ContactDynamicsBatch::ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept = default;
 ContactDynamicsBatch& ContactDynamicsBatch::operator=(ContactDynamicsBatch&&) noexcept = default;

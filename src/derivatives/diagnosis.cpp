@@ -72,9 +72,7 @@ ContactDiagnosis diagnose(const Model& model, const ContactSet& set,
                           const Eigen::Ref<const Eigen::VectorXd>& q,
                           const std::vector<int>& active, double tolerance) {
   check_configuration(model, q);
-  std::vector<ContactSpec> specs;
-  for (const CompiledContact& contact : set.contacts()) specs.push_back(contact.spec);
-  ContactDynamics dynamics(model, specs);
+  ContactDynamics dynamics(model, set.specs());
   return diagnose_rows(set, contact_rows(model, dynamics, q), active, tolerance);
 }
 

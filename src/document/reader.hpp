@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "burnish/base/abi.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/base/views.hpp"
 #include "document/node.hpp"
 
 namespace burnish::document {

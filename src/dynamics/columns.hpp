@@ -1,7 +1,7 @@
 // Writing spatial vectors into columns of row-major matrices.
 #pragma once
 
-#include "burnish/math/spatial.hpp"
+#include "math/spatial.hpp"
 
 namespace burnish {
 

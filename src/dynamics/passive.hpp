@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "burnish/math/scalar.hpp"
 #include "burnish/model/model.hpp"
+#include "math/scalar.hpp"
 
 namespace burnish {
 

@@ -10,8 +10,8 @@
 
 #include <span>
 
-#include "burnish/dynamics/compiled_reference.hpp"
 #include "burnish/dynamics/reference.hpp"
+#include "dynamics/compiled_reference.hpp"
 #include "dynamics/frame.hpp"
 #include "dynamics/kinematics.hpp"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "burnish/math/spatial.hpp"
 #include "burnish/model/model.hpp"
+#include "math/spatial.hpp"
 
 namespace burnish {
 

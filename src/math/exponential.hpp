@@ -1,7 +1,7 @@
 // Exponentials of rotation vectors and twists and their derivatives, without branches on values.
 #pragma once
 
-#include "burnish/math/spatial.hpp"
+#include "math/spatial.hpp"
 
 namespace burnish {
 

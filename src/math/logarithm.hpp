@@ -1,7 +1,7 @@
 // Logarithms of rotations and placements and their derivatives, without branches on values.
 #pragma once
 
-#include "burnish/math/spatial.hpp"
+#include "math/spatial.hpp"
 
 namespace burnish {
 

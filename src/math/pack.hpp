@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "burnish/math/scalar.hpp"
+#include "math/scalar.hpp"
 
 namespace burnish {
 

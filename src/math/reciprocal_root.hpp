@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "burnish/math/scalar.hpp"
+#include "math/scalar.hpp"
 
 namespace burnish {
 

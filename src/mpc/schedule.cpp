@@ -1,10 +1,9 @@
-#include "burnish/mpc/schedule.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/mpc/task.hpp"
 
 namespace burnish {
 

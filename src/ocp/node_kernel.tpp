@@ -7,6 +7,7 @@
 #include "math/gram.hpp"
 #include "ocp/custom_lanes.tpp"
 #include "ocp/node_kernel.hpp"
+#include "ocp/penalty_kernel.hpp"
 #include "ocp/residual_force.tpp"
 #include "ocp/residual_frame.tpp"
 #include "ocp/residual_momentum.tpp"

@@ -1,7 +1,6 @@
-#include "burnish/ocp/penalty.hpp"
-
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/ocp/problem_spec.hpp"
 
 namespace burnish {
 

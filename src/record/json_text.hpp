@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

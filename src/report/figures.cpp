@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "burnish/report/run_page.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "burnish/report/mcap.hpp"
+#include "report/mcap.hpp"
 
 #include <algorithm>
 #include <array>

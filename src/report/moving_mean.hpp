@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "burnish/mpc/controller.hpp"
-#include "burnish/report/run_page.hpp"
 #include "report/moving_mean.hpp"
+#include "report/run_page.hpp"
 #include "report/trace_curves.hpp"
 
 namespace burnish {

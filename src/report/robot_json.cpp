@@ -1,7 +1,7 @@
 #include <map>
 
-#include "burnish/report/run_page.hpp"
 #include "report/json_writer.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 namespace {

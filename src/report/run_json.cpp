@@ -4,8 +4,8 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/base/views.hpp"
-#include "burnish/report/run_page.hpp"
 #include "report/json_writer.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 namespace {

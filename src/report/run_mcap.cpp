@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/report/mcap.hpp"
-#include "burnish/report/run_page.hpp"
 #include "report/json_writer.hpp"
+#include "report/mcap.hpp"
 #include "report/mcap_schemas.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 namespace {

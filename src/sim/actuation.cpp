@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/random_streams.hpp"
+#include "sim/random.hpp"
 
 namespace burnish {
 namespace {
@@ -29,6 +29,12 @@ Eigen::VectorXd drawn(const std::vector<char>& motor, const Eigen::VectorXd& giv
 
 }  // namespace
 
+struct Actuation::Random {
+  explicit Random(std::uint64_t seed)
+      : noise(seed, streams::torque_noise), sensor_noise(seed, streams::torque_loop) {}
+  RandomStream noise, sensor_noise;
+};
+
 Actuation::Actuation(const Model& model, const Disturbances& disturbances, double dt)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       motor_(motors(model)),
@@ -41,20 +47,20 @@ Actuation::Actuation(const Model& model, const Disturbances& disturbances, doubl
       delay_steps_(static_cast<int>(std::lround(disturbances.command_delay / dt))),
       tracking_(disturbances.torque_cutoff > 0.0 ? -std::expm1(-disturbances.torque_cutoff * dt)
                                                  : 1.0),
-      noise_(disturbances.seed, streams::torque_noise),
-      sensor_noise_(disturbances.seed, streams::torque_loop) {
+      random_(std::make_unique<Random>(disturbances.seed)) {
   queue_ = Eigen::MatrixXd::Zero(model.nv, delay_steps_);
   for (Eigen::VectorXd* x :
        {&step_.command, &step_.delayed, &step_.tracked, &step_.noise, &step_.applied})
     *x = at_rest_;
 }
 
+Actuation::~Actuation() = default;
+
 void Actuation::reset() noexcept { reset(at_rest_); }
 
 void Actuation::reset(const ConstVectorRef& tau) noexcept {
   if (tau.size() != at_rest_.size()) return;
-  noise_ = RandomStream(disturbances_.seed, streams::torque_noise);
-  sensor_noise_ = RandomStream(disturbances_.seed, streams::torque_loop);
+  *random_ = Random(disturbances_.seed);
   next_ = 0;
   queue_.colwise() = tau;
   step_.command = step_.delayed = step_.tracked = step_.applied = tau;
@@ -95,10 +101,11 @@ void Actuation::distort() noexcept {
       step_.applied[k] = step_.tracked[k];
       continue;
     }
-    if (disturbances_.torque_noise > 0.0) noise += disturbances_.torque_noise * noise_.normal();
+    if (disturbances_.torque_noise > 0.0)
+      noise += disturbances_.torque_noise * random_->noise.normal();
     // The loop brings the sensor's reading to what is wanted, its noise included.
     if (loop && disturbances_.torque_sensor_noise > 0.0)
-      noise -= disturbances_.torque_sensor_noise * sensor_noise_.normal();
+      noise -= disturbances_.torque_sensor_noise * random_->sensor_noise.normal();
     const double wanted = loop ? step_.tracked[k] : scale_[k] * step_.tracked[k] + bias_[k];
     double& applied = step_.applied[k];
     applied = wanted + noise;

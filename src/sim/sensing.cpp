@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "dynamics/integration.hpp"
-#include "sim/random_streams.hpp"
+#include "sim/random.hpp"
 
 namespace burnish {
 namespace {
@@ -24,14 +24,20 @@ void quantize(const Joint& joint, double step, double* q) {
 
 }  // namespace
 
+struct Sensing::Random {
+  explicit Random(std::uint64_t seed)
+      : torque(seed, streams::torque_sensor),
+        position(seed, streams::position),
+        velocity(seed, streams::velocity),
+        force(seed, streams::force) {}
+  RandomStream torque, position, velocity, force;
+};
+
 Sensing::Sensing(const Model& model, const Disturbances& disturbances)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
-      torque_random_(disturbances.seed, streams::torque_sensor),
-      position_random_(disturbances.seed, streams::position),
-      velocity_random_(disturbances.seed, streams::velocity),
-      force_random_(disturbances.seed, streams::force),
+      random_(std::make_unique<Random>(disturbances.seed)),
       q_before_(model.q_neutral),
       differences_(Eigen::VectorXd::Zero(model.nv)),
       work_(differences_) {
@@ -42,11 +48,7 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances)
 Sensing::~Sensing() = default;
 
 void Sensing::reset() noexcept {
-  const std::uint64_t seed = disturbances_.seed;
-  torque_random_ = RandomStream(seed, streams::torque_sensor);
-  position_random_ = RandomStream(seed, streams::position);
-  velocity_random_ = RandomStream(seed, streams::velocity);
-  force_random_ = RandomStream(seed, streams::force);
+  *random_ = Random(disturbances_.seed);
   measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
   started_ = false;
 }
@@ -59,7 +61,7 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
   measurement_.tau = applied + plant.friction_torque();
   if (disturbances_.torque_sensor_noise > 0.0)
     for (double& tau : measurement_.tau)
-      tau += disturbances_.torque_sensor_noise * torque_random_.normal();
+      tau += disturbances_.torque_sensor_noise * random_->torque.normal();
   measure_force(plant);
   started_ = true;
   return measurement_;
@@ -69,7 +71,7 @@ void Sensing::measure_position(const Plant& plant) noexcept {
   Eigen::VectorXd& q = measurement_.q;
   q = plant.q();
   if (disturbances_.position_noise > 0.0) {
-    for (double& entry : work_) entry = disturbances_.position_noise * position_random_.normal();
+    for (double& entry : work_) entry = disturbances_.position_noise * random_->position.normal();
     integrate_configuration(*tree_, q.data(), work_.data(), q.data());
   }
   if (disturbances_.encoder_bits == 0) return;
@@ -94,13 +96,13 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
     q_before_ = measurement_.q;
   }
   if (disturbances_.velocity_noise > 0.0)
-    for (double& entry : v) entry += disturbances_.velocity_noise * velocity_random_.normal();
+    for (double& entry : v) entry += disturbances_.velocity_noise * random_->velocity.normal();
 }
 
 void Sensing::measure_force(const Plant& plant) noexcept {
   Eigen::Vector3d reading = plant.contact_force_world();
   if (disturbances_.force_noise > 0.0)
-    for (double& entry : reading) entry += disturbances_.force_noise * force_random_.normal();
+    for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();
   const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
   Eigen::Vector3d& force = measurement_.tool_force_world;
   force += part * (reading - force);

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/buffer.hpp"
 #include "solver/parametric_segment.hpp"

@@ -18,7 +18,7 @@
 
 #include <vector>
 
-#include "burnish/base/crew.hpp"
+#include "base/crew.hpp"
 #include "burnish/solver/shooting_problem.hpp"
 #include "solver/box_qp.hpp"
 #include "solver/buffer.hpp"

@@ -1,8 +1,8 @@
-#include "burnish/solver/summary.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 namespace {

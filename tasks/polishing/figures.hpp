@@ -3,7 +3,6 @@
 #pragma once
 
 #include "burnish/tasks/polishing/run.hpp"
-#include "burnish/tasks/polishing/verdict.hpp"
 #include "report/figures.hpp"
 
 namespace burnish::polishing {

@@ -10,7 +10,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
-#include "burnish/sim/random.hpp"
+#include "sim/random.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -8,6 +8,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/verdict.hpp"
 
 namespace burnish::polishing {
 namespace {

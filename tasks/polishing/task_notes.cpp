@@ -1,9 +1,9 @@
-#include "burnish/tasks/polishing/task_notes.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "burnish/tasks/polishing/run.hpp"
+#include "polishing/verdict.hpp"
 
 namespace burnish::polishing {
 namespace {

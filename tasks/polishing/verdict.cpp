@@ -1,4 +1,4 @@
-#include "burnish/tasks/polishing/verdict.hpp"
+#include "polishing/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

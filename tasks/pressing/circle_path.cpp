@@ -1,9 +1,8 @@
-#include "burnish/tasks/pressing/circle_path.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "burnish/dynamics/reference.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 
 namespace burnish {
 namespace {

@@ -8,6 +8,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 #include "dynamics/integration.hpp"
 #include "pressing/contact_detector.hpp"
 #include "sim/small_product.hpp"

@@ -1,4 +1,4 @@
-#include "burnish/tasks/pressing/phase.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish {
 

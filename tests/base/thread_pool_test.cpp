@@ -1,4 +1,4 @@
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 
 #include <gtest/gtest.h>
 #ifdef __linux__

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "base/thread_pool.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "support/contact_states.hpp"
 
@@ -156,9 +157,9 @@ TEST_P(BatchOf, threads_change_no_bit) {
   ContactDynamicsBatch alone(model_, contacts(Reference::centered()), count);
   ASSERT_EQ(alone.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
   for (const int threads : {2, 3}) {
-    const Pinning pinning = can_pin && threads <= allowed_cores() ? Pinning::Cores : Pinning::None;
+    const bool pinned = can_pin && threads <= allowed_cores();
     ContactDynamicsBatch shared(model_, contacts(Reference::centered()), count, {}, threads,
-                                pinning);
+                                pinned);
     EXPECT_EQ(shared.threads(), threads);
     ASSERT_EQ(shared.forward_with_derivatives(batch.q, batch.v, batch.tau), Status::Ok);
     for (int i = 0; i < count; ++i) {

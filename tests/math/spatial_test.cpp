@@ -1,4 +1,4 @@
-#include "burnish/math/spatial.hpp"
+#include "math/spatial.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // The clock of a task: what contact does to it, and what it refuses.
-#include "burnish/mpc/schedule.hpp"
-
 #include <gtest/gtest.h>
 
+#include "burnish/mpc/task.hpp"
 #include "support/refusal.hpp"
 #include "support/special_numbers.hpp"
 

@@ -1,12 +1,11 @@
 // Penalties: values, slopes and curvatures, seams, limits that are infinite, and packs.
-#include "burnish/ocp/penalty.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
 #include "math/pack.hpp"
+#include "ocp/penalty_kernel.hpp"
 #include "support/refusal.hpp"
 #include "support/special_numbers.hpp"
 

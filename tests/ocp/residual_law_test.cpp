@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "derivatives/check_differences.hpp"
+#include "ocp/penalty_kernel.hpp"
 #include "support/ocp_autodiff.hpp"
 #include "support/ocp_cases.hpp"
 

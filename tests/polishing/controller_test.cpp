@@ -1,6 +1,8 @@
 // Model predictive control in closed loop on the ideal plant: what it reaches, repeats, bears.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "support/mpc_run.hpp"
 #include "support/refusal.hpp"
 

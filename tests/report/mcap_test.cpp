@@ -1,5 +1,5 @@
 // Recordings, read back by a reader of their own.
-#include "burnish/report/mcap.hpp"
+#include "report/mcap.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "burnish/mpc/controller.hpp"
-#include "burnish/report/run_page.hpp"
 #include "report/moving_mean.hpp"
+#include "report/run_page.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish {

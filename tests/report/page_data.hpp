@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/report/run_page.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish::testing {
 

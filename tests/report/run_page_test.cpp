@@ -1,5 +1,5 @@
 // The data of a page: encoding, columns, envelopes, robots, and the HTML around it.
-#include "burnish/report/run_page.hpp"
+#include "report/run_page.hpp"
 
 #include <gtest/gtest.h>
 

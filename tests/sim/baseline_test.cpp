@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/mujoco/mujoco_plant.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"
 

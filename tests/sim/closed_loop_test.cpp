@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/sim/ideal_plant.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"

@@ -11,6 +11,7 @@
 #include "burnish/sim/actuation.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/sim/sensing.hpp"
+#include "sim/random.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/nonlinear_problems.hpp"
 #include "support/allocation_guard.hpp"

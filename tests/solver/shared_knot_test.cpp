@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "burnish/base/thread_pool.hpp"
+#include "base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/riccati.hpp"
 #include "solver/test_problem.hpp"

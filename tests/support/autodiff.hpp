@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "burnish/base/error.hpp"
-#include "burnish/math/spatial.hpp"
 #include "burnish/model/state.hpp"
+#include "math/spatial.hpp"
 
 namespace burnish::test {
 

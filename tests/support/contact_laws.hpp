@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "burnish/contact/contact.hpp"
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish::test {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/stages.hpp"
-#include "burnish/tasks/polishing/task_notes.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 

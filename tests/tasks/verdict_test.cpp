@@ -1,11 +1,10 @@
 // What "polished" asks for: runs that end without a fault and have not polished all the same.
-#include "burnish/tasks/polishing/verdict.hpp"
+#include "polishing/verdict.hpp"
 
 #include <gtest/gtest.h>
 
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "burnish/tasks/polishing/task_notes.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

@@ -10,7 +10,6 @@
 #include "burnish/base/views.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
-#include "burnish/contact/solver_options.hpp"
 
 namespace burnish {
 

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "burnish/base/thread_pool.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 
 namespace burnish {
@@ -18,11 +17,12 @@ int pack_width();
 /// One call at a time; nothing is allocated after construction.
 class ContactDynamicsBatch {
  public:
-  /// Room for `capacity` states, shared out among `threads`, the calling one included. Throws Error
-  /// as ContactDynamics does, for no room and no threads, and where ThreadPool refuses to pin them.
+  /// Room for `capacity` states, shared out among `threads`, the calling one included. Pinned,
+  /// thread i of the others stays on the i-th core that the calling thread may run on. Throws Error
+  /// as ContactDynamics does, for no room and no threads, and for pinning to fewer cores than
+  /// threads or on a system that cannot pin (other than Linux).
   ContactDynamicsBatch(const Model& model, const std::vector<ContactSpec>& contacts, int capacity,
-                       const ContactSolver& solver = {}, int threads = 1,
-                       Pinning pinning = Pinning::None);
+                       const ContactSolver& solver = {}, int threads = 1, bool pin_threads = false);
   ~ContactDynamicsBatch();
   ContactDynamicsBatch(ContactDynamicsBatch&&) noexcept;
   ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;

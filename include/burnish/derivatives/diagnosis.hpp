@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "burnish/contact/contact_set.hpp"
-#include "burnish/contact/solver_options.hpp"
 
 namespace burnish {
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "burnish/base/signal.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "burnish/base/abi.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/base/views.hpp"
 #include "burnish/model/tree_spec.hpp"
 
 namespace burnish {

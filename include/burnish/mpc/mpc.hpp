@@ -13,7 +13,6 @@
 #include "burnish/mpc/fault.hpp"
 #include "burnish/mpc/feedback.hpp"
 #include "burnish/mpc/model_error.hpp"
-#include "burnish/mpc/schedule.hpp"
 #include "burnish/mpc/task.hpp"
 #include "burnish/ocp/problem.hpp"
 #include "burnish/solver/options.hpp"

@@ -7,12 +7,44 @@
 #include <vector>
 
 #include "burnish/contact/contact.hpp"
-#include "burnish/contact/solver_options.hpp"
+#include "burnish/contact/contact_set.hpp"
 #include "burnish/model/model.hpp"
-#include "burnish/ocp/penalty.hpp"
 #include "burnish/ocp/residual.hpp"
 
 namespace burnish {
+
+/// phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.
+struct Penalty {
+  enum class Kind {
+    Square,          ///< r^2 / 2
+    Barrier,         ///< half the square of how far r is outside [lower, upper], zero inside
+    SmoothAbsolute,  ///< sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to
+                     ///< it
+    /// -log(s / width), s the distance to each limit, where s > width; below, and beyond the limit,
+    /// the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly.
+    LogBarrier,
+  };
+
+  Kind kind = Kind::Square;
+  /// Barriers: limits in the residual's unit; one entry for all rows, or one per row; infinite
+  /// where there is none. Empty: none.
+  Eigen::VectorXd lower, upper;
+  double width = 1.0;  ///< residual's unit, positive
+
+  static Penalty square() { return {}; }
+  static Penalty barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+  static Penalty at_least(double lower);
+  static Penalty smooth_absolute(double width);
+  static Penalty log_barrier(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                             double width);
+
+  bool has_limits() const { return kind == Kind::Barrier || kind == Kind::LogBarrier; }
+};
+
+std::string name_of(Penalty::Kind kind);
+/// Reads "square", "barrier", "smooth_absolute" or "log_barrier". Throws Error with the nearest
+/// known name.
+Penalty::Kind parse_penalty(const std::string& name);
 
 /// weight * sum over rows i of weights_i phi(r_i), times the stage's step while time passes.
 struct CostTerm {

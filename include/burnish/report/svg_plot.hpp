@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/base/abi.hpp"
+#include "burnish/base/views.hpp"
 
 namespace burnish {
 

@@ -1,11 +1,11 @@
 // What happens to a torque between the controller and the joint.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "burnish/base/views.hpp"
 #include "burnish/sim/disturbances.hpp"
-#include "burnish/sim/random.hpp"
 
 namespace burnish {
 
@@ -26,6 +26,7 @@ class Actuation {
  public:
   /// dt: the plant's step, s. Throws Error as check_disturbances() does.
   Actuation(const Model& model, const Disturbances& disturbances, double dt);
+  ~Actuation();
 
   /// Back to the start, with the same random numbers to come. The lag starts at zero torque, and
   /// so does the delay unless `tau` (nv) says what was applied before.
@@ -41,6 +42,7 @@ class Actuation {
   int delay_steps() const { return delay_steps_; }
 
  private:
+  struct Random;
   void delay() noexcept;
   void distort() noexcept;
 
@@ -50,7 +52,7 @@ class Actuation {
   Eigen::MatrixXd queue_;  ///< nv x delay_steps, a ring
   int delay_steps_ = 0, next_ = 0;
   double tracking_ = 1.0;  ///< part of the distance to the command that the lag covers in a step
-  RandomStream noise_, sensor_noise_;
+  std::unique_ptr<Random> random_;
   ActuationStep step_;
 };
 

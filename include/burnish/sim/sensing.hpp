@@ -6,7 +6,6 @@
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/plant.hpp"
-#include "burnish/sim/random.hpp"
 
 namespace burnish {
 
@@ -29,6 +28,7 @@ class Sensing {
   const Measurement& measure(const Plant& plant, const ConstVectorRef& applied) noexcept;
 
  private:
+  struct Random;
   void measure_position(const Plant& plant) noexcept;
   void measure_velocity(const Plant& plant) noexcept;
   void measure_force(const Plant& plant) noexcept;
@@ -36,7 +36,7 @@ class Sensing {
   Disturbances disturbances_;
   std::vector<Joint> joints_;
   std::unique_ptr<const Tree> tree_;
-  RandomStream torque_random_, position_random_, velocity_random_, force_random_;
+  std::unique_ptr<Random> random_;
   bool started_ = false;
   double elapsed_ = 0.0;         ///< s since the last measurement
   Eigen::VectorXd q_before_;     ///< nq, as measured

@@ -67,7 +67,7 @@ struct DdpOptions {
   double time_budget = std::numeric_limits<double>::infinity();
   int threads = 1;
   /// Thread i of the solver stays on the i-th core that the thread which makes it (or gives it
-  /// options) may run on; see Pinning. The thread that solves is left as it is. Linux alone.
+  /// options) may run on. The thread that solves is left as it is. Linux alone.
   bool pin_threads = false;
   /// Threads work together on each knot of the recursion where knots are large (a humanoid's),
   /// which is faster on cores that share a cache and slower on others. Results have the same bits.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "burnish/sim/random.hpp"
+#include "sim/random.hpp"
 
 namespace burnish::polishing {
 namespace {

@@ -12,7 +12,6 @@
 #include "burnish/report/metrics.hpp"
 #include "burnish/report/plan_record.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
-#include "burnish/tasks/polishing/verdict.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 
 namespace burnish::polishing {
@@ -37,6 +36,13 @@ struct RunSpec {
   /// Called now and then with the simulated time and about when it will be over, s. Returning false
   /// stops the run.
   std::function<bool(double time, double end)> progress = nullptr;
+};
+
+/// What Verdict is about, as it was.
+struct VerdictFigures {
+  double contact_share = 0.0;  ///< of the time on the path
+  double force_rmse = 0.0;     ///< N
+  double path_share = 0.0;     ///< of the path's length
 };
 
 /// Wall clock of the controller's ticks after the first, s.
@@ -73,5 +79,9 @@ struct RunResult {
 /// goes wrong on the way is in the result, with all that was recorded until then. Throws Error for
 /// a task that does not fit together, one that the arm cannot reach, and a plant that is not there.
 RunResult run_task(const RunSpec& spec);
+
+/// What is possible in a task, but probably not meant: sentences for the user before a run on this
+/// plant; none if nothing is odd. Throws nothing for a task that check_task() accepts.
+std::vector<std::string> task_notes(const Task& task, PlantKind plant);
 
 }  // namespace burnish::polishing

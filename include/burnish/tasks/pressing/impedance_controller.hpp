@@ -11,10 +11,29 @@
 
 #include "burnish/model/model.hpp"
 #include "burnish/mpc/controller.hpp"
-#include "burnish/tasks/pressing/circle_path.hpp"
-#include "burnish/tasks/pressing/phase.hpp"
 
 namespace burnish {
+
+/// Where the tip frame's origin shall be and how hard the surface shall push back.
+struct TaskPoint {
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< m/s
+  Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< m/s^2
+  double force = 0.0;                                 ///< N, along the surface's normal
+};
+
+/// A circle in a plane. It starts at the centre, at rest, and its radius grows smoothly.
+struct CirclePath {
+  Eigen::Vector3d center_world = Eigen::Vector3d::Zero();   ///< m
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of the plane, any length but zero
+  double radius = 0.07;                                     ///< m
+  double rate = 1.0;                                        ///< rad/s, about the normal
+  double start_up = 2.0;  ///< s until the radius is reached; positive
+  double force = 30.0;    ///< N
+
+  /// At t s from the start; before it, the start.
+  TaskPoint at(double t) const noexcept;
+};
 
 struct ImpedanceSpec {
   std::string tool = "tool";                                ///< frame whose origin follows the path
@@ -38,10 +57,10 @@ struct ImpedanceSpec {
   double ramp = 0.5;  ///< s from the threshold to the task's force
 };
 
-/// Phases: Approach, Ramp, Track. A measurement that is no state, or a tip that cannot move in all
-/// directions, gives the command before again with the status that says so. Throws Error for an
-/// unknown frame, an empty task, a posture of the wrong size, a zero normal, and gains, times and
-/// thresholds that are negative or not finite.
+/// Phases (see Phase): Approach, Ramp, Track. A measurement that is no state, or a tip that cannot
+/// move in all directions, gives the command before again with the status that says so. Throws
+/// Error for an unknown frame, an empty task, a posture of the wrong size, a zero normal, and
+/// gains, times and thresholds that are negative or not finite.
 std::unique_ptr<Controller> make_impedance_controller(const Model& model,
                                                       const ImpedanceSpec& spec);
 

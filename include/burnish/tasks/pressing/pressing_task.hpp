@@ -4,11 +4,21 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "burnish/mpc/mpc.hpp"
 
 namespace burnish {
+
+/// Those of a tool that comes to a surface, presses on it, follows a path there and leaves, as
+/// Command::phase and traces count them.
+enum class Phase { Reach, Approach, Ramp, Track, Retreat };
+
+constexpr int number_of(Phase phase) { return static_cast<int>(phase); }
+/// "reach", "approach", "ramp", "track" or "retreat".
+std::string name_of(Phase phase);
+const std::vector<std::string>& phase_names();  ///< of all, in their order
 
 /// What the tool has to do with the surface in a phase.
 enum class Touch {

@@ -3,7 +3,7 @@
 // Source of the algebra: R. Featherstone, Rigid Body Dynamics Algorithms, chapter 2.
 #pragma once
 
-#include "burnish/math/vec3.hpp"
+#include "math/vec3.hpp"
 
 namespace burnish {
 

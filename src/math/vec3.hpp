@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "burnish/math/scalar.hpp"
+#include "math/scalar.hpp"
 
 namespace burnish {
 

@@ -42,4 +42,18 @@ class RandomStream {
   std::mt19937_64 engine_;
 };
 
+/// Which stream of the seed each disturbance draws from.
+namespace streams {
+enum : std::uint64_t {
+  torque_scale,
+  torque_bias,
+  torque_noise,
+  torque_loop,
+  torque_sensor,
+  position,
+  velocity,
+  force
+};
+}  // namespace streams
+
 }  // namespace burnish

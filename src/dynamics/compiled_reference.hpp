@@ -1,7 +1,7 @@
 // A reference as the kernels read it: dynamics/reference.hpp makes and asks it.
 #pragma once
 
-#include "burnish/math/vec3.hpp"
+#include "math/vec3.hpp"
 
 namespace burnish {
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "burnish/base/crew.hpp"
+#include "base/crew.hpp"
 
 namespace burnish {
 

@@ -3,17 +3,9 @@
 
 #include <string>
 
-#include "burnish/base/trace.hpp"
-#include "burnish/tasks/polishing/stages.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::polishing {
-
-/// What Verdict is about, as it was.
-struct VerdictFigures {
-  double contact_share = 0.0;  ///< of the time on the path
-  double force_rmse = 0.0;     ///< N
-  double path_share = 0.0;     ///< of the path's length
-};
 
 /// s that the path takes: until its last point, or for as long as the task polishes where it has no
 /// end.
