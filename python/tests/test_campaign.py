@@ -247,6 +247,19 @@ class TestProcesses:
         assert files(out) == files(one)
 
     @long
+    def test_campaigns_as_values_are_the_same_there(self, processes, tmp_path):
+        pytest.importorskip("yaml")
+        processes.start_worker()
+        processes.start_worker()
+        task = Path(__file__).resolve().parents[2] / "tasks" / "press_hold" / "arm7.yaml"
+        plan = {"task": str(task), "plant": "ideal",
+                "vary": {"hold_duration": [0.1], "friction": {"from": 0.1, "to": 0.3, "count": 5}}}
+        campaign.sweep(plan, out=tmp_path / "here", quiet=True)
+        campaign.sweep(plan, out=tmp_path / "there", quiet=True, scheduler=processes.address)
+        but = ("results.h5", "results.html")
+        assert files(tmp_path / "here", but) == files(tmp_path / "there", but)
+
+    @long
     def test_interrupted_ten_times_it_goes_on(self, processes, tmp_path):
         words = [*QUICK, "44"]
         one, out = tmp_path / "one", tmp_path / "out"

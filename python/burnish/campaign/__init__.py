@@ -18,12 +18,17 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import List, Optional, Sequence, Union
+from typing import Any, List, Mapping, Optional, Sequence, Union
 
-from ._dask import Job, dask, hand_over
+from ._bar import Bar
+from ._dask import Job, dask, hand_over, make_run
+from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
+from ._sweep import Row, SweepResult, make_sweep, read_sweep
+from ._tables import write_sweep
+from ._tasks import Machine, Outcome
 
-__all__ = ["CampaignError", "experiment", "program"]
+__all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "experiment", "program", "sweep"]
 
 
 def program() -> str:
@@ -88,9 +93,13 @@ def _experiment(words: List[str], scheduler: Optional[str], out: Optional[Path],
         with RunFolder(out, name, resume) as folder:
             path = folder.path
             missing = [run for run in runs if not folder.has(run.name)]
-            bar = _Bar(words[1], len(runs), len(runs) - len(missing), quiet)
-            hand_over(Job(burnish, words, missing, len(runs), time_limit, folder, bar.say, bar.show),
-                      scheduler, patience)
+            bar = Bar(words[1], len(runs), len(runs) - len(missing), quiet)
+            hand_over(Job(
+                missing, make_run,
+                lambda run, limit, clock: (burnish, words, str(Path.cwd()), run.number, len(runs), run.name,
+                                           limit, clock),
+                lambda run, result: folder.keep(run.name, result), time_limit, bar.say, bar.show),
+                scheduler, patience)
             bar.end()
         merge = [burnish, "merge", str(path), "--out", str(path), *flags]
         code = subprocess.run(merge).returncode
@@ -99,25 +108,37 @@ def _experiment(words: List[str], scheduler: Optional[str], out: Optional[Path],
     return path, code
 
 
-class _Bar:
-    """Progress on a terminal, and sentences."""
+def sweep(
+    campaign: Union[str, Path, Mapping[str, Any]],
+    *,
+    scheduler: Optional[str] = None,
+    out: Union[str, Path, None] = None,
+    resume: bool = False,
+    quiet: bool = False,
+    threads: int = 0,
+    time_limit: float = 0.0,
+    patience: float = 600.0,
+) -> SweepResult:
+    """Makes the runs of a campaign, a YAML file or the same as a dictionary, and leaves its table and page
+    in a folder. docs/campaigns.md says what a campaign states.
 
-    def __init__(self, name: str, count: int, there: int, quiet: bool) -> None:
-        self._name, self._count, self._there, self._quiet = name, count, there, quiet
-        self._draws = not quiet and sys.stderr.isatty()
-
-    def show(self, made: int, run: str) -> None:
-        if self._draws:
-            done = self._there + made
-            hashes = 30 * done // max(1, self._count)
-            print(f"\r\033[K{self._name} [{'#' * hashes:.<30}] {100 * done // max(1, self._count):3d} %  {run}",
-                  end="", file=sys.stderr, flush=True)
-
-    def say(self, sentence: str) -> None:
-        self.end()
-        if not self._quiet:
-            print(f"burnish: {sentence}", file=sys.stderr, flush=True)
-
-    def end(self) -> None:
-        if self._draws:
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
+    threads: runs at once where there is no scheduler; 0: one per core. The others are experiment()'s.
+    Raises CampaignError for what is refused; runs that failed are in the table."""
+    plan = read_sweep(campaign)
+    plan.points()
+    if scheduler is not None:
+        dask()
+    if resume and out is None:
+        raise CampaignError("--resume wants --out, the folder to go on with")
+    bar = Bar(plan.name, 1, 0, quiet)
+    machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
+    command = f"python3 -m burnish.campaign sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
+    with RunFolder(None if out is None else Path(out), f"{plan.name}_campaign", resume) as folder:
+        result = make_sweep(plan, machine, folder, lambda done, all: bar.part(done, all))
+        bar.end()
+        names = write_sweep(result, machine.program, folder, command)
+        if not quiet:
+            failed = sum(not row.outcome.done for row in result.rows)
+            print(f"{plan.name}: {len(result.rows)} runs, {failed} of them not done\nin {folder.path}: "
+                  f"{', '.join(names)}")
+    return result

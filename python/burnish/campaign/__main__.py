@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import List, Optional, Sequence
 
-from . import CampaignError
+from . import CampaignError, sweep
 from . import _experiment as perform
 
 
@@ -29,21 +29,40 @@ def _parser() -> argparse.ArgumentParser:
                      help="how long a scheduler that is lost is waited for [600]")
     one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
                      help="name and options of burnish experiment")
+    many = commands.add_parser("sweep", help="the runs of a campaign's file, and their table")
+    many.add_argument("file", type=Path, metavar="FILE", help="the campaign: docs/campaigns.md")
+    many.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
+    many.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
+    many.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
+    many.add_argument("--threads", type=int, default=0, metavar="N", help="runs at once [one per core]")
+    many.add_argument("--time-limit", type=float, default=0.0, metavar="S",
+                      help="computing time of a run [20 times the median of those before]")
+    many.add_argument("--patience", type=float, default=600.0, metavar="S",
+                      help="how long a scheduler that is lost is waited for [600]")
+    many.add_argument("--quiet", action="store_true", help="print nothing")
     return parser
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """What the command line does; its exit code."""
     a = _parser().parse_args(arguments)
-    words: List[str] = a.words[1:] if a.words[:1] == ["--"] else a.words
     try:
-        return perform(words, a.scheduler, a.out, a.resume, a.mixed, a.quiet, a.time_limit, a.patience)[1]
+        return _do(a)
     except CampaignError as error:
         print(f"burnish: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("burnish: interrupted; what came back stays, and --resume goes on with it", file=sys.stderr)
         return 1
+
+
+def _do(a: argparse.Namespace) -> int:
+    if a.command == "sweep":
+        result = sweep(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, quiet=a.quiet,
+                       threads=a.threads, time_limit=a.time_limit, patience=a.patience)
+        return 0 if all(row.outcome.done for row in result.rows) else 1
+    words: List[str] = a.words[1:] if a.words[:1] == ["--"] else a.words
+    return perform(words, a.scheduler, a.out, a.resume, a.mixed, a.quiet, a.time_limit, a.patience)[1]
 
 
 if __name__ == "__main__":

@@ -9,10 +9,9 @@ import socket
 import sys
 import time
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
-from ._results import CampaignError, Listed, RunFolder
+from ._results import CampaignError, Listed
 
 Result = Dict[str, bytes]
 
@@ -83,22 +82,23 @@ def _by_value(function: Callable[..., Result]) -> None:
 class Job:
     """Runs to be made."""
 
-    program: str
-    words: List[str]
     runs: List[Listed]
     """those that have no result yet"""
-    count: int
-    """of all runs"""
+    function: Callable[..., Result]
+    """what a worker does; sent by value, so that it needs no module of burnish"""
+    arguments: Callable[[Listed, float, float], Tuple[Any, ...]]
+    """of the function for a run, from its limits: s of computing (0: none) and of the clock"""
+    keep: Callable[[Listed, Result], Optional[float]]
+    """what becomes of a result; the s that the run computed, None where it was ended"""
     limit: float
     """s of computing that a run may take; 0: 20 times the median of those before it"""
-    folder: RunFolder
     say: Callable[[str], None]
     """for sentences"""
     progress: Callable[[int, str], None]
     """called with the number of results that came, and the last one's run"""
 
 
-class _Limit:
+class Limit:
     """20 times the median of what runs computed, as burnish experiment has it."""
 
     def __init__(self, said: float) -> None:
@@ -129,8 +129,8 @@ def hand_over(job: Job, address: str, patience: float) -> None:
     Raises CampaignError where there is no scheduler to begin with, where it does not come back, and
     for what a run was refused with."""
     distributed = dask()
-    _by_value(make_run)
-    limit = _Limit(job.limit)
+    _by_value(job.function)
+    limit = Limit(job.limit)
     left = {run.name: run for run in job.runs}
     client = _connect(distributed, address, 5.0)
     if client is None:
@@ -195,7 +195,7 @@ def _threads(client: Any) -> int:
         raise _Lost from gone
 
 
-def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: _Limit) -> None:
+def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None:
     """Until nothing is left. Raises _Lost."""
     waiting = [run for run in left.values()]
     pending: List[Tuple[Any, Listed]] = []
@@ -230,21 +230,20 @@ def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: _Limit) -> Non
         pending = still
 
 
-def _submit(job: Job, client: Any, run: Listed, limit: _Limit) -> Any:
+def _submit(job: Job, client: Any, run: Listed, limit: Limit) -> Any:
     try:
-        return client.submit(make_run, job.program, job.words, str(Path.cwd()), run.number, job.count,
-                             run.name, limit.seconds(), limit.clock(), key=f"burnish-{run.name}",
-                             pure=False)
+        return client.submit(job.function, *job.arguments(run, limit.seconds(), limit.clock()),
+                             key=f"burnish-{run.name}", pure=False)
     except Exception as gone:
         raise _Lost from gone
 
 
-def _keep(job: Job, run: Listed, future: Any, left: Dict[str, Listed], limit: _Limit) -> None:
+def _keep(job: Job, run: Listed, future: Any, left: Dict[str, Listed], limit: Limit) -> None:
     try:
         result: Result = future.result(timeout=60)
     except Exception as gone:  # its worker went before it was fetched
         raise _Lost from gone
-    seconds: Optional[float] = job.folder.keep(run.name, result)
+    seconds = job.keep(run, result)
     if seconds is not None:
         limit.note(seconds)
     del left[run.name]

@@ -45,7 +45,7 @@ def _sentence(said: str) -> str:
     return lines[-1].replace("burnish: ", "", 1)
 
 
-def _write_whole(file: Path, data: bytes) -> None:
+def write_whole(file: Path, data: bytes) -> None:
     """A file that is there whole or not at all."""
     part = file.parent / f".{file.name}.{os.getpid()}.part"
     try:
@@ -136,10 +136,10 @@ class RunFolder:
         text = json.dumps(campaign, indent=2).encode() + b"\n"
         file = self.path / "campaign.json"
         if not file.exists():
-            _write_whole(file, text)
+            write_whole(file, text)
         # The result comes last: where it is, so are its times.
-        _write_whole(self.path / "runs" / f"{name}.times.json", result["times"])
-        _write_whole(self._file(name), result["result"])
+        write_whole(self.path / "runs" / f"{name}.times.json", result["times"])
+        write_whole(self._file(name), result["result"])
         if json.loads(result["result"])["late"]:
             return None
         return float(json.loads(result["times"])["computing"])

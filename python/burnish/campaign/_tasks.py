@@ -1,0 +1,241 @@
+"""A run of any task, by the program: from a task's text to its figures. The same here and on workers."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import json
+import os
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import burnish
+
+from ._dask import Job, Limit, Result, hand_over
+from ._results import CampaignError, Listed
+
+
+def yaml() -> Any:
+    """The module. Raises CampaignError where it is not installed."""
+    try:
+        return importlib.import_module("yaml")
+    except ImportError as missing:
+        raise CampaignError("files of campaigns are read by PyYAML, which is not installed (Debian: apt install "
+                            "python3-yaml)") from missing
+
+
+@dataclass
+class TaskFile:
+    """A task file that is going to be changed: of polishing, or one that says `task: press_hold`."""
+
+    path: Path
+    tree: Dict[str, Any]
+
+    @staticmethod
+    def read(path: Path) -> TaskFile:
+        try:
+            tree = yaml().safe_load(path.read_text())
+        except OSError as error:
+            raise CampaignError(f"cannot read the task '{path}': {error.strerror}") from error
+        except yaml().YAMLError as error:
+            raise CampaignError(f"the task '{path}' is no YAML: {' '.join(str(error).split())}") from error
+        if not isinstance(tree, dict):
+            raise CampaignError(f"the task '{path}' has no keys; wanted a task file")
+        file = TaskFile(path, tree)
+        if file.polishes:
+            file.changed({})  # refused before anything else is
+        return file
+
+    @property
+    def polishes(self) -> bool:
+        return bool(self.tree.get("task", "polishing") == "polishing")
+
+    def changed(self, values: Mapping[str, Any]) -> str:
+        """The whole file with other values. Raises CampaignError for keys that there are not."""
+        if self.polishes:
+            words = [f"{key}={json.dumps(value)}" for key, value in values.items()]
+            try:
+                return burnish.polishing.task_text(burnish.polishing.read_task(self.path, words))
+            except burnish.Error as error:
+                raise CampaignError(str(error)) from error
+        tree = json.loads(json.dumps(self.tree))
+        for key, value in values.items():
+            at, path = tree, key.split(".")
+            for part in path[:-1]:
+                at = at.setdefault(part, {})
+                if not isinstance(at, dict):
+                    raise CampaignError(f"'{key}' is no key of '{self.path}': '{part}' holds no others")
+            at[path[-1]] = value
+        text: str = yaml().safe_dump(tree, sort_keys=False, default_flow_style=None)
+        return text
+
+
+@dataclass(frozen=True)
+class TaskRun:
+    """A run: its task with all keys, and what makes it."""
+
+    text: str
+    words: Tuple[str, ...]
+    """of the program, "polish" or "run" and options, without the task's file"""
+
+    def name(self) -> str:
+        """32 digits of all that its result depends on: version, words, the task, and its robot's file."""
+        digest = hashlib.sha256()
+        for part in (burnish.__version__, *self.words, self.text):
+            digest.update(f"{len(part)}:{part}".encode())
+        robot = str(yaml_value(self.text, "robot")).partition(":")[0]
+        if os.path.isfile(robot):
+            digest.update(Path(robot).read_bytes())
+        return digest.hexdigest()[:32]
+
+
+def yaml_value(text: str, key: str) -> str:
+    """Of a key at the outermost level, as it stands there."""
+    for line in text.splitlines():
+        if line.startswith(key + ":"):
+            return line.partition(":")[2].partition(" #")[0].strip().strip("'\"")
+    return ""
+
+
+def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float) -> Result:
+    """What a worker does. A run that was refused, or killed by its limit, has no figures."""
+    import json
+    import os
+    import pathlib
+    import shutil
+    import subprocess
+    import tempfile
+
+    found = program if os.access(program, os.X_OK) else shutil.which("burnish")
+    if found is None:
+        raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
+                           f"or as '{program}'")
+    with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
+        task = pathlib.Path(scratch) / "task.yaml"
+        task.write_text(text)
+        words_said = pathlib.Path(scratch) / "said"
+        with open(words_said, "w") as errors:
+            process = subprocess.Popen(
+                ["timeout", "-k", "10", str(clock), found, words[0], str(task), *words[1:], "--no-page", "--quiet",
+                 "--record-every", "1000000", "--out", str(pathlib.Path(scratch) / "out")],
+                cwd=folder if os.path.isdir(folder) else None, stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL, stderr=errors)
+            status, usage = os.wait4(process.pid, 0)[1:]
+        process.returncode = os.waitstatus_to_exitcode(status)
+        files = sorted(pathlib.Path(scratch).glob("out/**/metrics.json"))
+        said = [line for line in words_said.read_text().splitlines() if ": note: " not in line]
+        late = process.returncode in (124, 137, -9)
+        if late:
+            run = {"outcome": "ended by its time limit"}
+        elif files:
+            run = json.loads(files[0].read_text())
+        else:
+            sentence = said[-1] if said else f"burnish ended with code {process.returncode}"
+            run = {"outcome": sentence.replace("burnish: ", "", 1).replace(str(task), "the task")}
+        seconds = usage.ru_utime + usage.ru_stime
+        return {"run": json.dumps(run).encode(), "late": b"1" if late else b"",
+                "computing": str(seconds).encode()}
+
+
+@dataclass
+class Outcome:
+    """What came out of a run."""
+
+    done: bool
+    outcome: str
+    figures: Dict[str, float]
+    """by their names in metrics.json, `force_rmse_N`, without those that are measured times"""
+    times: Dict[str, float]
+    late: bool = False
+
+    def text(self) -> str:
+        return json.dumps({"done": self.done, "outcome": self.outcome, "late": self.late,
+                           "figures": self.figures}, indent=1) + "\n"
+
+    @staticmethod
+    def parse(text: str) -> Outcome:
+        tree = json.loads(text)
+        return Outcome(tree["done"], tree["outcome"], tree["figures"], {}, tree["late"])
+
+
+def outcome_of(result: Result) -> Outcome:
+    run: Dict[str, Any] = json.loads(result["run"])
+    figures, times = {}, {"computing_s": float(result["computing"])}
+    for key, value in (run.get("metrics") or {}).items():
+        if isinstance(value, (int, float)) and not isinstance(value, bool):
+            figures[key] = float(value)
+    for group in ("solver", "ticks"):
+        tree = (run.get("metrics") or {}).get(group) if group == "solver" else run.get(group)
+        for key, value in (tree or {}).items():
+            times[f"{group}.{key}"] = float(value)
+    outcome = str(run["outcome"]).partition(", simulated in")[0]
+    return Outcome(bool(run.get("polished", run.get("done", False))), outcome, figures, times,
+                   bool(result["late"]))
+
+
+@dataclass
+class Machine:
+    """Where runs are made."""
+
+    program: str
+    scheduler: Optional[str] = None
+    threads: int = 0
+    """of runs at once where there is no scheduler; 0: as many as cores"""
+    time_limit: float = 0.0
+    patience: float = 600.0
+    say: Callable[[str], None] = lambda sentence: None
+
+    def make(self, runs: Sequence[TaskRun], keep: Callable[[int, Outcome], bool]) -> None:
+        """Makes runs and gives each one's number and outcome, as they come; False ends it."""
+        by_name = {run.name(): index for index, run in reversed(list(enumerate(runs)))}
+        listed = [Listed(index + 1, name, f"number {index + 1}") for name, index in sorted(
+            by_name.items(), key=lambda item: item[1])]
+        same = {index: by_name[run.name()] for index, run in enumerate(runs)}
+        copies: Dict[int, List[int]] = {}
+        for index, first in same.items():
+            copies.setdefault(first, []).append(index)
+
+        def arguments(run: Listed, limit: float, clock: float) -> Tuple[Any, ...]:
+            one = runs[run.number - 1]
+            return self.program, list(one.words), one.text, str(Path.cwd()), clock
+
+        def kept(run: Listed, result: Result) -> Optional[float]:
+            outcome = outcome_of(result)
+            for index in copies[run.number - 1]:
+                if not keep(index, outcome):
+                    raise Ended
+            return None if outcome.late or not outcome.figures else outcome.times["computing_s"]
+
+        try:
+            if self.scheduler is not None:
+                hand_over(Job(listed, make_task_run, arguments, kept, self.time_limit, self.say,
+                              lambda made, run: None), self.scheduler, self.patience)
+            else:
+                self._make_here(listed, arguments, kept)
+        except Ended:
+            pass
+
+    def _make_here(self, listed: List[Listed], arguments: Callable[[Listed, float, float], Tuple[Any, ...]],
+                   kept: Callable[[Listed, Result], Optional[float]]) -> None:
+        limit = Limit(self.time_limit)
+        threads = self.threads or len(os.sched_getaffinity(0))
+        waiting = list(listed)
+        pending: Dict[Future[Result], Listed] = {}
+        pool = ThreadPoolExecutor(threads)
+        try:
+            while waiting or pending:
+                while waiting and len(pending) < 2 * threads:
+                    run = waiting.pop(0)
+                    pending[pool.submit(make_task_run, *arguments(run, limit.seconds(), limit.clock()))] = run
+                for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                    seconds = kept(pending.pop(future), future.result())
+                    if seconds is not None:
+                        limit.note(seconds)
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+class Ended(Exception):
+    """Enough was seen."""

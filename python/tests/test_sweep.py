@@ -1,0 +1,245 @@
+"""Campaigns as values: which points they have, their runs, tables, pages and worst runs; bad input."""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+import json
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import campaign
+from burnish.campaign._points import read_values
+from burnish.campaign._sweep import read_sweep
+from burnish.campaign._tasks import make_task_run, outcome_of
+
+TASKS = Path(__file__).resolve().parents[2] / "tasks"
+SHORT = {"phases.polish_duration": [0.4], "path.start_up": [0.2], "path.radius": [0.02],
+         "controller.update_rate": [200]}
+
+has_yaml = importlib.util.find_spec("yaml") is not None
+has_scipy = importlib.util.find_spec("scipy") is not None
+has_h5py = importlib.util.find_spec("h5py") is not None
+pytestmark = pytest.mark.skipif(not has_yaml, reason="PyYAML is not installed (python3-yaml)")
+
+
+def _has_program():
+    try:
+        return bool(campaign.program())
+    except campaign.CampaignError:
+        return False
+
+
+runs = pytest.mark.skipif(not _has_program(), reason="the program burnish is not built")
+
+
+def polishing(**more):
+    vary = {**SHORT, **more.pop("vary", {})}
+    return {"task": str(TASKS / "polishing" / "table.yaml"), "plant": "ideal", "controller": "baseline",
+            "vary": vary, **more}
+
+
+def pressing(**more):
+    return {"task": str(TASKS / "press_hold" / "arm7.yaml"), "plant": "ideal", **more}
+
+
+def points(vary, samples=None):
+    return read_values(vary, samples).points()
+
+
+class TestPoints:
+    def test_lists_and_ranges_make_a_grid(self):
+        assert points({"a": [1, "x"], "b.c": {"from": 0, "to": 1, "count": 3}}) == [
+            {"a": a, "b.c": b} for a in (1, "x") for b in (0.0, 0.5, 1.0)]
+        assert [p["a"] for p in points({"a": {"from": 0.1, "to": 0.5, "step": 0.2}})] == [0.1, 0.3, 0.5]
+        assert np.allclose([p["a"] for p in points({"a": {"from": 1, "to": 100, "count": 3, "log": True}})],
+                           [1, 10, 100])
+
+    def test_each_sample_is_drawn_once_and_by_its_key_alone(self):
+        vary = {"a": {"uniform": [2, 4]}, "b": {"normal": [0, 1]}, "c": {"log_uniform": [1, 100]},
+                "d": {"choice": ["x", "y"]}, "e": [1, 2]}
+        drawn = points(vary, {"count": 400, "seed": 3})
+        assert len(drawn) == 800
+        assert [{**p, "e": 0} for p in drawn[:400]] == [{**p, "e": 0} for p in drawn[400:]]
+        assert all(2 <= p["a"] <= 4 and 1 <= p["c"] <= 100 for p in drawn)
+        assert abs(np.mean([p["b"] for p in drawn])) < 0.2
+        assert {p["d"] for p in drawn} == {"x", "y"}
+        # The same with other keys beside it, and with more of them.
+        assert [p["a"] for p in points({"a": {"uniform": [2, 4]}}, {"count": 500, "seed": 3})][:400] == [
+            p["a"] for p in drawn[:400]]
+        assert drawn != points(vary, {"count": 400, "seed": 4})
+
+    @pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")
+    def test_sobol_points_fill_evenly(self):
+        vary = {"a": {"uniform": [0, 1]}, "b": {"uniform": [0, 1]}}
+        drawn = points(vary, {"count": 64, "sobol": True})
+        assert sorted(int(8 * p["a"]) * 8 + int(8 * p["b"]) for p in drawn) == list(range(64))
+        assert points(vary, {"count": 5, "sobol": True}) == drawn[:5]
+
+    @pytest.mark.parametrize("vary, samples, words", [
+        ({"a": {"from": 3, "to": 1, "count": 2}}, None, "vary.a goes from 3 to 1; wanted the lower one first"),
+        ({"a": {"from": 1, "to": 3, "count": 2, "step": 1}}, None, "one of count and step"),
+        ({"a": {"from": 1, "to": 3, "step": 5}}, None, "vary.a.step is 5; wanted"),
+        ({"a": {"from": 0, "to": 3, "count": 3, "log": True}}, None, "wanted one from above 0"),
+        ({"a": {"from": 0, "to": 3, "cuont": 3}}, None, "did you mean 'count'?"),
+        ({"a": {"from": 0, "to": "x", "count": 3}}, None, "'x'; wanted a number"),
+        ({"a": []}, None, "empty list"),
+        ({"a": 3}, None, "wanted a list, a range"),
+        ({"a": {"unifrom": [0, 1]}}, 3, "did you mean 'uniform'?"),
+        ({"a": {"uniform": [1, 0]}}, 3, "wanted the lower one first"),
+        ({"a": {"normal": [1, 0]}}, 3, "standard deviation of 0"),
+        ({"a": {"log_uniform": [0, 1]}}, 3, "from above 0"),
+        ({"a": {"uniform": [0, 1]}}, None, "'a' is drawn and samples are not stated"),
+        ({"a": [1]}, 3, "samples are stated and no key is drawn"),
+        ({"a": {"uniform": [0, 1]}}, 0, "at least 1"),
+        ({"a": {"uniform": [0, 1]}}, {"conut": 1}, "did you mean 'count'?"),
+        ({"path": [1], "path.radius": [2]}, None, "'path' and 'path.radius', which is a part of it"),
+        ({"a": list(range(1000)), "b": list(range(1000))}, None, "1000000 points; wanted at most"),
+        ([1], None, "wanted keys of the task"),
+    ])
+    def test_contradictions_are_one_sentence(self, vary, samples, words):
+        with pytest.raises(campaign.CampaignError) as error:
+            points(vary, samples)
+        assert words in str(error.value)
+
+
+class TestRefusals:
+    def refused(self, tree):
+        with pytest.raises(campaign.CampaignError) as error:
+            plan = read_sweep(tree)
+            for point in plan.points():
+                plan.task.changed(point)
+        return str(error.value)
+
+    def test_of_campaigns(self, tmp_path):
+        assert "did you mean 'vary'?" in self.refused(polishing(vray={}))
+        assert "names no task" in self.refused({})
+        assert "cannot read the task" in self.refused({"task": "nowhere.yaml"})
+        assert "did you mean 'force'?" in self.refused(polishing(vary={"forse": [1]}))
+        assert "did you mean 'surface_friction'?" in self.refused(
+            polishing(vary={"disturbances.surface_fricton": {"uniform": [0, 1]}}, samples=2))
+        assert "controller is 'mcp'" in self.refused(polishing(controller="mcp"))
+        assert "wanted mujoco or ideal" in self.refused(polishing(plant="gazebo"))
+        assert "draws nothing; wanted none" in self.refused(pressing(seeds=3))
+        assert "has but one; wanted none" in self.refused(pressing(controller="mpc"))
+        assert "vary has 'disturbances.seed' too" in self.refused(
+            polishing(seeds=3, vary={"disturbances.seed": [1]}))
+        assert "wanted figure, above and runs" in self.refused(polishing(stop=3))
+        bad = tmp_path / "bad.yaml"
+        bad.write_text("task: [")
+        assert "is no YAML" in self.refused(bad)
+        assert "cannot read the campaign" in self.refused(tmp_path / "nowhere.yaml")
+
+    def test_on_the_command_line(self, tmp_path):
+        (tmp_path / "c.yaml").write_text("task: nowhere.yaml\n")
+        done = subprocess.run([sys.executable, "-m", "burnish.campaign", "sweep", "c.yaml"], cwd=tmp_path,
+                              capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr == "burnish: cannot read the task 'nowhere.yaml': No such file or directory\n"
+        assert sorted(os.listdir(tmp_path)) == ["c.yaml"]
+
+
+def table(folder):
+    with open(Path(folder) / "results.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@runs
+class TestRuns:
+    @pytest.fixture(scope="class")
+    def made(self, tmp_path_factory):
+        out = tmp_path_factory.mktemp("sweep") / "out"
+        plan = polishing(vary={"disturbances.surface_friction": {"uniform": [0, 0.4]}}, samples=2,
+                         seeds=[4, 5], keep=["force_rmse", "position_rmse_m"],
+                         worst={"figure": "force_rmse", "count": 1})
+        return out, campaign.sweep(plan, out=out, quiet=True, threads=2)
+
+    def test_the_table_has_every_run_with_units(self, made):
+        out, result = made
+        rows = table(out)
+        assert len(rows) == len(result.rows) == 4
+        assert [row["disturbances.seed"] for row in rows] == ["4", "5", "4", "5"]
+        assert all(float(row["force_rmse [N]"]) > 0 for row in rows)
+        assert "position_rmse [m]" in rows[0] and not any("force_peak" in key for key in rows[0])
+        # The runs are those of the library.
+        run = burnish.polishing.run(_written(out, result.rows[1]), controller="baseline", plant="ideal")
+        assert float(rows[1]["force_rmse [N]"]) == run.metrics.force_rmse
+
+    @pytest.mark.skipif(not has_h5py, reason="h5py is not installed (python3-h5py)")
+    def test_hdf5_has_the_same_and_the_campaigns_text(self, made):
+        import h5py
+
+        out, result = made
+        with h5py.File(out / "results.h5") as book:
+            assert book.attrs["campaign"] == result.sweep.text
+            assert book["force_rmse"].attrs["unit"] == "N"
+            assert list(book["force_rmse"]) == [float(row["force_rmse [N]"]) for row in table(out)]
+            assert book["outcome"].asstr()[0] == table(out)[0]["outcome"]
+
+    def test_the_worst_run_has_its_record_and_a_command_that_repeats_it(self, made):
+        out, result = made
+        worst = result.worst()[0]
+        assert worst.outcome.figures["force_rmse_N"] == max(result.values("force_rmse_N"))
+        record = out / "worst" / f"run_{worst.number}" / "run"
+        page = (out / "results.html").read_text()
+        assert "<h2>Distributions</h2>" in page and page.count("<svg") >= 3
+        command = next(line for line in page.replace("</pre>", "\n").replace("<pre>", "\n").splitlines()
+                       if line.startswith("burnish polish worst/"))
+        first = json.loads(next(record.rglob("metrics.json")).read_text())["metrics"]
+        words = [campaign.program(), *shlex.split(command)[1:], "--quiet", "--force"]
+        assert subprocess.run(words, cwd=out, capture_output=True).returncode in (0, 1)
+        again = json.loads(next(record.rglob("metrics.json")).read_text())["metrics"]
+        for figure in ("force_rmse_N", "position_rmse_m"):
+            assert again[figure] == first[figure] == worst.outcome.figures[figure]
+
+    def test_what_is_there_is_not_made_again(self, made):
+        out, result = made
+        before = {file: file.stat().st_mtime_ns for file in (out / "runs").iterdir()}
+        text = (out / "results.csv").read_text()
+        again = campaign.sweep(json.loads(json.dumps(_tree(result))), out=out, quiet=True, resume=True)
+        assert [row.outcome.figures for row in again.rows] == [row.outcome.figures for row in result.rows]
+        assert {file: file.stat().st_mtime_ns for file in (out / "runs").iterdir()} == before
+        assert (out / "results.csv").read_text() == text
+        with pytest.raises(campaign.CampaignError, match="holds a run; wanted another folder"):
+            campaign.sweep(_tree(result), out=out, quiet=True)
+
+    def test_other_tasks_stop_early_and_say_what_is_refused(self, tmp_path):
+        plan = pressing(vary={"hold_duration": [0.1], "touch_force": [25, 5, 5.5, 6]},
+                        stop={"figure": "force_rmse", "above": 0.0, "runs": 2})
+        result = campaign.sweep(plan, out=tmp_path / "out", quiet=True, threads=2)
+        assert [row.outcome.done for row in result.rows] == [False, True, True]
+        assert "touch_force of 25 N is more than the force of 20 N" in result.rows[0].outcome.outcome
+        assert result.stopped == "ended after 3 of 4 runs: 2 had force_rmse above 0"
+        rows = table(tmp_path / "out")
+        assert [row["done"] for row in rows] == ["no", "yes", "yes"]
+        assert rows[0]["force_rmse [N]"] == "" and float(rows[2]["slip [m]"]) > 0
+
+    def test_a_figure_that_there_is_not_is_one_sentence(self, tmp_path):
+        with pytest.raises(campaign.CampaignError, match="there is no figure 'force_rms'; did you mean 'force_rmse"):
+            campaign.sweep(pressing(vary={"hold_duration": [0.1]}, keep=["force_rms"]), out=tmp_path / "out",
+                           quiet=True)
+
+    def test_a_run_beyond_its_limit_is_ended_and_said(self):
+        text = (TASKS / "press_hold" / "arm7.yaml").read_text()
+        outcome = outcome_of(make_task_run(campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01))
+        assert (outcome.late, outcome.done, outcome.outcome) == (True, False, "ended by its time limit")
+        assert not outcome.figures
+
+
+def _written(out, row):
+    path = out / "task.yaml"
+    path.write_text(row.run.text)
+    return path
+
+
+def _tree(result):
+    import yaml
+
+    return yaml.safe_load(result.sweep.text)
