@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._signal import Signal
 from ._spec import Spec, identity, zeros
 
 __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Reference"]
@@ -25,6 +26,9 @@ class Reference(Spec):
     """what the axes are fixed in, likewise"""
     rotation: ArrayLike = identity(3)
     """3 x 3, from the reference's axes to the axes that it is fixed in"""
+    rotation_over_time: Signal = None
+    """quaternions x, y, z, w of length 1 in place of `rotation`, of which q and -q are one rotation. For
+    the knots of a problem, each of which holds the rotation of its time; None: `rotation`"""
 
     @classmethod
     def local(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
@@ -51,6 +55,10 @@ class Reference(Spec):
     def world(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
         """The same at the world's origin."""
         return cls("world", "world", np.array(rotation, dtype=float))
+
+    def at(self, time: float) -> Reference:
+        """As it is at a time, s, with that rotation. Raises Error where it has none there, to 1e-6."""
+        return _core.reference_at(self, time)
 
     @classmethod
     def parse(cls, name: str) -> Reference:

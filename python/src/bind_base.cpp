@@ -144,6 +144,18 @@ void bind_columns(py::class_<Trace>& of) {
 
 void bind_base(py::module_& m) {
   bind_errors(m);
+  py::class_<SignalFunction>(m, "SignalFunction",
+                             "A function of time (s) that C++ made, such as one of a problem file.")
+      .def(
+          "__call__",
+          [](const SignalFunction& self, double time) {
+            Eigen::VectorXd value(self.signal.size());
+            self.signal.at(time, value);
+            return value;
+          },
+          py::arg("time"), "Its numbers at a time in s.")
+      .def("__copy__", [](const SignalFunction& self) { return self; })
+      .def("__deepcopy__", [](const SignalFunction& self, const py::dict&) { return self; });
   py::class_<Trace> trace(
       m, "Trace",
       "A record of a run: named columns with units, one row per sample.\n\n"

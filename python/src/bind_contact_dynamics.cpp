@@ -268,6 +268,19 @@ void bind_contact_dynamics(py::module_& m) {
           py::arg("contact"), py::arg("active"),
           "Makes or breaks a contact (name or number). Results before it are gone.")
       .def(
+          "set_reference_rotation",
+          [](Dynamics& self, const NumberOrName& contact, const Eigen::Matrix3d& rotation) {
+            constexpr const char* call = "ContactDynamics.set_reference_rotation";
+            const Busy::Lock lock(self.busy, call);
+            const int number = contact_number(call, contact, self.names);
+            self.evaluated = 0;
+            if (self.machine.set_reference_rotation(number, rotation) != Status::Ok)
+              throw Error(std::string(call) + ": this is not a rotation matrix");
+          },
+          py::arg("contact"), py::arg("rotation"),
+          "Another rotation (3, 3) in the place of that of a contact's reference (name or number), "
+          "for states evaluated from then on. Results before it are gone.")
+      .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(

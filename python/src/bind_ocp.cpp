@@ -106,18 +106,6 @@ void bind_check(py::module_& m) {
 
 void bind_ocp(py::module_& m) {
   bind_node_view(m);
-  py::class_<SignalFunction>(m, "SignalFunction",
-                             "A function of time (s) that C++ made, such as one of a problem file.")
-      .def(
-          "__call__",
-          [](const SignalFunction& self, double time) {
-            Eigen::VectorXd value(self.signal.size());
-            self.signal.at(time, value);
-            return value;
-          },
-          py::arg("time"), "Its numbers at a time in s.")
-      .def("__copy__", [](const SignalFunction& self) { return self; })
-      .def("__deepcopy__", [](const SignalFunction& self, const py::dict&) { return self; });
   bind_problem(m);
   bind_check(m);
 }

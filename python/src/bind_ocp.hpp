@@ -7,8 +7,6 @@
 namespace burnish::python {
 
 using ProblemClass = py::class_<ProblemMachine>;
-/// Rows one after the other, whatever came.
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 void bind_problem(py::module_& m);
 void bind_trajectory(ProblemClass& c);

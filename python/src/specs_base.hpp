@@ -1,7 +1,9 @@
-// Values of the base layer.
+// Values of the base layer. Signals are None, numbers, or functions of time.
 #pragma once
 
+#include "burnish/base/signal.hpp"
 #include "burnish/base/status.hpp"
+#include "callback.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {
@@ -9,4 +11,37 @@ namespace burnish::python {
 template <>
 struct EnumOf<Status> : AsEnum<Status> {};
 
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Numbers that a function of Python's answered, or nothing in the array if they are none.
+Numbers numbers_of(const py::object& answer);
+/// For messages.
+std::string what_came(const Numbers& numbers);
+
+/// A function of time that C++ made, such as one from a problem file: Python can call it, and it
+/// comes back as it was.
+struct SignalFunction {
+  Signal signal;
+};
+
+bool load_signal(py::handle from, Signal& signal);
+py::object make_signal(const Signal& signal);
+
+template <>
+inline std::string wanted<Signal>() {
+  return "a number, a vector of numbers, a function of time, or None";
+}
+
 }  // namespace burnish::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<burnish::Signal> {
+  PYBIND11_TYPE_CASTER(burnish::Signal, const_name("Signal"));
+  bool load(handle from, bool) { return burnish::python::load_signal(from, value); }
+  static handle cast(const burnish::Signal& from, return_value_policy, handle) {
+    return burnish::python::make_signal(from).release();
+  }
+};
+
+}  // namespace pybind11::detail

@@ -7,7 +7,8 @@ const SpecTable& AsDataclass<Reference>::table() {
   static const SpecTable fields = SpecTable("burnish.contact", "Reference")
                                       .field("origin", &Reference::origin)
                                       .field("axes", &Reference::axes)
-                                      .field("rotation", &Reference::rotation);
+                                      .field("rotation", &Reference::rotation)
+                                      .field("rotation_over_time", &Reference::rotation_over_time);
   return fields;
 }
 

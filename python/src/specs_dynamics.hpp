@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/reference.hpp"
+#include "specs_base.hpp"
 #include "specs_model.hpp"
 
 namespace burnish::python {

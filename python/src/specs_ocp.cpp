@@ -6,33 +6,6 @@ namespace burnish::python {
 
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-/// Numbers that a function of Python's answered, or nothing in the array if they are none.
-Numbers numbers_of(const py::object& answer) {
-  return answer.is_none() ? py::reinterpret_steal<Numbers>(py::handle()) : Numbers::ensure(answer);
-}
-
-std::string what_came(const Numbers& numbers) {
-  return numbers ? "an array of shape " + std::string(py::str(numbers.attr("shape")))
-                 : "no numbers";
-}
-
-/// A function of time that Python gave.
-struct PythonSignal {
-  Kept function;
-
-  void operator()(double time, Eigen::Ref<Eigen::VectorXd> out) const {
-    const py::gil_scoped_acquire lock;
-    const Numbers numbers = numbers_of(function.get()(time));
-    if (!numbers || numbers.ndim() > 1 || numbers.size() != out.size())
-      throw Error("signal: the function of time gave " + what_came(numbers) + " at " +
-                  std::string(py::str(py::float_(time))) + " s; wanted are " +
-                  std::to_string(out.size()) + " numbers");
-    out = Eigen::Map<const Eigen::VectorXd>(numbers.data(), out.size());
-  }
-};
-
 /// A function of a residual that Python gave.
 struct PythonResidual {
   Kept function;
@@ -74,12 +47,6 @@ struct PythonJacobian : PythonResidual {
   }
 };
 
-const PythonClass over_time_class("burnish._signal", "OverTime");
-
-Signal signal_over_time(int size, const py::object& function) {
-  return Signal::over_time(size, PythonSignal{Kept(function)});
-}
-
 std::string wanted_function() { return "a function of a NodeView, or None"; }
 
 /// A residual's function: the one that Python gave, or one of Python's around C++'s. `empty` makes
@@ -113,50 +80,6 @@ bool function_from_python(const residual::Custom& custom, py::handle value, Func
 }
 
 }  // namespace
-
-bool load_signal(py::handle from, Signal& signal) {
-  if (from.is_none()) {
-    signal = {};
-    return true;
-  }
-  if (py::isinstance(from, over_time_class.get())) {
-    const py::object function = from.attr("function");
-    signal = py::isinstance<SignalFunction>(function)
-                 ? py::cast<const SignalFunction&>(function).signal
-                 : signal_over_time(py::cast<int>(from.attr("size")), function);
-    return true;
-  }
-  const auto object = py::reinterpret_borrow<py::object>(from);
-  if (py::isinstance<SignalFunction>(from)) {
-    signal = py::cast<const SignalFunction&>(from).signal;
-    return true;
-  }
-  if (PyCallable_Check(from.ptr()) != 0) {
-    const Numbers first = numbers_of(object(0.0));
-    if (!first || first.ndim() > 1)
-      throw Error("signal: the function of time gave " + what_came(first) +
-                  " at 0 s; wanted are numbers");
-    signal = signal_over_time(static_cast<int>(first.size()), object);
-    return true;
-  }
-  const Numbers numbers = Numbers::ensure(from);
-  if (!numbers || numbers.ndim() > 1) return false;
-  signal = Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(numbers.data(), numbers.size()));
-  return true;
-}
-
-py::object make_signal(const Signal& signal) {
-  if (signal.empty()) return py::none();
-  if (signal.is_constant()) {
-    Eigen::VectorXd value(signal.size());
-    signal.at(0.0, value);
-    return py::cast(value);
-  }
-  const auto* ours = signal.function().target<PythonSignal>();
-  const py::object function =
-      ours != nullptr ? ours->function.get() : py::cast(SignalFunction{signal});
-  return py::reinterpret_borrow<py::object>(over_time_class.get())(signal.size(), function);
-}
 
 template <>
 const SpecTable& AsDataclass<residual::Custom>::table() {

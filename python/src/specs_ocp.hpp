@@ -1,5 +1,4 @@
-// Values of the ocp layer. Signals are None, numbers, or functions of time; residuals of the user's
-// own hold functions of Python's.
+// Values of the ocp layer. Residuals of the user's own hold functions of Python's.
 #pragma once
 
 #include "burnish/ocp/check.hpp"
@@ -18,12 +17,6 @@ struct TrajectoryValues {
   std::vector<int> terms;
 };
 
-/// A function of time that C++ made, such as one from a problem file: Python can call it, and it
-/// comes back as it was.
-struct SignalFunction {
-  Signal signal;
-};
-
 /// First and second order of a horizon, as Problem.expand answers.
 struct TrajectoryExpansion {
   Eigen::VectorXd costs;
@@ -32,14 +25,6 @@ struct TrajectoryExpansion {
   std::vector<int> terms;
   py::array_t<double> hessians, dynamics;
 };
-
-bool load_signal(py::handle from, Signal& signal);
-py::object make_signal(const Signal& signal);
-
-template <>
-inline std::string wanted<Signal>() {
-  return "a number, a vector of numbers, a function of time, or None";
-}
 
 template <>
 struct EnumOf<Penalty::Kind> : AsEnum<Penalty::Kind> {};
@@ -109,16 +94,3 @@ template <>
 struct SpecOf<residual::Custom> : AsDataclass<residual::Custom> {};
 
 }  // namespace burnish::python
-
-namespace pybind11::detail {
-
-template <>
-struct type_caster<burnish::Signal> {
-  PYBIND11_TYPE_CASTER(burnish::Signal, const_name("Signal"));
-  bool load(handle from, bool) { return burnish::python::load_signal(from, value); }
-  static handle cast(const burnish::Signal& from, return_value_policy, handle) {
-    return burnish::python::make_signal(from).release();
-  }
-};
-
-}  // namespace pybind11::detail

@@ -74,6 +74,20 @@ class TestContactDynamics:
         assert_close(dynamics.dalpha_dq, by_q)
         assert_close(dynamics.dalpha_dv, by_v)
 
+    def test_a_reference_is_turned(self) -> None:
+        turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+        robot = burnish.load_robot("arm7")
+        q, rest = robot.reference_configuration(), np.zeros(7)
+        made = [ContactDynamics(robot.model, [ContactSpec("tip", tool="tool", directions="x", reference=reference)])
+                for reference in (Reference.centered(), Reference.centered(turn))]
+        made[0].set_reference_rotation("tip", turn)
+        for dynamics in made:
+            dynamics.forward(q, rest, rest)
+        np.testing.assert_array_equal(made[0].lambda_, made[1].lambda_)
+        assert made[0].force("tip").reference == Reference.centered(turn)
+        with pytest.raises(burnish.Error, match="this is not a rotation matrix"):
+            made[0].set_reference_rotation("tip", 2.0 * turn)
+
     @pytest.mark.parametrize("reference", [Reference.local(), Reference.centered(),
                                            Reference.world()])
     def test_wrench_derivatives_are_those_of_wrenches(self, reference: Reference) -> None:

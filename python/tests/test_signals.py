@@ -73,6 +73,28 @@ def test_a_signal_that_is_none_is_refused_with_a_sentence(robot):
         position_targets(robot, lambda t: np.zeros(3 if t < 0.015 else 2))
 
 
+def turn(t):
+    """Quaternions about z, of a sign that changes."""
+    return (1 if t < 1.0 else -1) * np.array([0.0, 0.0, np.sin(0.5 * t), np.cos(0.5 * t)])
+
+
+def test_references_turn_from_knot_to_knot(robot):
+    turning = bn.Reference(rotation_over_time=turn)
+    spec = spec_of(robot, [bn.CostTerm(residual.FrameVelocity("tool", turning))], knots=3)
+    problem = bn.Problem(spec)
+    back = problem.spec.stages[0].costs[0].residual.reference
+    assert back == bn.Reference(rotation_over_time=bn.OverTime(4, turn))
+    problem.set_knot(2, "move", 1.5)
+    x, u = at_rest(robot), np.zeros(7)
+    x[7:] = 0.1
+    still = turning.at(1.5)
+    np.testing.assert_allclose(still.rotation[:, 0], [np.cos(1.5), np.sin(1.5), 0.0], atol=1e-15)
+    there = bn.Problem(spec_of(robot, [bn.CostTerm(residual.FrameVelocity("tool", still))], knots=3))
+    np.testing.assert_allclose(problem.residual(2, 0, x, u), there.residual(2, 0, x, u), atol=1e-14)
+    with pytest.raises(bn.Error, match="length 0.5 at 2 s"):
+        bn.Reference(rotation_over_time=lambda t: [0, 0, 0, 0.5]).at(2)
+
+
 def test_a_signal_is_asked_again_when_a_knot_gets_another_time(robot):
     asked = []
 

@@ -109,6 +109,33 @@ TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
   }
 }
 
+TEST_P(WrenchIn, a_reference_that_is_turned_is_the_one_stated_so) {
+  for (const Reference& own : references()) {
+    Reference plain = own;
+    plain.rotation.setIdentity();
+    const auto dynamics_of = [&](const Reference& reference) {
+      return ContactDynamics(model_, {contact(GetParam().tool, GetParam().base, reference,
+                                              Directions::parse("x,z,ry"))});
+    };
+    ContactDynamics stated = dynamics_of(own), turned = dynamics_of(plain);
+    EXPECT_EQ(turned.set_reference_rotation(0, 1.1 * own.rotation), Status::NotNormalized);
+    EXPECT_EQ(turned.set_reference_rotation(0, own.rotation), Status::Ok);
+    EXPECT_EQ(turned.forward_derivatives(), Status::NotEvaluated);
+    const RobotState state = regular_state(model_, stated, generator_);
+    for (ContactDynamics* dynamics : {&stated, &turned}) {
+      ASSERT_EQ(dynamics->forward(state.q, state.v, state.tau), Status::Ok);
+      ASSERT_EQ(dynamics->forward_derivatives(), Status::Ok);
+    }
+    EXPECT_LT(relative_error(turned.lambda(), stated.lambda()), 1e-12) << own.name();
+    EXPECT_LT(relative_error(turned.dlambda_dq(), stated.dlambda_dq()), 1e-12) << own.name();
+    EXPECT_EQ(turned.force(0).reference.rotation, own.rotation);
+    EXPECT_LT((turned.force(0).value - stated.force(0).value).norm(), 1e-9);
+  }
+  ContactDynamics dynamics(model_, {contact(GetParam().tool, GetParam().base)});
+  testing::expect_words(testing::refusal([&] { (void)dynamics.set_reference_rotation(1, tilt()); }),
+                        {"set_reference_rotation", "no contact 1", "the set has 1"});
+}
+
 /// By differences of fourth order of the wrench in a reference.
 WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, const RobotState& s,
                               const Reference& reference) {

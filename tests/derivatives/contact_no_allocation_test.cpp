@@ -35,6 +35,7 @@ TEST_P(ContactNoAllocation, one_state_at_a_time) {
   const Eigen::VectorXd fewer = lambda.head(6);
   // The last ones are fixed in a body that the contacts do not know.
   const std::vector<Reference> references = all_references(model, GetParam().tool, "world");
+  const Eigen::Matrix3d rotation = tilt();
   WrenchDerivatives wrench;
   dynamics.forward(q, v, v);
   dynamics.forward_derivatives();
@@ -43,6 +44,7 @@ TEST_P(ContactNoAllocation, one_state_at_a_time) {
   const AllocationGuard guard;
   for (const bool both : {true, false, true}) {
     dynamics.set_active(0, both);
+    sum += static_cast<double>(dynamics.set_reference_rotation(1, rotation));
     dynamics.forward(q, v, v);
     dynamics.forward_derivatives();
     sum += dynamics.da_dq().sum() + dynamics.dlambda_dtau().sum() + dynamics.mass_matrix().sum();

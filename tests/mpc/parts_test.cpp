@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mpc/black_box.hpp"
+#include "mpc/contact_force_estimate.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/policy.hpp"
@@ -105,6 +106,70 @@ TEST(Horizon, puts_the_stages_of_the_schedule_where_they_are_due) {
   for (int k = 0; k < 6; ++k) EXPECT_EQ(plan.problem.stage_of(k), k >= 5 ? 1 : 0) << k;
   plan.horizon.place(0.025);
   for (int k = 0; k < 6; ++k) EXPECT_EQ(plan.problem.stage_of(k), k >= 3 ? 1 : 0) << k;
+}
+
+/// The toy's stages touch something whose surface turns by 2 rad/s about x, or stays as it is at a
+/// time.
+MpcSpec turning_surface(std::optional<double> stays_at = {}) {
+  MpcSpec spec = toy_spec();
+  ContactSpec touch{.name = "touch", .tool = "tool", .directions = Directions::z()};
+  touch.reference = {
+      .origin = Anchor::Tool,
+      .axes = Anchor::Base,
+      .rotation_over_time = Signal::over_time(4, [](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
+        xyzw << std::sin(t), 0.0, 0.0, std::cos(t);
+      })};
+  if (stays_at) touch.reference = touch.reference.at(*stays_at);
+  spec.problem.contacts = {touch};
+  for (Stage& stage : spec.problem.stages) stage.contacts = {"touch"};
+  return spec;
+}
+
+TEST(Horizon, turns_references_along_with_the_clock) {
+  const MpcSpec spec = turning_surface();
+  Problem problem(spec.problem);
+  Schedule schedule(spec.schedule);
+  Horizon horizon(spec, problem, schedule);
+  const Eigen::VectorXd x = spec.problem.initial_state, u = Eigen::VectorXd::Constant(7, 3.0);
+  for (const double now : {0.0, 0.025, 0.5}) {
+    horizon.place(now);
+    for (int k = 0; k < problem.knots(); ++k) {
+      Problem still(turning_surface(now + 0.01 * k).problem);
+      EXPECT_NEAR(problem.forces(k, x, u)[0], still.forces(0, x, u)[0], 1e-9) << k << " at " << now;
+    }
+  }
+}
+
+TEST(ContactForceEstimate, knows_how_references_are_turned) {
+  ContactForceEstimate estimate(turning_surface().problem);
+  const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
+  Eigen::Vector3d first, force, wanted;
+  ASSERT_TRUE(estimate.force_at(0, 0.0, q, rest, rest, first));
+  for (const double time : {0.2, 0.6}) {
+    ContactForceEstimate still(turning_surface(time).problem);
+    ASSERT_TRUE(still.force_at(0, 0.0, q, rest, rest, wanted));
+    ASSERT_TRUE(estimate.force_at(0, time, q, rest, rest, force));
+    EXPECT_LT((force - wanted).norm(), 1e-9 * wanted.norm()) << time;
+    EXPECT_GT((force - first).norm(), 0.1 * wanted.norm()) << time;
+  }
+}
+
+TEST(ContactForceEstimate, is_none_where_a_reference_has_no_rotation) {
+  MpcSpec spec = turning_surface();
+  spec.problem.contacts[0].reference.rotation_over_time =
+      Signal::over_time(4, [](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
+        if (t > 2.0) throw Error("no more");
+        xyzw << 0.0, 0.0, 0.0, t < 1.0 ? 1.0 : 0.0;
+      });
+  ContactForceEstimate estimate(spec.problem);
+  const Eigen::VectorXd q = spec.problem.initial_state.head(7), rest = Eigen::VectorXd::Zero(7);
+  Eigen::Vector3d force;
+  EXPECT_TRUE(estimate.force_at(0, 0.5, q, rest, rest, force));
+  for (const double time : {1.5, 2.5}) {
+    EXPECT_FALSE(estimate.force_at(0, time, q, rest, rest, force)) << time;
+    EXPECT_TRUE(force.isZero(0.0));
+  }
 }
 
 TEST(Horizon, shifts_the_solution_along_with_the_clock) {
