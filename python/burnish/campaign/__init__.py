@@ -27,8 +27,11 @@ from ._results import CampaignError, RunFolder, list_runs
 from ._sweep import Row, SweepResult, make_sweep, read_sweep
 from ._tables import write_sweep
 from ._tasks import Machine, Outcome
+from ._tune import Tuned, Tuner, read_tuning, report_text, write_tuned
+from ._tune import tune as tune_by
 
-__all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "experiment", "program", "sweep"]
+__all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "Tuned", "experiment",
+           "program", "sweep", "tune"]
 
 
 def program() -> str:
@@ -142,3 +145,32 @@ def sweep(
             print(f"{plan.name}: {len(result.rows)} runs, {failed} of them not done\nin {folder.path}: "
                   f"{', '.join(names)}")
     return result
+
+
+def tune(
+    tuning: Union[str, Path, Mapping[str, Any]],
+    *,
+    scheduler: Optional[str] = None,
+    out: Union[str, Path, None] = None,
+    resume: bool = False,
+    quiet: bool = False,
+    threads: int = 0,
+    time_limit: float = 0.0,
+    patience: float = 600.0,
+) -> Tuned:
+    """Tunes keys of a task, as a YAML file or the same as a dictionary says, and leaves the tuned task and
+    a report in a folder. docs/campaigns.md says what a tuning states. The other arguments are sweep()'s.
+    Raises CampaignError for what is refused."""
+    plan = read_tuning(tuning)
+    if scheduler is not None:
+        dask()
+    if resume and out is None:
+        raise CampaignError("--resume wants --out, the folder to go on with")
+    bar = Bar(plan.name, 1, 0, quiet)
+    machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
+    with RunFolder(None if out is None else Path(out), f"{plan.name}_tuned", resume) as folder:
+        tuned = tune_by(Tuner(plan, machine, folder))
+        names = write_tuned(tuned, folder)
+        if not quiet:
+            print(f"{report_text(tuned)}\nin {folder.path}: {', '.join(names)}")
+    return tuned

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import List, Optional, Sequence
 
-from . import CampaignError, sweep
+from . import CampaignError, sweep, tune
 from . import _experiment as perform
 
 
@@ -29,8 +29,13 @@ def _parser() -> argparse.ArgumentParser:
                      help="how long a scheduler that is lost is waited for [600]")
     one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
                      help="name and options of burnish experiment")
-    many = commands.add_parser("sweep", help="the runs of a campaign's file, and their table")
-    many.add_argument("file", type=Path, metavar="FILE", help="the campaign: docs/campaigns.md")
+    _add_file(commands.add_parser("sweep", help="the runs of a campaign's file, and their table"))
+    _add_file(commands.add_parser("tune", help="keys of a task made better, as a file says"))
+    return parser
+
+
+def _add_file(many: argparse.ArgumentParser) -> None:
+    many.add_argument("file", type=Path, metavar="FILE", help="the campaign or the tuning: docs/campaigns.md")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
     many.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
     many.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
@@ -40,7 +45,6 @@ def _parser() -> argparse.ArgumentParser:
     many.add_argument("--patience", type=float, default=600.0, metavar="S",
                       help="how long a scheduler that is lost is waited for [600]")
     many.add_argument("--quiet", action="store_true", help="print nothing")
-    return parser
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -61,6 +65,10 @@ def _do(a: argparse.Namespace) -> int:
         result = sweep(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, quiet=a.quiet,
                        threads=a.threads, time_limit=a.time_limit, patience=a.patience)
         return 0 if all(row.outcome.done for row in result.rows) else 1
+    if a.command == "tune":
+        tuned = tune(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, quiet=a.quiet,
+                     threads=a.threads, time_limit=a.time_limit, patience=a.patience)
+        return 0 if tuned.better else 1
     words: List[str] = a.words[1:] if a.words[:1] == ["--"] else a.words
     return perform(words, a.scheduler, a.out, a.resume, a.mixed, a.quiet, a.time_limit, a.patience)[1]
 

@@ -85,29 +85,29 @@ def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Pat
     values = read_values(tree.get("vary"), tree.get("samples"))
     keep = tree.get("keep") or []
     keep = [keep] if isinstance(keep, str) else [str(figure) for figure in keep]
-    return Sweep(text, str(tree.get("name", name)), task, values, _seeds(tree.get("seeds"), task, values),
-                 _words(tree, task), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
+    return Sweep(text, str(tree.get("name", name)), task, values, read_seeds("seeds", tree.get("seeds"), task, values),
+                 program_words(tree, task), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
 
 
-def _seeds(given: Any, task: TaskFile, values: Values) -> List[int]:
+def read_seeds(where: str, given: Any, task: TaskFile, values: Values) -> List[int]:
     if given is None:
         return []
     if not task.polishes:
-        raise CampaignError(f"seeds are stated, and the task '{task.path}' draws nothing; wanted none")
+        raise CampaignError(f"{where} are stated, and the task '{task.path}' draws nothing; wanted none")
     if SEED in values.listed or SEED in values.drawn:
-        raise CampaignError(f"seeds are stated, and vary has '{SEED}' too; wanted one of them")
+        raise CampaignError(f"{where} are stated, and vary has '{SEED}' too; wanted one of them")
     if isinstance(given, int):
         given = {"count": given}
     if isinstance(given, dict):
-        only("seeds", given, ["first", "count"])
-        first = count("seeds.first", given.get("first", 0), 0)
-        return list(range(first, first + count("seeds.count", given.get("count"), 1)))
+        only(where, given, ["first", "count"])
+        first = count(f"{where}.first", given.get("first", 0), 0)
+        return list(range(first, first + count(f"{where}.count", given.get("count"), 1)))
     if not isinstance(given, list) or not given:
-        raise CampaignError(f"seeds is {given!r}; wanted a number of them, a list, or first and count")
-    return [count("seeds", seed, 0) for seed in given]
+        raise CampaignError(f"{where} is {given!r}; wanted a number of them, a list, or first and count")
+    return [count(where, seed, 0) for seed in given]
 
 
-def _words(tree: Mapping[str, Any], task: TaskFile) -> List[str]:
+def program_words(tree: Mapping[str, Any], task: TaskFile) -> List[str]:
     words = ["polish" if task.polishes else "run"]
     if task.polishes:
         controller = tree.get("controller", "mpc")
@@ -215,15 +215,9 @@ def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
     runs = [TaskRun(sweep.task.changed(point), tuple(sweep.words)) for point in points]
     outcomes: Dict[int, Outcome] = {}
     for index, run in enumerate(runs):
-        file = folder.path / "runs" / f"{run.name()}.json"
-        if file.exists():
-            try:
-                found = Outcome.parse(file.read_text())
-            except (ValueError, KeyError) as error:
-                raise CampaignError(f"'{file}' is no result of a run; wanted it whole, or removed to make the "
-                                    f"run again") from error
-            if not found.late:
-                outcomes[index] = found
+        found = find_outcome(folder, run)
+        if found is not None:
+            outcomes[index] = found
     left = [index for index in range(len(runs)) if index not in outcomes]
 
     def end() -> Optional[int]:
@@ -247,7 +241,7 @@ def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
             for figure in sweep.keep + [each.figure for each in (sweep.stop, sweep.worst) if each is not None]:
                 figure_named(figure, list(outcome.figures))
         outcomes[index] = outcome
-        _keep(folder, runs[index].name(), outcome)
+        keep_outcome(folder, runs[index], outcome)
         progress(len(outcomes), len(runs))
         return end() is None
 
@@ -264,11 +258,26 @@ def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
     return SweepResult(sweep, rows, figures, stopped)
 
 
-def _keep(folder: RunFolder, name: str, outcome: Outcome) -> None:
+def find_outcome(folder: RunFolder, run: TaskRun) -> Optional[Outcome]:
+    """What the folder has of a run, unless its time limit ended that. Raises CampaignError for a file
+    that is no result."""
+    file = folder.path / "runs" / f"{run.name()}.json"
+    if not file.exists():
+        return None
+    try:
+        found = Outcome.parse(file.read_text())
+    except (ValueError, KeyError) as error:
+        raise CampaignError(f"'{file}' is no result of a run; wanted it whole, or removed to make the run "
+                            f"again") from error
+    return None if found.late else found
+
+
+def keep_outcome(folder: RunFolder, run: TaskRun, outcome: Outcome) -> None:
+    """Raises CampaignError where the files cannot be written."""
     runs = folder.path / "runs"
     try:
         runs.mkdir(exist_ok=True)
     except OSError as error:
         raise CampaignError(f"cannot make the folder '{runs}': {error.strerror}") from error
-    write_whole(runs / f"{name}.times.json", (json.dumps(outcome.times, indent=1) + "\n").encode())
-    write_whole(runs / f"{name}.json", outcome.text().encode())
+    write_whole(runs / f"{run.name()}.times.json", (json.dumps(outcome.times, indent=1) + "\n").encode())
+    write_whole(runs / f"{run.name()}.json", outcome.text().encode())

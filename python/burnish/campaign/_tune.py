@@ -1,0 +1,431 @@
+"""Keys of a task tuned by a derivative-free optimiser: on some seeds, judged on others."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import io
+import json
+import math
+import statistics
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._points import Point, count, number, only, read_values
+from ._results import CampaignError, RunFolder, write_whole
+from ._sweep import (SEED, bare, figure_named, find_outcome, keep_outcome, known_figures, program_words, read_seeds,
+                     unit, Row)
+from ._tasks import Machine, Outcome, TaskFile, TaskRun, yaml
+
+Vector = NDArray[np.float64]
+
+_FAILED = 1e3
+"""what a run that is not done counts, in shares of the start"""
+
+
+@dataclass
+class Key:
+    """A key that is tuned."""
+
+    name: str
+    low: float
+    high: float
+    log: bool
+    start: float
+
+    def value(self, share: float) -> float:
+        """Of a share of its range, 0 to 1, to four digits."""
+        u = min(max(share, 0.0), 1.0)
+        exact = self.low * (self.high / self.low) ** u if self.log else self.low + (self.high - self.low) * u
+        return min(max(float(f"{exact:.4g}"), self.low), self.high)
+
+    def share(self, value: float) -> float:
+        if self.log:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+@dataclass
+class Tuning:
+    """What the file says."""
+
+    name: str
+    task: TaskFile
+    keys: List[Key]
+    minimise: str
+    not_worse: List[str]
+    slack: float
+    """share by which these may be above their start"""
+    train: List[Point]
+    test: List[Point]
+    evaluations: int
+    words: List[str]
+
+
+def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
+    """From a file, or the same as a dictionary. Raises CampaignError for what does not fit together."""
+    if isinstance(source, (str, Path)):
+        path = Path(source)
+        try:
+            tree = yaml().safe_load(path.read_text())
+        except OSError as error:
+            raise CampaignError(f"cannot read the tuning '{path}': {error.strerror}") from error
+        except yaml().YAMLError as error:
+            raise CampaignError(f"the tuning '{path}' is no YAML: {' '.join(str(error).split())}") from error
+        folder, name = path.parent, path.stem
+    else:
+        tree, folder, name = dict(source), Path(), "tuning"
+    if not isinstance(tree, dict):
+        raise CampaignError("the tuning has no keys; wanted at least task, tune, minimise, train and test")
+    only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "vary", "train", "test",
+                          "evaluations", "controller", "plant"])
+    for key in ("task", "minimise"):
+        if not isinstance(tree.get(key), str):
+            raise CampaignError(f"the tuning states no {key}; wanted {key}: "
+                                f"{'FILE' if key == 'task' else 'FIGURE, such as force_rmse'}")
+    task = TaskFile.read(folder / tree["task"])
+    keys = _keys(tree.get("tune"), task)
+    train, test = (_conditions(tree, which, task, keys) for which in ("train", "test"))
+    both = [point for point in train if point in test]
+    if both:
+        raise CampaignError(f"train and test have {both[0] or 'the task as it is'} in common; wanted seeds or "
+                            f"samples of their own")
+    not_worse = tree.get("not_worse") or []
+    return Tuning(str(tree.get("name", name)), task, keys, tree["minimise"],
+                  [not_worse] if isinstance(not_worse, str) else [str(each) for each in not_worse],
+                  number("slack", tree.get("slack", 0.0)), train, test,
+                  count("evaluations", tree.get("evaluations", 60), len(keys) + 2), program_words(tree, task))
+
+
+def _start(task: TaskFile, key: str) -> float:
+    """The value that the task has. Raises CampaignError where that is no number."""
+    tree = yaml().safe_load(task.changed({})) or {}
+    for part in key.split("."):
+        tree = tree.get(part) if isinstance(tree, dict) else None
+    if isinstance(tree, bool) or not isinstance(tree, (int, float)):
+        said = "nothing" if tree is None else repr(tree)
+        raise CampaignError(f"tune.{key}: the task '{task.path}' says {said} there; wanted a key with a number")
+    return float(tree)
+
+
+def _keys(given: Any, task: TaskFile) -> List[Key]:
+    if not isinstance(given, dict) or not given:
+        raise CampaignError(f"tune is {given!r}; wanted keys with their ranges, such as force: {{from: 20, to: 40}}")
+    keys = []
+    for name, span in given.items():
+        where = f"tune.{name}"
+        if not isinstance(span, dict) or "from" not in span or "to" not in span:
+            raise CampaignError(f"{where} is {span!r}; wanted from and to")
+        only(where, span, ["from", "to", "log"])
+        low, high, log = number(where, span["from"]), number(where, span["to"]), bool(span.get("log", False))
+        if not low < high:
+            raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower one first")
+        if log and low <= 0:
+            raise CampaignError(f"{where} is a range over powers from {low:g}; wanted one from above 0")
+        task.changed({str(name): low}), task.changed({str(name): high})
+        start = _start(task, str(name))
+        if not low <= start <= high:
+            raise CampaignError(f"{where} goes from {low:g} to {high:g}, and the task has {start:g}; wanted a range "
+                                f"that holds it")
+        keys.append(Key(str(name), low, high, log, start))
+    return keys
+
+
+def _conditions(tree: Mapping[str, Any], which: str, task: TaskFile, keys: List[Key]) -> List[Point]:
+    """What is not the controller's: seeds, and samples of what `vary` draws."""
+    given = tree.get(which)
+    if not isinstance(given, dict):
+        raise CampaignError(f"{which} is {given!r}; wanted seeds, or samples of what vary draws")
+    only(which, given, ["seeds", "samples"])
+    samples = given.get("samples")
+    samples = {"count": samples} if isinstance(samples, int) else samples
+    # Where both leave it open they draw apart.
+    if isinstance(samples, dict):
+        samples = {"seed": 0 if which == "train" else 1, **samples}
+    values = read_values(tree.get("vary"), samples)
+    for key in keys:
+        for name in [*values.listed, *values.drawn]:
+            if name == key.name or name.startswith(key.name + ".") or key.name.startswith(name + "."):
+                raise CampaignError(f"'{name}' is in vary, and '{key.name}' is tuned; wanted one of them")
+    points = values.points()
+    seeds = read_seeds(f"{which}.seeds", given.get("seeds"), task, values)
+    return [{**point, SEED: seed} for point in points for seed in seeds] if seeds else points
+
+
+@dataclass
+class Tuned:
+    """What came out."""
+
+    tuning: Tuning
+    start: Dict[str, float]
+    best: Dict[str, float]
+    evaluated: List[Tuple[Dict[str, float], float, float]]
+    """values, objective and largest excess of what may not get worse, both as shares of the start"""
+    table: List[Dict[str, Any]]
+    """per figure on the test seeds: start, tuned, difference with the half width of its 95 % interval"""
+    matters: List[Dict[str, Any]]
+    """per key, on the training seeds: what going back to its start costs"""
+    text: str
+    """of the tuned task"""
+
+    @property
+    def better(self) -> bool:
+        """On seeds that it was not tuned on, surely, and nothing that may not get worse did, surely."""
+        rows = {row["figure"]: row for row in self.table}
+        gained: bool = rows[self.tuning.minimise]["verdict"] == "better"
+        kept = [*self.tuning.not_worse, FAILURES]
+        return gained and all(rows[figure]["verdict"] not in ("worse", "unknown") for figure in kept)
+
+
+FAILURES = "runs that failed"
+
+
+class _Enough(Exception):
+    pass
+
+
+class Tuner:
+    """Makes runs and remembers them."""
+
+    def __init__(self, tuning: Tuning, machine: Machine, folder: RunFolder) -> None:
+        self.tuning, self.machine, self.folder = tuning, machine, folder
+        self.start = {key.name: key.start for key in tuning.keys}
+        self.evaluated: Dict[Tuple[float, ...], Tuple[float, List[float]]] = {}
+        first = self.outcomes(self.start, tuning.train)
+        failed = [outcome for outcome in first if not outcome.done]
+        if failed:
+            raise CampaignError(f"the task as it is fails on a training seed: {failed[0].outcome}; wanted one that "
+                                f"works, to be made better")
+        known = list(first[0].figures)
+        tuning.minimise = figure_named(tuning.minimise, known)
+        tuning.not_worse = [figure_named(figure, known) for figure in tuning.not_worse]
+        self.means = {figure: self._mean(first, figure) for figure in [tuning.minimise, *tuning.not_worse]}
+
+    @staticmethod
+    def _mean(outcomes: Sequence[Outcome], figure: str) -> float:
+        return statistics.fmean(outcome.figures[figure] for outcome in outcomes)
+
+    def outcomes(self, values: Mapping[str, float], points: Sequence[Point]) -> List[Outcome]:
+        """Of a run per point, in order."""
+        runs = [TaskRun(self.tuning.task.changed({**values, **point}), tuple(self.tuning.words)) for point in points]
+        made: Dict[int, Outcome] = {}
+        for index, run in enumerate(runs):
+            found = find_outcome(self.folder, run)
+            if found is not None:
+                made[index] = found
+        left = [index for index in range(len(runs)) if index not in made]
+
+        def keep(at: int, outcome: Outcome) -> bool:
+            made[left[at]] = outcome
+            keep_outcome(self.folder, runs[left[at]], outcome)
+            return True
+
+        if left:
+            self.machine.make([runs[index] for index in left], keep)
+        return [made[index] for index in range(len(runs))]
+
+    def values(self, shares: Vector) -> Dict[str, float]:
+        return {key.name: key.value(float(u)) for key, u in zip(self.tuning.keys, shares)}
+
+    def evaluate(self, shares: Vector) -> Tuple[float, List[float]]:
+        """Objective and excesses, as shares of the start. Raises _Enough after the last evaluation."""
+        values = self.values(shares)
+        at = tuple(values.values())
+        if at not in self.evaluated:
+            if len(self.evaluated) >= self.tuning.evaluations:
+                raise _Enough
+            outcomes = self.outcomes(values, self.tuning.train)
+            if all(outcome.done for outcome in outcomes):
+                self.evaluated[at] = (self._share(outcomes, self.tuning.minimise), [
+                    self._share(outcomes, figure) - 1.0 - self.tuning.slack for figure in self.tuning.not_worse])
+            else:
+                self.evaluated[at] = (_FAILED, [_FAILED] * len(self.tuning.not_worse))
+            self.machine.say(f"{len(self.evaluated)} of {self.tuning.evaluations}: {bare(self.tuning.minimise)} "
+                             f"{self.evaluated[at][0]:.4g} of the start's")
+        return self.evaluated[at]
+
+    def _share(self, outcomes: Sequence[Outcome], figure: str) -> float:
+        start = self.means[figure]
+        return self._mean(outcomes, figure) / start if start > 0 else 1.0 + self._mean(outcomes, figure) - start
+
+    def best(self) -> Dict[str, float]:
+        """The lowest of those that keep to what may not get worse; the start is one."""
+        kept = [(objective, at) for at, (objective, excess) in self.evaluated.items()
+                if all(each <= 1e-9 for each in excess)]
+        at = min(kept)[1] if kept else tuple(self.start.values())
+        return dict(zip(self.start, at))
+
+
+def optimise(tuner: Tuner) -> None:
+    """COBYLA, of NLopt where that is installed, otherwise of SciPy. Raises CampaignError without either."""
+    first = np.array([key.share(key.start) for key in tuner.tuning.keys])
+    constraints = range(len(tuner.tuning.not_worse))
+    try:
+        tuner.evaluate(first)
+        try:
+            nlopt: Any = importlib.import_module("nlopt")
+        except ImportError:
+            _by_scipy(tuner, first, constraints)
+        else:
+            _by_nlopt(nlopt, tuner, first, constraints)
+    except _Enough:
+        pass
+
+
+def _by_nlopt(nlopt: Any, tuner: Tuner, first: Vector, constraints: range) -> None:
+    thrown: List[BaseException] = []
+
+    def guarded(pick: Callable[[Tuple[float, List[float]]], float]) -> Callable[[Vector, Vector], float]:
+        def call(x: Vector, gradient: Vector) -> float:
+            try:
+                return pick(tuner.evaluate(np.array(x)))
+            except BaseException as error:
+                thrown.append(error)
+                raise nlopt.ForcedStop() from error
+        return call
+
+    optimiser = nlopt.opt(nlopt.LN_COBYLA, len(first))
+    optimiser.set_lower_bounds(0.0)
+    optimiser.set_upper_bounds(1.0)
+    optimiser.set_initial_step(0.15)
+    optimiser.set_xtol_abs(2e-3)
+    optimiser.set_maxeval(20 * tuner.tuning.evaluations)
+    optimiser.set_min_objective(guarded(lambda result: result[0]))
+    for i in constraints:
+        optimiser.add_inequality_constraint(guarded(lambda result, i=i: result[1][i]), 0.0)  # type: ignore[misc]
+    try:
+        optimiser.optimize(first)
+    except (nlopt.ForcedStop, nlopt.RoundoffLimited):
+        pass
+    if thrown and not isinstance(thrown[0], _Enough):
+        raise thrown[0]
+
+
+def _by_scipy(tuner: Tuner, first: Vector, constraints: range) -> None:
+    try:
+        scipy: Any = importlib.import_module("scipy.optimize")
+    except ImportError as missing:
+        raise CampaignError("neither NLopt nor SciPy is installed (Debian: apt install python3-nlopt); wanted one of "
+                            "them to tune") from missing
+    limits: List[Dict[str, Any]] = [
+        {"type": "ineq", "fun": lambda x, i=i: -tuner.evaluate(x)[1][i]} for i in constraints]
+    for i in range(len(first)):
+        limits.append({"type": "ineq", "fun": lambda x, i=i: x[i]})
+        limits.append({"type": "ineq", "fun": lambda x, i=i: 1.0 - x[i]})
+    scipy.minimize(lambda x: tuner.evaluate(x)[0], first, method="COBYLA", constraints=limits,
+                   options={"rhobeg": 0.15, "tol": 2e-3, "maxiter": 20 * tuner.tuning.evaluations})
+
+
+def _t_quantile(freedom: int) -> float:
+    """Of 97.5 %, by its expansion about the normal one (Abramowitz and Stegun 26.7.5)."""
+    few = (12.706, 4.303, 3.182, 2.776)  # where that is not near enough
+    if freedom <= len(few):
+        return few[freedom - 1]
+    z = statistics.NormalDist().inv_cdf(0.975)
+    first, second = (z**3 + z) / 4.0, (5.0 * z**5 + 16.0 * z**3 + 3.0 * z) / 96.0
+    third = (3.0 * z**7 + 19.0 * z**5 + 17.0 * z**3 - 15.0 * z) / 384.0
+    return float(z + first / freedom + second / freedom**2 + third / freedom**3)
+
+
+def difference(before: Sequence[float], after: Sequence[float]) -> Tuple[float, float]:
+    """Mean of what each pair changed by, and the half width of its 95 % interval (inf of one pair)."""
+    changes = [b - a for a, b in zip(before, after)]
+    if len(changes) < 2:
+        return statistics.fmean(changes), math.inf
+    return statistics.fmean(changes), _t_quantile(len(changes) - 1) * statistics.stdev(changes) / math.sqrt(
+        len(changes))
+
+
+def compare(before: Sequence[Outcome], after: Sequence[Outcome], figures: Sequence[str],
+            slack: Mapping[str, float]) -> List[Dict[str, Any]]:
+    """A row per figure, over the runs that were done with both. Of those in `slack` lower is better, and
+    a rise by that share of the mean before is not worse; of others it is not known what is better."""
+    pairs = [(a, b) for a, b in zip(before, after) if a.done and b.done]
+    rows = []
+    for figure in figures:
+        a, b = ([outcome.figures.get(figure, math.nan) for outcome in side] for side in (
+            [pair[0] for pair in pairs], [pair[1] for pair in pairs]))
+        if not pairs or any(math.isnan(value) for value in [*a, *b]):
+            rows.append({"figure": figure, "start": math.nan, "tuned": math.nan, "change": math.nan,
+                         "half": math.inf, "verdict": "unknown"})
+            continue
+        change, half = difference(a, b)
+        allowed = slack.get(figure, 0.0) * statistics.fmean(a)
+        low, high = ("better", "worse") if figure in slack else ("lower", "higher")
+        verdict = low if change < -half else high if change - half > allowed else "no sure difference" if (
+            change <= half) else "within the slack"
+        rows.append({"figure": figure, "start": statistics.fmean(a), "tuned": statistics.fmean(b),
+                     "change": change, "half": half, "verdict": verdict})
+    return rows
+
+
+def tune(tuner: Tuner) -> Tuned:
+    """The whole of it: optimise on the training seeds, judge on the others, take each key back alone."""
+    tuning = tuner.tuning
+    optimise(tuner)
+    best = tuner.best()
+    before, after = (tuner.outcomes(values, tuning.test) for values in (tuner.start, best))
+    figures = list(dict.fromkeys([tuning.minimise, *tuning.not_worse, *known_figures(
+        [Row(0, {}, TaskRun("", ()), outcome) for outcome in before])]))
+    asked = {**{figure: tuning.slack for figure in tuning.not_worse}, tuning.minimise: 0.0}
+    table = compare(before, after, figures, asked)
+    failed = [sum(not outcome.done for outcome in side) for side in (before, after)]
+    table.append({"figure": FAILURES, "start": failed[0], "tuned": failed[1],
+                  "change": failed[1] - failed[0], "half": 0.0,
+                  "verdict": "worse" if failed[1] > failed[0] else "better" if failed[1] < failed[0] else "the same"})
+    trained = tuner.outcomes(best, tuning.train)
+    matters = []
+    for key in tuning.keys:
+        row: Dict[str, Any] = {"key": key.name, "start": key.start, "tuned": best[key.name]}
+        if best[key.name] != key.start:
+            back = tuner.outcomes({**best, key.name: key.start}, tuning.train)
+            row.update(compare(trained, back, [tuning.minimise], asked)[0])
+        matters.append({**row, "start": key.start, "tuned": best[key.name]})
+    evaluated = [(dict(zip(tuner.start, at)), objective, max(excess, default=0.0))
+                 for at, (objective, excess) in tuner.evaluated.items()]
+    return Tuned(tuning, tuner.start, best, evaluated, table, matters, tuning.task.changed(best))
+
+
+def _label(figure: str) -> str:
+    return f"{bare(figure)} [{unit(figure)}]" if unit(figure) else figure
+
+
+def report_text(tuned: Tuned) -> str:
+    """As Markdown."""
+    tuning = tuned.tuning
+    verdict = ("better on seeds that it was not tuned on, and nothing that may not get worse got worse"
+               if tuned.better else "not surely better on seeds that it was not tuned on: keep the task as it was")
+    lines = [f"# {tuning.name}", "", f"The tuned task is {verdict}.", "",
+             f"{len(tuned.evaluated)} evaluations on {len(tuning.train)} training runs; judged on {len(tuning.test)} "
+             f"others. Differences are of pairs, with 95 % intervals.", "", "## What changed", "",
+             f"| key | start | tuned | back to its start costs {_label(tuning.minimise)}, on training runs |",
+             "| --- | ---: | ---: | --- |"]
+    for row in tuned.matters:
+        cost = f"{row['change']:.4g} +- {row['half']:.2g}" + (
+            "" if row["verdict"] == "worse" else ": does not matter surely") if "change" in row else "not changed"
+        lines.append(f"| {row['key']} | {row['start']:.6g} | {row['tuned']:.6g} | {cost} |")
+    lines += ["", "## What it bought, on test runs", "", "| figure | start | tuned | change | verdict |",
+              "| --- | ---: | ---: | ---: | --- |"]
+    for row in tuned.table:
+        asked = " (minimised)" if row["figure"] == tuning.minimise else (
+            " (may not get worse)" if row["figure"] in tuning.not_worse else "")
+        lines.append(f"| {_label(row['figure'])}{asked} | {row['start']:.5g} | {row['tuned']:.5g} | "
+                     f"{row['change']:.3g} +- {row['half']:.2g} | {row['verdict']} |")
+    return "\n".join(lines) + "\n"
+
+
+def write_tuned(tuned: Tuned, folder: RunFolder) -> List[str]:
+    """The task, the report and all evaluations; their names."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([*tuned.start, f"{bare(tuned.tuning.minimise)}, share of the start", "largest excess"])
+    for values, objective, excess in tuned.evaluated:
+        writer.writerow([json.dumps(value) for value in [*values.values(), objective, excess]])
+    files = {"tuned.yaml": tuned.text, "tuning.md": report_text(tuned), "evaluations.csv": text.getvalue()}
+    for name, content in files.items():
+        write_whole(folder.path / name, content.encode())
+    return list(files)

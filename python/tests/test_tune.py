@@ -1,0 +1,164 @@
+"""Tuning: what the optimiser finds, on which seeds it is judged, what may not get worse, bad input."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from burnish import campaign
+from burnish.campaign import _tune
+from burnish.campaign._results import RunFolder
+from burnish.campaign._tasks import Machine, Outcome
+
+TASKS = Path(__file__).resolve().parents[2] / "tasks"
+yaml = pytest.importorskip("yaml", reason="PyYAML is not installed (python3-yaml)")
+has_nlopt = importlib.util.find_spec("nlopt") is not None
+has_scipy = importlib.util.find_spec("scipy") is not None
+either = pytest.mark.skipif(not (has_nlopt or has_scipy),
+                            reason="neither NLopt nor SciPy is installed (python3-nlopt)")
+
+
+class Made(Machine):
+    """Runs whose figures are a formula: best at a weight of 10, whatever the speed, more slip the more
+    weight; rough ground is noise."""
+
+    def __init__(self):
+        super().__init__("nothing")
+        self.tasks = []
+
+    def make(self, runs, keep):
+        for index, run in enumerate(runs):
+            task = yaml.safe_load(run.text)
+            self.tasks.append(task)
+            weight, friction = task["posture_weight"], task["friction"]
+            figures = {"force_rmse_N": 1.0 + (math.log10(weight) - 1.0) ** 2 + 0.01 * friction,
+                       "slip_m": 1e-3 * (2.0 + math.log10(weight)), "moved_aside": weight}
+            done = weight < 60
+            keep(index, Outcome(done, "held" if done else "fault", figures if done else {}, {"computing_s": 0.1}))
+
+
+def plan(**more):
+    return {"task": str(TASKS / "press_hold" / "arm7.yaml"),
+            "tune": {"posture_weight": {"from": 0.1, "to": 100, "log": True},
+                     "approach_speed": {"from": 0.01, "to": 0.05}},
+            "minimise": "force_rmse", "vary": {"friction": {"uniform": [0.1, 0.5]}},
+            "train": {"samples": 3}, "test": {"samples": 6}, "evaluations": 40, **more}
+
+
+def tuned(tmp_path, **more):
+    machine = Made()
+    with RunFolder(tmp_path / "out", "", (tmp_path / "out").exists()) as folder:
+        result = _tune.tune(_tune.Tuner(_tune.read_tuning(plan(**more)), machine, folder))
+        _tune.write_tuned(result, folder)
+    return result, machine
+
+
+def row(result, figure):
+    return next(each for each in result.table if each["figure"] == figure)
+
+
+@either
+def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
+    result, machine = tuned(tmp_path)
+    assert result.better
+    assert 7 < result.best["posture_weight"] < 14
+    assert len(result.evaluated) <= 40
+    force = row(result, "force_rmse_N")
+    assert force["verdict"] == "better" and abs(force["change"] + 1.0) < 0.05 and force["half"] < 0.05
+    assert row(result, "moved_aside")["verdict"] == "higher"
+    # Those that it is judged on are no training runs.
+    train, test = ({point["friction"] for point in points} for points in (result.tuning.train, result.tuning.test))
+    assert not train & test and len(test) == 6
+    # The key without effect is told from the one that matters.
+    weight, speed = result.matters
+    assert weight["verdict"] == "worse" and speed.get("verdict", "no sure difference") == "no sure difference"
+    # The task is a file with these values, and the report says all of it.
+    task = yaml.safe_load((tmp_path / "out" / "tuned.yaml").read_text())
+    assert task["posture_weight"] == result.best["posture_weight"] and task["friction"] == 0.3
+    report = (tmp_path / "out" / "tuning.md").read_text()
+    for words in ("better on seeds that it was not tuned on", "| posture_weight | 1 |", "| force_rmse [N] (minimised) |"):
+        assert words in report
+    evaluations = (tmp_path / "out" / "evaluations.csv").read_text()
+    assert evaluations.count("\n") == len(result.evaluated) + 1
+    # Again from what is there: nothing is made twice, and the same comes out.
+    again, machine = tuned(tmp_path)
+    assert not machine.tasks and again.best == result.best and again.table == result.table
+
+
+@either
+def test_what_may_not_get_worse_does_not(tmp_path):
+    result, _ = tuned(tmp_path, not_worse="slip")
+    assert result.best["posture_weight"] <= 1.0 + 1e-9 and not result.better
+    assert "keep the task as it was" in _tune.report_text(result)
+    result, _ = tuned(tmp_path, not_worse="slip", slack=0.3)
+    assert 2.0 < result.best["posture_weight"] < 4.1 and result.better
+    assert row(result, "slip_m")["verdict"] == "within the slack"
+
+
+@pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")
+def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "nlopt", None)
+    result, _ = tuned(tmp_path, evaluations=60)
+    assert result.better and 6 < result.best["posture_weight"] < 16
+    monkeypatch.setitem(sys.modules, "scipy.optimize", None)
+    with pytest.raises(campaign.CampaignError, match="neither NLopt nor SciPy is installed"):
+        tuned(tmp_path / "other")
+
+
+def test_intervals_are_students():
+    for freedom, quantile in ((1, 12.706), (2, 4.303), (5, 2.571), (11, 2.201), (100, 1.984)):
+        assert abs(_tune._t_quantile(freedom) - quantile) < 0.002 * quantile
+    mean, half = _tune.difference([1.0, 2.0, 3.0, 4.0], [0.9, 1.8, 2.9, 3.8])
+    assert abs(mean + 0.15) < 1e-12 and abs(half - 0.0919) < 0.003
+    assert _tune.difference([1.0], [2.0]) == (1.0, math.inf)
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"tune": {"posture_wieght": {"from": 1, "to": 2}}}, "says nothing there; wanted a key with a number"),
+    ({"tune": {"robot": {"from": 1, "to": 2}}}, "says 'arm7' there"),
+    ({"tune": {}}, "wanted keys with their ranges"),
+    ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower one first"),
+    ({"tune": {"force": {"from": 30, "to": 40}}}, "and the task has 20; wanted a range that holds it"),
+    ({"tune": {"force": [1, 2]}}, "wanted from and to"),
+    ({"tune": {"friction": {"from": 0.1, "to": 0.9}}}, "'friction' is in vary, and 'friction' is tuned"),
+    ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "from above 0"),
+    ({"train": {"samples": {"count": 2, "seed": 5}}, "test": {"samples": {"count": 2, "seed": 5}}}, "in common"),
+    ({"train": {"seeds": 3, "samples": 2}}, "draws nothing; wanted none"),
+    ({"train": 3}, "train is 3; wanted seeds, or samples"),
+    ({"evaluations": 2}, "evaluations is 2"),
+    ({"minimise": 3}, "wanted minimise: FIGURE"),
+    ({"minimize": "x"}, "did you mean 'minimise'?"),
+    ({"minimise": "force_rms"}, "did you mean 'force_rmse"),
+    ({"not_worse": ["slop"]}, "there is no figure 'slop'"),
+])
+def test_bad_input_is_one_sentence(tmp_path, change, words):
+    with pytest.raises(campaign.CampaignError) as error:
+        tuned(tmp_path, **change)
+    assert words in str(error.value) and "\n" not in str(error.value)
+
+
+def test_polishing_has_seeds_and_keys_that_are_checked(tmp_path):
+    tree = {"task": str(TASKS / "polishing" / "board.yaml"), "minimise": "force_rmse",
+            "tune": {"controller.contact_kd": {"from": 5, "to": 80}},
+            "train": {"seeds": {"first": 0, "count": 2}}, "test": {"seeds": {"first": 100, "count": 3}}}
+    read = _tune.read_tuning(tree)
+    assert read.keys[0].start == 40.0  # which board.yaml leaves to its default
+    assert [point["disturbances.seed"] for point in read.test] == [100, 101, 102]
+    for change, words in (({"tune": {"controller.contact_dk": {"from": 5, "to": 80}}}, "did you mean 'contact_kd'?"),
+                          ({"test": {"seeds": [5, 1]}}, "{'disturbances.seed': 1} in common")):
+        with pytest.raises(campaign.CampaignError) as error:
+            _tune.read_tuning({**tree, **change})
+        assert words in str(error.value)
+
+
+def test_the_command_line_refuses_in_one_sentence(tmp_path):
+    (tmp_path / "t.yaml").write_text(json.dumps({**plan(), "evaluations": 1}))
+    done = subprocess.run([sys.executable, "-m", "burnish.campaign", "tune", "t.yaml"], cwd=tmp_path,
+                          capture_output=True, text=True)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "evaluations is 1" in done.stderr
