@@ -18,14 +18,14 @@ std::string rounded(double value) {
 }
 
 std::string name_of_axes(const Anchor& axes) {
-  const char* const names[] = {"the tool's axes", "the surface", "the world"};
-  return axes.of == Anchor::Frame ? axes.frame : names[axes.of];
+  return fixed_in<std::string>(axes, "the tool's axes", "the surface", "the world",
+                               [](const std::string& frame) { return frame; });
 }
 
 std::string name_of_origin(const Anchor& origin) {
-  const char* const names[] = {", at the tool's origin", ", at the base's origin",
-                               ", about the world's origin"};
-  return origin.of == Anchor::Frame ? ", at the origin of " + origin.frame : names[origin.of];
+  return fixed_in<std::string>(
+      origin, ", at the tool's origin", ", at the base's origin", ", about the world's origin",
+      [](const std::string& frame) { return ", at the origin of " + frame; });
 }
 
 /// Of the force's reference.
@@ -75,7 +75,7 @@ Eigen::Vector3d ContactForce::origin() const { return to_eigen(pose_of(*this).p)
 
 ContactForce ContactForce::in(const Reference& other) const {
   const auto is_known = [](const Anchor& anchor, const Anchor& own) {
-    return anchor.of != Anchor::Frame || anchor == own;
+    return fixed_in(anchor, true, true, true, [&](const std::string&) { return anchor == own; });
   };
   if (!is_known(other.axes, reference.axes) || !is_known(other.origin, reference.origin))
     throw Error("contact force of '" + contact + "': it does not know where the frames of the " +

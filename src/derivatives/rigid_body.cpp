@@ -97,10 +97,12 @@ struct RigidBody::Impl {
     return compile_reference(model, stated, frames.at(frame), frames.back());
   }
   std::span<const MovingAxis> support(int frame, const Anchor& anchor) const {
-    if (anchor.of == Anchor::Tool) return frames.at(frame).support;
-    const bool named = anchor.of == Anchor::Frame && model.has_frame(anchor.frame);
-    return named ? frames[static_cast<std::size_t>(model.frame_index(anchor.frame))].support
-                 : frames.back().support;
+    const std::span<const MovingAxis> tool = frames.at(frame).support, world;
+    return fixed_in(anchor, tool, world, world, [&](const std::string& name) {
+      return model.has_frame(name)
+                 ? std::span<const MovingAxis>(frames[model.frame_index(name)].support)
+                 : world;
+    });
   }
   FrameError<double> error(int frame, const Eigen::Isometry3d& target) const {
     return frame_error(state(frame), from_eigen(Eigen::Matrix3d(target.linear())),
