@@ -29,16 +29,4 @@ auto named_by(const std::string& file, const Work& work) {
 /// Of burnish, such as "0.3.0".
 const char* program_version();
 
-/// `exit_code` is set when the command has run.
-void add_show(CLI::App& app, int& exit_code);
-void add_check(CLI::App& app, int& exit_code);
-void add_eval(CLI::App& app, int& exit_code);
-void add_solve(CLI::App& app, int& exit_code);
-void add_polish(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);
-void add_experiment(CLI::App& app, int& exit_code);
-void add_merge(CLI::App& app, int& exit_code);
-void add_report(CLI::App& app, int& exit_code);
-void add_bench(CLI::App& app, int& exit_code);
-
 }  // namespace burnish::app

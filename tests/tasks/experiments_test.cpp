@@ -177,7 +177,7 @@ TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
   ExperimentSpec spec = quick();
   spec.seeds = 2;
   spec.surfaces = {"table"};
-  const ExperimentReport report = perform_paper(spec);
+  const ExperimentReport report = experiment_named("paper").perform(spec);
   expect_complete(report);
   EXPECT_EQ(table_named(report, "runs").rows.size(), 2U * (1 + 2 + 2));
   const ResultTable& summary = table_named(report, "summary");
@@ -194,7 +194,7 @@ TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
 }
 
 TEST(Experiments, OrientationSearchesAPosturePerNormal) {
-  const ExperimentReport report = perform_orientation(quick());
+  const ExperimentReport report = experiment_named("orientation").perform(quick());
   expect_complete(report);
   const ResultTable& normals = table_named(report, "normals");
   ASSERT_EQ(normals.rows.size(), 4U);
@@ -207,7 +207,7 @@ TEST(Experiments, OrientationSearchesAPosturePerNormal) {
 TEST(Experiments, OrientationSaysWhatIsOutOfReach) {
   ExperimentSpec spec = quick();
   spec.overrides = {"limits.force=9000", "force=3000"};
-  const ExperimentReport report = perform_orientation(spec);
+  const ExperimentReport report = experiment_named("orientation").perform(spec);
   const ResultTable& table = table_named(report, "out_of_reach");
   EXPECT_GE(table.rows.size(), 1U);
   expect_words(std::get<std::string>(table.rows[0][1]),
@@ -218,7 +218,7 @@ TEST(Experiments, FramesShowThatTheSurfacesAxesAreRightWhereTheToolTurns) {
   ExperimentSpec spec = quick();
   spec.surfaces = {"board"};
   spec.overrides = {"path.radius=0.05"};
-  const ExperimentReport report = perform_frames(spec);
+  const ExperimentReport report = experiment_named("frames").perform(spec);
   expect_complete(report);
   const ResultTable& axes = table_named(report, "axes");
   ASSERT_EQ(axes.rows.size(), 4U);
@@ -232,7 +232,7 @@ TEST(Experiments, SeedsCountWhatFails) {
   ExperimentSpec spec = quick();
   spec.seeds = 3;
   spec.first_seed = 5;
-  const ExperimentReport report = perform_seeds(spec);
+  const ExperimentReport report = experiment_named("seeds").perform(spec);
   expect_complete(report);
   EXPECT_EQ(number_at(report.tables.front(), 0, "seed"), 5.0);
   EXPECT_EQ(report.tables.front().rows.size(), 3U);
@@ -241,7 +241,7 @@ TEST(Experiments, SeedsCountWhatFails) {
   EXPECT_LE(report.tasks[0].task.disturbances.seed, 7U);
   // A limit that no run keeps.
   spec.overrides = {"limits.tool_speed=0.005"};
-  const ExperimentReport failed = perform_seeds(spec);
+  const ExperimentReport failed = experiment_named("seeds").perform(spec);
   EXPECT_EQ(failed.failures.size(), 3U);
   const ResultTable& outcomes = table_named(failed, "outcomes");
   EXPECT_EQ(std::get<std::string>(outcomes.rows[1][0]), "fault: speed limit");
@@ -250,7 +250,7 @@ TEST(Experiments, SeedsCountWhatFails) {
 }
 
 TEST(Experiments, RobotsPolishOrSayWhyNot) {
-  const ExperimentReport report = perform_robots(quick());
+  const ExperimentReport report = experiment_named("robots").perform(quick());
   for (const std::string& failure : report.failures) ADD_FAILURE() << failure;
   const ResultTable& summary = table_named(report, "summary");
   ASSERT_EQ(summary.rows.size(), 1U);
@@ -267,7 +267,7 @@ TEST(Experiments, RobotsThatAreAskedForMustPolish) {
   ExperimentSpec spec = quick();
   spec.robots = {"pendulum"};
   spec.tools = {"tip"};
-  const ExperimentReport report = perform_robots(spec);
+  const ExperimentReport report = experiment_named("robots").perform(spec);
   ASSERT_EQ(report.failures.size(), 1U);
   expect_words(report.failures[0], {"pendulum, table: "});
 }
@@ -299,7 +299,7 @@ TEST(ScaledRobot, HasTheMassAskedForAndTheProportionsOfBefore) {
 }
 
 TEST(Experiments, TickTimesEveryRate) {
-  const ExperimentReport report = perform_tick(quick());
+  const ExperimentReport report = experiment_named("tick").perform(quick());
   expect_complete(report);
   const ResultTable& rates = report.tables.front();
   ASSERT_EQ(rates.rows.size(), 2U);
@@ -313,7 +313,7 @@ TEST(Experiments, WorkOnThePlantWithoutAnEngine) {
   spec.plant = PlantKind::Ideal;
   spec.seeds = 1;
   spec.surfaces = {"table"};
-  expect_complete(perform_paper(spec));
+  expect_complete(experiment_named("paper").perform(spec));
 }
 
 TEST(Experiments, StopWhenTheyAreTold) {
@@ -328,7 +328,7 @@ TEST(Experiments, StopWhenTheyAreTold) {
     EXPECT_FALSE(what.empty());
     share = done;
   };
-  const ExperimentReport report = perform_paper(spec);
+  const ExperimentReport report = experiment_named("paper").perform(spec);
   EXPECT_TRUE(report.interrupted);
   EXPECT_FALSE(report.failures.empty());
   EXPECT_FALSE(report.tables.empty());

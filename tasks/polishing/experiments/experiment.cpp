@@ -7,6 +7,14 @@
 
 namespace burnish::polishing {
 
+// Each in a file of its name.
+ExperimentReport perform_paper(const ExperimentSpec& spec);
+ExperimentReport perform_orientation(const ExperimentSpec& spec);
+ExperimentReport perform_frames(const ExperimentSpec& spec);
+ExperimentReport perform_seeds(const ExperimentSpec& spec);
+ExperimentReport perform_robots(const ExperimentSpec& spec);
+ExperimentReport perform_tick(const ExperimentSpec& spec);
+
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       {"paper", "MPC and baseline on table and board, three kinds of disturbances, beside the aims",

@@ -93,22 +93,6 @@ const std::vector<Experiment>& experiments();
 /// Throws Error with the nearest known name.
 const Experiment& experiment_named(const std::string& name);
 
-/// MPC and baseline on several surfaces and under several disturbances, beside the aims.
-ExperimentReport perform_paper(const ExperimentSpec& spec);
-/// Surfaces of many orientations, from horizontal to vertical and around, each with a posture that
-/// is searched for it.
-ExperimentReport perform_orientation(const ExperimentSpec& spec);
-/// Contact and force in the tool's axes against the surface's, as the wrist gets freer to turn.
-ExperimentReport perform_frames(const ExperimentSpec& spec);
-/// Every disturbance at once, its size drawn anew for each of many seeds.
-ExperimentReport perform_seeds(const ExperimentSpec& spec);
-/// The task as shipped with every robot that comes along, with one of them at other sizes, or with
-/// those of the spec.
-ExperimentReport perform_robots(const ExperimentSpec& spec);
-/// Computing times at several rates of new plans. The only one that measures time: its runs come
-/// one after the other, whatever the number of threads.
-ExperimentReport perform_tick(const ExperimentSpec& spec);
-
 /// The default task on a surface under a preset of disturbances, with the spec's overrides.
 /// `duration`: s on the path, before the overrides. Throws Error as override_task() does.
 Task experiment_task(const ExperimentSpec& spec, const std::string& surface,
