@@ -7,8 +7,8 @@
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
-#include "record/json_text.hpp"
 #include "record/page_files.hpp"
+#include "record/page_json.hpp"
 
 namespace burnish::app {
 namespace {

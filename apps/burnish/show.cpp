@@ -7,7 +7,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "draft_settings.hpp"
-#include "record/json_text.hpp"
+#include "record/page_json.hpp"
 #include "record/run_files.hpp"
 #include "robot_arguments.hpp"
 #include "show_json.hpp"

@@ -7,6 +7,7 @@
 
 #include "burnish/base/error.hpp"
 #include "record/page/page_template.hpp"
+#include "record/page_json.hpp"
 #include "record/run_folder.hpp"
 
 namespace burnish {

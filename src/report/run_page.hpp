@@ -1,14 +1,12 @@
 // The page of a run: one HTML file with a 3D replay, plots and figures, that any browser shows
-// without a network. Here are the values that the page shows, as plain structs, and their text.
+// without a network. Here are the values that the page shows, as plain structs.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,9 +17,6 @@
 #include "burnish/report/plan_record.hpp"
 
 namespace burnish {
-
-/// The format of the data within a page, and of a run's run.json.
-inline constexpr std::string_view page_format = "burnish-page/1";
 
 /// Triangles to draw, in the axes of the file that they come from, unscaled.
 struct Mesh {
@@ -137,35 +132,5 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
 
 /// The figures of a run with what they mean; all of them, with no value, without metrics.
 std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics);
-
-/// JSON of a robot and of a run, as the page reads them.
-std::string robot_json(const RobotDrawing& robot);
-std::string run_page_json(const RunPage& run);
-
-/// Meshes that the robot's description names and that are not there, by their file names.
-std::vector<std::string> missing_meshes(const RobotDrawing& robot);
-
-struct PageHead {
-  std::string title;
-  std::string version = {};  ///< of the program
-  std::int64_t created = 0;  ///< s since 1970, UTC
-};
-/// The data of a page with these runs, each as run_page_json() gives it.
-std::string page_json(const PageHead& head, const std::vector<std::string>& runs);
-/// The data of a page with a robot alone.
-std::string robot_page_json(const PageHead& head, const RobotDrawing& robot);
-
-/// The page: its template with the data (JSON) in place, whatever texts that holds. Throws Error
-/// for a template that has no place or several.
-std::string page_html(std::string_view page_template, std::string_view data);
-
-/// The run's rows as a recording: /joint_states, /force, /task, /tool_pose, /target_pose, /tf and
-/// /tf_static (every link), /scene (the robot's solids and the surface), /solver, /costs; facts and
-/// figures as metadata. Frames and poses have the names and fields of Foxglove's schemas. Throws
-/// Error if the file cannot be written.
-void write_run_mcap(const RunPage& run, const std::filesystem::path& file);
-
-/// Such as 2026-11-21T14:00:00Z.
-std::string utc_text(std::int64_t seconds);
 
 }  // namespace burnish

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "apps/program.hpp"
-#include "report/page_data.hpp"
+#include "record/page_data.hpp"
 
 namespace burnish::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "record/figures_json.hpp"
-#include "report/page_data.hpp"
+#include "record/page_data.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 

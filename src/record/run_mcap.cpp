@@ -1,12 +1,13 @@
 // A run's rows as a recording in MCAP.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
-#include "report/json_writer.hpp"
-#include "report/mcap.hpp"
-#include "report/mcap_schemas.hpp"
-#include "report/run_page.hpp"
+#include "record/mcap.hpp"
+#include "record/mcap_schemas.hpp"
+#include "record/page_json.hpp"
 
 namespace burnish {
 namespace {
@@ -42,35 +43,35 @@ class LinkTree {
   std::vector<int> main_;
 };
 
-void write_moment(JsonWriter& json, std::uint64_t time) {
+Json moment_json(std::uint64_t time) {
   constexpr std::uint64_t second = 1'000'000'000;
-  json.key("timestamp");
-  json.begin_object();
-  json.field("sec", static_cast<std::int64_t>(time / second));
-  json.field("nsec", static_cast<std::int64_t>(time % second));
-  json.end_object();
+  return {{"sec", time / second}, {"nsec", time % second}};
 }
-void write_named(JsonWriter& json, const char* name, const char* letters, const double* values) {
-  json.key(name);
-  json.begin_object();
-  for (; *letters != '\0'; ++letters) json.field(std::string(1, *letters), *values++);
-  json.end_object();
+/// Of each letter a number.
+Json named_json(const char* letters, const double* values) {
+  Json json;
+  for (; *letters != '\0'; ++letters) json[std::string(1, *letters)] = *values++;
+  return json;
 }
-void write_placement(JsonWriter& json, const char* where, const char* how,
-                     const Eigen::Isometry3d& placement) {
+/// Adds a placement under two names.
+void add_placement(Json& json, const char* where, const char* how,
+                   const Eigen::Isometry3d& placement) {
   const Eigen::Vector3d p = placement.translation();
   const Eigen::Quaterniond rotation = Eigen::Quaterniond(placement.linear()).normalized();
-  write_named(json, where, "xyz", p.data());
-  write_named(json, how, "xyzw", rotation.coeffs().data());
+  json[where] = named_json("xyz", p.data());
+  json[how] = named_json("xyzw", rotation.coeffs().data());
 }
-void write_transform(JsonWriter& json, std::uint64_t time, const std::string& parent,
-                     const std::string& child, const Eigen::Isometry3d& placement) {
-  json.begin_object();
-  write_moment(json, time);
-  json.field("parent_frame_id", parent);
-  json.field("child_frame_id", child);
-  write_placement(json, "translation", "rotation", placement);
-  json.end_object();
+Json pose_of(const Eigen::Isometry3d& placement) {
+  Json json;
+  add_placement(json, "position", "orientation", placement);
+  return json;
+}
+Json transform_json(std::uint64_t time, const std::string& parent, const std::string& child,
+                    const Eigen::Isometry3d& placement) {
+  Json json{
+      {"timestamp", moment_json(time)}, {"parent_frame_id", parent}, {"child_frame_id", child}};
+  add_placement(json, "translation", "rotation", placement);
+  return json;
 }
 
 /// Size and kind of what a scene can show; meshes it cannot.
@@ -89,30 +90,21 @@ Solid solid_of(const Shape& shape) {
   return {nullptr, Eigen::Vector3d::Zero()};
 }
 
-void write_entity(JsonWriter& json, std::uint64_t time, const std::string& frame,
-                  const std::string& id, const Solid& solid, const Eigen::Isometry3d& placement,
-                  const Eigen::Vector4d& rgba) {
-  json.begin_object();
-  write_moment(json, time);
-  json.field("frame_id", frame);
-  json.field("id", id);
-  json.field("frame_locked", true);
-  json.key(solid.kind);
-  json.begin_array();
-  json.begin_object();
-  json.key("pose");
-  json.begin_object();
-  write_placement(json, "position", "orientation", placement);
-  json.end_object();
-  write_named(json, "size", "xyz", solid.size.data());
-  write_named(json, "color", "rgba", rgba.data());
+Json entity_json(std::uint64_t time, const std::string& frame, const std::string& id,
+                 const Solid& solid, const Eigen::Isometry3d& placement,
+                 const Eigen::Vector4d& rgba) {
+  Json shape{{"pose", pose_of(placement)},
+             {"size", named_json("xyz", solid.size.data())},
+             {"color", named_json("rgba", rgba.data())}};
   if (std::string_view(solid.kind) == "cylinders") {
-    json.field("bottom_scale", 1.0);
-    json.field("top_scale", 1.0);
+    shape["bottom_scale"] = 1.0;
+    shape["top_scale"] = 1.0;
   }
-  json.end_object();
-  json.end_array();
-  json.end_object();
+  return {{"timestamp", moment_json(time)},
+          {"frame_id", frame},
+          {"id", id},
+          {"frame_locked", true},
+          {solid.kind, Json::array({std::move(shape)})}};
 }
 
 /// Writes the messages of a run.
@@ -188,54 +180,38 @@ class Recorder {
     return result;
   }
 
+  void write(std::uint16_t channel, std::uint64_t time, const Json& message) {
+    out_.write(channel, time, compact_text(message));
+  }
   void write_table(const Table& table, Eigen::Index row, std::uint64_t time) {
-    json_.begin_object();
-    write_moment(json_, time);
+    Json message{{"timestamp", moment_json(time)}};
     for (std::size_t i = 0; i < table.names.size(); ++i)
-      json_.field(table.names[i], (*table.columns[i])[row]);
-    json_.end_object();
-    out_.write(table.channel, time, json_.take());
+      message[table.names[i]] = (*table.columns[i])[row];
+    write(table.channel, time, message);
   }
   void write_joints(Eigen::Index row, std::uint64_t time) {
-    json_.begin_object();
-    write_moment(json_, time);
-    json_.key("name");
-    json_.begin_array();
-    for (const Joint& joint : model_.joints) json_.value(joint.name);
-    json_.end_array();
-    const auto entries = [&](const char* name, const auto& value_of) {
-      json_.key(name);
-      json_.begin_array();
-      for (const Joint& joint : model_.joints) json_.value(value_of(joint));
-      json_.end_array();
-    };
+    Json names = Json::array(), position = names, velocity = names, effort = names;
     const auto at = [row](const auto& columns, int index) {
       return (*columns[static_cast<std::size_t>(index)])[row];
     };
     // A follower moves with its leader, whose motor drives it.
-    const Following itself;
-    const auto following = [&](const Joint& joint) { return joint.follows.value_or(itself); };
-    entries("position", [&](const Joint& joint) {
-      return following(joint).multiplier * at(q_, joint.q_index) + following(joint).offset;
-    });
-    entries("velocity", [&](const Joint& joint) {
-      return following(joint).multiplier * at(v_, joint.v_index);
-    });
-    entries("effort",
-            [&](const Joint& joint) { return joint.follows ? 0.0 : at(tau_, joint.v_index); });
-    json_.end_object();
-    out_.write(joints_, time, json_.take());
+    for (const Joint& joint : model_.joints) {
+      const Following following = joint.follows.value_or(Following());
+      names.push_back(joint.name);
+      position.push_back(following.multiplier * at(q_, joint.q_index) + following.offset);
+      velocity.push_back(following.multiplier * at(v_, joint.v_index));
+      effort.push_back(joint.follows ? 0.0 : at(tau_, joint.v_index));
+    }
+    write(joints_, time,
+          {{"timestamp", moment_json(time)},
+           {"name", std::move(names)},
+           {"position", std::move(position)},
+           {"velocity", std::move(velocity)},
+           {"effort", std::move(effort)}});
   }
   void write_pose(std::uint16_t channel, std::uint64_t time, const Eigen::Isometry3d& placement) {
-    json_.begin_object();
-    write_moment(json_, time);
-    json_.field("frame_id", "world");
-    json_.key("pose");
-    json_.begin_object();
-    write_placement(json_, "position", "orientation", placement);
-    json_.end_object();
-    json_.end_object();
-    out_.write(channel, time, json_.take());
+    write(channel, time,
+          {{"timestamp", moment_json(time)}, {"frame_id", "world"}, {"pose", pose_of(placement)}});
   }
   /// Tool, target and, where they are due, the main links.
   void write_placements(Eigen::Index row, std::uint64_t time, bool with_links) {
@@ -251,46 +227,35 @@ class Recorder {
         tangents * Eigen::Vector2d((*task_.columns[3])[row], (*task_.columns[4])[row]);
     tool.linear() = run_.surface.axes;
     write_pose(target_, time, tool);
-    json_.begin_object();
-    json_.key("transforms");
-    json_.begin_array();
+    Json transforms = Json::array();
     for (const int main : links_.main())
       if (main >= 0)
-        write_transform(json_, time, "world", model_.frames[static_cast<std::size_t>(main)].name,
-                        frames[static_cast<std::size_t>(main)]);
-    json_.end_array();
-    json_.end_object();
-    out_.write(transforms_, time, json_.take());
+        transforms.push_back(transform_json(time, "world",
+                                            model_.frames[static_cast<std::size_t>(main)].name,
+                                            frames[static_cast<std::size_t>(main)]));
+    write(transforms_, time, {{"transforms", std::move(transforms)}});
   }
   /// Links that do not move against the main one of their body, or against the world.
   void write_fixed(std::uint64_t time) {
-    json_.begin_object();
-    json_.key("transforms");
-    json_.begin_array();
+    Json transforms = Json::array();
     for (const Frame& frame : model_.frames) {
       const std::string parent = links_.name(frame.body);
       if (frame.kind == FrameKind::Joint || frame.name == parent) continue;
-      write_transform(json_, time, parent, frame.name,
-                      links_.body_in_link(frame.body) * frame.placement);
+      transforms.push_back(transform_json(time, parent, frame.name,
+                                          links_.body_in_link(frame.body) * frame.placement));
     }
-    json_.end_array();
-    json_.end_object();
-    out_.write(fixed_, time, json_.take());
+    write(fixed_, time, {{"transforms", std::move(transforms)}});
   }
   void write_scene(std::uint64_t time) {
-    json_.begin_object();
-    json_.key("deletions");
-    json_.begin_array();
-    json_.end_array();
-    json_.key("entities");
-    json_.begin_array();
+    Json entities = Json::array();
     int count = 0;
     for (const Visual& visual : model_.visuals) {
       const Solid solid = solid_of(visual.shape);
       const std::string id = visual.link + " " + std::to_string(count++);
       if (solid.kind == nullptr) continue;
-      write_entity(json_, time, links_.name(visual.body), id, solid,
-                   links_.body_in_link(visual.body) * visual.placement, visual.rgba);
+      entities.push_back(entity_json(time, links_.name(visual.body), id, solid,
+                                     links_.body_in_link(visual.body) * visual.placement,
+                                     visual.rgba));
     }
     constexpr double side = 0.6, thickness = 0.005;  // m, of the surface as it is drawn
     Eigen::Isometry3d plate = Eigen::Isometry3d::Identity();
@@ -299,11 +264,9 @@ class Recorder {
     plate.translation() =
         run_.path_origin_world -
         n * (n.dot(run_.path_origin_world - run_.surface.true_point) + 0.5 * thickness);
-    write_entity(json_, time, "world", "surface", {"cubes", {side, side, thickness}}, plate,
-                 {0.6, 0.7, 0.8, 0.5});
-    json_.end_array();
-    json_.end_object();
-    out_.write(scene_, time, json_.take());
+    entities.push_back(entity_json(time, "world", "surface", {"cubes", {side, side, thickness}},
+                                   plate, {0.6, 0.7, 0.8, 0.5}));
+    write(scene_, time, {{"deletions", Json::array()}, {"entities", std::move(entities)}});
   }
   /// Plans up to a time, so that messages come in the order of their times.
   void write_until(double now) {
@@ -311,25 +274,21 @@ class Recorder {
            run_.solver->time[next_solve_] <= now) {
       const PageSolver& solver = *run_.solver;
       const std::uint64_t time = moment(solver.time[next_solve_]);
-      json_.begin_object();
-      write_moment(json_, time);
-      json_.field("solve_ms", solver.solve_ms[next_solve_]);
-      json_.field("iterations", solver.iterations[next_solve_]);
-      json_.field("missed", solver.missed[next_solve_]);
-      json_.end_object();
-      out_.write(solver_, time, json_.take());
+      write(solver_, time,
+            {{"timestamp", moment_json(time)},
+             {"solve_ms", solver.solve_ms[next_solve_]},
+             {"iterations", solver.iterations[next_solve_]},
+             {"missed", solver.missed[next_solve_]}});
       ++next_solve_;
     }
     while (run_.plans && next_plan_ < run_.plans->time.size() &&
            run_.plans->time[next_plan_] <= now) {
       const PlanRecord& plans = *run_.plans;
       const std::uint64_t time = moment(plans.time[next_plan_]);
-      json_.begin_object();
-      write_moment(json_, time);
+      Json message{{"timestamp", moment_json(time)}};
       for (std::size_t i = 0; i < plans.terms.size(); ++i)
-        json_.field(plans.terms[i], plans.costs[i][next_plan_]);
-      json_.end_object();
-      out_.write(costs_, time, json_.take());
+        message[plans.terms[i]] = plans.costs[i][next_plan_];
+      write(costs_, time, message);
       ++next_plan_;
     }
   }
@@ -340,8 +299,7 @@ class Recorder {
     facts["command"] = run_.command;
     out_.add_metadata("run", facts);
     for (const PageMetric& metric : run_.metrics) {
-      json_.value(metric.value.value_or(std::nan("")));
-      const std::string number = json_.take();
+      const std::string number = metric.value ? fmt::format("{}", *metric.value) : "null";
       metrics[metric.name] = number + (metric.unit == "1" ? "" : " " + metric.unit);
     }
     out_.add_metadata("metrics", metrics);
@@ -351,7 +309,6 @@ class Recorder {
   const Model& model_;
   LinkTree links_;
   McapWriter out_;
-  JsonWriter json_;
   std::uint16_t joints_ = 0, tool_ = 0, target_ = 0, transforms_ = 0, fixed_ = 0, scene_ = 0,
                 solver_ = 0, costs_ = 0;
   Table forces_, task_;

@@ -1,5 +1,5 @@
 // Recordings, read back by a reader of their own.
-#include "report/mcap.hpp"
+#include "record/mcap.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,7 +9,8 @@
 #include <sstream>
 
 #include "burnish/dynamics/placement.hpp"
-#include "report/page_data.hpp"
+#include "record/page_data.hpp"
+#include "record/page_json.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {

@@ -1,4 +1,4 @@
-#include "report/mcap.hpp"
+#include "record/mcap.hpp"
 
 #include <algorithm>
 #include <array>
