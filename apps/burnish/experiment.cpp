@@ -126,7 +126,7 @@ int perform(const ExperimentArguments& a) {
   check_campaign(a.campaign, a.strict);
   if (a.resume) check_resumed(a);
   if (a.list) return list_runs(a, spec);
-  if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a));
+  if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a), "distributed");
   const StopRequest stop("the runs end, and what there is of them is written");
   std::string name = "experiment_" + a.campaign.name;
   if (!a.shard.empty()) name += fmt::format("_{}_of_{}", spec.shard.number, spec.shard.count);

@@ -57,7 +57,7 @@ void tell_python() {
 
 }  // namespace
 
-void hand_over_to_python(const std::vector<std::string>& words) {
+void hand_over_to_python(const std::vector<std::string>& words, const std::string& module) {
   tell_python();
   // Debian's packages are for Debian's Python, which need not be the first one.
   std::string python;
@@ -65,17 +65,16 @@ void hand_over_to_python(const std::vector<std::string>& words) {
   for (const char* candidate : {"python3", "/usr/bin/python3"}) {
     if (!has(candidate, "burnish.campaign")) continue;
     has_package = true;
-    if (!has(candidate, "distributed")) continue;
+    if (!has(candidate, module)) continue;
     python = candidate;
     break;
   }
   if (python.empty())
-    throw Error(
-        has_package
-            ? "--scheduler is for Dask distributed, which Python does not find; wanted: apt "
-              "install python3-distributed"
-            : "--scheduler is handed over to the Python package burnish, which python3 does "
-              "not find; wanted: apt install python3-burnish, or pip install . in the sources");
+    throw Error(has_package
+                    ? "Python does not find the module " + module +
+                          ", which this needs; wanted: apt install python3-" + module
+                    : "this is handed over to the Python package burnish, which python3 does not "
+                      "find; wanted: apt install python3-burnish, or pip install . in the sources");
   std::vector<std::string> all{python, "-m", "burnish.campaign"};
   all.insert(all.end(), words.begin(), words.end());
   execvp(python.c_str(), pointers(all).data());

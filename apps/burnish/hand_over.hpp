@@ -7,7 +7,9 @@
 namespace burnish::app {
 
 /// Becomes `python3 -m burnish.campaign WORDS...`, and does not return. Throws Error where there is
-/// no Python that has the package burnish and Dask distributed, naming what to install.
-[[noreturn]] void hand_over_to_python(const std::vector<std::string>& words);
+/// no Python that has the package burnish and `module`, of Debian's package python3-MODULE, naming
+/// what to install.
+[[noreturn]] void hand_over_to_python(const std::vector<std::string>& words,
+                                      const std::string& module);
 
 }  // namespace burnish::app

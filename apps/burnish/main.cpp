@@ -26,6 +26,9 @@ void add_polish(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_experiment(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
+/// Those that Python does end with it.
+void add_sweep(CLI::App& app);
+void add_tune(CLI::App& app);
 void add_report(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 
@@ -133,6 +136,8 @@ int run(int count, char** words) {
   add_run(app, exit_code);
   add_experiment(app, exit_code);
   add_merge(app, exit_code);
+  add_sweep(app);
+  add_tune(app);
   add_report(app, exit_code);
   add_bench(app, exit_code);
   if (count < 2) {

@@ -55,7 +55,7 @@ std::string upper_case(std::string text) {
 }
 
 TEST(ManPage, HasEveryCommandAndOption) {
-  EXPECT_EQ(listed_commands().size(), 10U);
+  EXPECT_EQ(listed_commands().size(), 12U);
   EXPECT_NE(manual_section("COMMANDS"), "");
   std::vector<std::string> all{""};
   for (const std::string& command : listed_commands()) {
@@ -105,7 +105,7 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   const std::string program = "\"" BURNISH_PROGRAM "\" ";
   EXPECT_EQ(bash_offers(program + "po"), "polish");
   EXPECT_EQ(bash_offers(program + "\"\""),
-            "show check eval solve polish run experiment merge report bench");
+            "show check eval solve polish run experiment merge sweep tune report bench");
   EXPECT_EQ(bash_offers(program + "--ver"), "--version");
   EXPECT_EQ(bash_offers(program + "polish --sur"), "--surface");
   EXPECT_EQ(bash_offers(program + "polish --surface \"\""),

@@ -135,7 +135,7 @@ def sweep(
         raise CampaignError("--resume wants --out, the folder to go on with")
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
-    command = f"python3 -m burnish.campaign sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
+    command = f"burnish sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
     with RunFolder(None if out is None else Path(out), f"{plan.name}_campaign", resume) as folder:
         result = make_sweep(plan, machine, folder, lambda done, all: bar.part(done, all))
         bar.end()
