@@ -12,19 +12,19 @@ namespace burnish::files {
 namespace {
 
 /// Names of the contacts that hold in a stage.
-std::vector<std::string> read_stage_contacts(const Reader& stage, const FileScene& scene) {
+std::vector<std::string> read_stage_contacts(const Reader& stage, const ProblemScope& scope) {
   const auto given = stage.find("contacts");
   if (!given || (given->is_list() && given->entries().empty())) return {};
   std::vector<std::string> names = given->texts();
-  for (const std::string& name : names) given->named([&] { scene.contact(name); });
+  for (const std::string& name : names) given->named([&] { scope.contact(name); });
   return names;
 }
 
-Stage read_stage(const std::string& name, const Reader& reader, const FileScene& scene,
+Stage read_stage(const std::string& name, const Reader& reader, const ProblemScope& scope,
                  const std::optional<Reader>& shared) {
   reader.allow_only({"contacts", "costs", "constraints", "step", "integrator", "impact"});
   Stage stage{.name = name};
-  stage.contacts = read_stage_contacts(reader, scene);
+  stage.contacts = read_stage_contacts(reader, scope);
   if (const auto step = reader.find("step")) stage.step = step->positive();
   if (const auto integrator = reader.find("integrator"))
     stage.integrator = integrator->word({"semi_implicit_euler", "runge_kutta_4"}) == "runge_kutta_4"
@@ -32,9 +32,9 @@ Stage read_stage(const std::string& name, const Reader& reader, const FileScene&
                            : Integrator::SemiImplicitEuler;
   if (const auto impact = reader.find("impact")) stage.impact = impact->yes_or_no();
   if (const auto costs = reader.find("costs"))
-    stage.costs = read_costs(scene, shared, stage.contacts, *costs);
+    stage.costs = read_costs(scope, shared, stage.contacts, *costs);
   if (const auto constraints = reader.find("constraints"))
-    stage.constraints = read_constraints(scene, stage.contacts, *constraints);
+    stage.constraints = read_constraints(scope, stage.contacts, *constraints);
   return stage;
 }
 
@@ -87,19 +87,19 @@ void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
 
 /// Torques at the start, where they are part of the state: those that hold the robot, unless said.
 void set_torques(const std::optional<Reader>& given, const std::vector<std::string>& contacts,
-                 const FileScene& scene, ProblemSpec& spec) {
+                 const ProblemScope& scope, ProblemSpec& spec) {
   if (!spec.torque_model) {
     if (given) given->refuse("torques are part of the state only with a 'torque_model'");
     return;
   }
-  auto tau = spec.initial_state.tail(scene.controls());
+  auto tau = spec.initial_state.tail(scope.controls());
   if (!given || is_hold(*given)) {
-    const HeldForces forces = given ? read_held_forces(scene, contacts, *given) : HeldForces();
-    tau = hold(spec, contacts, scene.q, forces).control;
+    const HeldForces forces = given ? read_held_forces(scope, contacts, *given) : HeldForces();
+    tau = hold(spec, contacts, scope.q, forces).control;
     return;
   }
   std::vector<RowGroup> rows;
-  for (const Joint* joint : scene.driven()) rows.push_back({joint->name, joint->nv});
+  for (const Joint* joint : scope.driven()) rows.push_back({joint->name, joint->nv});
   tau = read_rows(*given, rows, 0.0);
 }
 
@@ -114,13 +114,13 @@ std::string first_stage(const Reader& horizon) {
 }
 
 /// Its contacts.
-std::vector<std::string> first_contacts(const Reader& top, const FileScene& scene) {
+std::vector<std::string> first_contacts(const Reader& top, const ProblemScope& scope) {
   const auto stage = top["stages"].find(first_stage(top["horizon"]));
-  return stage ? read_stage_contacts(*stage, scene) : std::vector<std::string>();
+  return stage ? read_stage_contacts(*stage, scope) : std::vector<std::string>();
 }
 
 /// What does not depend on the stages: everything that `hold` and `here` need.
-void read_scene(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
+void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
   spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -138,7 +138,7 @@ void read_scene(const Reader& top, const std::filesystem::path& folder, ProblemF
     spec.torque_model = read_torque_model(*torque_model);
 }
 
-void read_stages(const Reader& top, const FileScene& scene, ProblemSpec& spec) {
+void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec) {
   const auto shared = top.find("terms");
   if (shared) check_shared(*shared);
   // An alias may give every stage a long list of costs.
@@ -146,7 +146,7 @@ void read_stages(const Reader& top, const FileScene& scene, ProblemSpec& spec) {
   std::size_t terms = 0;
   std::vector<std::string> known;
   for (const auto& [name, stage] : top["stages"].items()) {
-    spec.stages.push_back(read_stage(name, stage, scene, shared));
+    spec.stages.push_back(read_stage(name, stage, scope, shared));
     known.push_back(name);
     terms += spec.stages.back().costs.size() + spec.stages.back().constraints.size();
     if (terms > max_terms)
@@ -159,9 +159,9 @@ void read_stages(const Reader& top, const FileScene& scene, ProblemSpec& spec) {
   for (const Stage& stage : spec.stages)
     if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;
   if (const auto terminal = top.find("terminal"))
-    spec.terminal = read_costs(scene, shared, contacts, *terminal);
+    spec.terminal = read_costs(scope, shared, contacts, *terminal);
   if (const auto constraints = top.find("terminal_constraints"))
-    spec.terminal_constraints = read_constraints(scene, contacts, *constraints);
+    spec.terminal_constraints = read_constraints(scope, contacts, *constraints);
 }
 
 }  // namespace
@@ -174,18 +174,18 @@ ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder)
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);
   result.spec.model = result.robot.model;
-  read_scene(top, folder, result);
+  read_scope(top, folder, result);
   ProblemSpec& spec = result.spec;
-  const FileScene scene{result.robot, spec, spec.initial_state.head(spec.model.nq), folder};
+  const ProblemScope scope{result.robot, spec, spec.initial_state.head(spec.model.nq), folder};
   if (spec.torque_model) {
-    spec.initial_state.conservativeResize(spec.model.nq + spec.model.nv + scene.controls());
-    spec.initial_state.tail(scene.controls()).setZero();
+    spec.initial_state.conservativeResize(spec.model.nq + spec.model.nv + scope.controls());
+    spec.initial_state.tail(scope.controls()).setZero();
   }
   const auto start = top.find("start");
-  set_torques(start ? start->find("torques") : std::nullopt, first_contacts(top, scene), scene,
+  set_torques(start ? start->find("torques") : std::nullopt, first_contacts(top, scope), scope,
               spec);
-  if (const auto bounds = top.find("control_bounds")) read_bounds(*bounds, scene, spec);
-  read_stages(top, scene, spec);
+  if (const auto bounds = top.find("control_bounds")) read_bounds(*bounds, scope, spec);
+  read_stages(top, scope, spec);
   if (const auto solver = top.find("solver")) result.solver = read_solver(*solver);
   if (const auto guess = top.find("guess")) result.guess = read_guess(*guess, folder);
   top.named([&] { Problem{spec}; });

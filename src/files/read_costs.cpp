@@ -14,13 +14,13 @@ namespace {
 
 /// A cost or a constraint on its way: what its keys say, and what its rows are.
 struct CostReader {
-  const FileScene& scene;
+  const ProblemScope& scope;
   const std::vector<std::string>& contacts;
   const Reader& reader;
   std::vector<std::string> common;  ///< keys beside those of the type
   PenaltyRows rows = {};
 
-  const Model& model() const { return scene.model(); }
+  const Model& model() const { return scope.model(); }
 
   void keys(std::vector<std::string> own) const {
     own.insert(own.end(), common.begin(), common.end());
@@ -34,7 +34,7 @@ struct CostReader {
     std::vector<RowGroup> groups = rows.rows;
     if (kind == TargetSpace::Kind::Rotation) groups = {{"quaternion", 4}};
     if (kind == TargetSpace::Kind::Placement) groups = {{"xyz", 3}, {"quaternion", 4}};
-    return read_target(scene.folder, {groups, std::move(here), kind}, *given);
+    return read_target(scope.folder, {groups, std::move(here), kind}, *given);
   }
 
   std::string frame() const {
@@ -44,12 +44,12 @@ struct CostReader {
   }
   const ContactSpec& contact() const {
     const Reader name = reader["contact"];
-    return name.named([&]() -> const ContactSpec& { return scene.contact(name.text()); });
+    return name.named([&]() -> const ContactSpec& { return scope.contact(name.text()); });
   }
   std::optional<Reference> reference() const {
     const auto given = reader.find("reference");
     if (!given) return std::nullopt;
-    return read_reference(*given, Reference::centered(), &scene.folder);
+    return read_reference(*given, Reference::centered(), &scope.folder);
   }
 
   /// The residual with the reference that is stated, if it is; `shorter` is a key that states parts
@@ -60,7 +60,7 @@ struct CostReader {
     if (!given) return residual;
     if (reader.has(shorter))
       reader.refuse("keys 'reference' and '" + shorter + "' are both stated; state one");
-    residual.reference = read_reference(*given, Frame{}.reference, &scene.folder);
+    residual.reference = read_reference(*given, Frame{}.reference, &scope.folder);
     return residual;
   }
 
@@ -98,9 +98,9 @@ struct CostReader {
     keys({"target"});
     const auto given = reader.find("target");
     if (!given || given->is("here")) return residual::State{};
-    Eigen::VectorXd x = scene.spec.initial_state;
+    Eigen::VectorXd x = scope.spec.initial_state;
     const auto set_q = [&](const Reader& q) {
-      x.head(model().nq) = read_configuration(scene.robot, q);
+      x.head(model().nq) = read_configuration(scope.robot, q);
     };
     if (given->is_list()) return residual::State{given->numbers(x.size())};
     given->allow_only({"posture", "q", "velocity"});
@@ -116,12 +116,12 @@ struct CostReader {
 
   /// The torque, force or both of `hold`, taken from a robot at rest at the start.
   Holding holding(const Reader& given) const {
-    return hold(scene.spec, contacts, scene.q, read_held_forces(scene, contacts, given));
+    return hold(scope.spec, contacts, scope.q, read_held_forces(scope, contacts, given));
   }
 
   Residual control() {
     keys({"target"});
-    set_rows(scene.driven(), model().effort_limit);
+    set_rows(scope.driven(), model().effort_limit);
     const auto given = reader.find("target");
     if (given && is_hold(*given)) return residual::Control{holding(*given).control};
     return residual::Control{target({})};
@@ -138,7 +138,7 @@ struct CostReader {
     Eigen::Index i = 0;
     for (const Joint* joint : from) {
       rows.rows.push_back({joint->name, 1});
-      here[i] = scene.q[joint->q_index];
+      here[i] = scope.q[joint->q_index];
       rows.lower[i] = model().q_lower[joint->q_index];
       rows.upper[i++] = model().q_upper[joint->q_index];
     }
@@ -152,7 +152,7 @@ struct CostReader {
   }
   Residual joint_torque() {
     keys({"joints", "target"});
-    const std::vector<const Joint*> driven = scene.driven();
+    const std::vector<const Joint*> driven = scope.driven();
     const std::vector<const Joint*> from = reader.has("joints") ? joints({}) : driven;
     set_rows(from, model().effort_limit);
     const auto given = reader.find("target");
@@ -179,7 +179,7 @@ struct CostReader {
       result.reference = Reference::world(read_axes(*axes));
     result = in_reference(result, "axes");
     result.target = target(reader.named(
-        [&] { return position_here(model(), scene.q, result.frame, result.reference); }));
+        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
     return result;
   }
   Residual frame_rotation() {
@@ -187,14 +187,14 @@ struct CostReader {
     rows.rows = direction_rows(Directions::angular());
     const std::string name = frame();
     return residual::FrameRotation{
-        name, target(placement_here(model(), scene.q, name).tail(4), TargetSpace::Kind::Rotation)};
+        name, target(placement_here(model(), scope.q, name).tail(4), TargetSpace::Kind::Rotation)};
   }
   Residual frame_placement() {
     keys({"frame", "target"});
     rows.rows = direction_rows(Directions::all());
     const std::string name = frame();
     return residual::FramePlacement{
-        name, target(placement_here(model(), scene.q, name), TargetSpace::Kind::Placement)};
+        name, target(placement_here(model(), scope.q, name), TargetSpace::Kind::Placement)};
   }
   Residual frame_velocity() {
     keys({"frame", "axes", "rotation", "reference", "target"});
@@ -246,7 +246,7 @@ struct CostReader {
   Residual com() {
     keys({"target"});
     rows.rows = direction_rows(Directions::linear());
-    return residual::CenterOfMass{target(center_of_mass(model(), scene.q))};
+    return residual::CenterOfMass{target(center_of_mass(model(), scope.q))};
   }
   Residual momentum() {
     keys({"target"});
@@ -258,8 +258,8 @@ struct CostReader {
   Eigen::VectorXd state_weights(const Reader& given) const {
     const std::vector<RowGroup> v = velocity_rows(model());
     std::vector<RowGroup> tau;
-    if (scene.spec.torque_model)
-      for (const Joint* joint : scene.driven()) tau.push_back({joint->name, joint->nv});
+    if (scope.spec.torque_model)
+      for (const Joint* joint : scope.driven()) tau.push_back({joint->name, joint->nv});
     const int nv = model().nv, nu = rows_of(tau);
     if (given.is_list()) return given.numbers(2 * nv + nu);
     if (!given.is_map()) return Eigen::VectorXd::Constant(2 * nv + nu, given.not_negative());
@@ -304,9 +304,9 @@ Read read_type(const Reader& type) {
   type.refuse("is no cost");
 }
 
-CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& contacts,
+CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& contacts,
                    const std::string& name, const Reader& reader) {
-  CostReader cost{scene, contacts, reader, {"type", "weight", "weights", "penalty"}};
+  CostReader cost{scope, contacts, reader, {"type", "weight", "weights", "penalty"}};
   const Read read = read_type(reader["type"]);
   CostTerm term{.name = name, .residual = (cost.*read)()};
   if (const auto weight = reader.find("weight")) term.weight = weight->not_negative();
@@ -317,9 +317,9 @@ CostTerm read_cost(const FileScene& scene, const std::vector<std::string>& conta
   return term;
 }
 
-Constraint read_constraint(const FileScene& scene, const std::vector<std::string>& contacts,
+Constraint read_constraint(const ProblemScope& scope, const std::vector<std::string>& contacts,
                            const std::string& name, const Reader& reader) {
-  CostReader rows{scene, contacts, reader, {"type", "lower", "upper", "limits"}};
+  CostReader rows{scope, contacts, reader, {"type", "lower", "upper", "limits"}};
   const Read read = read_type(reader["type"]);
   if (read == &CostReader::state)
     reader["type"].refuse(
@@ -334,12 +334,12 @@ Constraint read_constraint(const FileScene& scene, const std::vector<std::string
 
 }  // namespace
 
-std::vector<Constraint> read_constraints(const FileScene& scene,
+std::vector<Constraint> read_constraints(const ProblemScope& scope,
                                          const std::vector<std::string>& contacts,
                                          const Reader& reader) {
   std::vector<Constraint> constraints;
   for (const auto& [name, value] : reader.items())
-    constraints.push_back(read_constraint(scene, contacts, name, value));
+    constraints.push_back(read_constraint(scope, contacts, name, value));
   return constraints;
 }
 
@@ -347,7 +347,7 @@ void check_shared(const Reader& shared) {
   for (const auto& [name, term] : shared.items()) read_type(term["type"]);
 }
 
-std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Reader>& shared,
+std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<Reader>& shared,
                                  const std::vector<std::string>& contacts, const Reader& reader) {
   std::vector<std::string> known;
   if (shared)
@@ -355,7 +355,7 @@ std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Rea
   std::vector<CostTerm> terms;
   for (const auto& [name, value] : reader.items()) {
     if (value.is_map() && value.has("type")) {
-      terms.push_back(read_cost(scene, contacts, name, value));
+      terms.push_back(read_cost(scope, contacts, name, value));
       continue;
     }
     const auto base = shared ? shared->find(name) : std::nullopt;
@@ -366,10 +366,10 @@ std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Rea
                          "among the file's 'terms'" +
                              did_you_mean(name, known));
     if (value.is_map()) {
-      terms.push_back(read_cost(scene, contacts, name, base->changed_by(value)));
+      terms.push_back(read_cost(scope, contacts, name, base->changed_by(value)));
     } else {
       const double weight = value.not_negative();
-      terms.push_back(read_cost(scene, contacts, name, *base));
+      terms.push_back(read_cost(scope, contacts, name, *base));
       terms.back().weight = weight;
     }
   }

@@ -7,12 +7,12 @@ namespace burnish::files {
 
 /// Reads `costs` of a stage: {name: weight of a shared term, or {type: ..., ...}, or changes of a
 /// shared term}. `shared` is the file's key `terms`, where there is one. `contacts` hold.
-std::vector<CostTerm> read_costs(const FileScene& scene, const std::optional<Reader>& shared,
+std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<Reader>& shared,
                                  const std::vector<std::string>& contacts, const Reader& reader);
 
 /// Reads `constraints` of a stage: {name: {type: ..., lower: ..., upper: ..., limits: share of the
 /// robot's}, ...}.
-std::vector<Constraint> read_constraints(const FileScene& scene,
+std::vector<Constraint> read_constraints(const ProblemScope& scope,
                                          const std::vector<std::string>& contacts,
                                          const Reader& reader);
 

@@ -124,14 +124,14 @@ TorqueModel read_torque_model(const Reader& reader) {
   return model;
 }
 
-void read_bounds(const Reader& reader, const FileScene& scene, ProblemSpec& spec) {
+void read_bounds(const Reader& reader, const ProblemScope& scope, ProblemSpec& spec) {
   std::vector<RowGroup> rows;
-  Eigen::VectorXd effort(scene.controls());
+  Eigen::VectorXd effort(scope.controls());
   int row = 0;
-  for (const Joint* joint : scene.driven()) {
+  for (const Joint* joint : scope.driven()) {
     rows.push_back({joint->name, joint->nv});
     for (int k = 0; k < joint->nv; ++k)
-      effort[row++] = scene.model().effort_limit[joint->v_index + k];
+      effort[row++] = scope.model().effort_limit[joint->v_index + k];
   }
   if (reader.is("effort_limits")) {
     spec.control_upper = effort;

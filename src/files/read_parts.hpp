@@ -20,6 +20,6 @@ ContactSolver read_contact_solver(const Reader& reader);
 ActuationSpec read_actuation(const Reader& reader, const Model& model);
 TorqueModel read_torque_model(const Reader& reader);
 /// Fills control_lower and control_upper.
-void read_bounds(const Reader& reader, const FileScene& scene, ProblemSpec& spec);
+void read_bounds(const Reader& reader, const ProblemScope& scope, ProblemSpec& spec);
 
 }  // namespace burnish::files

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/geometry.hpp"
-#include "files/scene.hpp"
+#include "files/problem_scope.hpp"
 
 namespace burnish::files {
 

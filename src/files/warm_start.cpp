@@ -2,7 +2,7 @@
 #include "base/sentence.hpp"
 #include "burnish/files/problem_file.hpp"
 #include "files/csv_table.hpp"
-#include "files/scene.hpp"
+#include "files/problem_scope.hpp"
 
 namespace burnish {
 namespace {

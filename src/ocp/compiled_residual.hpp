@@ -1,5 +1,5 @@
 // Residuals as the kernels read them. Each has
-//   evaluate(scene, target, r, J): r (rows) and, unless J is null, its derivative by z, block by
+//   evaluate(knot, target, r, J): r (rows) and, unless J is null, its derivative by z, block by
 //   block in the order of the term's blocks.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include "derivatives/frame_kinematics.hpp"
 #include "derivatives/wrench_transport.hpp"
 #include "dynamics/integration.hpp"
-#include "ocp/scene.hpp"
+#include "ocp/knot_state.hpp"
 
 namespace burnish::ocp {
 
@@ -31,7 +31,7 @@ struct StateDifference {
   std::vector<int> diagonal_rows;
   std::vector<TangentBlock> tangent;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
 /// Entries of one part of the state or of the control.
@@ -39,17 +39,17 @@ struct Selection {
   enum class Source { Q, V, TorqueState, U } source;
   std::vector<int> entries;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
 /// A reference that may turn from knot to knot.
 struct TurningReference : CompiledReference {
   int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
   template <class S>
-  ReferencePose<S> pose(const Scene<S>& scene) const {
-    const Kinematics<S>& kinematics = scene.dynamics->kinematics();
+  ReferencePose<S> pose(const KnotState<S>& knot) const {
+    const Kinematics<S>& kinematics = knot.dynamics->kinematics();
     if (turning < 0) return reference_pose(*this, kinematics);
-    return reference_pose(*this, rotation_of(scene.targets + turning), kinematics);
+    return reference_pose(*this, rotation_of(knot.targets + turning), kinematics);
   }
 };
 
@@ -59,39 +59,39 @@ struct FrameView {
   std::vector<MovingAxis> origin, axes;  ///< of other bodies than the frame's
   std::vector<int> entries;              ///< of v, ascending
   template <class S>
-  FrameReference<S> at(const Scene<S>& scene, int frame) const;
+  FrameReference<S> at(const KnotState<S>& knot, int frame) const;
 };
 
-/// `frame` counts in Scene::frames.
+/// `frame` counts in KnotState::frames.
 struct FramePositionError {
   int frame;
   FrameView view;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 /// Targets are nine entries of a rotation by columns; with placement three of a position before.
 struct FrameRotationError {
   int frame;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 struct FramePlacementError {
   int frame;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 struct FrameVelocityError {
   int frame;
   FrameView view;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
 /// Rows of lambda.
 struct OwnForceError {
   int contact, rows;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 /// A reference that a contact's wrench is asked in; none: the contact's own.
 struct WrenchView {
@@ -100,35 +100,35 @@ struct WrenchView {
   std::vector<WrenchEntry> entries;
   /// Six rows w and, unless J is null, dw/dz (6 x nz).
   template <class S>
-  void evaluate(const Scene<S>& scene, S* w, S* J) const;
+  void evaluate(const KnotState<S>& knot, S* w, S* J) const;
 };
 /// The six rows of a contact's wrench in any reference.
 struct WrenchError {
   WrenchView wrench;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 struct ConeMargin {
   WrenchView wrench;
   double friction;
   int normal;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 struct PressureMargin {
   WrenchView wrench;
   double half_x, half_y;
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
 struct ComError {
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 struct MomentumError {
   template <class S>
-  void evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
 /// Evaluated by CustomLanes, one lane at a time.

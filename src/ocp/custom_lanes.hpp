@@ -7,12 +7,12 @@
 
 namespace burnish::ocp {
 
-/// One lane of a scene as the user sees it. Buffers are filled on load().
+/// One lane of a knot as the user sees it. Buffers are filled on load().
 template <class S>
 class LaneView final : public NodeView {
  public:
   explicit LaneView(const CompiledProblem& problem);
-  void load(const Scene<S>& scene, const CustomResidual& residual, int lane, double time);
+  void load(const KnotState<S>& knot, const CustomResidual& residual, int lane, double time);
 
   const StateLayout& layout() const override { return *layout_; }
   double time() const override { return time_; }
@@ -32,7 +32,7 @@ class LaneView final : public NodeView {
 
   const Model* model_;
   const StateLayout* layout_;
-  const Scene<S>* scene_ = nullptr;
+  const KnotState<S>* knot_ = nullptr;
   const CustomResidual* residual_ = nullptr;
   int lane_ = 0;
   double time_ = 0.0;
@@ -46,8 +46,8 @@ class CustomLanes {
  public:
   explicit CustomLanes(const CompiledProblem& problem);
   /// r: rows, J: rows x nz or null.
-  void evaluate(const CompiledStage& stage, const CustomResidual& residual, const Scene<S>& scene,
-                const double* times, S* r, S* J);
+  void evaluate(const CompiledStage& stage, const CustomResidual& residual,
+                const KnotState<S>& knot, const double* times, S* r, S* J);
 
  private:
   void differences(const CompiledStage& stage, const CustomResidual& residual, double time);

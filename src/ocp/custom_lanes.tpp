@@ -21,30 +21,30 @@ LaneView<S>::LaneView(const CompiledProblem& problem)
       force_derivative_(problem.contacts.rows(), problem.layout.nz()) {}
 
 template <class S>
-void LaneView<S>::load(const Scene<S>& scene, const CustomResidual& residual, int lane,
+void LaneView<S>::load(const KnotState<S>& knot, const CustomResidual& residual, int lane,
                        double time) {
-  scene_ = &scene;
+  knot_ = &knot;
   residual_ = &residual;
   lane_ = lane;
   time_ = time;
   const auto copy = [lane](const S* from, Eigen::VectorXd& to) {
     for (Eigen::Index i = 0; i < to.size(); ++i) to[i] = Lanes<S>::get(from[i], lane);
   };
-  copy(scene.q, q_);
-  copy(scene.v, v_);
-  copy(scene.u, u_);
-  copy(scene.tau, tau_);
-  if (scene.solved) {
-    copy(scene.dynamics->a.data(), a_);
-    copy(scene.dynamics->lambda.data(), lambda_);
+  copy(knot.q, q_);
+  copy(knot.v, v_);
+  copy(knot.u, u_);
+  copy(knot.tau, tau_);
+  if (knot.solved) {
+    copy(knot.dynamics->a.data(), a_);
+    copy(knot.dynamics->lambda.data(), lambda_);
   } else {
     a_.setZero();
     lambda_.setZero();
   }
-  if (scene.dlambda_dz == nullptr) return;
-  for (int r = 0; r < scene.dynamics->rows(); ++r)
+  if (knot.dlambda_dz == nullptr) return;
+  for (int r = 0; r < knot.dynamics->rows(); ++r)
     for (int c = 0; c < layout_->nz(); ++c)
-      force_derivative_(r, c) = Lanes<S>::get(scene.dlambda_dz[r * layout_->nz() + c], lane);
+      force_derivative_(r, c) = Lanes<S>::get(knot.dlambda_dz[r * layout_->nz() + c], lane);
 }
 
 namespace custom_detail {
@@ -56,7 +56,7 @@ Eigen::Vector3d lane_of_vector(const Vec3<S>& v, int lane) {
 
 template <class S>
 Eigen::Isometry3d LaneView<S>::placement(int frame) const {
-  const FrameState<S>& state = scene_->frames[residual_->frames.at(frame)];
+  const FrameState<S>& state = knot_->frames[residual_->frames.at(frame)];
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   for (int c = 0; c < 3; ++c)
     result.linear().col(c) = custom_detail::lane_of_vector(column(state.R, c), lane_);
@@ -66,7 +66,7 @@ Eigen::Isometry3d LaneView<S>::placement(int frame) const {
 
 template <class S>
 CompiledReference LaneView<S>::compiled(int frame, const Reference& reference) const {
-  return compile_reference(*model_, reference, scene_->compiled_frames[frame], world_frame());
+  return compile_reference(*model_, reference, knot_->compiled_frames[frame], world_frame());
 }
 
 template <class S>
@@ -74,7 +74,7 @@ Vector6 LaneView<S>::velocity(int frame, const Reference& reference) const {
   const int f = residual_->frames.at(frame);
   const CompiledReference seen_in = compiled(f, reference);
   const Motion<S> m = frame_velocity(
-      seen_in, reference_pose(seen_in, scene_->dynamics->kinematics()), scene_->frames[f]);
+      seen_in, reference_pose(seen_in, knot_->dynamics->kinematics()), knot_->frames[f]);
   Vector6 result;
   result << custom_detail::lane_of_vector(m.linear, lane_),
       custom_detail::lane_of_vector(m.angular, lane_);
@@ -84,8 +84,8 @@ Vector6 LaneView<S>::velocity(int frame, const Reference& reference) const {
 template <class S>
 VectorView LaneView<S>::force(int contact) const {
   const int c = residual_->contacts.at(contact);
-  const int rows = static_cast<int>(scene_->dynamics->set().contacts()[c].directions.size());
-  return {lambda_.data() + scene_->dynamics->active().first_row[c], rows};
+  const int rows = static_cast<int>(knot_->dynamics->set().contacts()[c].directions.size());
+  return {lambda_.data() + knot_->dynamics->active().first_row[c], rows};
 }
 
 template <class S>
@@ -93,8 +93,8 @@ MatrixView LaneView<S>::jacobian(int frame, const Reference& reference) const {
   const int f = residual_->frames.at(frame);
   std::fill(columns_.begin(), columns_.end(), S(0.0));
   const CompiledReference seen_in = compiled(f, reference);
-  const Kinematics<S>& kinematics = scene_->dynamics->kinematics();
-  frame_jacobian(scene_->compiled_frames[f], seen_in, reference_pose(seen_in, kinematics),
+  const Kinematics<S>& kinematics = knot_->dynamics->kinematics();
+  frame_jacobian(knot_->compiled_frames[f], seen_in, reference_pose(seen_in, kinematics),
                  kinematics, columns_.data(), layout_->nv);
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < layout_->nv; ++k)
@@ -105,8 +105,8 @@ MatrixView LaneView<S>::jacobian(int frame, const Reference& reference) const {
 template <class S>
 MatrixView LaneView<S>::force_derivative(int contact) const {
   const int c = residual_->contacts.at(contact);
-  const int rows = static_cast<int>(scene_->dynamics->set().contacts()[c].directions.size());
-  const int first = scene_->dynamics->active().first_row[c];
+  const int rows = static_cast<int>(knot_->dynamics->set().contacts()[c].directions.size());
+  const int first = knot_->dynamics->active().first_row[c];
   return {force_derivative_.data() + first * layout_->nz(), rows, layout_->nz()};
 }
 
@@ -128,10 +128,10 @@ CustomLanes<S>::CustomLanes(const CompiledProblem& problem)
 
 template <class S>
 void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& residual,
-                              const Scene<S>& scene, const double* times, S* r, S* J) {
+                              const KnotState<S>& knot, const double* times, S* r, S* J) {
   const int rows = residual.user.rows, nz = problem_->layout.nz();
   for (int l = 0; l < Lanes<S>::count; ++l) {
-    view_.load(scene, residual, l, times[l]);
+    view_.load(knot, residual, l, times[l]);
     residual.user.value(view_, value_.head(rows));
     for (int i = 0; i < rows; ++i) Lanes<S>::set(r[i], l, value_[i]);
     if (J == nullptr) continue;
@@ -145,11 +145,11 @@ void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& 
       };
       const StateLayout& layout = problem_->layout;
       const auto nq = static_cast<std::size_t>(layout.nq), nv = static_cast<std::size_t>(layout.nv);
-      copy(scene.q, x_, 0, nq);
-      copy(scene.v, x_, nq, nv);
-      copy(scene.torque_state, x_, nq + nv, static_cast<std::size_t>(layout.filtered));
-      copy(scene.u, u_, 0, u_.size());
-      copy(scene.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
+      copy(knot.q, x_, 0, nq);
+      copy(knot.v, x_, nq, nv);
+      copy(knot.torque_state, x_, nq + nv, static_cast<std::size_t>(layout.filtered));
+      copy(knot.u, u_, 0, u_.size());
+      copy(knot.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
       moved_.turn(stage, targets_.data());
       differences(stage, residual, times[l]);
     }
@@ -173,7 +173,7 @@ void CustomLanes<S>::moved_value(const CompiledStage& stage, const CustomResidua
   for (int i = 0; i < layout.nv + layout.filtered; ++i)
     x_moved_[layout.nq + i] = x_[layout.nq + i] + dx_[layout.nv + i];
   moved_.values(stage, x_moved_.data(), u_.data());
-  moved_view_.load(moved_.scene(), residual, 0, time);
+  moved_view_.load(moved_.knot(), residual, 0, time);
   residual.user.value(moved_view_, out.head(residual.user.rows));
   if (z < layout.nu) u_[z] = u_before;
 }

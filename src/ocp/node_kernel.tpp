@@ -56,13 +56,13 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
 template <class S>
 void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
                              const double* times, S* r, S* J) {
-  const Scene<S>& scene = dynamics_.scene();
+  const KnotState<S>& knot = dynamics_.knot();
   std::visit(
       [&](const auto& compiled) {
         if constexpr (std::is_same_v<std::decay_t<decltype(compiled)>, CustomResidual>) {
-          custom_->evaluate(stage, compiled, scene, times, r, J);
+          custom_->evaluate(stage, compiled, knot, times, r, J);
         } else {
-          compiled.evaluate(scene, targets + term.target, r, J);
+          compiled.evaluate(knot, targets + term.target, r, J);
         }
       },
       term.residual);

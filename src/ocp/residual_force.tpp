@@ -10,15 +10,15 @@ namespace burnish::ocp {
 /// A wrench of constant lambda moves with the contact's own reference and is seen from the one that
 /// is asked for: the transport term of the columns of q.
 template <class S>
-void WrenchView::evaluate(const Scene<S>& scene, S* w, S* J) const {
-  const ConstrainedDynamics<S>& dynamics = *scene.dynamics;
+void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
+  const ConstrainedDynamics<S>& dynamics = *knot.dynamics;
   const CompiledContact& compiled = dynamics.set().contacts()[contact];
   const int first = dynamics.active().first_row[contact];
   const int rows = static_cast<int>(compiled.directions.size());
   ContactState<S> state = dynamics.contact_states[contact];
   set_contact_force(compiled, dynamics.lambda.data() + first, state);
   const ReferencePose<S> pose =
-      reference ? reference->pose(scene) : ReferencePose<S>{state.axes, state.origin};
+      reference ? reference->pose(knot) : ReferencePose<S>{state.axes, state.origin};
   store_column(in_reference(pose, state.force_world), w, 1);
   if (J == nullptr) return;
 
@@ -30,12 +30,12 @@ void WrenchView::evaluate(const Scene<S>& scene, S* w, S* J) const {
     set_contact_force(compiled, lambda, unit);
     store_column(in_reference(pose, unit.force_world), map + r, 6);
   }
-  const StateLayout& layout = *scene.layout;
+  const StateLayout& layout = *knot.layout;
   const int nz = layout.nz();
   for (int d = 0; d < 6; ++d)
     for (int c = 0; c < nz; ++c) {
       S sum(0.0);
-      for (int r = 0; r < rows; ++r) sum += map[d * 6 + r] * scene.dlambda_dz[(first + r) * nz + c];
+      for (int r = 0; r < rows; ++r) sum += map[d * 6 + r] * knot.dlambda_dz[(first + r) * nz + c];
       J[d * nz + c] = sum;
     }
   for (const WrenchEntry& entry : entries)
@@ -44,32 +44,32 @@ void WrenchView::evaluate(const Scene<S>& scene, S* w, S* J) const {
 }
 
 template <class S>
-void OwnForceError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const int first = scene.dynamics->active().first_row[contact];
-  for (int i = 0; i < rows; ++i) r[i] = scene.dynamics->lambda[first + i] - target[i];
+void OwnForceError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const int first = knot.dynamics->active().first_row[contact];
+  for (int i = 0; i < rows; ++i) r[i] = knot.dynamics->lambda[first + i] - target[i];
   if (J == nullptr) return;
-  const int nz = scene.layout->nz();
-  std::copy_n(scene.dlambda_dz + first * nz, rows * nz, J);
+  const int nz = knot.layout->nz();
+  std::copy_n(knot.dlambda_dz + first * nz, rows * nz, J);
 }
 
 template <class S>
-void WrenchError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  wrench.evaluate(scene, r, J);
+void WrenchError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  wrench.evaluate(knot, r, J);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];
 }
 
 template <class S>
-void ConeMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
+void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
   S w[6];
-  S* const dw = J == nullptr ? nullptr : scene.scratch;
-  wrench.evaluate(scene, w, dw);
+  S* const dw = J == nullptr ? nullptr : knot.scratch;
+  wrench.evaluate(knot, w, dw);
   const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
   const S smoothing(1e-6);  // (1e-3 N)^2
   const S length = square_root(S(w[t1] * w[t1] + w[t2] * w[t2] + smoothing));
   r[0] = S(friction) * w[normal] - length;
   r[1] = w[normal];
   if (J == nullptr) return;
-  const int nz = scene.layout->nz();
+  const int nz = knot.layout->nz();
   const S c1 = w[t1] / length, c2 = w[t2] / length;
   for (int c = 0; c < nz; ++c) {
     J[c] = S(friction) * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
@@ -78,17 +78,17 @@ void ConeMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J
 }
 
 template <class S>
-void PressureMargin::evaluate(const Scene<S>& scene, const S* /*target*/, S* r, S* J) const {
+void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
   S w[6];
-  S* const dw = J == nullptr ? nullptr : scene.scratch;
-  wrench.evaluate(scene, w, dw);
+  S* const dw = J == nullptr ? nullptr : knot.scratch;
+  wrench.evaluate(knot, w, dw);
   const S hx(half_x), hy(half_y);
   r[0] = hx * w[2] + w[4];
   r[1] = hx * w[2] - w[4];
   r[2] = hy * w[2] + w[3];
   r[3] = hy * w[2] - w[3];
   if (J == nullptr) return;
-  const int nz = scene.layout->nz();
+  const int nz = knot.layout->nz();
   for (int c = 0; c < nz; ++c) {
     const S fz = dw[2 * nz + c], mx = dw[3 * nz + c], my = dw[4 * nz + c];
     J[c] = hx * fz + my;

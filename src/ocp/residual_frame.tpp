@@ -41,21 +41,21 @@ void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& ent
 }  // namespace frame_detail
 
 template <class S>
-FrameReference<S> FrameView::at(const Scene<S>& scene, int frame) const {
-  const CompiledFrame& seen = scene.compiled_frames[frame];
+FrameReference<S> FrameView::at(const KnotState<S>& knot, int frame) const {
+  const CompiledFrame& seen = knot.compiled_frames[frame];
   const auto support = [&](int body, const std::vector<MovingAxis>& other) {
     return std::span<const MovingAxis>(body == seen.body ? seen.support : other);
   };
   return {reference,
-          reference.pose(scene),
+          reference.pose(knot),
           {support(reference.origin_body, origin), support(reference.axes_body, axes)}};
 }
 
 template <class S>
-void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const FrameState<S>& state = scene.frames[frame];
-  const Kinematics<S>& kinematics = scene.dynamics->kinematics();
-  const FrameReference<S> seen = view.at(scene, frame);
+void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const FrameState<S>& state = knot.frames[frame];
+  const Kinematics<S>& kinematics = knot.dynamics->kinematics();
+  const FrameReference<S> seen = view.at(knot, frame);
   const ReferencePose<S>& at = seen.pose;
   Vec3<S> p_target{target[0], target[1], target[2]};
   if (!view.reference.at_world || view.reference.axes_body >= 0)
@@ -66,7 +66,7 @@ void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, 
   // In the reference a point that moves with m in the world moves with m - V_k.
   const int columns = static_cast<int>(view.entries.size());
   S* out = J;
-  for_each_entry(scene.compiled_frames[frame], seen.support,
+  for_each_entry(knot.compiled_frames[frame], seen.support,
                  [&](int, int k, const ReferenceAxes& by) {
                    Motion<S> m = -reference_twist(by, at.p, kinematics);
                    if (k >= 0) m += kinematics.axes[k].axis;
@@ -75,50 +75,50 @@ void FramePositionError::evaluate(const Scene<S>& scene, const S* target, S* r, 
 }
 
 template <class S>
-void FrameRotationError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const FrameState<S>& state = scene.frames[frame];
+void FrameRotationError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const FrameState<S>& state = knot.frames[frame];
   const FrameError<S> error = frame_error(state, rotation_of(target), Vec3<S>::zero());
   frame_detail::store(error.rotation, r);
   if (J == nullptr) return;
-  const CompiledFrame& compiled = scene.compiled_frames[frame];
-  const int nv = scene.layout->nv;
-  frame_rotation_error_derivative(compiled, scene.dynamics->kinematics(), state, error,
-                                  scene.scratch, nv);
-  frame_detail::keep_columns(scene.scratch, 3, nv, compiled.support, J,
+  const CompiledFrame& compiled = knot.compiled_frames[frame];
+  const int nv = knot.layout->nv;
+  frame_rotation_error_derivative(compiled, knot.dynamics->kinematics(), state, error, knot.scratch,
+                                  nv);
+  frame_detail::keep_columns(knot.scratch, 3, nv, compiled.support, J,
                              static_cast<int>(compiled.support.size()), 0);
 }
 
 template <class S>
-void FramePlacementError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const FrameState<S>& state = scene.frames[frame];
+void FramePlacementError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const FrameState<S>& state = knot.frames[frame];
   const FrameError<S> error =
       frame_error(state, rotation_of(target + 3), Vec3<S>{target[0], target[1], target[2]});
   frame_detail::store(error.placement, r);
   if (J == nullptr) return;
-  const CompiledFrame& compiled = scene.compiled_frames[frame];
-  const int nv = scene.layout->nv;
-  frame_placement_error_derivative(compiled, scene.dynamics->kinematics(), state, error,
-                                   scene.scratch, nv);
-  frame_detail::keep_columns(scene.scratch, 6, nv, compiled.support, J,
+  const CompiledFrame& compiled = knot.compiled_frames[frame];
+  const int nv = knot.layout->nv;
+  frame_placement_error_derivative(compiled, knot.dynamics->kinematics(), state, error,
+                                   knot.scratch, nv);
+  frame_detail::keep_columns(knot.scratch, 6, nv, compiled.support, J,
                              static_cast<int>(compiled.support.size()), 0);
 }
 
 template <class S>
-void FrameVelocityError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const FrameState<S>& state = scene.frames[frame];
-  const FrameReference<S> seen = view.at(scene, frame);
+void FrameVelocityError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const FrameState<S>& state = knot.frames[frame];
+  const FrameReference<S> seen = view.at(knot, frame);
   frame_detail::store(frame_velocity(view.reference, seen.pose, state), r);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];
   if (J == nullptr) return;
-  const CompiledFrame& compiled = scene.compiled_frames[frame];
-  const Kinematics<S>& kinematics = scene.dynamics->kinematics();
-  const int nv = scene.layout->nv;
+  const CompiledFrame& compiled = knot.compiled_frames[frame];
+  const Kinematics<S>& kinematics = knot.dynamics->kinematics();
+  const int nv = knot.layout->nv;
   const int by_q = static_cast<int>(view.entries.size());
   const int columns = by_q + static_cast<int>(compiled.support.size());
-  frame_velocity_derivative(compiled, seen, kinematics, state, scene.scratch, nv);
-  frame_detail::keep_columns(scene.scratch, 6, nv, view.entries, J, columns, 0);
-  frame_jacobian(compiled, view.reference, seen.pose, kinematics, scene.scratch, nv);
-  frame_detail::keep_columns(scene.scratch, 6, nv, compiled.support, J, columns, by_q);
+  frame_velocity_derivative(compiled, seen, kinematics, state, knot.scratch, nv);
+  frame_detail::keep_columns(knot.scratch, 6, nv, view.entries, J, columns, 0);
+  frame_jacobian(compiled, view.reference, seen.pose, kinematics, knot.scratch, nv);
+  frame_detail::keep_columns(knot.scratch, 6, nv, compiled.support, J, columns, by_q);
 }
 
 }  // namespace burnish::ocp

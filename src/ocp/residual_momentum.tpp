@@ -8,22 +8,22 @@
 namespace burnish::ocp {
 
 template <class S>
-void ComError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const Vec3<S>& c = scene.momentum->com;
+void ComError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const Vec3<S>& c = knot.momentum->com;
   r[0] = c.x - target[0];
   r[1] = c.y - target[1];
   r[2] = c.z - target[2];
-  if (J != nullptr) std::copy_n(scene.momentum_derivatives->com_dq.data(), 3 * scene.layout->nv, J);
+  if (J != nullptr) std::copy_n(knot.momentum_derivatives->com_dq.data(), 3 * knot.layout->nv, J);
 }
 
 template <class S>
-void MomentumError::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const Force<S>& h = scene.momentum->centroidal;
+void MomentumError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const Force<S>& h = knot.momentum->centroidal;
   const S values[6] = {h.linear.x, h.linear.y, h.linear.z, h.angular.x, h.angular.y, h.angular.z};
   for (int i = 0; i < 6; ++i) r[i] = values[i] - target[i];
   if (J == nullptr) return;
-  const int nv = scene.layout->nv;
-  const MomentumDerivatives<S>& d = *scene.momentum_derivatives;
+  const int nv = knot.layout->nv;
+  const MomentumDerivatives<S>& d = *knot.momentum_derivatives;
   for (int i = 0; i < 6; ++i) {
     std::copy_n(d.centroidal_dq.data() + i * nv, nv, J + i * 2 * nv);
     std::copy_n(d.centroidal_dv.data() + i * nv, nv, J + i * 2 * nv + nv);

@@ -8,11 +8,11 @@
 namespace burnish::ocp {
 
 template <class S>
-void StateDifference::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
+void StateDifference::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const int nv = tree->nv;
-  difference_configuration(*tree, target, scene.q, r);
-  for (int i = 0; i < nv; ++i) r[nv + i] = scene.v[i] - target[nq + i];
-  for (int i = 0; i < filtered; ++i) r[2 * nv + i] = scene.torque_state[i] - target[nq + nv + i];
+  difference_configuration(*tree, target, knot.q, r);
+  for (int i = 0; i < nv; ++i) r[nv + i] = knot.v[i] - target[nq + i];
+  for (int i = 0; i < filtered; ++i) r[2 * nv + i] = knot.torque_state[i] - target[nq + nv + i];
   if (J == nullptr) return;
   J = std::fill_n(J, diagonal_rows.size(), S(1.0));
   for (const TangentBlock& block : tangent) {
@@ -23,11 +23,11 @@ void StateDifference::evaluate(const Scene<S>& scene, const S* target, S* r, S* 
 }
 
 template <class S>
-void Selection::evaluate(const Scene<S>& scene, const S* target, S* r, S* J) const {
-  const S* const from = source == Source::Q             ? scene.q
-                        : source == Source::V           ? scene.v
-                        : source == Source::TorqueState ? scene.torque_state
-                                                        : scene.u;
+void Selection::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const S* const from = source == Source::Q             ? knot.q
+                        : source == Source::V           ? knot.v
+                        : source == Source::TorqueState ? knot.torque_state
+                                                        : knot.u;
   for (std::size_t i = 0; i < entries.size(); ++i) r[i] = from[entries[i]] - target[i];
   if (J != nullptr) std::fill_n(J, entries.size(), S(1.0));
 }

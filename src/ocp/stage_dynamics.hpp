@@ -25,7 +25,7 @@ class StageDynamics {
   /// derivative, nv x nz (q and v columns).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
-  const Scene<S>& scene() const { return scene_; }
+  const KnotState<S>& knot() const { return knot_; }
   const S* acceleration() const { return dynamics_.a.data(); }
   const S* velocity_after() const { return impact_->dynamics.velocity_after.data(); }
   const S* impulse() const { return impact_->dynamics.lambda.data(); }
@@ -56,7 +56,7 @@ class StageDynamics {
   std::vector<S> x_, u_, tau_, total_, passive_, dpassive_, scratch_;
   std::vector<S> stacked_;  ///< (nv + rows) x nz: d(a, lambda)/dz
   std::vector<Status> status_;
-  Scene<S> scene_;
+  KnotState<S> knot_;
 };
 
 }  // namespace burnish::ocp

@@ -33,16 +33,16 @@ StageDynamics<S>::StageDynamics(const CompiledProblem& problem)
     vector->assign(room(layout.nv), S(0.0));
   scratch_.assign(room(6 * layout.nz()), S(0.0));
   stacked_.assign(room((layout.nv + problem.contacts.rows()) * layout.nz()), S(0.0));
-  scene_.layout = &problem.layout;
-  scene_.q = x_.data();
-  scene_.v = x_.data() + layout.nq;
-  scene_.torque_state = x_.data() + layout.nq + layout.nv;
-  scene_.u = u_.data();
-  scene_.tau = tau_.data();
-  scene_.dynamics = &dynamics_;
-  scene_.frames = frames_.data();
-  scene_.momentum = &momentum_;
-  scene_.scratch = scratch_.data();
+  knot_.layout = &problem.layout;
+  knot_.q = x_.data();
+  knot_.v = x_.data() + layout.nq;
+  knot_.torque_state = x_.data() + layout.nq + layout.nv;
+  knot_.u = u_.data();
+  knot_.tau = tau_.data();
+  knot_.dynamics = &dynamics_;
+  knot_.frames = frames_.data();
+  knot_.momentum = &momentum_;
+  knot_.scratch = scratch_.data();
 }
 
 template <class S>
@@ -59,19 +59,19 @@ template <class S>
 void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
   const StateLayout& layout = problem_->layout;
   std::fill(tau_.begin(), tau_.end(), S(0.0));
-  const S* const driving = layout.filtered > 0 ? scene_.torque_state : u_.data();
+  const S* const driving = layout.filtered > 0 ? knot_.torque_state : u_.data();
   const bool driven = layout.filtered > 0 || stage.nu > 0;
   if (driven)
     for (int i = 0; i < layout.nu; ++i) tau_[layout.actuated[i]] = driving[i];
   if (problem_->passive)
-    passive_torque(*problem_->passive, scene_.v, passive_.data(), dpassive_.data());
+    passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data());
   for (int k = 0; k < layout.nv; ++k)
     total_[k] = tau_[k] + passive_[k] + S(problem_->torque_bias[k]);
 }
 
 template <class S>
 void StageDynamics<S>::turn(const CompiledStage& stage, const S* targets) {
-  scene_.targets = targets;
+  knot_.targets = targets;
   for (const CompiledTurning& turning : stage.turnings) {
     if (turning.contact < 0) continue;
     const Mat3<S> rotation = rotation_of(targets + turning.target);
@@ -89,19 +89,19 @@ void StageDynamics<S>::values(const CompiledStage& stage, const S* x, const S* u
     std::fill(u_.begin(), u_.end(), S(0.0));
   }
   activate(stage.active, active_, dynamics_);
-  dynamics_.set_state(scene_.q, scene_.v);
+  dynamics_.set_state(knot_.q, knot_.v);
   apply_torques(stage);
   if (stage.solves_contacts) dynamics_.forward(total_.data());
   for (int l = 0; l < Lanes<S>::count; ++l) status_[l] = dynamics_.status(l);
   for (std::size_t f = 0; f < stage.frames.size(); ++f)
     update_frame(stage.frames[f], dynamics_.kinematics(), frames_[f]);
-  scene_.compiled_frames = stage.frames.data();
-  scene_.solved = stage.solves_contacts;
+  knot_.compiled_frames = stage.frames.data();
+  knot_.solved = stage.solves_contacts;
   if (stage.has_momentum)
-    update_momentum(problem_->tree, dynamics_.kinematics(), scene_.v, momentum_);
-  scene_.da_dz = nullptr;
-  scene_.dlambda_dz = nullptr;
-  scene_.momentum_derivatives = nullptr;
+    update_momentum(problem_->tree, dynamics_.kinematics(), knot_.v, momentum_);
+  knot_.da_dz = nullptr;
+  knot_.dlambda_dz = nullptr;
+  knot_.momentum_derivatives = nullptr;
 }
 
 template <class S>
@@ -133,13 +133,13 @@ void StageDynamics<S>::derivatives(const CompiledStage& stage) {
   if (stage.solves_contacts) {
     derivatives_.forward(dynamics_);
     stack_by_z(stage);
-    scene_.da_dz = stacked_.data();
-    scene_.dlambda_dz = stacked_.data() + problem_->layout.nv * problem_->layout.nz();
+    knot_.da_dz = stacked_.data();
+    knot_.dlambda_dz = stacked_.data() + problem_->layout.nv * problem_->layout.nz();
   }
   if (stage.has_momentum) {
-    momentum_derivatives(problem_->tree, dynamics_.kinematics(), momentum_, scene_.v,
+    momentum_derivatives(problem_->tree, dynamics_.kinematics(), momentum_, knot_.v,
                          momentum_derivatives_);
-    scene_.momentum_derivatives = &momentum_derivatives_;
+    knot_.momentum_derivatives = &momentum_derivatives_;
   }
 }
 
@@ -147,7 +147,7 @@ template <class S>
 void StageDynamics<S>::impact(const CompiledStage& stage, bool with_derivatives) {
   ConstrainedDynamics<S>& jump = impact_->dynamics;
   activate(stage.active, impact_active_, jump);
-  jump.impact(scene_.q, scene_.v);
+  jump.impact(knot_.q, knot_.v);
   for (int l = 0; l < Lanes<S>::count; ++l) status_[l] = worst(status_[l], jump.status(l));
   if (!with_derivatives) return;
   impact_->derivatives.impact(jump);

@@ -165,7 +165,7 @@ Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const 
           if constexpr (requires { residual.user; }) {
             throw Error("a user's own residual is evaluated in double");
           } else {
-            residual.evaluate(dynamics.scene(), targets.data() + compiled.target, r.data(),
+            residual.evaluate(dynamics.knot(), targets.data() + compiled.target, r.data(),
                               static_cast<Dual*>(nullptr));
           }
         },

@@ -18,7 +18,7 @@ Mat3<S> rotation_of(const S* entries) {
 
 /// Filled by StageDynamics. Pointers that a stage has no use for are null.
 template <class S>
-struct Scene {
+struct KnotState {
   const StateLayout* layout = nullptr;
   const S* q = nullptr;             ///< nq
   const S* v = nullptr;             ///< nv

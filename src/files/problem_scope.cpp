@@ -1,4 +1,4 @@
-#include "files/scene.hpp"
+#include "files/problem_scope.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -30,7 +30,7 @@ bool holds(const std::vector<std::string>& contacts, const std::string& name) {
 
 }  // namespace
 
-const ContactSpec& FileScene::contact(const std::string& name) const {
+const ContactSpec& ProblemScope::contact(const std::string& name) const {
   std::vector<std::string> known;
   for (const ContactSpec& contact : spec.contacts) {
     known.push_back(name_of_contact(contact));
@@ -40,9 +40,9 @@ const ContactSpec& FileScene::contact(const std::string& name) const {
               (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
 }
 
-std::vector<const Joint*> FileScene::driven() const { return driven_joints(spec); }
+std::vector<const Joint*> ProblemScope::driven() const { return driven_joints(spec); }
 
-int FileScene::controls() const {
+int ProblemScope::controls() const {
   int sum = 0;
   for (const Joint* joint : driven()) sum += joint->nv;
   return sum;
@@ -95,7 +95,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
 
 bool is_hold(const Reader& reader) { return reader.is("hold") || reader.has("hold"); }
 
-HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
+HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::string>& contacts,
                             const Reader& reader) {
   HeldForces forces;
   if (reader.is("hold")) return forces;
@@ -103,7 +103,7 @@ HeldForces read_held_forces(const FileScene& scene, const std::vector<std::strin
   for (const auto& [name, value] : reader["hold"].items()) {
     const std::string& contact_name = name;
     const ContactSpec& contact =
-        reader["hold"].named([&]() -> const ContactSpec& { return scene.contact(contact_name); });
+        reader["hold"].named([&]() -> const ContactSpec& { return scope.contact(contact_name); });
     if (!holds(contacts, name)) value.refuse("this contact does not hold in the stage");
     const int rows = contact.directions.count();
     forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())

@@ -18,7 +18,7 @@ struct RowGroup {
   int size = 1;
 };
 
-struct FileScene {
+struct ProblemScope {
   const Robot& robot;
   const ProblemSpec& spec;  ///< robot, contacts and actuation are filled
   Eigen::VectorXd q;        ///< at the start
@@ -45,7 +45,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed);
 
 /// Reads `hold` or `{hold: {contact: force rows}}`.
-HeldForces read_held_forces(const FileScene& scene, const std::vector<std::string>& contacts,
+HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::string>& contacts,
                             const Reader& reader);
 
 /// True for `hold` and `{hold: ...}`.
