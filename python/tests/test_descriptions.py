@@ -43,8 +43,8 @@ def test_the_build_writes_every_described_class_where_its_module_has_room(tmp_pa
     subprocess.run([sys.executable, str(SCRIPT), "--core", str(_core.__file__), "--package", str(tmp_path)], check=True)
     assert SCRIPT.read_text() == before
     package = Path(_core.__file__).parent
-    written = {path.name for path in tmp_path.iterdir()}
-    assert {"__init__.py", "_core.pyi", "py.typed"} < written
+    written = {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()}
+    assert {"__init__.py", "_core.pyi", "py.typed", "campaign/__init__.py"} < written
     for name in written:
         assert (tmp_path / name).read_text() == (package / name).read_text(), name
     for spec in _core.descriptions() + _core.enumerations():
