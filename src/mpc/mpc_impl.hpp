@@ -12,7 +12,7 @@
 #include "mpc/holding.hpp"
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
-#include "mpc/policy.hpp"
+#include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
 
 namespace burnish {

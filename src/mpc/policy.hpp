@@ -2,7 +2,6 @@
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
-#include "mpc/horizon.hpp"
 
 namespace burnish {
 
@@ -28,20 +27,6 @@ class Policy {
   double rounding_;          ///< s
   double next_time_ = 0.0;   ///< s, when next_ takes over
   bool next_ready_ = false;  ///< next_ waits for its time
-};
-
-/// Where a policy leads in a while, for plans that are used later than they are begun.
-class Prediction {
- public:
-  explicit Prediction(const Problem& problem);
-  /// Moves x (nx) to where the policy leads within `duration` s from now on, by knots as they are
-  /// at the schedule's time; the first knot is then to be placed anew. False and x as it was where
-  /// there is no prediction. May throw what targets throw.
-  bool advance(Problem& problem, Horizon& horizon, Policy& policy, double now, double schedule_time,
-               double duration, Eigen::VectorXd& x);
-
- private:
-  Eigen::VectorXd start_, next_, dx_, u_;
 };
 
 }  // namespace burnish

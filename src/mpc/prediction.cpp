@@ -1,0 +1,37 @@
+#include "mpc/prediction.hpp"
+
+#include <algorithm>
+
+namespace burnish {
+
+Prediction::Prediction(const Problem& problem)
+    : start_(Eigen::VectorXd::Zero(problem.layout().nx())),
+      next_(start_),
+      dx_(Eigen::VectorXd::Zero(problem.layout().ndx())),
+      u_(Eigen::VectorXd::Zero(problem.layout().nu)) {}
+
+/// Knots give accelerations; positions follow from them to second order, whatever the knots'
+/// integrator: v after a whole knot would be wrong by half of it on the average.
+bool Prediction::advance(Problem& problem, Horizon& horizon, Policy& policy, double now,
+                         double schedule_time, double duration, Eigen::VectorXd& x) {
+  const int nq = problem.layout().nq, nv = problem.layout().nv;
+  const double step = horizon.step();
+  start_ = x;
+  for (double done = 0.0; done < duration;) {
+    horizon.place_knot(0, schedule_time + done);
+    policy.control(now + done, x, u_);
+    const double part = std::min(duration - done, step);
+    const KnotValue value = problem.roll(0, 0, x.data(), u_.data(), next_.data());
+    if (value.status > Status::NotConverged) break;
+    problem.difference(x.data(), next_.data(), dx_.data());
+    dx_ *= part / step;
+    dx_.head(nv) = part * (x.segment(nq, nv) + 0.5 * dx_.segment(nv, nv));
+    problem.integrate(x.data(), dx_.data(), x.data());
+    done += part;
+    if (duration - done < 1e-9 * step) return true;
+  }
+  x = start_;
+  return false;
+}
+
+}  // namespace burnish
