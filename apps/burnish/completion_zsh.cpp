@@ -35,7 +35,7 @@ std::string zsh_escaped(const std::string& text) {
 std::string zsh_action(const OptionText& option) {
   switch (option.offer) {
     case Offer::Words:
-      return option.value == "KEY=VALUE"  // more is typed behind the equals sign
+      return option.value.ends_with("=VALUE")  // more is typed behind the equals sign
                  ? fmt::format("{{compadd -S '' -- {}}}", fmt::join(option.words, " "))
                  : fmt::format("({})", fmt::join(option.words, " "));
     case Offer::Robots:

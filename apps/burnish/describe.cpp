@@ -5,8 +5,9 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/descriptions.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "polishing/task_keys.hpp"
+#include "press_hold/descriptions.hpp"
 
 namespace burnish::app {
 namespace {
@@ -28,11 +29,11 @@ Words experiment_names() {
 }
 
 /// "force=", "path.kind=", ...
+template <class Task>
 Words task_key_words() {
   Words words;
-  for (const polishing::TaskSection& section : polishing::task_sections())
-    for (const polishing::TaskKey& key : section.keys)
-      words.push_back((section.name.empty() ? "" : section.name + ".") + key.name + "=");
+  for (const std::string& key : file_of(static_cast<const Task*>(nullptr)).keys())
+    words.push_back(key + "=");
   return words;
 }
 
@@ -49,7 +50,8 @@ void find_offer(const std::string& type, OptionText& text) {
       {"SURFACE", surface_names},
       {"PRESET", [] { return polishing::disturbance_presets(); }},
       {"EXPERIMENT", experiment_names},
-      {"KEY=VALUE", task_key_words},
+      {"KEY=VALUE", task_key_words<polishing::Task>},
+      {"PATH=VALUE", task_key_words<press_hold::Task>},
       {"SHELL", [] { return completion_shells(); }}};
   static const std::map<std::string, Offer> others{
       {"ROBOT", Offer::Robots}, {"DIR", Offer::Folders},   {"FILE", Offer::Files},

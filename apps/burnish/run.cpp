@@ -2,51 +2,97 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/whole_file.hpp"
+#include "base/yaml_word.hpp"
 #include "command.hpp"
+#include "press_hold/descriptions.hpp"
 #include "press_hold/record.hpp"
+#include "pressing/record.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
+#include "robot_arguments.hpp"
+#include "shell_word.hpp"
 #include "signals.hpp"
 
 namespace burnish::app {
 namespace {
 
 struct RunArguments {
-  std::string file, plant, out;
+  std::string file, robot, tool, plant, out, write_task;
+  std::vector<std::string> overrides;
+  std::optional<int> seed;
   int record_every = 10;
-  bool no_page = false, mcap = false, force = false, quiet = false, json = false;
+  bool no_page = false, plots = false, mcap = false, force = false, strict = false;
+  bool unchecked = false, quiet = false, json = false;
 };
 
-int run(const RunArguments& arguments) {
-  const press_hold::Task task = press_hold::read_task(arguments.file);
-  const PlantKind plant = arguments.plant.empty()
-                              ? (has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal)
-                              : (arguments.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco);
-  named_by(arguments.file, [&] { (void)press_hold::make_setting(task); });
+/// What `--robot` and its like change in the file.
+std::vector<std::string> changes_of(const RunArguments& a) {
+  std::vector<std::string> words;
+  if (!a.robot.empty()) words.push_back("robot=" + yaml_word(a.robot));
+  if (!a.tool.empty()) words.push_back("tool.frame=" + yaml_word(a.tool));
+  words.insert(words.end(), a.overrides.begin(), a.overrides.end());
+  if (a.seed) words.push_back(fmt::format("disturbances.seed={}", *a.seed));
+  return words;
+}
+
+/// That makes the run again.
+std::string command_of(const RunArguments& a, PlantKind plant) {
+  std::string text = "burnish run " + shell_word(a.file) + " --plant " + name_of(plant);
+  for (const std::string& word : changes_of(a)) text += " --set " + shell_word(word);
+  return text + (a.unchecked ? " --unchecked" : "");
+}
+
+/// A task: the functions that are found by its type and, in its namespace, RunSpec and RunName.
+template <class Task, class RunSpec, class RunName>
+int run_as(const RunArguments& a) {
+  const auto said = files::read_said<Task>(a.file, changes_of(a));
+  RunName run{.name = std::filesystem::path(a.file).stem().string(), .spec = {.task = said.spec}};
+  RunSpec& spec = run.spec;
+  if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
+  spec.check_reach = !a.unchecked;
+  run.command = command_of(a, spec.plant);
+  if (!a.write_task.empty()) {
+    files::placed(said.texts, [&] { check_task(spec.task); });
+    write_whole_file(a.write_task, task_text(spec.task));
+    return exit_ok;
+  }
+  // What does not fit is said before there is a folder.
+  named_by(a.file, [&] {
+    files::placed(said.texts, [&] {
+      check_task(spec.task);
+      const Robot robot = load_task_robot(spec.task);
+      print_warnings(robot, a.strict);
+      spec.setting = make_setting(spec.task, robot);
+      if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
+    });
+  });
   const StopRequest stop("the run ends, and what there is of it is written");
-  const std::string name = std::filesystem::path(arguments.file).stem().string();
-  RunFolder folder({.out = arguments.out, .name = name + "_run", .force = arguments.force});
-  folder.claim(press_hold::record_names());
-  const bool talks = !arguments.quiet && !arguments.json;
-  const bool bar = talks && isatty(STDERR_FILENO) != 0;
-  const press_hold::RunResult result =
-      press_hold::run_task(task, plant, [&](double time, double end) {
-        if (bar) show_progress(name, time / end, fmt::format("{:.1f} s of {:.1f} s", time, end));
-        return !StopRequest::asked();
-      });
+  RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
+  folder.claim(pressing::run_file_names());
+  const bool talks = !a.quiet && !a.json, bar = talks && isatty(STDERR_FILENO) != 0;
+  spec.progress = [&](double time, double end) {
+    if (bar) show_progress(run.name, time / end, fmt::format("{:.1f} s of {:.1f} s", time, end));
+    return !StopRequest::asked();
+  };
+  const auto result = run_task(spec);
   if (bar) fmt::print(stderr, "\r\033[K");
-  PageWriter pages(!arguments.no_page, arguments.mcap);
-  const auto names = press_hold::write_run({name, plant, arguments.record_every}, task, result,
-                                           folder.path(), pages);
+  PageWriter pages(!a.no_page, a.mcap);
+  const auto names = write_run(run, result, {.record_every = a.record_every, .plots = a.plots},
+                               folder.path(), pages);
   folder.finish();
-  if (arguments.json)
-    fmt::print("{}\n", json_text(press_hold::run_json({name, plant, arguments.record_every}, task,
-                                                      result)));
+  if (a.json)
+    fmt::print("{}\n", json_text(run_json(run, result)));
   else if (talks || !result.done)
-    fmt::print("{}: {}\n", name, result.outcome);
+    fmt::print("{}: {}\n", run.name, result.outcome);
   if (talks) fmt::print("  {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   return result.done ? exit_ok : exit_failed;
+}
+
+/// All tasks that a file may name.
+int run(const RunArguments& arguments) {
+  return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
 }
 
 }  // namespace
@@ -59,6 +105,22 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("TASK", a.file, "Task file that says `task: press_hold`")
       ->type_name("")
       ->required();
+  command
+      ->add_option("--robot", a.robot,
+                   "Robot: a name, a URDF file, a folder or a settings file, with :variant [the "
+                   "file's]")
+      ->type_name("ROBOT");
+  command
+      ->add_option("--tool", a.tool,
+                   "Frame whose origin is the centre of the round tip [the file's]")
+      ->type_name("FRAME");
+  command
+      ->add_option("--set", a.overrides, "Any key of the task file, such as force=20; repeatable")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--seed", a.seed, "Seed of what is drawn at random [the file's]")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--plant", a.plant,
                    has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
@@ -76,19 +138,32 @@ void add_run(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command->add_flag("--no-page", a.no_page, "Write no run.json and run.html");
+  command->add_flag("--plots", a.plots,
+                    "Write force.svg, path.svg, torques.svg and solver.svg beside the page, which "
+                    "shows the same; without a page they are written in any case");
   command->add_flag("--mcap", a.mcap, "Write run.mcap too, a recording that Foxglove opens");
+  command->add_flag("--unchecked", a.unchecked, "Run what the arm cannot reach, too");
+  command
+      ->add_option("--write-task", a.write_task,
+                   "Write the task with every key explained to a file, and do nothing else")
+      ->type_name("FILE");
   command->add_flag("--quiet", a.quiet, "Print nothing unless the run fails");
   command->add_flag("--json", a.json, "Print metrics.json and nothing else");
+  add_strict(*command, a.strict);
   command->footer(
       "Examples:\n"
       "  burnish run tasks/press_hold/arm7.yaml\n"
       "  burnish run my_task.yaml --plant ideal --out /tmp/my_run\n"
+      "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
+      "      --set posture=search --set 'aside={my_joint: 0.5}'\n"
       "\n"
       "The file names its task: `task: press_hold` presses at a point and holds the force while "
       "the\n"
       "rest of the arm moves aside. Leaves trace.csv, metrics.json, task.yaml, run.html, run.json "
       "and\n"
-      "after a fault last_second.csv. docs/tasks.md explains it; burnish polish is for polishing.\n"
+      "after a fault fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run "
+      "and "
+      "writes what\nthere is. docs/tasks.md explains it; burnish polish is for polishing.\n"
       "Exit codes: 0 done; 1 not: a fault or an interruption; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -791,21 +791,23 @@ from .polishing import (
     Experiment,
     ExperimentReport,
     ExperimentSpec,
-    FoundPosture,
     NamedSurface,
     PathSpec,
     PlanarPoint,
+    ResultTable,
+    RunSpec,
+    Setting,
+    Task,
+    VerdictFigures,
+)
+from .pressing import (
+    FoundPosture,
     PlanRecord,
     PlantKind,
     PostureOptions,
     ReachOptions,
     ReachReport,
-    ResultTable,
-    RunSpec,
-    Setting,
-    Task,
     TickTimes,
-    VerdictFigures,
 )
 from .report import Metrics
 from .sim import Disturbances, ImpedanceSpec, TaskPoint
@@ -897,3 +899,66 @@ def table_csv(table: ResultTable) -> str: ...
 # (end of polishing)
 
 
+# ---------------------------------------------------------------------------
+# press_hold
+# ---------------------------------------------------------------------------
+
+from . import press_hold
+
+class HoldResult:
+    @property
+    def task(self) -> press_hold.Task: ...
+    @property
+    def plant(self) -> PlantKind: ...
+    @property
+    def setting(self) -> press_hold.Setting: ...
+    @property
+    def trace(self) -> Trace: ...
+    @property
+    def plans(self) -> PlanRecord: ...
+    @property
+    def plant_status(self) -> Status: ...
+    @property
+    def fault(self) -> FaultReport: ...
+    @property
+    def interrupted(self) -> bool: ...
+    @property
+    def done(self) -> bool: ...
+    @property
+    def metrics(self) -> Optional[Metrics]: ...
+    @property
+    def hold(self) -> Optional[press_hold.HoldFigures]: ...
+    @property
+    def ticks(self) -> TickTimes: ...
+    @property
+    def first_tick(self) -> float: ...
+    @property
+    def wall_time(self) -> float: ...
+    @property
+    def outcome(self) -> str: ...
+    def write(
+        self,
+        folder: File,
+        *,
+        name: str = "run",
+        page: bool = True,
+        plots: bool = False,
+        recording: bool = False,
+        record_every: int = 10,
+    ) -> List[str]: ...
+
+def hold_read_task(file: File, overrides: Sequence[str] = ...) -> press_hold.Task: ...
+def hold_override_task(task: press_hold.Task, overrides: Sequence[str]) -> press_hold.Task: ...
+def hold_check_task(task: press_hold.Task) -> None: ...
+def hold_task_text(task: press_hold.Task) -> str: ...
+def hold_make_setting(task: press_hold.Task) -> press_hold.Setting: ...
+def hold_check_reach(
+    task: press_hold.Task, setting: Optional[press_hold.Setting] = None
+) -> ReachReport: ...
+def hold_make_controller(
+    task: press_hold.Task, setting: press_hold.Setting
+) -> MpcController: ...
+def hold_phase_names() -> List[str]: ...
+def hold_run_task(spec: press_hold.RunSpec) -> HoldResult: ...
+
+# (end of press_hold)

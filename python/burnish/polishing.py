@@ -45,7 +45,20 @@ from ._core import (
 from ._spec import Spec, items, vector, zeros
 from .model import Robot
 from .mpc import Fallback, ModelErrorOptions, SafetyLimits
-from .pressing import ToolLimits
+from .pressing import (
+    SEARCHED_POSTURE,
+    FoundPosture,
+    PlanRecord,
+    PlantKind,
+    PostureLimits,
+    PostureOptions,
+    ReachOptions,
+    ReachProblem,
+    ReachReport,
+    TickTimes,
+    ToolLimits,
+    default_plant,
+)
 from .report import PlotSpec
 from .sim import Disturbances, SceneSpec, has_mujoco
 from .solver import StepUpdate
@@ -64,10 +77,6 @@ __all__ = [
     "read_task", "run", "run_task", "task_notes",
     "task_point", "task_text", "write_task",
 ]
-
-SEARCHED_POSTURE = "search"
-"""In a task, in place of a posture's name: let find_posture() find one."""
-
 
 # Described classes stand here (scripts/describe).
 
@@ -120,114 +129,6 @@ class Setting(Spec):
     """s of the schedule"""
 
 
-@dataclass(eq=False, repr=False)
-class ReachOptions(Spec):
-    """How check_reach() looks."""
-
-    spacing: float = 5e-3
-    """m between two points that are looked at"""
-    tolerance: float = 1e-4
-    """m that the tool may be off"""
-    joint_margin: float = 0.02
-    """rad (m) that joints keep from their limits"""
-    torque_share: float = 0.8
-    """of the effort limits that statics may take: the rest is for motion and feedback"""
-    link_radius: float = 0.03
-    """m, how thick links are taken to be"""
-
-
-class ReachProblem(enum.Enum):
-    """What is in the way."""
-
-    NONE = 0
-    POSITION = 1
-    """no posture puts the tool there, whatever the limits"""
-    JOINT = 2
-    """the only postures found are beyond a joint's limit"""
-    TORQUE = 3
-    """holding the tool there takes more than a joint's effort limit"""
-    COLLISION = 4
-    """the arm itself would touch the surface"""
-
-
-@dataclass(eq=False, repr=False)
-class ReachReport(Spec):
-    """The first thing in the way of a task, and how much room there is elsewhere."""
-
-    problem: ReachProblem = ReachProblem.NONE
-    text: str = ""
-    """one sentence: where, which joint, what came and what is allowed; empty without a problem"""
-    s: float = 0.0
-    """m along the path in contact where the problem is; negative: so far before the path's start"""
-    p_world: ArrayLike = zeros(3)
-    """of the tool there, m"""
-    joint: str = ""
-    """empty for POSITION"""
-    value: float = 0.0
-    """m that the tool is off, rad (m) of the joint, Nm (N), m of the joint's origin from the
-    surface"""
-    limit: float = 0.0
-    """what is allowed, in the same unit"""
-    points: int = 0
-    """that were looked at"""
-    path_length: float = 0.0
-    """m, once around where the path repeats itself"""
-    joint_margin: float = 0.0
-    """rad (m), smallest of all points"""
-    tightest_joint: str = ""
-    torque_share: float = 0.0
-    """of the effort limit, largest of all points"""
-    tightest_torque: str = ""
-    clearance: float = 0.0
-    """m between the surface and the arm without its tool link, smallest of all points; infinite
-    where nothing but the tool link moves"""
-    tightest_clearance: str = ""
-    """joint there"""
-
-    @property
-    def ok(self) -> bool:
-        """Whether nothing is in the way."""
-        return self.problem == ReachProblem.NONE
-
-
-@dataclass(eq=False, repr=False)
-class PostureOptions(Spec):
-    """How find_posture() searches."""
-
-    random_starts: int = 48
-    """besides the robot's named postures and the middle of the limits"""
-    seed: int = 0
-    """of those"""
-    tilt_limit: float = 1.0
-    """rad between the pressing axis and the normal's opposite"""
-    joint_margin: float = 0.15
-    """rad (m) that joints keep from their limits at the start"""
-    body_distance: float = 0.25
-    """m between the last link and the robot's body, both taken as a few points and lines; of parts
-    that are near each other along the arm no more than `bend` times its length between them"""
-    bend: float = 0.55
-    """see body_distance; of two equal links it lets 67 degrees between them"""
-    checked: int = 48
-    """best candidates whose whole path is looked at"""
-    reach: ReachOptions = field(default_factory=ReachOptions)
-
-
-@dataclass(eq=False, repr=False)
-class FoundPosture(Spec):
-    """What find_posture() found."""
-
-    q: NDArray[np.float64]
-    """(nq,)"""
-    score: float
-    """lower is better"""
-    tilt: float
-    """rad between the pressing axis and the normal's opposite"""
-    reach: ReachReport
-    """of the task from there"""
-    candidates: int
-    """postures that met all conditions at the start"""
-
-
 class ControllerKind(enum.Enum):
     """What controls a run."""
 
@@ -235,19 +136,6 @@ class ControllerKind(enum.Enum):
     """model predictive control (MpcController)"""
     BASELINE = 1
     """impedance with force feedback, no optimisation (make_impedance_controller())"""
-
-
-class PlantKind(enum.Enum):
-    """What is controlled in a run."""
-
-    MUJOCO = 0
-    """an engine that shares no code with this library"""
-    IDEAL = 1
-    """the library's own contact dynamics, a rigid surface"""
-
-
-def _default_plant() -> PlantKind:
-    return PlantKind.MUJOCO if has_mujoco() else PlantKind.IDEAL
 
 
 @dataclass(eq=False, repr=False)
@@ -258,7 +146,7 @@ class RunSpec(Spec):
     robot: Optional[Robot] = None
     """in place of the one that the task names"""
     controller: ControllerKind = ControllerKind.MPC
-    plant: PlantKind = field(default_factory=_default_plant)
+    plant: PlantKind = field(default_factory=default_plant)
     """MUJOCO where this build has it"""
     check_reach: bool = True
     """before anything moves; a problem is then an Error"""
@@ -271,46 +159,10 @@ class RunSpec(Spec):
 
 
 @dataclass(eq=False, repr=False)
-class TickTimes(Spec):
-    """Wall clock of a controller's ticks after the first, s."""
-
-    count: int = 0
-    """ticks that were timed: every nth of more than a million"""
-    period: float = 0.0
-    """s, between two ticks"""
-    median: float = 0.0
-    """s, median computing time of a tick"""
-    p99: float = 0.0
-    """s, computing time that 99 % of the ticks stay below"""
-    maximum: float = 0.0
-    """s, longest computing time of a tick"""
-    mean: float = 0.0
-    """s, mean computing time of a tick"""
-    late: int = 0
-    """ticks that took longer than a period"""
-
-
-@dataclass(eq=False, repr=False)
-class PlanRecord(Spec):
-    """Plans of model predictive control, now and then along a run; empty without plans."""
-
-    time: NDArray[np.float64]
-    """(plans,), s, of each plan's first knot"""
-    terms: List[str]
-    """of the costs of all stages that were planned with"""
-    costs: NDArray[np.float64]
-    """(terms, plans), summed over the plan, terminal costs included"""
-    step: float
-    """s between the knots that are kept"""
-    q: NDArray[np.float32]
-    """(plans, knots, nq)"""
-
-
-@dataclass(eq=False, repr=False)
 class ExperimentSpec(Spec):
     """How an experiment is performed."""
 
-    plant: PlantKind = field(default_factory=_default_plant)
+    plant: PlantKind = field(default_factory=default_plant)
     """MUJOCO where this build has it"""
     seeds: int = 0
     """at most 10 000; 0: the experiment's own number"""

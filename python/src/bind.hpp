@@ -21,5 +21,6 @@ void bind_mpc(py::module_& m);
 void bind_sim(py::module_& m);
 void bind_report(py::module_& m);
 void bind_polishing(py::module_& m);
+void bind_press_hold(py::module_& m);
 
 }  // namespace burnish::python

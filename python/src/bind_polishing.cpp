@@ -3,9 +3,9 @@
 #include <chrono>
 #include <future>
 
-#include "bind.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "specs_polishing.hpp"
+#include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD
 #include "polishing/record/run_files.hpp"
 #endif
@@ -16,41 +16,7 @@ namespace {
 
 using namespace polishing;
 
-/// A run and what it was asked for.
-struct Run {
-  RunSpec spec;
-  RunResult result;
-};
-
-py::object polishing_class(const char* name) {
-  return py::module_::import("burnish.polishing").attr(name);
-}
-
-/// What a progress function answers: nothing means that it goes on. To be called with the GIL.
-bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
-
-/// The progress function of a spec (RunSpec or ExperimentSpec) as Python has it, or None.
-py::object progress_of(const py::object& spec, const char* what, const char* wanted) {
-  if (!py::isinstance(spec, polishing_class(wanted)))
-    throw py::type_error(std::string(what) + ": wanted is a " + wanted);
-  return spec.attr("progress");
-}
-
-Run run(const py::object& given) {
-  const py::object progress = progress_of(given, "run_task", "RunSpec");
-  Run run{py::cast<RunSpec>(given), {}};
-  run.spec.progress = [&progress](double time, double end) {
-    const py::gil_scoped_acquire acquire;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return progress.is_none() || goes_on(progress(time, end));
-  };
-  {
-    const py::gil_scoped_release release;
-    run.result = run_task(run.spec);
-  }
-  run.spec.progress = nullptr;
-  return run;
-}
+using Run = MadeRun<RunSpec, RunResult>;
 
 /// Signals reach Python's main thread alone, so the work is done by another while the caller looks
 /// for them.
@@ -59,7 +25,7 @@ ExperimentReport perform(const std::string& name, const py::object& given) {
   ExperimentSpec spec;
   py::object progress = py::none();
   if (!given.is_none()) {
-    progress = progress_of(given, "perform_experiment", "ExperimentSpec");
+    progress = progress_of(given, "perform_experiment", "burnish.polishing", "ExperimentSpec");
     spec = py::cast<ExperimentSpec>(given);
   }
   std::atomic<bool> stop = false;
@@ -94,51 +60,6 @@ ExperimentReport perform(const std::string& name, const py::object& given) {
   return report;
 }
 
-PlanArrays arrays_of(const PlanRecord& record) {
-  const auto plans = static_cast<Eigen::Index>(record.time.size());
-  PlanArrays arrays{.time = Eigen::Map<const Eigen::VectorXd>(record.time.data(), plans),
-                    .terms = record.terms,
-                    .costs = RowMatrix(static_cast<Eigen::Index>(record.terms.size()), plans),
-                    .step = record.step,
-                    .q = {py::array_t<float>({static_cast<py::ssize_t>(plans),
-                                              py::ssize_t{record.knots}, py::ssize_t{record.nq}},
-                                             record.q.data())}};
-  for (std::size_t term = 0; term < record.terms.size(); ++term)
-    arrays.costs.row(static_cast<Eigen::Index>(term)) =
-        Eigen::Map<const Eigen::RowVectorXd>(record.costs[term].data(), plans);
-  return arrays;
-}
-
-PlanRecord record_of(const PlanArrays& arrays) {
-  const py::array_t<float>& q = arrays.q.array;
-  PlanRecord record;
-  record.time = {arrays.time.begin(), arrays.time.end()};
-  record.terms = arrays.terms;
-  record.knots = static_cast<int>(q.shape(1));
-  record.nq = static_cast<int>(q.shape(2));
-  record.step = arrays.step;
-  record.q = {q.data(), q.data() + q.size()};
-  for (const auto& row : arrays.costs.rowwise()) record.costs.emplace_back(row.begin(), row.end());
-  return record;
-}
-
-#ifdef BURNISH_HAS_RECORD
-std::vector<std::string> write_files(const Run& run, const std::filesystem::path& folder,
-                                     const std::string& name, bool page, bool plots, bool recording,
-                                     int record_every) {
-  PageWriter pages(page, recording);
-  return write_run({.name = name, .place = name, .spec = run.spec}, run.result,
-                   {.record_every = record_every, .plots = plots}, folder, pages);
-}
-#else
-std::vector<std::string> write_files(const Run&, const std::filesystem::path&, const std::string&,
-                                     bool, bool, bool, int) {
-  throw Error(
-      "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
-      "trace.write_csv() and write_task() are there in all builds");
-}
-#endif
-
 std::string repr_of(const Run& run) {
   std::string text = "<RunResult: " + name_of(run.spec.controller) + " on " +
                      name_of(run.spec.plant) + "; " + run.result.outcome;
@@ -151,11 +72,10 @@ std::string repr_of(const Run& run) {
   return text + ">";
 }
 
-py::tuple state_of(const Run& run) {
+py::tuple state_of_run(const Run& run) {
   const RunResult& r = run.result;
-  return py::make_tuple(run.spec, r.setting, r.reach, r.trace, arrays_of(r.plans), r.plant_status,
-                        r.fault, r.interrupted, r.polished, r.metrics, r.verdict, r.ticks,
-                        r.first_tick, r.wall_time, r.outcome);
+  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.polished, r.metrics,
+                        r.verdict);
 }
 
 Run run_of(const py::tuple& state) {
@@ -166,88 +86,52 @@ Run run_of(const py::tuple& state) {
   Run run;
   RunResult& r = run.result;
   take(run.spec);
+  set_state(r, state[next++]);
   take(r.setting);
   take(r.reach);
-  take(r.trace);
-  PlanArrays plans;
-  take(plans);
-  r.plans = record_of(plans);
-  take(r.plant_status);
-  take(r.fault);
-  take(r.interrupted);
   take(r.polished);
   take(r.metrics);
   take(r.verdict);
-  take(r.ticks);
-  take(r.first_tick);
-  take(r.wall_time);
-  take(r.outcome);
   return run;
-}
-
-void bind_figures(py::class_<Run>& run_class) {
-  const auto add = [&](const char* name, auto RunResult::*member, const char* text) {
-    run_class.def_property_readonly(
-        name, [member](const Run& self) { return self.result.*member; }, text);
-  };
-  add("setting", &RunResult::setting, "Setting: the task with everything resolved; a copy.");
-  add("plant_status", &RunResult::plant_status, "Worst Status of the plant.");
-  add("fault", &RunResult::fault, "FaultReport of the MPC; its kind is NONE without a fault.");
-  add("interrupted", &RunResult::interrupted, "Whether the progress function ended the run.");
-  add("polished", &RunResult::polished,
-      "Whether the path's end was reached without fault, as Task.verdict asks for.");
-  add("metrics", &RunResult::metrics,
-      "Metrics over the path after its start; None if it was never reached.");
-  add("verdict", &RunResult::verdict,
-      "VerdictFigures: what Task.verdict is about, over all of the path that there was; None if it "
-      "was never reached.");
-  add("ticks", &RunResult::ticks,
-      "TickTimes of the controller after its first tick, which solves to its end.");
-  add("first_tick", &RunResult::first_tick, "s of wall clock.");
-  add("wall_time", &RunResult::wall_time, "s of wall clock, of the simulation.");
-  add("outcome", &RunResult::outcome,
-      "One sentence: that it polished, what came in between, or which figures its verdict does not "
-      "bear (\"not polished: ...\", \"stopped early: ...\").");
 }
 
 void bind_result(py::module_& m) {
   py::class_<Run> run_class(m, "RunResult",
                             "What came out of a run. Its trace stays where it is: views of its "
                             "columns keep the result alive.");
+  bind_task_run(run_class,
+                "One sentence: that it polished, what came in between, or which figures its "
+                "verdict does not bear (\"not polished: ...\", \"stopped early: ...\").");
   run_class
       .def_property_readonly(
-          "task", [](const Run& self) { return self.spec.task; }, "The Task, a copy.")
-      .def_property_readonly(
           "controller", [](const Run& self) { return self.spec.controller; }, "ControllerKind.")
-      .def_property_readonly(
-          "plant", [](const Run& self) { return self.spec.plant; }, "PlantKind.")
       .def_property_readonly(
           "reach",
           [](const Run& self) {
             return self.spec.check_reach ? std::optional(self.result.reach) : std::nullopt;
           },
           "ReachReport of the check before the run; None if there was none.")
-      .def_property_readonly(
-          "trace", [](const Run& self) -> const Trace& { return self.result.trace; },
-          py::return_value_policy::reference_internal,
-          "Trace of every plant step, every nth beyond 100 s; columns as of ClosedLoop.")
-      .def_property_readonly(
-          "plans", [](const Run& self) { return arrays_of(self.result.plans); },
-          "PlanRecord: plans of the MPC, now and then; a copy.")
-      .def(
-          "write", &write_files, py::arg("folder"), py::kw_only(), py::arg("name") = "run",
-          py::arg("page") = true, py::arg("plots") = false, py::arg("recording") = false,
-          py::arg("record_every") = 10, py::call_guard<py::gil_scoped_release>(),
-          "Writes into a folder, which is made, what `burnish polish` leaves of a run: run.html "
-          "and "
-          "run.json (page), trace.csv (every `record_every`th row), metrics.json, task.yaml, "
-          "run.mcap (recording), plots as SVG files (plots; without a page in any case), and after "
-          "a fault its report. `name` stands on the page. "
-          "Returns the files' names. Raises Error if they cannot be written, or in a build without "
-          "fmt or nlohmann-json.")
       .def("__repr__", &repr_of)
-      .def(py::pickle(&state_of, &run_of));
-  bind_figures(run_class);
+      .def(py::pickle(&state_of_run, &run_of));
+  add_result(run_class, "setting", &RunResult::setting,
+             "Setting: the task with everything resolved; a copy.");
+  add_result(run_class, "polished", &RunResult::polished,
+             "Whether the path's end was reached without fault, as Task.verdict asks for.");
+  add_result(run_class, "metrics", &RunResult::metrics,
+             "Metrics over the path after its start; None if it was never reached.");
+  add_result(run_class, "verdict", &RunResult::verdict,
+             "VerdictFigures: what Task.verdict is about, over all of the path that there was; "
+             "None if it was never reached.");
+#ifdef BURNISH_HAS_RECORD
+  const auto write = [](const Run& run, const std::string& name, const RunFilesOptions& options,
+                        const std::filesystem::path& folder, PageWriter& pages) {
+    return write_run({.name = name, .place = name, .spec = run.spec}, run.result, options, folder,
+                     pages);
+  };
+  bind_write(run_class, write, "burnish polish");
+#else
+  bind_write(run_class, nullptr, "burnish polish");
+#endif
 }
 
 void bind_task(py::module_& m) {
@@ -368,11 +252,13 @@ void bind_setting(py::module_& m) {
 }
 
 void bind_runs_and_experiments(py::module_& m) {
-  m.def("run_task", &run, py::arg("spec"),
-        "Runs a task (RunSpec) to the end of its retreat in simulated time. What goes wrong on the "
-        "way is in the result, with all that was recorded until then; Ctrl-C ends the run as in "
-        "other Python code. Raises Error for a task that does not fit together, one that the arm "
-        "cannot reach, and a plant that is not there.");
+  m.def(
+      "run_task", [](const py::object& spec) { return run_given<Run>(spec, "burnish.polishing"); },
+      py::arg("spec"),
+      "Runs a task (RunSpec) to the end of its retreat in simulated time. What goes wrong on the "
+      "way is in the result, with all that was recorded until then; Ctrl-C ends the run as in "
+      "other Python code. Raises Error for a task that does not fit together, one that the arm "
+      "cannot reach, and a plant that is not there.");
   m.def(
       "experiments",
       [] {

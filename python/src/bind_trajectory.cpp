@@ -99,12 +99,12 @@ struct ExpansionRoom {
 /// F of one knot, ndx x nz with the columns of missing controls zero, from either form.
 void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
                     Eigen::Ref<RowMatrix> F) {
-  using Rows = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
+  using Strided = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
   F.setZero();
   const int skip = max_nu - nu;
   const bool dense = e.form == DynamicsForm::Dense;
   const int rows = dense ? state.ndx : state.nv;
-  const Rows given(e.dynamics, rows, nu + state.ndx, Eigen::OuterStride<>(e.stride));
+  const Strided given(e.dynamics, rows, nu + state.ndx, Eigen::OuterStride<>(e.stride));
   F.block(dense ? 0 : state.nv, skip, rows, nu + state.ndx) = given;
   if (dense) return;
   const int nv = state.nv, q = max_nu;

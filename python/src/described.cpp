@@ -38,6 +38,8 @@ std::string wanted_of(const ValueType& type) {
       return wanted_array(type.rows, type.columns);
     case Kind::List:
       return "a list, each entry " + wanted_of(type.element());
+    case Kind::Map:
+      return "a dict of names, each entry " + wanted_of(type.element());
     case Kind::Optional:
       return wanted_of(type.element()) + ", or None";
     case Kind::Struct:
@@ -67,6 +69,13 @@ py::object get_list(const ValueType& type, void* at) {
   return result;
 }
 
+py::object get_map(const ValueType& type, void* at) {
+  py::dict result;
+  for (std::size_t i = 0; i < type.size(at); ++i)
+    result[py::str(type.name(at, i))] = get_value(type.element(), type.entry(at, i));
+  return result;
+}
+
 py::object get_value(const ValueType& type, void* at) {
   switch (type.kind) {
     case Kind::Number:
@@ -84,6 +93,8 @@ py::object get_value(const ValueType& type, void* at) {
       return get_array(type, at);
     case Kind::List:
       return get_list(type, at);
+    case Kind::Map:
+      return get_map(type, at);
     case Kind::Optional:
       return type.size(at) == 0 ? py::none() : get_value(type.element(), type.entry(at, 0));
     case Kind::Struct:
@@ -142,6 +153,16 @@ bool set_list(const ValueType& type, void* at, py::handle from) {
   return true;
 }
 
+bool set_map(const ValueType& type, void* at, py::handle from) {
+  if (!py::isinstance<py::dict>(from)) return false;
+  type.resize(at, 0);
+  for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(from))
+    if (!py::isinstance<py::str>(name) ||
+        !set_value(type.element(), type.named(at, py::cast<std::string>(name)), value))
+      return false;
+  return true;
+}
+
 bool set_value(const ValueType& type, void* at, py::handle from) {
   switch (type.kind) {
     case Kind::Number:
@@ -162,6 +183,8 @@ bool set_value(const ValueType& type, void* at, py::handle from) {
       return set_array(type, at, from);
     case Kind::List:
       return set_list(type, at, from);
+    case Kind::Map:
+      return set_map(type, at, from);
     case Kind::Optional:
       type.resize(at, from.is_none() ? 0 : 1);
       return from.is_none() || set_value(type.element(), type.entry(at, 0), from);
@@ -194,6 +217,8 @@ py::object plain(const ValueType& type, void* at) {
       for (std::size_t i = 0; i < type.size(at); ++i)
         entries.append(plain(type.element(), type.entry(at, i)));
       return entries;
+    case Kind::Map:
+      return get_map(type, at);
     case Kind::Optional:
       return type.size(at) == 0 ? py::none() : plain(type.element(), type.entry(at, 0));
     case Kind::Struct:
@@ -206,13 +231,16 @@ py::object plain(const ValueType& type, void* at) {
 }
 
 py::dict type_entries(const ValueType& type) {
-  static const char* const kinds[] = {"Number", "Count", "Flag",     "Word",   "Text",
-                                      "Array",  "List",  "Optional", "Struct", "Other"};
+  static const char* const kinds[] = {"Number", "Count", "Flag",     "Word",   "Text", "Array",
+                                      "List",   "Map",   "Optional", "Struct", "Other"};
   py::dict entries;
   entries["kind"] = kinds[static_cast<std::size_t>(type.kind)];
   if (type.kind == Kind::Array) entries["shape"] = py::make_tuple(type.rows, type.columns);
   if (type.kind == Kind::Word) entries["name"] = type.words().name;
-  if (type.kind == Kind::Struct) entries["name"] = type.description().name;
+  if (type.kind == Kind::Struct) {
+    entries["name"] = type.description().name;
+    entries["module"] = type.description().layer;
+  }
   if (type.kind == Kind::Other) entries["name"] = carried_as(type).annotation;
   if (type.element != nullptr) entries["element"] = type_entries(type.element());
   return entries;

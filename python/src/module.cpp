@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, module) {
   bind_sim(module);
   bind_report(module);
   bind_polishing(module);
+  bind_press_hold(module);
 }
 
 }  // namespace burnish::python

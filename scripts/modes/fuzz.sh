@@ -50,7 +50,7 @@ collect_seeds() { # build folder, reader
     urdf) own=(robots/*/*.urdf) ;;
     robot) own=(robots/*/robot.yaml) ;;
     problem) own=(examples/problems/*.yaml) ;;
-    task) own=(tasks/polishing/*.yaml) ;;
+    task) own=(tasks/*/*.yaml) ;;
     request) own=(examples/eval/*.json) ;;
   esac
   mkdir -p "$seeds"

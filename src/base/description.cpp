@@ -107,10 +107,13 @@ void check_value(const Field& field, const ValueType& type, const void* at, cons
     constexpr double shortest = 1e-9;
     if (range.direction && !(Eigen::Map<const Eigen::VectorXd>(numbers, size).norm() > shortest))
       throw Error(subject(way) + " has no direction; wanted " + range.text());
-  } else if (type.kind == Kind::List || type.kind == Kind::Optional) {
+  } else if (type.kind == Kind::List || type.kind == Kind::Map || type.kind == Kind::Optional) {
     for (std::size_t i = 0; i < type.size(at); ++i)
       check_value(field, type.element(), type.entry(to_read(at), i),
-                  type.kind == Kind::List ? way + "[" + std::to_string(i) + "]" : way, subject);
+                  way + (type.kind == Kind::List  ? "[" + std::to_string(i) + "]"
+                         : type.kind == Kind::Map ? "." + type.name(at, i)
+                                                  : ""),
+                  subject);
   } else if (type.kind == Kind::Struct) {
     check_ranges(type.description(), at,
                  [&](const std::string& entry) { return subject(way + "." + entry); });

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,21 +70,23 @@ concept Worded = std::is_enum_v<T> && requires(T value) {
 
 /// What an entry is, and how to get at it by its address.
 struct ValueType {
-  enum class Kind { Number, Count, Flag, Word, Text, Array, List, Optional, Struct, Other };
+  enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
-  bool is_unsigned = false;                        ///< Count
-  Eigen::Index rows = 1, columns = 1;              ///< Array; -1: any number
-  const Words& (*words)() = nullptr;               ///< Word
-  const Description& (*description)() = nullptr;   ///< Struct
-  const ValueType& (*element)() = nullptr;         ///< List, Optional
-  std::int64_t (*get)(const void*) = nullptr;      ///< Count, Word
-  void (*set)(void*, std::int64_t) = nullptr;      ///< Count, Word
-  std::size_t (*size)(const void*) = nullptr;      ///< List; Optional: 0 or 1
-  void (*resize)(void*, std::size_t) = nullptr;    ///< List, Optional
-  void* (*entry)(void*, std::size_t) = nullptr;    ///< List, Optional
-  double* (*numbers)(void*) = nullptr;             ///< Array, column by column
-  Eigen::Index (*rows_of)(const void*) = nullptr;  ///< Array
+  bool is_unsigned = false;                                        ///< Count
+  Eigen::Index rows = 1, columns = 1;                              ///< Array; -1: any number
+  const Words& (*words)() = nullptr;                               ///< Word
+  const Description& (*description)() = nullptr;                   ///< Struct
+  const ValueType& (*element)() = nullptr;                         ///< List, Map, Optional
+  std::int64_t (*get)(const void*) = nullptr;                      ///< Count, Word
+  void (*set)(void*, std::int64_t) = nullptr;                      ///< Count, Word
+  std::size_t (*size)(const void*) = nullptr;                      ///< List, Map; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;                    ///< List, Optional; Map: to 0
+  void* (*entry)(void*, std::size_t) = nullptr;                    ///< List, Map, Optional
+  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map, of an entry
+  void* (*named)(void*, const std::string&) = nullptr;  ///< Map: the entry, made if it is not there
+  double* (*numbers)(void*) = nullptr;                  ///< Array, column by column
+  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };
@@ -148,7 +151,13 @@ struct Element<std::optional<T>> {
   using type = T;
 };
 template <class T>
+struct Element<std::map<std::string, T>> {
+  using type = T;
+};
+template <class T>
 concept List = std::same_as<T, std::vector<typename Element<T>::type>>;
+template <class T>
+concept Map = std::same_as<T, std::map<std::string, typename Element<T>::type>>;
 template <class T>
 concept Optional = std::same_as<T, std::optional<typename Element<T>::type>>;
 template <class T>
@@ -179,6 +188,22 @@ void list(ValueType& type) {
   type.size = [](const void* at) { return static_cast<const T*>(at)->size(); };
   type.resize = [](void* at, std::size_t size) { static_cast<T*>(at)->resize(size); };
   type.entry = [](void* at, std::size_t i) -> void* { return &(*static_cast<T*>(at))[i]; };
+}
+template <class T>
+void map(ValueType& type) {
+  type.kind = ValueType::Kind::Map;
+  type.element = &type_of<typename Element<T>::type>;
+  type.size = [](const void* at) { return static_cast<const T*>(at)->size(); };
+  type.resize = [](void* at, std::size_t) { static_cast<T*>(at)->clear(); };
+  type.entry = [](void* at, std::size_t i) -> void* {
+    return &std::next(static_cast<T*>(at)->begin(), static_cast<std::ptrdiff_t>(i))->second;
+  };
+  type.name = [](const void* at, std::size_t i) -> const std::string& {
+    return std::next(static_cast<const T*>(at)->begin(), static_cast<std::ptrdiff_t>(i))->first;
+  };
+  type.named = [](void* at, const std::string& name) -> void* {
+    return &(*static_cast<T*>(at))[name];
+  };
 }
 template <class T>
 void optional(ValueType& type) {
@@ -217,6 +242,8 @@ ValueType make_type() {
     array<T>(type);
   } else if constexpr (List<T>) {
     list<T>(type);
+  } else if constexpr (Map<T>) {
+    map<T>(type);
   } else if constexpr (Optional<T>) {
     optional<T>(type);
   } else if constexpr (Described<T>) {

@@ -53,6 +53,12 @@ void read_list(const Field& field, const ValueType& type, void* at, const Reader
       read_value(field, type.element(), type.entry(at, i), entries[i]);
 }
 
+void read_map(const Field& field, const ValueType& type, void* at, const Reader& reader) {
+  type.resize(at, 0);
+  for (const auto& [name, value] : reader.items())
+    read_value(field, type.element(), type.named(at, name), value);
+}
+
 void read_value(const Field& field, const ValueType& type, void* at, const Reader& reader) {
   const bool is_word = !field.word.empty() && reader.is(field.word);
   switch (type.kind) {
@@ -81,6 +87,8 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
       return is_word ? type.resize_array(at, 0, 1) : read_array(field, type, at, reader);
     case Kind::List:
       return read_list(field, type, at, reader);
+    case Kind::Map:
+      return read_map(field, type, at, reader);
     case Kind::Optional:
       type.resize(at, is_word ? 0 : 1);
       if (!is_word) read_value(field, type.element(), type.entry(at, 0), reader);
@@ -110,6 +118,14 @@ std::string list_text(const Field& field, const ValueType& type, void* at) {
   return "[" + text + "]";
 }
 
+std::string map_text(const Field& field, const ValueType& type, void* at) {
+  std::string text;
+  for (std::size_t i = 0; i < type.size(at); ++i)
+    text += (i == 0 ? "" : ", ") + yaml_word(type.name(at, i)) + ": " +
+            value_text(field, type.element(), type.entry(at, i));
+  return "{" + text + "}";
+}
+
 std::string array_text(const ValueType& type, void* at) {
   std::string text;
   const double* numbers = type.numbers(at);
@@ -136,6 +152,8 @@ std::string value_text(const Field& field, const ValueType& type, void* at) {
       return type.rows_of(at) == 0 && !field.word.empty() ? field.word : array_text(type, at);
     case Kind::List:
       return list_text(field, type, at);
+    case Kind::Map:
+      return map_text(field, type, at);
     case Kind::Optional:
       return type.size(at) == 0 ? field.word : value_text(field, type.element(), type.entry(at, 0));
     case Kind::Struct:

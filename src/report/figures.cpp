@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "report/run_page.hpp"
-
 namespace burnish {
 namespace {
 
@@ -117,20 +115,22 @@ std::string metrics_text(const Metrics& metrics) {
   return text;
 }
 
+PageMetric page_metric(const ShownFigure& figure) {
+  // The page finds how large its millimetres are by itself; shares are percent to it.
+  const FigureUnit& unit = figure.entry.unit;
+  const bool share = !*unit.unit && *unit.shown;
+  std::optional<double> value;
+  if (std::isfinite(figure.value)) value = share ? unit.factor * figure.value : figure.value;
+  return {figure.name, figure.entry.label, value,
+          share        ? unit.shown
+          : *unit.unit ? unit.unit
+                       : "1",
+          figure.meaning};
+}
+
 std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
   std::vector<PageMetric> result;
-  for (const ShownFigure& figure : shown_figures(metrics)) {
-    // The page finds how large its millimetres are by itself; shares are percent to it.
-    const FigureUnit& unit = figure.entry.unit;
-    const bool share = !*unit.unit && *unit.shown;
-    std::optional<double> value;
-    if (std::isfinite(figure.value)) value = share ? unit.factor * figure.value : figure.value;
-    result.push_back({figure.name, figure.entry.label, value,
-                      share        ? unit.shown
-                      : *unit.unit ? unit.unit
-                                   : "1",
-                      figure.meaning});
-  }
+  for (const ShownFigure& figure : shown_figures(metrics)) result.push_back(page_metric(figure));
   return result;
 }
 

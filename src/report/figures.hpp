@@ -10,6 +10,7 @@
 
 #include "base/degrees.hpp"
 #include "burnish/report/metrics.hpp"
+#include "report/run_page.hpp"
 
 namespace burnish {
 
@@ -152,5 +153,7 @@ struct ShownFigure {
 };
 /// Those that have a label; all of them, with no values, without metrics.
 std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics);
+/// As the page has it.
+PageMetric page_metric(const ShownFigure& figure);
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "burnish/sim/disturbances.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 
 #include "base/sentence.hpp"
@@ -33,6 +34,36 @@ void check_disturbances(const Model& model, const Disturbances& d) {
                [](const std::string& entry) { return "the disturbance " + in_quotes(entry); });
   check_size("torque_scale", d.torque_scale, model.nv);
   check_size("torque_bias", d.torque_bias, model.nv);
+}
+
+const std::vector<std::string>& disturbance_presets() {
+  static const std::vector<std::string> names{"none", "sensors", "mismatch", "joint_friction"};
+  return names;
+}
+
+Disturbances disturbance_preset(const std::string& name) {
+  const std::vector<std::string>& names = disturbance_presets();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Error("disturbances " + in_quotes(name) +
+                " are not known; wanted none, sensors, mismatch or joint_friction" +
+                did_you_mean(name, names));
+  Disturbances result;
+  if (name == "none") return result;
+  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
+  result.command_delay = 1e-3;
+  result.torque_noise = 0.05;
+  result.encoder_bits = 17;
+  result.finite_difference_velocity = true;
+  result.velocity_cutoff = cutoff;
+  result.force_noise = 0.3;
+  result.force_cutoff = cutoff;
+  if (name == "sensors") return result;
+  result.mass_scale = 1.05;
+  result.surface_friction = 0.3;
+  if (name == "mismatch") return result;
+  result.joint_coulomb = 1.0;
+  result.joint_viscous = 1.0;
+  return result;
 }
 
 Model plant_model(const Model& nominal, const Disturbances& disturbances) {

@@ -122,22 +122,6 @@ const Description& description_of(const Verdict* /*of*/) {
   return all;
 }
 
-const Description& description_of(const PostureLimits* /*of*/) {
-  using P = PostureLimits;
-  constexpr Range limit = range::not_negative;
-  static const Description all =
-      Describe<P>("polishing", "PostureLimits",
-                  "What a posture that is searched has to keep to; see find_posture().")
-          .field("tilt", &P::tilt, "{rad} between the tool's axis and the normal", limit)
-          .field("joint_margin", &P::joint_margin,
-                 "{rad} that joints keep from their limits at the start", limit)
-          .more("m of prismatic joints")
-          .field("body_distance", &P::body_distance,
-                 "{m} between the last link and the robot's body; less where the arm is short",
-                 limit);
-  return all;
-}
-
 namespace {
 
 using T = Task;
@@ -145,26 +129,14 @@ using T = Task;
 /// Where: the robot, its tool, the surface, the path.
 Describe<T>& describe_place(Describe<T>& task) {
   constexpr Range positive = range::positive;
-  return task.field("robot", &T::robot, "a robot's name, folder or settings file, with :variant")
+  task.field("robot", &T::robot, "a robot's name, folder or settings file, with :variant")
       .field("posture", &T::posture,
              "start of the arm, what its null space is drawn to; search: found for the surface")
       .more(
           "Of the robot's settings, or find_posture()'s. Empty: the robot's default, or searched "
           "where it has none. So is a named surface's, where the robot has none of that name.")
-      .field("force", &T::force, "{N}, that the tool presses with", positive)
-      .group("", "tool")
-      .field("tool", &T::tool, "its origin is the centre of a round tip")
-      .key("frame")
-      .field("tool_axis", &T::tool_axis,
-             "[x, y, z] that it presses along, in its frame; or auto: z or -z of a frame of "
-             "robot.yaml, of others the last joint's axis, away from the arm",
-             range::direction)
-      .in_code(
-          "that the tool presses along, in its frame, any length; without it see "
-          "pressing_direction()")
-      .key("axis")
-      .word("auto")
-      .field("tip_radius", &T::tip_radius, "{m}", positive)
+      .field("force", &T::force, "{N}, that the tool presses with", positive);
+  pressing::describe_tool(task)
       .group(
           "Or one word for posture, normal and point: table, board, board_x, board_y, "
           "board_minus_y,\ntilt_45. The controller knows where it is; it knows nothing of friction "
@@ -185,12 +157,8 @@ Describe<T>& describe_place(Describe<T>& task) {
       .in_code(
           "m that there is surface beyond the path, on all four sides of a square about the "
           "path's origin; infinite: it has no end")
-      .word("endless")
-      .field("friction", &T::friction, "Coulomb coefficient of the plant", range::not_negative)
-      .field("stiffness", &T::stiffness, "{N/m}, of the plant", positive)
-      .field("damping", &T::damping,
-             "{Ns/m}, of the plant; with friction below force / (3 friction speed)",
-             range::not_negative)
+      .word("endless");
+  return pressing::describe_material(task)
       .field("search", &T::search, "What a posture that is searched keeps to.")
       .field("path", &T::path,
              "In the plane of the surface, from the point under the start, beginning at rest.");
@@ -221,8 +189,7 @@ Describe<T>& describe_phases(Describe<T>& task) {
 /// How: the controller, and what it does not know.
 Describe<T>& describe_controller(Describe<T>& task) {
   constexpr Range positive = range::positive;
-  return task
-      .group("The optimal control problem that is solved again and again, and the loop around it.",
+  task.group("The optimal control problem that is solved again and again, and the loop around it.",
              "controller")
       .field("horizon", &T::horizon, "{s} that are planned ahead", positive)
       .field("step", &T::step, "{s} between two knots of the plan", positive)
@@ -245,27 +212,12 @@ Describe<T>& describe_controller(Describe<T>& task) {
           "Cost per second of squared error. What counts is how they compare: raise one, and its "
           "error\nshrinks at the expense of the others.")
       .field("model_error", &T::model_error,
-             "What measurements say that the model gets wrong, given back to it before each plan.")
-      .group(
-          "Beyond these a run is given up: the arm is braked and held (fallback), and there is a "
-          "report.\nEach may be never.",
-          "limits")
-      .field("limits", &T::limits, "")
-      .field("tool_limits", &T::tool_limits, "")
-      .key("limits")
-      .field("contact_threshold", &T::contact_threshold, "{N} that count as contact",
-             range::positive_or_infinite)
-      .more(
-          "Where the sensor's noise comes near it, which is found out in the reach, it is the mean "
-          "over 5 ms that counts, against six of its own deviations.")
-      .group("")
-      .field("fallback", &T::fallback,
-             "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
-             "slips.")
-      .field("disturbances", &T::disturbances,
-             "What the controller does not know. Or one word: none, sensors, mismatch, "
-             "joint_friction; or\n`preset: word` and keys that differ from it.")
-      .in_code("what the controller does not know");
+             "What measurements say that the model gets wrong, given back to it before each plan.");
+  pressing::describe_limits(task).group("").field(
+      "fallback", &T::fallback,
+      "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
+      "slips.");
+  return pressing::describe_disturbances(task);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "base/description.hpp"
 #include "burnish/tasks/polishing/task.hpp"
+#include "files/described_file.hpp"
 
 namespace burnish::polishing {
 
@@ -12,7 +13,11 @@ const Description& description_of(const PathSpec*);
 const Description& description_of(const PlanarPoint*);
 const Description& description_of(const Weights*);
 const Description& description_of(const Verdict*);
-const Description& description_of(const PostureLimits*);
 const Description& description_of(const Task*);
+
+const files::DescribedFile& file_of(const Task*);
+/// A checked task, and what said it. Throws Error as read_task() does.
+files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
+                                  const std::vector<std::string>& overrides = {});
 
 }  // namespace burnish::polishing

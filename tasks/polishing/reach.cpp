@@ -1,303 +1,14 @@
 #include "burnish/tasks/polishing/reach.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <vector>
 
-#include "base/sentence.hpp"
-#include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/model/state.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/posture_search.hpp"
+#include "pressing/reach_walk.hpp"
 
 namespace burnish::polishing {
 namespace {
-
-/// Where the tool shall be, and whether it presses.
-struct Stop {
-  Eigen::Vector3d p_world;
-  double s;      ///< m, see ReachReport
-  double force;  ///< N
-};
-
-bool is_limited(const Joint& joint) { return joint.nq == 1; }
-
-/// The walk: a posture that is carried from stop to stop.
-class Walk {
- public:
-  Walk(const Task& task, const Setting& setting, const ReachOptions& options)
-      : options_(options),
-        setting_(setting),
-        model_(setting.robot.model),
-        body_(model_),
-        tool_(body_.frame(task.tool)),
-        q_(setting.q_start) {
-    report_.joint_margin = report_.clearance = std::numeric_limits<double>::infinity();
-    find_skeleton();
-    evaluate(q_);
-    start_rotation_ = body_.placement(tool_).linear();
-  }
-
-  /// False at the first problem.
-  bool visit(const Stop& stop) {
-    ++report_.points;
-    Eigen::VectorXd q = q_;
-    if (!settle(q, stop.p_world, true)) {
-      refuse_position(stop);
-      return false;
-    }
-    q_ = q;
-    note_margins();
-    return stays_outside(stop) && torques_fit(stop, 0.0) &&
-           (stop.force == 0.0 || torques_fit(stop, stop.force));
-  }
-
-  ReachReport& report() { return report_; }
-
- private:
-  void evaluate(const Eigen::VectorXd& q) {
-    if (body_.update(q, Eigen::VectorXd::Zero(model_.nv)) > Status::NotConverged)
-      throw Error("the posture on the way cannot be evaluated");
-    body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
-  }
-
-  /// Moves q to where the tool is at `p`; false where it stays off by more than the tolerance.
-  /// Three of the joints' directions carry the tool; in the others orientation and posture count.
-  bool settle(Eigen::VectorXd& q, const Eigen::Vector3d& p, bool within_limits) {
-    constexpr int most = 200;
-    constexpr double damping = 1e-3, longest = 0.2;  // m (rad), rad per iteration
-    constexpr double orientation = 0.05, posture = 0.02;
-    for (int iteration = 0; iteration < most; ++iteration) {
-      evaluate(q);
-      const Eigen::Isometry3d placement = body_.placement(tool_);
-      const Eigen::Vector3d error = p - placement.translation();
-      off_ = error.norm();
-      // A few more iterations draw the null space, so that it does not lag behind the path.
-      if (off_ < 0.01 * options_.tolerance && iteration >= 3) return true;
-      const Eigen::AngleAxisd turned(
-          Eigen::Matrix3d(start_rotation_ * placement.linear().transpose()));
-      Eigen::MatrixXd J = derivatives_.jacobian;
-      if (within_limits) J *= free_directions(q).asDiagonal();
-      const auto Jp = J.topRows<3>(), Jr = J.bottomRows<3>();
-      const Eigen::VectorXd secondary =
-          orientation * Jr.transpose() * (turned.angle() * turned.axis()) +
-          posture * difference(model_, q, setting_.q_start);
-      const Eigen::Matrix3d A =
-          Jp * Jp.transpose() + damping * damping * Eigen::Matrix3d::Identity();
-      Eigen::VectorXd dq = secondary + Jp.transpose() * A.ldlt().solve(error - Jp * secondary);
-      dq *= std::min(1.0, longest / std::max(dq.cwiseAbs().maxCoeff(), 1e-12));
-      q = integrate(model_, q, dq);
-      if (within_limits) clamp(q);
-    }
-    return off_ < options_.tolerance;
-  }
-
-  double lower(const Joint& joint) const {
-    return model_.q_lower[joint.q_index] + options_.joint_margin;
-  }
-  double upper(const Joint& joint) const {
-    return model_.q_upper[joint.q_index] - options_.joint_margin;
-  }
-
-  static const char* unit(const Joint& joint) {
-    return joint.kind == JointKind::Prismatic ? " m" : " rad";
-  }
-  bool is_sliding(int k) const {
-    return model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])]
-               .kind == JointKind::Prismatic;
-  }
-
-  void clamp(Eigen::VectorXd& q) const {
-    for (const Joint& joint : model_.joints)
-      if (is_limited(joint))
-        q[joint.q_index] = std::min(std::max(q[joint.q_index], lower(joint)), upper(joint));
-  }
-  /// Joints at a limit do not take part in this iteration; the null space draws them off it.
-  Eigen::VectorXd free_directions(const Eigen::VectorXd& q) const {
-    Eigen::VectorXd free = Eigen::VectorXd::Ones(model_.nv);
-    for (const Joint& joint : model_.joints)
-      if (is_limited(joint) &&
-          (q[joint.q_index] <= lower(joint) || q[joint.q_index] >= upper(joint)))
-        free[joint.v_index] = 0.0;
-    return free;
-  }
-
-  void note_margins() {
-    for (const Joint& joint : model_.joints) {
-      if (!is_limited(joint)) continue;
-      const double q = q_[joint.q_index];
-      const double margin =
-          std::min(q - model_.q_lower[joint.q_index], model_.q_upper[joint.q_index] - q);
-      if (margin >= report_.joint_margin) continue;
-      report_.joint_margin = margin;
-      report_.tightest_joint = joint.name;
-    }
-  }
-
-  void refuse(ReachProblem problem, const Stop& stop, const std::string& joint, double value,
-              double limit, const std::string& what) {
-    report_.problem = problem;
-    report_.s = stop.s;
-    report_.p_world = stop.p_world;
-    report_.joint = joint;
-    report_.value = value;
-    report_.limit = limit;
-    const Eigen::Vector3d& p = stop.p_world;
-    char mm[32];
-    std::snprintf(mm, sizeof mm, "%.0f mm", 1e3 * std::abs(stop.s));
-    char at[96];
-    std::snprintf(at, sizeof at, "(%.3f, %.3f, %.3f) m", p.x(), p.y(), p.z());
-    report_.text = std::string(mm) +
-                   (stop.s < 0.0 ? " before the start of the path" : " along the path") +
-                   ", with the tool at " + at + ", " + what;
-  }
-
-  /// With the limits no posture was found: is it they?
-  void refuse_position(const Stop& stop) {
-    const double off = off_;
-    Eigen::VectorXd q = q_;
-    if (settle(q, stop.p_world, false)) {
-      for (const Joint& joint : model_.joints) {
-        if (!is_limited(joint)) continue;
-        const double value = q[joint.q_index];
-        const bool low = value < lower(joint);
-        if (!low && value <= upper(joint)) continue;
-        const double limit = low ? lower(joint) : upper(joint);
-        refuse(ReachProblem::Joint, stop, joint.name, value, limit,
-               "joint " + in_quotes(joint.name) + " would be at " + number(value) + unit(joint) +
-                   "; allowed is " + (low ? "at least " : "at most ") + number(limit));
-        return;
-      }
-    }
-    refuse(ReachProblem::Position, stop, "", off, options_.tolerance,
-           "the arm cannot reach: the tool stays " + number(off) + " m away; allowed are " +
-               number(options_.tolerance) + " m");
-  }
-
-  /// Joints between the world and the tool link whose origins move, and a frame on each of them.
-  void find_skeleton() {
-    const Frame& tip =
-        model_.frames[static_cast<std::size_t>(model_.frame_index(setting_.scene.tip.frame))];
-    int last = tip.body;
-    // Where the tip is the joint itself, that joint is to come near.
-    if (last >= 0 && tip.placement.translation().norm() < options_.link_radius)
-      last = model_.joints[static_cast<std::size_t>(last)].parent;
-    for (int j = last; j >= 0; j = model_.joints[static_cast<std::size_t>(j)].parent) {
-      if (model_.joints[static_cast<std::size_t>(j)].parent < 0) break;
-      for (const Frame& frame : model_.frames) {
-        if (frame.body != j) continue;
-        // Of two frames with one name only the first is found by it.
-        const auto found = static_cast<std::size_t>(model_.frame_index(frame.name));
-        if (&model_.frames[found] != &frame) continue;
-        skeleton_.push_back({j, body_.frame(frame.name), frame.placement.inverse().translation()});
-        break;
-      }
-    }
-  }
-
-  /// m between a point and the surface with its material; negative inside.
-  double room_at(const Eigen::Vector3d& p_world) const {
-    const SurfaceSpec& surface = setting_.scene.surface;
-    const double height = surface.normal.dot(p_world - surface.point);
-    if (std::isinf(surface.extent)) return height;
-    const Eigen::Vector3d p = setting_.surface_axes.transpose() * (p_world - surface.point);
-    const Eigen::Vector3d beyond(std::abs(p.x()) - surface.extent, std::abs(p.y()) - surface.extent,
-                                 height);
-    const double inside = beyond.maxCoeff();
-    return inside <= 0.0 ? inside : beyond.cwiseMax(0.0).norm();
-  }
-  /// The point between two that is nearest to the material: its distance is convex along a line.
-  double nearest_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-    double low = 0.0, high = 1.0;
-    for (int i = 0; i < 24; ++i) {
-      const double third = (high - low) / 3.0;
-      if (room_at(a + (low + third) * (b - a)) < room_at(a + (high - third) * (b - a)))
-        high -= third;
-      else
-        low += third;
-    }
-    return 0.5 * (low + high);
-  }
-
-  /// Whether the arm stays outside the surface.
-  bool stays_outside(const Stop& stop) {
-    std::vector<Eigen::Vector3d> origins;
-    for (const Node& node : skeleton_) origins.push_back(body_.placement(node.frame) * node.origin);
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      double room = room_at(origins[i]);
-      std::size_t nearest = i;
-      // Of an endless surface no part of a link is nearer than its ends.
-      if (i + 1 < skeleton_.size() && std::isfinite(setting_.scene.surface.extent)) {
-        const double share = nearest_between(origins[i], origins[i + 1]);
-        const double between = room_at(origins[i] + share * (origins[i + 1] - origins[i]));
-        if (between < room) {
-          room = between;
-          nearest = share < 0.5 ? i : i + 1;
-        }
-      }
-      if (!keeps_off(stop, skeleton_[nearest].joint, room)) return false;
-    }
-    return true;
-  }
-  bool keeps_off(const Stop& stop, int joint, double room) {
-    const std::string& name = model_.joints[static_cast<std::size_t>(joint)].name;
-    if (room - options_.link_radius < report_.clearance) {
-      report_.clearance = room - options_.link_radius;
-      report_.tightest_clearance = name;
-    }
-    if (room >= options_.link_radius) return true;
-    refuse(ReachProblem::Collision, stop, name, room, options_.link_radius,
-           "the arm at joint " + in_quotes(name) + " would be " + number(std::abs(room)) +
-               (room < 0.0 ? " m inside the surface" : " m from the surface") +
-               "; allowed are at least " + number(options_.link_radius) + " m outside of it");
-    return false;
-  }
-
-  bool torques_fit(const Stop& stop, double force) {
-    evaluate(q_);
-    const Eigen::Vector3d push = force * setting_.scene.surface.normal;
-    const Eigen::VectorXd tau = Eigen::VectorXd(body_.gravity_torque()) -
-                                derivatives_.jacobian.topRows(3).transpose() * push;
-    for (int k = 0; k < model_.nv; ++k) {
-      const double limit = model_.effort_limit[k];
-      if (!std::isfinite(limit)) continue;
-      const double share = std::abs(tau[k]) / limit;
-      if (share > report_.torque_share) {
-        report_.torque_share = share;
-        report_.tightest_torque = model_.v_name(k);
-      }
-      if (share <= options_.torque_share) continue;
-      const std::string load =
-          force > 0.0 ? "pressing with " + number(force) + " N" : "the weight of the arm alone";
-      refuse(ReachProblem::Torque, stop, model_.v_name(k), std::abs(tau[k]),
-             options_.torque_share * limit,
-             load + " takes " + number(std::abs(tau[k])) + (is_sliding(k) ? " N" : " Nm") +
-                 " of joint " + in_quotes(model_.v_name(k)) + "; allowed are " +
-                 number(options_.torque_share * limit));
-      return false;
-    }
-    return true;
-  }
-
-  /// A joint's origin, given in a frame on its body.
-  struct Node {
-    int joint, frame;
-    Eigen::Vector3d origin;
-  };
-
-  ReachOptions options_;
-  const Setting& setting_;
-  const Model& model_;
-  RigidBody body_;
-  int tool_;
-  Eigen::VectorXd q_;
-  Eigen::Matrix3d start_rotation_;
-  FrameDerivatives derivatives_;
-  std::vector<Node> skeleton_;
-  double off_ = 0.0;  ///< m, of the last settle()
-  ReachReport report_;
-};
 
 /// s until the path is over or repeats itself.
 double time_on_path(const Task& task, const Path& path) {
@@ -311,20 +22,8 @@ double time_on_path(const Task& task, const Path& path) {
   return time;
 }
 
-/// From one point straight to another, both included.
-bool visit_line(Walk& walk, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double s_end,
-                double spacing) {
-  const double length = (to - from).norm();
-  const int steps = std::max(1, static_cast<int>(std::ceil(length / spacing)));
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    if (!walk.visit({from + share * (to - from), s_end - (1.0 - share) * length, 0.0}))
-      return false;
-  }
-  return true;
-}
-
-void visit_path(Walk& walk, const Task& task, const Setting& setting, const ReachOptions& options) {
+void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& setting,
+                const ReachOptions& options) {
   const Path path(task.path);
   const double end = time_on_path(task, path), dt = 0.01;
   const auto tangents = setting.surface_axes.leftCols<2>();
@@ -350,12 +49,28 @@ void visit_path(Walk& walk, const Task& task, const Setting& setting, const Reac
 }  // namespace
 
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options) {
-  Walk walk(task, setting, options);
+  pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options);
   const Eigen::Vector3d p_above = setting.p_center + task.clearance * setting.scene.surface.normal;
-  const bool there = visit_line(walk, setting.p_start, p_above, -task.clearance, options.spacing) &&
-                     visit_line(walk, p_above, setting.p_center, 0.0, options.spacing);
+  const bool there = walk.visit_line(setting.p_start, p_above, -task.clearance) &&
+                     walk.visit_line(p_above, setting.p_center, 0.0);
   if (there) visit_path(walk, task, setting, options);
   return walk.report();
+}
+
+PostureOptions posture_options(const Task& task) { return pressing::posture_options_of(task); }
+
+Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
+  return pressing::pressing_direction(task.tool, task.tool_axis, model);
+}
+
+FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {
+  const pressing::PressingPlace place{task.tool,        task.tool_axis,  task.normal_world,
+                                      task.point_world, task.tip_radius, task.clearance,
+                                      task.force};
+  return pressing::search_posture(
+      place, robot.model, pressing::known_postures(robot), options, [&](const Eigen::VectorXd& q) {
+        return check_reach(task, make_setting(task, robot, q), options.reach);
+      });
 }
 
 }  // namespace burnish::polishing

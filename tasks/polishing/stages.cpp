@@ -6,60 +6,18 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
-#include "ocp/position_limits.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/stage_terms.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-double smooth(double s) {
-  s = std::clamp(s, 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
-
-/// Its derivative.
-double smooth_rate(double s) {
-  s = std::clamp(s, 0.0, 1.0);
-  return 30.0 * s * s * (1.0 - s) * (1.0 - s);
-}
-
-/// Says which links are at the ends of the robot.
-[[noreturn]] void refuse_tool(const Task& task, const Model& model) {
-  std::vector<std::string> names, ends;
-  for (const Frame& frame : model.frames) {
-    names.push_back(frame.name);
-    if (frame.kind != FrameKind::Link || frame.body < 0) continue;
-    const bool carries =
-        std::any_of(model.joints.begin(), model.joints.end(),
-                    [&](const Joint& joint) { return joint.parent == frame.body; });
-    if (!carries) ends.push_back(frame.name);
-  }
-  std::string near = did_you_mean(task.tool, names);
-  constexpr std::size_t most = 6;
-  if (near.empty() && !ends.empty()) {
-    near = "; links at its ends are ";
-    for (std::size_t i = 0; i < std::min(most, ends.size()); ++i)
-      near += (i == 0 ? "" : ", ") + ends[i];
-  }
-  throw Error("the tool's frame " + in_quotes(task.tool) + " is none of robot " +
-              in_quotes(model.name) + near);
-}
-
 /// The columns of the surface's reference.
 Eigen::Matrix3d axes_of(const Eigen::Vector3d& normal) {
   return Reference::surface_with_normal(normal).rotation;
-}
-
-/// Nothing but the ground could hold it, and there is none.
-void refuse_floating_base(const Model& model) {
-  for (const Joint& joint : model.joints)
-    if (joint.kind == JointKind::FreeFlyer)
-      throw Error("the base of robot " + in_quotes(model.name) +
-                  " floats free, and nothing would hold it while it presses; wanted a fixed base, "
-                  "as a variant of its settings may have");
 }
 
 struct Builder {
@@ -76,12 +34,7 @@ struct Builder {
     return x;
   }
   /// Holds the start against gravity.
-  Eigen::VectorXd rest_torque() const {
-    RigidBody body(model);
-    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) != Status::Ok)
-      throw Error("the starting posture cannot be evaluated");
-    return body.gravity_torque();
-  }
+  Eigen::VectorXd rest_torque() const { return pressing::rest_torque(model, setting.q_start); }
   Signal position() const {
     // Copies: the signal outlives this builder.
     return Signal::over_time(
@@ -108,27 +61,15 @@ struct Builder {
         {.name = "rotation",
          .residual =
              residual::FrameRotation{task.tool, Eigen::Quaterniond(start.linear()).coeffs()},
-         .weight = w.rotation},
-        {.name = "velocity limits",
-         .residual = residual::JointVelocity{},
-         .weight = w.velocity_limits,
-         .penalty = Penalty::barrier(-model.velocity_limit, model.velocity_limit)}};
-    const ocp::PositionLimits limits = ocp::position_limits(model);
-    if (limits.lower.size() > 0)
-      terms.push_back(
-          {.name = "position limits",
-           .residual = residual::JointPosition{},
-           .weight = w.position_limits,
-           .penalty = Penalty::barrier(limits.lower.array() + 0.05, limits.upper.array() - 0.05)});
+         .weight = w.rotation}};
+    for (const CostTerm& term :
+         pressing::joint_limit_costs(model, w.velocity_limits, w.position_limits))
+      terms.push_back(term);
     return terms;
   }
-  /// Of the tool's position, along the surface and along its normal.
   CostTerm place(double normal_weight) const {
-    return {.name = "position",
-            .residual = residual::FramePosition{task.tool, position(),
-                                                Reference::world(setting.surface_axes)},
-            .weight = task.weights.position,
-            .weights = Eigen::Vector3d(1.0, 1.0, normal_weight)};
+    return pressing::place_cost("position", task.tool, position(), setting.surface_axes,
+                                task.weights.position, normal_weight);
   }
   /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
   /// Where the surface is nobody knows better than the tool that lies on it: a height to go to
@@ -138,39 +79,20 @@ struct Builder {
         6, [task = task, begin = setting.track_end](double t, Eigen::Ref<Eigen::VectorXd> v) {
           v.setZero();
           const double T = task.retreat_duration;
-          v[2] = task.clearance / T * smooth_rate((t - begin) / T);
+          v[2] = task.clearance / T * pressing::smooth_rate((t - begin) / T);
         });
   }
-  static Signal constant_speed(double speed) {
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(6);
-    v[2] = speed;
-    return v;
-  }
-  /// Of the tool's speed along the normal.
   CostTerm move(const std::string& name, const Signal& target) const {
-    Eigen::VectorXd rows = Eigen::VectorXd::Zero(6);
-    rows[2] = 1.0;
-    return {.name = name,
-            .residual = residual::FrameVelocity{task.tool,
-                                                Reference::centered(setting.surface_axes), target},
-            .weight = task.weights.approach,
-            .weights = rows};
-  }
-  std::vector<CostTerm> control() const {
-    const Weights& w = task.weights;
-    std::vector<CostTerm> terms{
-        {.name = "torque", .residual = residual::Control{rest_torque()}, .weight = w.torque}};
-    if (std::isfinite(model.effort_limit.maxCoeff()))
-      terms.push_back({.name = "torque limits",
-                       .residual = residual::Control{},
-                       .weight = w.torque_limits,
-                       .penalty = Penalty::barrier(-model.effort_limit, model.effort_limit)});
-    return terms;
+    return pressing::normal_speed_cost(name, task.tool, target, setting.surface_axes,
+                                       task.weights.approach);
   }
 
   Stage stage(const std::string& name, const std::vector<CostTerm>& extra, bool contact) const {
     Stage result{.name = name, .costs = everywhere(), .step = task.step};
-    for (const CostTerm& term : control()) result.costs.push_back(term);
+    const Weights& w = task.weights;
+    for (const CostTerm& term :
+         pressing::torque_costs(model, rest_torque(), w.torque, w.torque_limits))
+      result.costs.push_back(term);
     for (const CostTerm& term : extra) result.costs.push_back(term);
     if (contact) result.contacts = {"surface"};
     return result;
@@ -179,13 +101,7 @@ struct Builder {
 
 }  // namespace
 
-Robot load_task_robot(const Task& task) {
-  RobotOverrides overrides;
-  overrides.carrying = task.tool;
-  Robot robot = load_robot(task.robot, overrides);
-  if (!robot.model.has_frame(task.tool)) refuse_tool(task, robot.model);
-  return robot;
-}
+Robot load_task_robot(const Task& task) { return pressing::load_arm(task.robot, task.tool); }
 
 bool searches_posture(const Task& task, const Robot& robot) {
   if (task.posture.empty()) return robot.default_posture.empty();
@@ -199,15 +115,15 @@ bool searches_posture(const Task& task, const Robot& robot) {
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
 Setting make_setting(const Task& task, const Robot& robot) {
-  if (searches_posture(task, robot))
-    return make_setting(task, robot, find_posture(task, robot, posture_options(task)).q);
+  const bool searched = searches_posture(task, robot);
   return make_setting(
-      task, robot,
-      task.posture.empty() ? robot.reference_configuration() : robot.posture(task.posture));
+      task, robot, pressing::start_posture(robot, searched ? searched_posture : task.posture, [&] {
+        return find_posture(task, robot, posture_options(task)).q;
+      }));
 }
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
-  refuse_floating_base(robot.model);
+  pressing::refuse_floating_base(robot.model);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
@@ -255,7 +171,7 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
   TaskPoint result;
   if (time < setting.reach_end) {
     result.p_world =
-        setting.p_start + smooth(time / setting.reach_end) * (p_above - setting.p_start);
+        setting.p_start + pressing::smooth(time / setting.reach_end) * (p_above - setting.p_start);
   } else if (time < setting.touch) {
     const double share = (time - setting.reach_end) / (setting.touch - setting.reach_end);
     result.p_world = p_above - share * task.clearance * n;
@@ -263,14 +179,14 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
   } else if (time < setting.track_end) {
     result = on_surface(time - setting.ramp_end);
     const double first = std::min(task.touch_force, task.force);
-    result.force =
-        first + (task.force - first) * smooth((time - setting.touch) / task.ramp_duration);
+    result.force = first + (task.force - first) *
+                               pressing::smooth((time - setting.touch) / task.ramp_duration);
   } else {
     result = on_surface(task.polish_duration);
     result.v_world.setZero();
     result.a_world.setZero();
     result.p_world +=
-        smooth((time - setting.track_end) / task.retreat_duration) * task.clearance * n;
+        pressing::smooth((time - setting.track_end) / task.retreat_duration) * task.clearance * n;
   }
   return result;
 }
@@ -300,14 +216,12 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   problem.contacts = {surface_contact(task, setting)};
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
-  const CostTerm press{.name = "force",
-                       .residual = residual::ContactForce{"surface", {}, build.force()},
-                       .weight = task.weights.force};
+  const CostTerm press = pressing::force_cost(build.force(), task.weights.force);
   problem.stages = {
       build.stage("reach", {build.place(1.0)}, false),
       build.stage(
           "approach",
-          {build.place(0.0), build.move("approach", Builder::constant_speed(-task.approach_speed))},
+          {build.place(0.0), build.move("approach", pressing::normal_twist(-task.approach_speed))},
           false),
       build.stage("press", {build.place(0.0), press}, true),
       build.stage("retreat", {build.place(0.0), build.move("retreat", build.retreat_speed())},

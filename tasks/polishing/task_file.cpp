@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/sentence.hpp"
-#include "base/text_file.hpp"
 #include "base/whole_file.hpp"
+#include "files/csv_table.hpp"
+#include "files/described.hpp"
+#include "files/read_values.hpp"
 #include "polishing/descriptions.hpp"
-#include "polishing/task_keys.hpp"
+#include "pressing/task_form.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -16,15 +17,25 @@ namespace {
 namespace fs = std::filesystem;
 using document::Reader;
 
-void apply_override(Task& task, const std::string& word) {
-  const std::size_t equals = word.find('=');
-  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
-    throw Error(in_quotes(word) + " is no override; wanted key.path=value");
-  const std::string path = word.substr(0, equals);
-  std::string value = word.substr(equals + 1);
-  // Files that a command line names lie where it runs.
-  if (path == "path.points" && value.front() != '[') value = fs::absolute(value).string();
-  read_sections(task, Reader::parse_override(path, value, "override " + in_quotes(word)));
+/// Of the task and the surface's name, which says posture and normal too.
+void read_surface_name(Task& task, const Reader& reader) {
+  std::vector<std::string> names;
+  for (const NamedSurface& surface : named_surfaces()) names.push_back(surface.name);
+  put_on(task, reader.word(names));
+}
+
+/// Numbers, or the name of a table beside the file; what a command line names lies where it runs.
+void read_points(PathSpec& path, const Reader& reader) {
+  const Description& description = description_of(&path);
+  if (reader.is_list()) return files::read_entry(description.field("points"), &path, reader);
+  const bool is_file = !reader.file().starts_with("override ");
+  const fs::path folder = is_file ? fs::path(reader.file()).parent_path() : fs::path();
+  path.points.clear();
+  reader.named([&] {
+    const files::CsvTable table = files::read_csv(files::beside(folder, reader.text()));
+    const Eigen::VectorXd u = table.column("u"), w = table.column("w");
+    for (Eigen::Index i = 0; i < u.size(); ++i) path.points.emplace_back(u[i], w[i]);
+  });
 }
 
 [[noreturn]] void refuse_together(const std::string& what) { throw Error("the task: " + what); }
@@ -92,34 +103,37 @@ void put_on(Task& task, const std::string& surface) {
               did_you_mean(surface, names));
 }
 
-const std::vector<std::string>& disturbance_presets() {
-  static const std::vector<std::string> names{"none", "sensors", "mismatch", "joint_friction"};
-  return names;
+const files::DescribedFile& file_of(const Task* /*of*/) {
+  static const files::DescribedFile all = [] {
+    files::DescribedFile form(description_of(static_cast<const Task*>(nullptr)),
+                              "A polishing task for `burnish polish`. SI units, angles in rad. A "
+                              "key that is left out has\nits default.",
+                              "polishing", false);
+    form.reads("surface", "name", read_surface_name).word("surface", "name");
+    form.reads<Task>("path", "points",
+                     [](Task& task, const Reader& reader) { read_points(task.path, reader); })
+        .word("path", "kind");
+    pressing::read_presets<Task>(form);
+    // Limits are of the tool, the controller and the task; what a file says first is most asked
+    // for.
+    form.first("limits",
+               {"force", "force_window", "tool_speed", "joint_speed_ratio", "joint_margin", "stale",
+                "bad", "contact_lost", "contact_threshold", "late_contact_travel",
+                "late_contact_time", "unexpected_force", "release"});
+    return form;
+  }();
+  return all;
 }
 
-Disturbances disturbance_preset(const std::string& name) {
-  const std::vector<std::string>& names = disturbance_presets();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw Error("disturbances " + in_quotes(name) + " are not known; wanted " +
-                files::either(names) + did_you_mean(name, names));
-  Disturbances result;
-  if (name == "none") return result;
-  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
-  result.command_delay = 1e-3;
-  result.torque_noise = 0.05;
-  result.encoder_bits = 17;
-  result.finite_difference_velocity = true;
-  result.velocity_cutoff = cutoff;
-  result.force_noise = 0.3;
-  result.force_cutoff = cutoff;
-  if (name == "sensors") return result;
-  result.mass_scale = 1.05;
-  result.surface_friction = 0.3;
-  if (name == "mismatch") return result;
-  result.joint_coulomb = 1.0;
-  result.joint_viscous = 1.0;
-  return result;
+files::Said<Task> parse_said_task(const std::string& text, const std::string& name,
+                                  const std::vector<std::string>& overrides) {
+  files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
+  try {
+    check_task(said.spec);
+  } catch (const Error& error) {
+    throw Error(name + ": " + error.what());
+  }
+  return said;
 }
 
 Task read_task(const fs::path& file, const std::vector<std::string>& overrides) {
@@ -128,20 +142,16 @@ Task read_task(const fs::path& file, const std::vector<std::string>& overrides) 
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  Task task;
-  read_sections(task, Reader::parse(text, name));
-  override_task(task, overrides);
-  try {
-    check_task(task);
-  } catch (const Error& error) {
-    throw Error(name + ": " + error.what());
-  }
-  return task;
+  return parse_said_task(text, name, overrides).spec;
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  for (const std::string& word : overrides) apply_override(task, word);
+  files::Said<Task> said{.spec = task};
+  files::change(said, overrides);
+  task = said.spec;
 }
+
+std::string task_text(const Task& task) { return file_of(&task).text(&task); }
 
 void check_task(const Task& task) {
   check_ranges(description_of(&task), &task,

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
-#include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
+#include "pressing/closed_run.hpp"
 
 namespace burnish::press_hold {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 /// First row of a phase or of a later one.
 int first_row(const Trace& trace, int phase) {
   const Trace::Column phases = trace.column("phase");
-  int row = 0;
-  while (row < trace.rows() && phases[row] < phase) ++row;
-  return row;
+  return static_cast<int>(
+      std::find_if(phases.begin(), phases.end(), [&](double now) { return now >= phase; }) -
+      phases.begin());
 }
 
 /// While the posture goes aside and stays there.
@@ -29,67 +29,73 @@ void measure_hold(RunResult& result) {
   spec.start = time[begin] + 0.2;
   spec.end = time[end - 1] - 0.02;
   result.metrics = measure(trace, model, spec);
+  HoldFigures& hold = result.hold.emplace();
   for (int k = 0; k < model.nq; ++k) {
     const Trace::Column q = trace.column("q_" + model.q_name(k));
-    result.moved = std::max(result.moved, std::abs(q[end - 1] - q[begin]));
+    hold.moved_aside = std::max(hold.moved_aside, std::abs(q[end - 1] - q[begin]));
   }
   const int tool = trace.index("tool_x_world");
   for (int row = begin; row < end; ++row) {
     const Eigen::Vector3d p(trace.at(row, tool), trace.at(row, tool + 1), trace.at(row, tool + 2));
     const Eigen::Vector3d off = setting.surface_axes.transpose() * (p - setting.p_hold);
-    result.slip = std::max(result.slip, off.head<2>().norm());
+    hold.slip = std::max(hold.slip, off.head<2>().norm());
   }
 }
 
-std::string outcome_of(const RunResult& result, double now, bool stopped) {
-  const std::string when = " at " + number(now) + " s";
-  if (result.plant_status > Status::NotConverged)
-    return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
-  if (result.fault.kind != FaultKind::None) return result.fault.text();
-  if (stopped) return "interrupted" + when;
-  if (!result.metrics) return "the point was not held to the end: the run ended" + when;
+std::string outcome_of(const RunResult& result, const pressing::RunEnd& end) {
+  const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
+  if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
+    return trouble;
+  if (!result.hold)
+    return "the point was not held to the end: the run ended at " + number(end.time) +
+           " s, in phase " + phase;
   char text[120];
   std::snprintf(text, sizeof text, "held: %.1f s, %.2f rad aside, %.2f N rms off, %.2f mm of slip",
-                now, result.moved, result.metrics->force_rmse, 1e3 * result.slip);
+                end.time, result.hold->moved_aside, result.metrics->force_rmse,
+                1e3 * result.hold->slip);
   return text;
 }
 
 }  // namespace
 
-RunResult run_task(const Task& task, PlantKind kind,
-                   const std::function<bool(double time, double end)>& progress) {
+void refuse_out_of_reach(const Task& task, const Setting& setting) {
+  const ReachReport reach = check_reach(task, setting);
+  if (!reach.ok()) throw Error("the task is out of reach: " + reach.text);
+}
+
+RunResult run_task(const RunSpec& spec) {
+  const Task& task = spec.task;
+  check_task(task);
   RunResult result;
-  result.setting = make_setting(task);
+  result.setting = spec.setting ? *spec.setting : make_setting(task);
   const Setting& setting = result.setting;
-  const MpcSpec spec = make_mpc(task, setting);
-  MpcController mpc(spec);
-  const Disturbances disturbances{.mass_scale = task.mass_scale,
-                                  .surface_height = task.surface_height,
-                                  .surface_friction = task.friction};
-  const auto plant =
-      make_plant(kind, plant_model(setting.robot.model, disturbances),
-                 plant_scene(setting.scene, disturbances), plant_step(spec.tick_period));
-  constexpr double patience = 3.0;  // s that contact may be late
+  if (spec.check_reach) refuse_out_of_reach(task, setting);
+  MpcController mpc(make_mpc(task, setting));
   const double end = setting.hold_end + task.retreat_duration;
-  ClosedLoop loop(*plant, mpc, disturbances,
-                  {.control_period = spec.tick_period, .max_duration = end + patience});
-  result.plant_status = loop.reset(setting.q_start, Eigen::VectorXd::Zero(setting.robot.model.nv));
-  bool stopped = false;
+  const double longest = end + pressing::patience(task.tool_limits.late_contact_time);
+  pressing::ClosedRun run{.controller = mpc,
+                          .period = 1.0 / task.tick_rate,
+                          .model = setting.robot.model,
+                          .scene = setting.scene,
+                          .disturbances = task.disturbances,
+                          .q_start = setting.q_start,
+                          .longest = longest,
+                          .plant = spec.plant,
+                          .mpc = &mpc,
+                          .plan_step = 0.01,
+                          .plan_rate = spec.plan_rate};
   // The schedule's clock stands still while contact is late.
-  for (long step = 0; result.plant_status <= Status::NotConverged && !stopped &&
-                      mpc.fault().kind == FaultKind::None && mpc.schedule().time() < end &&
-                      plant->time() < end + patience;
-       ++step) {
-    result.plant_status = worst(result.plant_status, loop.step());
-    stopped = progress && step % 100 == 0 && !progress(plant->time(), end);
-  }
-  result.fault = mpc.fault();
-  result.trace = loop.trace();
+  run.goes_on = [&](double now, const Command&) {
+    return mpc.schedule().time() < end && now < longest;
+  };
+  run.end = [end] { return end; };
+  run.progress = spec.progress;
+  const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
   measure_hold(result);
-  result.outcome = outcome_of(result, plant->time(), stopped);
+  result.outcome = outcome_of(result, ended);
   result.done = result.plant_status <= Status::NotConverged &&
-                result.fault.kind == FaultKind::None && !stopped && result.metrics.has_value() &&
-                mpc.schedule().time() >= end;
+                result.fault.kind == FaultKind::None && !result.interrupted &&
+                result.hold.has_value() && mpc.schedule().time() >= end;
   return result;
 }
 

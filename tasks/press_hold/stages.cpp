@@ -1,22 +1,18 @@
 // The task as stages over time, events and watches.
 #include <algorithm>
-#include <cmath>
 
+#include "base/entry_error.hpp"
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/press_hold/press_hold.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/posture_search.hpp"
+#include "pressing/reach_walk.hpp"
+#include "pressing/stage_terms.hpp"
 
 namespace burnish::press_hold {
 namespace {
-
-constexpr double step = 0.01;            // s, of the knots
-constexpr double position_weight = 1e4;  // 1/m^2
-
-double smooth(double s) {
-  s = std::clamp(s, 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
 
 /// What pressing watches, and how far the tool slips from its point.
 class Holding final : public MpcTask {
@@ -52,19 +48,11 @@ class Holding final : public MpcTask {
   double limit_;  ///< m
 };
 
-Eigen::VectorXd gravity_torque(const Setting& setting) {
-  const Model& model = setting.robot.model;
-  RigidBody body(model);
-  if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) != Status::Ok)
-    throw Error("the starting posture cannot be evaluated");
-  return body.gravity_torque();
-}
-
 /// Force at a time of the schedule, N.
 double force_at(const Task& task, const Setting& setting, double time) {
   if (time < setting.touch || time >= setting.hold_end) return 0.0;
-  return task.touch_force +
-         (task.force - task.touch_force) * smooth((time - setting.touch) / task.ramp_duration);
+  return task.touch_force + (task.force - task.touch_force) *
+                                pressing::smooth((time - setting.touch) / task.ramp_duration);
 }
 
 /// The posture's reference, at rest before and behind its way.
@@ -75,55 +63,93 @@ Signal posture(const Task& task, const Setting& setting) {
       [from = setting.q_start, way = Eigen::VectorXd(setting.q_aside - setting.q_start),
        begin = setting.ramp_end, T = task.aside_duration](double t, Eigen::Ref<Eigen::VectorXd> x) {
         x.setZero();
-        x.head(from.size()) = from + smooth((t - begin) / T) * way;
+        x.head(from.size()) = from + pressing::smooth((t - begin) / T) * way;
       });
-}
-
-/// Speed of the tool along the normal.
-CostTerm move(const Task& task, const Setting& setting, double speed) {
-  Eigen::VectorXd target = Eigen::VectorXd::Zero(6), rows = target;
-  target[2] = speed;
-  rows[2] = 1.0;
-  return {.name = "move",
-          .residual =
-              residual::FrameVelocity{task.tool, Reference::centered(setting.surface_axes), target},
-          .weight = 1e2,
-          .weights = rows};
 }
 
 std::vector<Stage> stages(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   Eigen::VectorXd rows = Eigen::VectorXd::Constant(2 * model.nv, task.posture_weight);
   rows.tail(model.nv).setConstant(0.1 * task.posture_weight);
-  const CostTerm state{
-      .name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows};
-  const CostTerm point{.name = "point",
-                       .residual = residual::FramePosition{task.tool, setting.p_hold,
-                                                           Reference::world(setting.surface_axes)},
-                       .weight = position_weight,
-                       .weights = Eigen::Vector3d(1.0, 1.0, 0.0)};
-  const CostTerm torque{
-      .name = "torque", .residual = residual::Control{gravity_torque(setting)}, .weight = 1e-4};
-  const CostTerm force{
-      .name = "force",
-      .residual = residual::ContactForce{"surface",
-                                         {},
-                                         Signal::over_time(1,
-                                                           [task, setting](double t, auto f) {
-                                                             f[0] = force_at(task, setting, t);
-                                                           })},
-      .weight = 1.0};
-  const double away = task.clearance / task.retreat_duration;
-  return {{.name = "approach",
-           .costs = {state, point, torque, move(task, setting, -task.approach_speed)},
-           .step = step},
-          {.name = "press",
-           .contacts = {"surface"},
-           .costs = {state, point, torque, force},
-           .step = step},
-          {.name = "retreat",
-           .costs = {state, point, torque, move(task, setting, away)},
-           .step = step}};
+  std::vector<CostTerm> common{
+      {.name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows},
+      pressing::place_cost("point", task.tool, setting.p_hold, setting.surface_axes, 1e4, 0.0)};
+  for (CostTerm& term : pressing::joint_limit_costs(model, 1e2, 1e3))
+    common.push_back(std::move(term));
+  for (CostTerm& term :
+       pressing::torque_costs(model, pressing::rest_torque(model, setting.q_start), 1e-4, 1.0))
+    common.push_back(std::move(term));
+  const auto stage = [&](const char* name, CostTerm own) {
+    Stage result{.name = name, .costs = common, .step = 0.01};
+    result.costs.push_back(std::move(own));
+    return result;
+  };
+  const auto move = [&](double speed) {
+    return pressing::normal_speed_cost("move", task.tool, pressing::normal_twist(speed),
+                                       setting.surface_axes, 1e2);
+  };
+  const Signal force = Signal::over_time(
+      1, [task, setting](double t, auto f) { f[0] = force_at(task, setting, t); });
+  std::vector<Stage> all{stage("approach", move(-task.approach_speed)),
+                         stage("press", pressing::force_cost(force, 1.0)),
+                         stage("retreat", move(task.clearance / task.retreat_duration))};
+  all[1].contacts = {"surface"};
+  return all;
+}
+
+/// Where the posture's reference goes.
+Eigen::VectorXd way_aside(const Task& task, const Model& model, Eigen::VectorXd q) {
+  std::vector<std::string> names;
+  for (const Joint& joint : model.joints)
+    if (joint.nq == 1) names.push_back(joint.name);
+  for (const auto& [name, way] : task.aside) {
+    const std::string entry = "aside." + name;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw EntryError(entry, in_quotes(name) + " is no joint of robot " + in_quotes(model.name) +
+                                  " with one position" + did_you_mean(name, names));
+    const int at = std::find_if(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+                     return joint.name == name;
+                   })->q_index;
+    q[at] += way;
+    if (q[at] < model.q_lower[at] || q[at] > model.q_upper[at])
+      throw EntryError(entry, "joint " + in_quotes(name) + " would go from " + number(q[at] - way) +
+                                  " to " + number(q[at]) + ", beyond its limits of " +
+                                  number(model.q_lower[at]) + " to " + number(model.q_upper[at]));
+  }
+  return q;
+}
+
+Setting setting_from(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
+  Setting s;
+  s.robot = robot;
+  s.q_start = q_start;
+  const Model& model = s.robot.model;
+  SceneSpec scene;
+  scene.tip = {task.tool, task.tip_radius};
+  scene.surface.friction = task.friction;
+  scene.surface.stiffness = task.stiffness;
+  scene.surface.damping = task.damping;
+  s.scene = scene_under_tip(model, q_start, task.normal_world, scene, task.clearance);
+  const Eigen::Vector3d n = s.scene.surface.normal;
+  s.surface_axes = Reference::surface_with_normal(n).rotation;
+  s.p_hold = frame_placement(model, q_start, task.tool).translation() - task.clearance * n;
+  s.scene.surface.point = s.p_hold - task.tip_radius * n;
+  s.scene.surface.extent = task.extent;
+  s.touch = task.clearance / task.approach_speed;
+  s.ramp_end = s.touch + task.ramp_duration;
+  s.hold_end = s.ramp_end + task.aside_duration + task.hold_duration;
+  return s;
+}
+
+Eigen::VectorXd search_start(const Task& task, const Robot& robot) {
+  return pressing::search_posture({task.tool, task.tool_axis, task.normal_world, std::nullopt,
+                                   task.tip_radius, task.clearance, task.force},
+                                  robot.model, pressing::known_postures(robot),
+                                  pressing::posture_options_of(task),
+                                  [&](const Eigen::VectorXd& q) {
+                                    return check_reach(task, setting_from(task, robot, q));
+                                  })
+      .q;
 }
 
 }  // namespace
@@ -133,43 +159,24 @@ const std::vector<std::string>& phase_names() {
   return names;
 }
 
-Setting make_setting(const Task& task) {
-  Setting s;
-  RobotOverrides overrides;
-  overrides.carrying = task.tool;
-  s.robot = load_robot(task.robot, overrides);
-  const Model& model = s.robot.model;
-  (void)model.frame_index(task.tool);
-  s.q_start =
-      task.posture.empty() ? s.robot.reference_configuration() : s.robot.posture(task.posture);
-  s.q_aside = s.q_start;
-  for (const auto& [name, way] : task.aside) {
-    std::vector<std::string> names;
-    const Joint* found = nullptr;
-    for (const Joint& joint : model.joints) {
-      if (joint.nq == 1) names.push_back(joint.name);
-      if (joint.nq == 1 && joint.name == name) found = &joint;
-    }
-    if (found == nullptr)
-      throw Error("aside: " + in_quotes(name) + " is no joint of robot " + in_quotes(model.name) +
-                  " with one position" + did_you_mean(name, names));
-    double& q = s.q_aside[found->q_index];
-    q += way;
-    if (q < model.q_lower[found->q_index] || q > model.q_upper[found->q_index])
-      throw Error("aside: joint " + in_quotes(name) + " would go to " + number(q) +
-                  ", beyond its limits of " + number(model.q_lower[found->q_index]) + " to " +
-                  number(model.q_upper[found->q_index]));
-  }
-  SceneSpec scene;
-  scene.tip = {task.tool, task.tip_radius};
-  s.scene = scene_under_tip(model, s.q_start, task.normal_world, scene, task.clearance);
-  const Eigen::Vector3d n = s.scene.surface.normal;
-  s.surface_axes = Reference::surface_with_normal(n).rotation;
-  s.p_hold = frame_placement(model, s.q_start, task.tool).translation() - task.clearance * n;
-  s.touch = task.clearance / task.approach_speed;
-  s.ramp_end = s.touch + task.ramp_duration;
-  s.hold_end = s.ramp_end + task.aside_duration + task.hold_duration;
-  return s;
+Robot load_task_robot(const Task& task) { return pressing::load_arm(task.robot, task.tool); }
+
+Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
+
+Setting make_setting(const Task& task, const Robot& robot) {
+  pressing::refuse_floating_base(robot.model);
+  Setting setting = setting_from(task, robot, pressing::start_posture(robot, task.posture, [&] {
+                                   return search_start(task, robot);
+                                 }));
+  setting.q_aside = way_aside(task, robot.model, setting.q_start);
+  return setting;
+}
+
+ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options) {
+  pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options, false);
+  const Eigen::Vector3d above = setting.p_hold + task.clearance * setting.scene.surface.normal;
+  if (walk.visit_line(above, setting.p_hold, 0.0)) walk.visit({setting.p_hold, 0.0, task.force});
+  return walk.report();
 }
 
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
@@ -194,15 +201,19 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   const PressingTask pressing{
       .touch = {Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Wanted, Touch::Leaving},
-      .target = [task, setting](double time) {
-        return TaskTarget{setting.p_hold, force_at(task, setting, time)};
-      }};
+      .target =
+          [task, setting](double time) {
+            return TaskTarget{setting.p_hold, force_at(task, setting, time)};
+          },
+      .limits = task.tool_limits};
   mpc.task = [pressing, task, setting](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
     return std::make_unique<Holding>(pressing(spec), spec, task, setting);
   };
   mpc.tool = task.tool;
   mpc.normal_world = setting.scene.surface.normal;
+  mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
+  mpc.limits = task.limits;
   mpc.model_error.bandwidth = 150.0;
   return mpc;
 }

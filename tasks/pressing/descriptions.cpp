@@ -39,4 +39,20 @@ const Description& description_of(const ToolLimits* /*of*/) {
   return all;
 }
 
+const Description& description_of(const PostureLimits* /*of*/) {
+  using P = PostureLimits;
+  constexpr Range limit = range::not_negative;
+  static const Description all =
+      Describe<P>("pressing", "PostureLimits",
+                  "What a posture that is searched has to keep to; see find_posture().")
+          .field("tilt", &P::tilt, "{rad} between the tool's axis and the normal", limit)
+          .field("joint_margin", &P::joint_margin,
+                 "{rad} that joints keep from their limits at the start", limit)
+          .more("m of prismatic joints")
+          .field("body_distance", &P::body_distance,
+                 "{m} between the last link and the robot's body; less where the arm is short",
+                 limit);
+  return all;
+}
+
 }  // namespace burnish

@@ -28,7 +28,9 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
   const Json figures = Json::parse(contents(out / "metrics.json"));
   EXPECT_TRUE(figures["done"].get<bool>());
   EXPECT_LT(figures["metrics"]["force_rmse_N"].get<double>(), 0.5);
-  EXPECT_GT(figures["metrics"]["moved_aside"].get<double>(), 0.2);
+  EXPECT_GT(figures["hold"]["moved_aside_rad"].get<double>(), 0.2);
+  EXPECT_LT(figures["hold"]["slip_m"].get<double>(), 2e-3);
+  EXPECT_GT(figures["ticks"]["count"].get<int>(), 3000);
   EXPECT_EQ(contents(out / "trace.csv").rfind("time [s],phase [-]", 0), 0U);
   const Json page = Json::parse(contents(out / "run.json"));
   const Json& phases = page["runs"][0]["phases"];
@@ -44,9 +46,8 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
 
 TEST(Run, SaysWhatFailed) {
   const Scratch far;
-  std::string text = shipped;
-  text.replace(text.find("surface_height: 0 "), 18, "surface_height: -0.2 ");
-  const Outcome failed = run_task_text(far, text, " --quiet");
+  const Outcome failed =
+      run_task_text(far, shipped, " --quiet --set disturbances.surface_height=-0.2");
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_NE(failed.out.find("no contact at"), std::string::npos) << failed.out;
   EXPECT_TRUE(std::filesystem::exists(far.folder / "out" / "last_second.csv"));
@@ -56,6 +57,7 @@ TEST(Run, RefusesWhatIsNoTask) {
   const Scratch scratch;
   for (const auto& [text, words] :
        {std::pair("robot: arm7\n", "task"), std::pair("task: polishing\n", "press_hold"),
+        std::pair("task: press_hold\ntool: {frame: tol}\n", "line 2: tool.frame"),
         std::pair("task: press_hold\nrobot: arm8\n", "arm8")}) {
     const Outcome outcome = run_task_text(scratch, text, "");
     EXPECT_EQ(outcome.exit_code, 2) << text;

@@ -16,6 +16,7 @@ struct Outer {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::optional<double> friction = {};
   std::vector<Inner> inner = {};
+  std::map<std::string, double> shares = {};
 };
 
 const Description& description_of(const Inner* /*of*/) {
@@ -30,7 +31,8 @@ const Description& description_of(const Outer* /*of*/) {
           .more("of the crank")
           .field("axis", &Outer::axis, "[{x: 1}] in {m}; any length", range::direction)
           .field("friction", &Outer::friction, "or none", range::positive)
-          .field("inner", &Outer::inner, "");
+          .field("inner", &Outer::inner, "")
+          .field("shares", &Outer::shares, "by name", range::share);
   return all;
 }
 
@@ -58,6 +60,8 @@ TEST(Descriptions, refuse_the_first_number_out_of_its_range_by_the_way_to_it) {
   EXPECT_EQ(refused({.friction = 0.0}), "friction is 0; wanted more than 0");
   EXPECT_EQ(refused({.inner = {{}, {-1.0}}}),
             "inner[1].share is -1; wanted a share between 0 and 1");
+  EXPECT_EQ(refused({.shares = {{"a", 1.0}, {"b", 2.0}}}),
+            "shares.b is 2; wanted a share between 0 and 1");
 }
 
 TEST(Descriptions, give_ranges_their_ends) {

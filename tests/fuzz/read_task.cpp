@@ -3,6 +3,8 @@
 
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "fuzz/readers.hpp"
+#include "polishing/descriptions.hpp"
+#include "press_hold/descriptions.hpp"
 
 namespace burnish::fuzz {
 namespace {
@@ -17,17 +19,28 @@ std::vector<std::string> overrides_in(const std::string& text) {
   return result;
 }
 
-void read(const std::string& text) {
-  const polishing::Task task =
-      polishing::parse_task(text, "nowhere/input.yaml", overrides_in(text));
-  const std::string written = polishing::task_text(task);
+template <class Task>
+void read_as(const std::string& text) {
+  const auto said = files::parse_said<Task>(text, "nowhere/input.yaml", overrides_in(text));
+  files::placed(said.texts, [&] { check_task(said.spec); });
+  const std::string written = task_text(said.spec);
   std::string again;
   try {
-    again = polishing::task_text(polishing::parse_task(written, "nowhere/written.yaml"));
+    const Task back = files::parse_said<Task>(written, "nowhere/written.yaml").spec;
+    check_task(back);
+    again = task_text(back);
   } catch (const Error& refusal) {
     throw std::logic_error(std::string("a task that was written is refused: ") + refusal.what());
   }
   if (again != written) throw std::logic_error("a task that was written reads back as another");
+}
+
+void read(const std::string& text) {
+  const auto task = document::Reader::parse(text, "nowhere/input.yaml").find("task");
+  if (task && task->is("press_hold"))
+    read_as<press_hold::Task>(text);
+  else
+    read_as<polishing::Task>(text);
 }
 
 }  // namespace

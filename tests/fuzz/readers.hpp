@@ -16,7 +16,7 @@ extern const Reader urdf;     ///< a robot's description, compiled to a model
 extern const Reader srdf;     ///< postures of a robot
 extern const Reader robot;    ///< a robot's settings, with its variants
 extern const Reader problem;  ///< an optimal control problem, compiled
-extern const Reader task;     ///< a polishing task, which must be written as it was read
+extern const Reader task;     ///< a task of either kind, which must be written as it was read
 extern const Reader request;  ///< of `burnish eval`
 extern const Reader table;    ///< numbers in CSV
 

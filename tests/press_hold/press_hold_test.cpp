@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "burnish/dynamics/placement.hpp"
+#include "press_hold/descriptions.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::press_hold {
 namespace {
@@ -11,37 +14,42 @@ namespace {
 using testing::expect_words;
 using testing::refusal;
 
-Task arm7_task() {
-  Task task = read_task(BURNISH_TASKS_DIR "/press_hold/arm7.yaml");
-  task.robot = BURNISH_ROBOTS_DIR "/arm7";
-  return task;
+const std::string shipped = BURNISH_TASKS_DIR "/press_hold/arm7.yaml";
+const std::string arm7 = BURNISH_ROBOTS_DIR "/arm7";
+
+Task arm7_task() { return read_task(shipped, {"robot=" + arm7}); }
+
+RunResult run(const Task& task, PlantKind plant = PlantKind::Ideal) {
+  return run_task({.task = task, .plant = plant});
 }
 
 TEST(PressHold, holds_force_and_point_while_the_arm_moves_aside) {
   for (const PlantKind plant : {PlantKind::Ideal, PlantKind::Mujoco}) {
     if (plant == PlantKind::Mujoco && !has_mujoco()) continue;
     SCOPED_TRACE(name_of(plant));
-    const RunResult run = run_task(arm7_task(), plant);
-    EXPECT_TRUE(run.done) << run.outcome;
-    ASSERT_TRUE(run.metrics) << run.outcome;
-    EXPECT_GT(run.moved, 0.2) << "the posture does not go aside";
-    EXPECT_LT(run.slip, 2e-3);
-    EXPECT_LT(run.metrics->force_rmse, 0.5);
-    EXPECT_EQ(run.metrics->without_contact, 0.0);
+    const RunResult result = run(arm7_task(), plant);
+    EXPECT_TRUE(result.done) << result.outcome;
+    ASSERT_TRUE(result.metrics && result.hold) << result.outcome;
+    EXPECT_GT(result.hold->moved_aside, 0.2) << "the posture does not go aside";
+    EXPECT_LT(result.hold->slip, 2e-3);
+    EXPECT_LT(result.metrics->force_rmse, 0.5);
+    EXPECT_EQ(result.metrics->without_contact, 0.0);
+    EXPECT_GT(result.plans.time.size(), 20U);
+    EXPECT_GT(result.ticks.count, 3000);
     // Through all phases, and off in the end.
-    const Trace::Column phase = run.trace.column("phase");
-    EXPECT_EQ(phase[run.trace.rows() - 1], 4.0);
-    EXPECT_EQ(run.trace.column("in_contact")[run.trace.rows() - 1], 0.0);
+    const Trace::Column phase = result.trace.column("phase");
+    EXPECT_EQ(phase[result.trace.rows() - 1], 4.0);
+    EXPECT_EQ(result.trace.column("in_contact")[result.trace.rows() - 1], 0.0);
   }
 }
 
 TEST(PressHold, waits_for_a_surface_that_is_farther_than_known) {
   Task task = arm7_task();
-  task.surface_height = -0.01;
-  const RunResult run = run_task(task, PlantKind::Ideal);
-  EXPECT_TRUE(run.done) << run.outcome;
-  task.surface_height = -0.1;
-  const RunResult nothing = run_task(task, PlantKind::Ideal);
+  task.disturbances.surface_height = -0.01;
+  const RunResult result = run(task);
+  EXPECT_TRUE(result.done) << result.outcome;
+  task.disturbances.surface_height = -0.1;
+  const RunResult nothing = run(task);
   EXPECT_FALSE(nothing.done);
   EXPECT_EQ(nothing.fault.kind, FaultKind::NoContact) << nothing.outcome;
 }
@@ -49,45 +57,100 @@ TEST(PressHold, waits_for_a_surface_that_is_farther_than_known) {
 TEST(PressHold, is_given_up_when_the_tool_slips) {
   Task task = arm7_task();
   task.slip = 2e-5;
-  const RunResult run = run_task(task, PlantKind::Ideal);
-  EXPECT_FALSE(run.done);
-  EXPECT_EQ(run.fault.kind, FaultKind::Watched) << run.outcome;
-  expect_words(run.outcome, {"slip of the tool, m", "allowed is 2e-05"});
-}
-
-TEST(PressHold, writes_a_file_that_reads_back) {
-  Task task = arm7_task();
-  task.posture = "bent";
-  task.aside = {{"joint_3", -0.25}, {"joint_5", 0.5}};
-  const Task back = parse_task(task_text(task), "back.yaml");
-  EXPECT_EQ(task_text(back), task_text(task));
-  EXPECT_EQ(back.robot, task.robot);
-  EXPECT_EQ(back.aside, task.aside);
-  EXPECT_EQ(back.mass_scale, 1.05);
+  const RunResult result = run(task);
+  EXPECT_FALSE(result.done);
+  EXPECT_EQ(result.fault.kind, FaultKind::Watched) << result.outcome;
+  expect_words(result.outcome, {"slip of the tool, m", "allowed is 2e-05"});
 }
 
 TEST(PressHold, ends_when_it_is_told_to) {
-  const RunResult run = run_task(arm7_task(), PlantKind::Ideal,
-                                 [](double time, double end) { return time < 0.1 && end > 3.0; });
-  EXPECT_FALSE(run.done);
-  expect_words(run.outcome, {"interrupted at 0.1"});
+  RunSpec spec{.task = arm7_task(), .plant = PlantKind::Ideal};
+  spec.progress = [](double time, double end) { return time < 0.1 && end > 3.0; };
+  const RunResult result = run_task(spec);
+  EXPECT_FALSE(result.done);
+  EXPECT_TRUE(result.interrupted);
+  expect_words(result.outcome, {"interrupted at 0.1", "in phase approach"});
 }
 
-TEST(PressHold, refuses_what_it_cannot_read_or_do) {
-  const auto refused = [](const std::string& text) {
-    return refusal([&] { make_setting(parse_task(text, "my.yaml")); });
+TEST(PressHold, finds_its_posture_for_a_robot_without_any) {
+  Task task = arm7_task();
+  task.robot = arm7 + "/arm7.urdf";
+  task.tool = "flange";
+  task.posture = "";
+  const Setting setting = make_setting(task);
+  EXPECT_TRUE(setting.robot.postures.empty());
+  EXPECT_TRUE(check_reach(task, setting).ok());
+  EXPECT_EQ(make_setting(task).q_start, setting.q_start) << "the same every time";
+  task.search.tilt = 0.0;
+  expect_words(refusal([&] { make_setting(task); }), {"posture: no posture was found"});
+}
+
+TEST(PressHold, is_refused_where_the_arm_cannot_press_so_hard) {
+  Task task = arm7_task();
+  task.force = 2000.0;
+  task.tool_limits.force = 5000.0;
+  const std::string sentence = refusal([&] { run(task); });
+  expect_words(sentence, {"out of reach: at the point, with the tool at", "pressing with 2000 N"});
+}
+
+TEST(PressHold, writes_a_file_that_reads_back_with_every_key_explained) {
+  EXPECT_EQ(testing::contents(shipped), task_text(read_task(shipped)))
+      << "burnish run tasks/press_hold/arm7.yaml --write-task FILE mends it";
+  Task task = arm7_task();
+  task.posture = "bent";
+  task.tool_axis = Eigen::Vector3d(0.0, 1.0, 0.0);
+  task.slip = range::end;
+  task.aside = {{"joint_3", -0.25}, {"a joint: #5", 0.5}};
+  const Task back = parse_task(task_text(task), "back.yaml");
+  EXPECT_EQ(task_text(back), task_text(task));
+  EXPECT_EQ(back.aside, task.aside);
+  EXPECT_EQ(back.slip, range::end);
+  EXPECT_EQ(back.disturbances.mass_scale, 1.05);
+}
+
+TEST(PressHold, takes_presets_and_overrides) {
+  const Task task = parse_task("task: press_hold\ndisturbances: sensors\n", "my.yaml",
+                               {"disturbances.seed=7", "aside={joint_1: 0.1}", "tool.frame=tip"});
+  EXPECT_EQ(task.disturbances.encoder_bits, 17);
+  EXPECT_EQ(task.disturbances.seed, 7U);
+  EXPECT_EQ(task.aside.at("joint_1"), 0.1);
+  EXPECT_EQ(task.tool, "tip");
+  expect_words(refusal([] { parse_task("task: press_hold\n", "my.yaml", {"forse=3"}); }),
+               {"override 'forse=3'", "forse", "force"});
+}
+
+TEST(PressHold, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
+    return refusal([&] {
+      const auto said = files::parse_said<Task>(text, "my.yaml", overrides);
+      files::placed(said.texts, [&] {
+        check_task(said.spec);
+        make_setting(said.spec);
+      });
+    });
   };
-  expect_words(refused("force: 3\n"), {"my.yaml", "task"});
-  expect_words(refused("task: press_hald\n"), {"my.yaml: line 1", "press_hold"});
+  expect_words(refused("force: 3\n"), {"my.yaml", "task: press_hold"});
+  expect_words(refused("task: press_hald\n"), {"my.yaml: line 1: task", "press_hold"});
   expect_words(refused("task: press_hold\nforse: 3\n"), {"my.yaml: line 2", "forse", "force"});
-  expect_words(refused("task: press_hold\nforce: -3\n"), {"line 2", "force", "-3"});
-  expect_words(refused("task: press_hold\nnormal: [0, 0, 0]\n"), {"line 2", "normal"});
-  expect_words(refused("task: press_hold\nforce: 3\n"), {"touch_force of 5 N", "force of 3 N"});
-  const std::string robot = std::string("task: press_hold\nrobot: ") + BURNISH_ROBOTS_DIR "/arm7\n";
+  expect_words(refused("task: press_hold\nforce: -3\n"), {"line 2: force", "-3"});
+  expect_words(refused("task: press_hold\nsurface: {normal: [0, 0, 0]}\n"),
+               {"line 2: surface.normal"});
+  expect_words(refused("task: press_hold\nphases: {touch_force: 50}\n"),
+               {"my.yaml: line 2: phases.touch_force: it is 50 N", "force of 20 N"});
+  expect_words(refused("task: press_hold\naside: 3\n"), {"line 2: aside"});
+  expect_words(refused("task: press_hold\nrobot: arm8\n"), {"my.yaml: line 2: robot", "arm8"});
+  const std::string robot = "task: press_hold\nrobot: " + arm7 + "\n";
   EXPECT_EQ(refused(robot), "");
-  expect_words(refused(robot + "aside: {joint_33: 1}\n"), {"joint_33", "joint_3"});
-  expect_words(refused(robot + "aside: {joint_3: 9}\n"), {"joint_3", "beyond its limits"});
-  expect_words(refused(robot + "tool: tol\n"), {"tol"});
+  expect_words(refused(robot + "tool: {frame: tol}\n"),
+               {"my.yaml: line 3: tool.frame: ", "'tol'", "did you mean 'tool'?"});
+  expect_words(refused(robot + "posture: redy\n"), {"my.yaml: line 3: posture: ", "'ready'"});
+  expect_words(refused(robot + "aside: {joint_33: 1}\n"),
+               {"my.yaml: line 3: aside.joint_33: ", "joint_3"});
+  expect_words(refused(robot + "aside:\n  joint_1: 0.1\n  joint_3: 9\n"),
+               {"my.yaml: line 5: aside.joint_3: ", "joint_3", "beyond its limits"});
+  expect_words(refused(robot, {"posture=redy"}), {"override 'posture=redy': posture: ", "'ready'"});
+  expect_words(refused("task: press_hold\nrobot: " + arm7 + ":floating\n"),
+               {"my.yaml: line 2: robot: ", "floats free"});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "polishing/experiments/run_figures.hpp"
+#include "press_hold/figures.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {
@@ -28,6 +29,7 @@ void each_figure(const See& see) {
   each_run_figure(under(""));
   each_tick_figure(under("ticks."));
   each_verdict_figure(under("verdict."));
+  press_hold::each_hold_figure(under("hold."));
 }
 
 /// As the docs have it.

@@ -1,12 +1,11 @@
 // A posture for any surface: it suits the surface, it is always the same, and where there is none
 // a sentence says why.
-#include "burnish/tasks/polishing/posture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "support/refusal.hpp"
 

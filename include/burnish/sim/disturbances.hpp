@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "burnish/model/model.hpp"
@@ -64,6 +65,13 @@ struct Disturbances {
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
   std::vector<Push> pushes = {};                ///< on the tool
 };
+
+/// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N and 0.05 Nm of
+/// noise, 1 ms of delay); mismatch (the same, masses 5 % above the controller's, surface friction
+/// 0.3); joint_friction (the same, 1 Nm of Coulomb and 1 Nms/rad of viscous joint friction).
+const std::vector<std::string>& disturbance_presets();
+/// Throws Error with the nearest known name. Its seed is 0.
+Disturbances disturbance_preset(const std::string& name);
 
 /// Throws Error with a sentence that names the entry that is not finite, negative where it may not
 /// be, or of the wrong size.

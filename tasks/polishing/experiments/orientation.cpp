@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/degrees.hpp"
-#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/batch.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/tasks/polishing/posture.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "polishing/figures.hpp"
 
 namespace burnish::polishing {

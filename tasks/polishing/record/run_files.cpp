@@ -2,6 +2,7 @@
 
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/figures.hpp"
+#include "pressing/record.hpp"
 #include "record/figures_json.hpp"
 
 namespace burnish::polishing {
@@ -21,15 +22,6 @@ Json verdict_json(const Task& task, const VerdictFigures& figures) {
   return json;
 }
 
-Json ticks_json(const RunResult& result) {
-  Json json;
-  each_tick_figure([&](const FigureEntry& entry, auto member) {
-    json[entry.key()] = figure_json(result.ticks.*member);
-  });
-  json["first_s"] = result.first_tick;
-  return json;
-}
-
 }  // namespace
 
 Json run_json(const PolishJob& job, const RunResult& result) {
@@ -42,7 +34,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
             {"fault", fault_json(result.fault)}};
   json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);
   json["metrics"] = result.metrics ? metrics_json(*result.metrics) : Json(nullptr);
-  json["ticks"] = ticks_json(result);
+  json["ticks"] = pressing::ticks_json(result);
   json["reach"] = {{"points", result.reach.points},
                    {"path_length_m", result.reach.path_length},
                    {"joint_margin_rad", number_json(result.reach.joint_margin)},
@@ -56,13 +48,23 @@ Json run_json(const PolishJob& job, const RunResult& result) {
 std::vector<std::string> write_run(const PolishJob& job, const RunResult& result,
                                    const RunFilesOptions& options,
                                    const std::filesystem::path& folder, PageWriter& pages) {
-  return write_run_files({.trace = result.trace,
-                          .fault = result.fault,
-                          .figures = run_json(job, result),
-                          .task_file = task_text(job.spec.task),
-                          .plots = run_plots(job, result),
-                          .page = [&] { return make_run_page(job, result, options.record_every); }},
-                         options, folder, pages);
+  const Setting& setting = result.setting;
+  return write_run_files(
+      {.trace = result.trace,
+       .fault = result.fault,
+       .figures = run_json(job, result),
+       .task_file = task_text(job.spec.task),
+       .plots = pressing::run_plots({.name = job.name,
+                                     .run = result,
+                                     .model = setting.robot.model,
+                                     .surface_axes = setting.surface_axes,
+                                     .origin_world = setting.p_center,
+                                     .phase = number_of(Phase::Track),
+                                     .phase_title = "on the path",
+                                     .update_period = 1.0 / job.spec.task.update_rate,
+                                     .has_estimate = job.spec.controller == ControllerKind::Mpc}),
+       .page = [&] { return make_run_page(job, result, options.record_every); }},
+      options, folder, pages);
 }
 
 }  // namespace burnish::polishing

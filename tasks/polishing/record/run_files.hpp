@@ -26,9 +26,6 @@ std::vector<std::string> write_run(const PolishJob& job, const RunResult& result
 /// Everything in numbers.
 nlohmann::ordered_json run_json(const PolishJob& job, const RunResult& result);
 
-/// force.svg, path.svg, torques.svg, solver.svg. Both have to outlive what is returned.
-std::vector<PlotFile> run_plots(const PolishJob& job, const RunResult& result);
-
 /// All that the page of a run shows. Its rows are among those of a table of every `record_every`th.
 RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_every);
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "burnish/dynamics/reference.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/record/run_files.hpp"
+#include "pressing/record.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -33,16 +33,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PolishJob& job,
   return facts;
 }
 
-void add_scene(RunPage& page, const Task& task, const Setting& setting) {
-  const SurfaceSpec plant = plant_scene(setting.scene, task.disturbances).surface;
-  page.tool_frame = setting.scene.tip.frame;
-  page.tip_radius = setting.scene.tip.radius;
-  page.surface = {.point = setting.scene.surface.point,
-                  .axes = setting.surface_axes,
-                  .true_point = plant.point,
-                  .true_axes = Reference::surface_with_normal(plant.normal).rotation,
-                  .friction = plant.friction,
-                  .extent = plant.extent};
+void add_path(RunPage& page, const Task& task, const Setting& setting) {
   page.path_origin_world = setting.p_center;
   const Path path(task.path);
   constexpr int most_points = 4000;
@@ -69,21 +60,18 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
   RunPage page{.name = job.name,
                .facts = facts_of(job, result),
                .command = job.command.empty() ? command_of(job.spec) : job.command,
-               .outcome = result.outcome,
                .polished = result.polished,
-               .fault = page_fault(result.fault),
                .metrics = page_metrics(result.metrics),
                .task_file = task_text(task),
                .robot = drawing_of(result.setting.robot, task.robot, result.setting.q_start)};
   if (result.metrics) page.window = {result.metrics->start, result.metrics->end};
   page.phase_names = phase_names();
-  add_scene(page, task, result.setting);
+  add_path(page, task, result.setting);
   if (job.spec.controller == ControllerKind::Mpc) {
     page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};
     if (std::isfinite(task.limits.deadline)) page.solver->deadline_ms = 1e3 * task.limits.deadline;
   }
-  if (!result.plans.time.empty()) page.plans = result.plans;
-  add_trace(page, result.trace, record_every);
+  pressing::add_run(page, result, result.setting.scene, task.disturbances, record_every);
   return page;
 }
 

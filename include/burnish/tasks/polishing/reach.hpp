@@ -1,58 +1,18 @@
-// Whether the arm can do a task at all, found out before anything moves.
+// Whether the arm can do a task at all, and from which posture, found out before anything moves.
 #pragma once
 
-#include <string>
-
 #include "burnish/tasks/polishing/stages.hpp"
+#include "burnish/tasks/pressing/reach.hpp"
 
 namespace burnish::polishing {
 
-struct ReachOptions {
-  double spacing = 5e-3;       ///< m between two points that are looked at
-  double tolerance = 1e-4;     ///< m that the tool may be off
-  double joint_margin = 0.02;  ///< rad (m) that joints keep from their limits
-  /// Of the effort limits that statics may take: the rest is for motion and feedback.
-  double torque_share = 0.8;
-  double link_radius = 0.03;  ///< m, how thick links are taken to be; see check_reach()
-};
-
-/// What is in the way.
-enum class ReachProblem {
-  None,
-  Position,   ///< no posture puts the tool there, whatever the limits
-  Joint,      ///< the only postures found are beyond a joint's limit
-  Torque,     ///< holding the tool there takes more than a joint's effort limit
-  Collision,  ///< the arm itself would touch the surface
-};
-
-/// The first thing in the way, and how much room there is elsewhere.
-struct ReachReport {
-  ReachProblem problem = ReachProblem::None;
-  /// One sentence: where, which joint, what came and what is allowed; empty without a problem.
-  std::string text;
-  /// m along the path in contact where the problem is; negative: so far before the path's start,
-  /// on the way to it.
-  double s = 0.0;
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< of the tool there, m
-  std::string joint;                                  ///< empty for Position
-  /// m that the tool is off, rad (m) of the joint, Nm (N), m of the joint's origin from the
-  /// surface.
-  double value = 0.0;
-  double limit = 0.0;  ///< what is allowed, in the same unit
-
-  int points = 0;             ///< that were looked at
-  double path_length = 0.0;   ///< m, once around where the path repeats itself
-  double joint_margin = 0.0;  ///< rad (m), smallest of all points
-  std::string tightest_joint;
-  double torque_share = 0.0;  ///< of the effort limit, largest of all points
-  std::string tightest_torque;
-  /// m between the surface and the arm without its tool link, smallest of all points; infinite
-  /// where nothing but the tool link moves.
-  double clearance = 0.0;
-  std::string tightest_clearance;  ///< joint there
-
-  bool ok() const { return problem == ReachProblem::None; }
-};
+using burnish::FoundPosture;
+using burnish::PostureOptions;
+using burnish::pressing_axis;
+using burnish::ReachOptions;
+using burnish::ReachProblem;
+using burnish::ReachReport;
+using burnish::searched_posture;
 
 /// Walks from the start to the surface and along the whole path. At every point: a posture by
 /// damped least squares from the one before, the tool's position first, then its orientation at
@@ -67,5 +27,27 @@ struct ReachReport {
 /// It knows the nominal robot and surface, no motion, no shapes of links, and no collisions of the
 /// robot with itself or with anything but the surface. Throws Error for a path that is none.
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
+
+/// With the limits that a task has for it.
+PostureOptions posture_options(const Task& task);
+
+/// The direction, in its own frame, that a task's tool presses in, of length one: what the task
+/// says; of a frame that the settings of the robot add z or -z, whichever points away from the
+/// joint that carries it (-z if neither does); and of a link or a joint of the description the axis
+/// of that joint, away from the robot, or the line from the joint to the tool where the tool lies
+/// beside the axis rather than on it.
+Eigen::Vector3d pressing_direction(const Task& task, const Model& model);
+
+/// A posture of `robot` from which the task can be done, the same one for the same input. Damped
+/// least squares from many starts, each with three weights, turns the pressing axis against the
+/// normal, draws joints to the middle of their ranges and, where the surface has a point, puts the
+/// tool `clearance` above it. Of the ends that meet the limits of the options and from which
+/// check_reach() finds nothing in the way, it is the one with the lowest
+///   score = tilt + (largest share of a torque limit that statics take along the path)
+///         + 0.1 rad / (smallest distance to a joint limit along the path)
+///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
+/// Throws Error with one sentence if there is none: which condition the nearest posture fails, or
+/// what is in the best one's way.
+FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options = {});
 
 }  // namespace burnish::polishing

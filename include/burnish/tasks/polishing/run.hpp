@@ -1,16 +1,12 @@
 // A polishing task run from start to end: controller, plant, what stands between, and the score.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "burnish/base/trace.hpp"
-#include "burnish/mpc/fault.hpp"
 #include "burnish/report/metrics.hpp"
-#include "burnish/report/plan_record.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 
@@ -23,6 +19,7 @@ enum class ControllerKind {
 std::string name_of(ControllerKind kind);  ///< "mpc" or "baseline"
 using burnish::has_mujoco;
 using burnish::PlantKind;
+using burnish::TickTimes;
 
 struct RunSpec {
   Task task;
@@ -33,9 +30,7 @@ struct RunSpec {
   ReachOptions reach = {};
   /// Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none
   double plan_rate = 20.0;
-  /// Called now and then with the simulated time and about when it will be over, s. Returning false
-  /// stops the run.
-  std::function<bool(double time, double end)> progress = nullptr;
+  RunProgress progress = nullptr;
 };
 
 /// What Verdict is about, as it was.
@@ -45,34 +40,16 @@ struct VerdictFigures {
   double path_share = 0.0;     ///< of the path's length
 };
 
-/// Wall clock of the controller's ticks after the first, s.
-struct TickTimes {
-  int count = 0;        ///< ticks that were timed: every nth of more than a million
-  double period = 0.0;  ///< between two ticks: what they must stay below
-  double median = 0.0, p99 = 0.0, maximum = 0.0, mean = 0.0;
-  int late = 0;  ///< ticks that took longer than a period
-};
-
-struct RunResult {
+/// Its outcome: that it polished, what came in between, or which figures the verdict does not bear,
+/// as "not polished: ..." or, where the time was too short for the path, "stopped early: ...".
+struct RunResult : TaskRun {
   Setting setting;
-  ReachReport reach;  ///< empty unless it was checked
-  Trace trace;        ///< of every plant step, every nth beyond 100 s; see ClosedLoop
-  PlanRecord plans;
-  Status plant_status = Status::Ok;
-  FaultReport fault;               ///< of the MPC; FaultKind::None without
-  bool interrupted = false;        ///< by the progress function
+  ReachReport reach;               ///< empty unless it was checked
   bool polished = false;           ///< to the path's end without fault, as Task::verdict asks for
   std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
   /// What Task::verdict is about, over all of the path that there was; none if it was never
   /// reached.
   std::optional<VerdictFigures> verdict;
-  TickTimes ticks;          ///< after the first, which solves to its end
-  double first_tick = 0.0;  ///< s of wall clock
-  double wall_time = 0.0;   ///< s, of the simulation
-  /// One sentence: that it polished, what came in between, or which figures the verdict does not
-  /// bear, as "not polished: ..." or, where the time was too short for the path, "stopped early:
-  /// ...".
-  std::string outcome;
 };
 
 /// Runs the task to the end of its retreat (the baseline's: of the path) in simulated time. What

@@ -10,8 +10,11 @@
 #include "burnish/sim/scene.hpp"
 #include "burnish/tasks/polishing/path.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
+#include "burnish/tasks/pressing/reach.hpp"
 
 namespace burnish::polishing {
+
+using burnish::PostureLimits;
 
 /// Axes that the contact and its force are written in.
 enum class ForceAxes {
@@ -47,15 +50,6 @@ struct Verdict {
   /// of the path's length with the tip over its target, at least; 0 to 1. Nearer to it than the
   /// tip's radius. A path without end is as long as Task::polish_duration makes it.
   double path_share = 0.99;
-};
-
-/// What a posture that is searched has to keep to; see find_posture().
-struct PostureLimits {
-  double tilt = 1.0;  ///< rad between the tool's axis and the normal
-  /// rad that joints keep from their limits at the start; m of prismatic joints
-  double joint_margin = 0.15;
-  /// m between the last link and the robot's body; less where the arm is short
-  double body_distance = 0.25;
 };
 
 struct Task {

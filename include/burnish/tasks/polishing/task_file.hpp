@@ -22,12 +22,8 @@ const std::vector<NamedSurface>& named_surfaces();
 /// known name.
 void put_on(Task& task, const std::string& surface);
 
-/// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N and 0.05 Nm of
-/// noise, 1 ms of delay); mismatch (the same, masses 5 % above the controller's, surface friction
-/// 0.3); joint_friction (the same, 1 Nm of Coulomb and 1 Nms/rad of viscous joint friction).
-const std::vector<std::string>& disturbance_presets();
-/// Throws Error with the nearest known name. Its seed is 0.
-Disturbances disturbance_preset(const std::string& name);
+using burnish::disturbance_preset;
+using burnish::disturbance_presets;
 
 /// Reads a task file. Keys that it does not state keep their defaults; tasks/polishing/table.yaml
 /// states all of them. `overrides` are applied after it, in order, each "key.path=value" with a

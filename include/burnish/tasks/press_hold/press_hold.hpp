@@ -3,53 +3,78 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "burnish/base/trace.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/robots/robot.hpp"
+#include "burnish/sim/disturbances.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
+#include "burnish/tasks/pressing/reach.hpp"
 
 namespace burnish::press_hold {
 
-/// All that a task file may say, with its defaults.
 struct Task {
-  std::string robot = "arm7";
-  std::string posture = {};  ///< of the robot's settings, where it starts; empty: its default
-  std::string tool = "tool";
-  double tip_radius = 0.02;                                 ///< m
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, which lies ...
-  double clearance = 0.01;                                  ///< ... m under the tip at the start
-  double force = 20.0;                                      ///< N
-  double touch_force = 5.0;                                 ///< N, at once where contact is made
-  /// By joints' names: rad (m) that the posture's reference goes from where it starts.
+  std::string robot = "arm7";  ///< a robot's name, folder or settings file, with :variant
+  /// where it starts; search: found for the surface. Of the robot's settings. Empty: the robot's
+  /// default, or searched where it has none.
+  std::string posture = {};
+  double force = 20.0;  ///< N, that the tool presses with
+  /// rad (m) that the posture goes, joint by joint: {joint: way, ...}
   std::map<std::string, double> aside = {};
 
-  double approach_speed = 0.03;   ///< m/s
-  double ramp_duration = 0.5;     ///< s, from touch_force to force
+  std::string tool = "tool";  ///< its origin is the centre of a round tip
+  /// that the tool presses along, in its frame, any length; without it see pressing_direction()
+  std::optional<Eigen::Vector3d> tool_axis = {};
+  double tip_radius = 0.02;  ///< m
+
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
+  double extent = 0.1;  ///< m that there is surface beyond the point, on all four sides; or endless
+  double friction = 0.0;   ///< Coulomb coefficient of the plant
+  double stiffness = 1e5;  ///< N/m, of the plant
+  double damping = 500.0;  ///< Ns/m, of the plant; with friction below force / (3 friction speed)
+  PostureLimits search = {};
+
+  double clearance = 0.01;        ///< m between tool and surface at the start
+  double approach_speed = 0.03;   ///< m/s towards the surface
+  double touch_force = 5.0;       ///< N, at once where contact is made
+  double ramp_duration = 0.5;     ///< s from touch_force to force
   double aside_duration = 2.0;    ///< s that the posture takes to go aside
   double hold_duration = 1.0;     ///< s that it stays there
-  double retreat_duration = 0.5;  ///< s, off the surface again
-  double slip = 0.01;             ///< m that the tool may be off its point along the surface
-  double posture_weight = 1.0;    ///< 1/rad^2, beside 1e4 1/m^2 of the point
-  double tick_rate = 1000.0;      ///< Hz, of ticks and plans
+  double retreat_duration = 0.5;  ///< s off the surface, by the clearance
 
-  // What the controller does not know.
-  double mass_scale = 1.0;      ///< of all masses
-  double friction = 0.0;        ///< of the surface
-  double surface_height = 0.0;  ///< m that the surface is higher than it thinks
+  double tick_rate = 1000.0;  ///< Hz, of torque commands and of new plans
+  /// 1/rad^2: joints to where they shall be, beside 1e4 1/m^2 of the point
+  double posture_weight = 1.0;
+
+  double slip = 0.01;  ///< m that the tool may be off its point, along the surface
+  SafetyLimits limits = {};
+  ToolLimits tool_limits = {};
+  /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
+  /// reach, it is the mean over 5 ms that counts, against six of its own deviations.
+  double contact_threshold = 2.0;
+
+  Disturbances disturbances = {};
 };
 
 /// A file with `task: press_hold`. Keys that it does not state keep their defaults;
-/// tasks/press_hold/arm7.yaml states all. Throws Error naming file, line, key and what was wanted.
-Task read_task(const std::filesystem::path& file);
-Task parse_task(const std::string& text, const std::string& name);
-/// Such a file with every key; reads back as it was.
+/// tasks/press_hold/arm7.yaml states all. `overrides` are applied after it, in order, each
+/// "key.path=value" with a value in YAML. Throws Error naming file (or override), line, key and
+/// what was wanted.
+Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// The same from a text; `name` stands for the file's in refusals.
+Task parse_task(const std::string& text, const std::string& name,
+                const std::vector<std::string>& overrides = {});
+/// Applies overrides to a task. Throws Error as read_task() does.
+void override_task(Task& task, const std::vector<std::string>& overrides);
+/// Throws Error with a sentence for numbers out of range, and for those that are possible each but
+/// not together.
+void check_task(const Task& task);
+/// The whole task as such a file, every key with its unit and meaning; reads back as it was.
 std::string task_text(const Task& task);
 
 /// The task with everything resolved.
@@ -61,26 +86,46 @@ struct Setting {
   Eigen::Vector3d p_hold;            ///< of the tool in contact, m, world
   double touch = 0.0, ramp_end = 0.0, hold_end = 0.0;  ///< s of the schedule
 };
-/// Throws Error for a robot, posture, tool or joint that there is not.
+/// The task's robot. Of a URDF file, which has no settings, only the joints that carry the tool
+/// move: the others are held at zero. Throws Error as load_robot() does.
+Robot load_task_robot(const Task& task);
+/// Throws Error for a robot, posture, tool or joint that there is not, a base that floats free, a
+/// posture that is to be searched where there is none, and one that would go beyond its limits.
 Setting make_setting(const Task& task);
+/// The same for a robot at hand, whatever the task says of it.
+Setting make_setting(const Task& task, const Robot& robot);
+/// Whether the arm can come down from the start and press at the point, by statics; see
+/// polishing::check_reach(). It knows nothing of the way aside.
+ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options = {});
+/// Throws Error where that finds something in the way.
+void refuse_out_of_reach(const Task& task, const Setting& setting);
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 
-struct RunResult {
-  Setting setting;
-  Trace trace;  ///< see ClosedLoop
-  Status plant_status = Status::Ok;
-  FaultReport fault;
-  std::optional<Metrics> metrics;  ///< from 0.2 s after the ramp to the end of the hold
-  double moved = 0.0;  ///< rad (m), the largest way of a joint from the ramp's end to the hold's
-  double slip = 0.0;   ///< m, farthest that the tool was off its point meanwhile, along the surface
-  bool done = false;   ///< to the end without fault
-  std::string outcome;  ///< one sentence
+struct RunSpec {
+  Task task;
+  std::optional<Setting> setting = {};  ///< of the task, where there is one already
+  PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
+  bool check_reach = true;  ///< before anything moves; a problem is then an Error
+  double plan_rate = 20.0;  ///< Hz, at which plans are recorded; 0: none
+  RunProgress progress = {};
 };
-/// Runs the task in simulated time. `progress` is called now and then with the simulated time and
-/// about when it will be over (s); returning false stops the run. Throws Error for a task that does
-/// not fit together and a plant that is not there.
-RunResult run_task(const Task& task, PlantKind kind,
-                   const std::function<bool(double time, double end)>& progress = nullptr);
+
+/// Of the time from the end of the ramp to the end of the hold.
+struct HoldFigures {
+  double moved_aside = 0.0;  ///< rad (m), the largest way of a joint
+  double slip = 0.0;         ///< m, farthest that the tool was off its point along the surface
+};
+
+struct RunResult : TaskRun {
+  Setting setting;
+  bool done = false;               ///< to the end without fault
+  std::optional<Metrics> metrics;  ///< from 0.2 s after the ramp to the end of the hold
+  std::optional<HoldFigures> hold;
+};
+/// Runs the task in simulated time. What goes wrong on the way is in the result, with all that was
+/// recorded until then. Throws Error for a task that does not fit together, one that the arm cannot
+/// reach, and a plant that is not there.
+RunResult run_task(const RunSpec& spec);
 
 /// Of the schedule, as the numbers of a trace: approach, ramp, aside, hold, retreat.
 const std::vector<std::string>& phase_names();

@@ -1,9 +1,13 @@
-// The plants that a task runs on, by name.
+// The plants that a task runs on, by name, and what a run in closed loop leaves.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "burnish/base/trace.hpp"
+#include "burnish/mpc/fault.hpp"
+#include "burnish/report/plan_record.hpp"
 #include "burnish/sim/plant.hpp"
 
 namespace burnish {
@@ -20,5 +24,30 @@ std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const Scen
                                   double dt);
 /// Largest step up to the plants' usual one that control periods are a multiple of, s.
 double plant_step(double control_period);
+
+/// Called now and then with the simulated time and about when it will be over, s. Returning false
+/// stops the run.
+using RunProgress = std::function<bool(double time, double end)>;
+
+/// Wall clock of the controller's ticks after the first, s.
+struct TickTimes {
+  int count = 0;        ///< ticks that were timed: every nth of more than a million
+  double period = 0.0;  ///< between two ticks: what they must stay below
+  double median = 0.0, p99 = 0.0, maximum = 0.0, mean = 0.0;
+  int late = 0;  ///< ticks that took longer than a period
+};
+
+/// What a run leaves, whatever its task.
+struct TaskRun {
+  Trace trace;  ///< of every plant step, every nth beyond 100 s; see ClosedLoop
+  PlanRecord plans;
+  Status plant_status = Status::Ok;
+  FaultReport fault;         ///< of the MPC; FaultKind::None without
+  bool interrupted = false;  ///< by the progress function
+  TickTimes ticks;           ///< after the first, which solves to its end
+  double first_tick = 0.0;   ///< s of wall clock
+  double wall_time = 0.0;    ///< s, of the simulation
+  std::string outcome;       ///< one sentence
+};
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "burnish/tasks/polishing/posture.hpp"
+#include "pressing/posture_search.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
@@ -12,7 +12,7 @@
 #include "burnish/model/state.hpp"
 #include "sim/random.hpp"
 
-namespace burnish::polishing {
+namespace burnish::pressing {
 namespace {
 
 bool is_limited(const Model& model, const Joint& joint) {
@@ -38,15 +38,16 @@ constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
 /// Descends from a start, and judges where it ends.
 class Search {
  public:
-  Search(const Task& task, const Robot& robot, const PostureOptions& options)
-      : task_(task),
+  Search(const PressingPlace& place, const Model& model, const std::vector<Eigen::VectorXd>& known,
+         const PostureOptions& options)
+      : place_(place),
         options_(options),
-        robot_(robot),
-        model_(robot.model),
+        known_(known),
+        model_(model),
         body_(model_),
-        tool_(body_.frame(task.tool)),
-        into_(-task.normal_world.normalized()),
-        press_(pressing_direction(task, model_)),
+        tool_(body_.frame(place.tool)),
+        into_(-place.normal_world.normalized()),
+        press_(pressing_direction(place.tool, place.tool_axis, model_)),
         q_middle_(model_.q_neutral),
         reach_(Eigen::VectorXd::Ones(model_.nv)) {
     for (const Joint& joint : model_.joints) {
@@ -59,11 +60,7 @@ class Search {
 
   /// In the order in which they are tried.
   std::vector<Eigen::VectorXd> starts() const {
-    std::vector<Eigen::VectorXd> result;
-    for (const auto& [name, posture] : robot_.postures) {
-      const Eigen::VectorXd q = robot_.posture(name);
-      if (q.size() == model_.nq) result.push_back(q);
-    }
+    std::vector<Eigen::VectorXd> result = known_;
     result.push_back(q_middle_);
     RandomStream random(options_.seed, 0);
     for (int i = 0; i < options_.random_starts; ++i) {
@@ -80,7 +77,7 @@ class Search {
   Candidate descend(Eigen::VectorXd q, const Balance& balance) {
     walk(q, balance, 100);
     // Joints that were stopped at their limits have left the tool a little off its place.
-    if (task_.point_world) walk(q, {std::numeric_limits<double>::infinity(), 0.0}, 50);
+    if (place_.point_world) walk(q, {std::numeric_limits<double>::infinity(), 0.0}, 50);
     clamp(q);
     return judged(q);
   }
@@ -130,8 +127,8 @@ class Search {
 
   /// Where the tool's centre shall be, if the surface says so.
   std::optional<Eigen::Vector3d> wanted_position() const {
-    if (!task_.point_world) return std::nullopt;
-    return *task_.point_world - (task_.tip_radius + task_.clearance) * into_;
+    if (!place_.point_world) return std::nullopt;
+    return *place_.point_world - (place_.tip_radius + place_.clearance) * into_;
   }
 
   /// One damped step: axis and place first, the middle of the ranges in what they leave free.
@@ -210,7 +207,7 @@ class Search {
     const auto joint = [&](int index) -> const Joint& {
       return model_.joints[static_cast<std::size_t>(index)];
     };
-    const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(task_.tool))].body;
+    const int last = model_.frames[static_cast<std::size_t>(model_.frame_index(place_.tool))].body;
     c.body = std::numeric_limits<double>::infinity();
     c.body_wanted = options_.body_distance;
     if (last < 0) return;
@@ -277,7 +274,7 @@ class Search {
   }
 
   double torque_share() const {
-    const Eigen::Vector3d push = -task_.force * into_;
+    const Eigen::Vector3d push = -place_.force * into_;
     const Eigen::VectorXd weight = body_.gravity_torque();
     const Eigen::VectorXd pressing = weight - derivatives_.jacobian.topRows(3).transpose() * push;
     double share = 0.0;
@@ -302,9 +299,9 @@ class Search {
     return c;
   }
 
-  const Task& task_;
+  const PressingPlace& place_;
   const PostureOptions& options_;
-  const Robot& robot_;
+  const std::vector<Eigen::VectorXd>& known_;
   const Model& model_;
   RigidBody body_;
   int tool_;
@@ -316,7 +313,7 @@ class Search {
   FrameDerivatives derivatives_;
 };
 
-/// Lower is better; see find_posture().
+/// Lower is better; see search_posture().
 double score_of(const Candidate& c, double torque_share, double margin) {
   return c.tilt + torque_share + 0.1 / std::max(margin, 1e-6) +
          0.1 / std::max(c.manipulability, 1e-6);
@@ -331,13 +328,10 @@ bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
 
 }  // namespace
 
-Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement) {
-  return -tool_placement.linear().col(2);
-}
-
-Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
-  if (task.tool_axis) return task.tool_axis->normalized();
-  const Frame& tool = model.frames[static_cast<std::size_t>(model.frame_index(task.tool))];
+Eigen::Vector3d pressing_direction(const std::string& frame,
+                                   const std::optional<Eigen::Vector3d>& axis, const Model& model) {
+  if (axis) return axis->normalized();
+  const Frame& tool = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
   if (tool.body < 0) return -Eigen::Vector3d::UnitZ();
   if (tool.kind == FrameKind::User) {
     const double outwards = tool.placement.translation().dot(tool.placement.linear().col(2));
@@ -358,16 +352,10 @@ Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
   return tool.placement.linear().transpose() * along;
 }
 
-PostureOptions posture_options(const Task& task) {
-  PostureOptions options;
-  options.tilt_limit = task.search.tilt;
-  options.joint_margin = task.search.joint_margin;
-  options.body_distance = task.search.body_distance;
-  return options;
-}
-
-FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {
-  Search search(task, robot, options);
+FoundPosture search_posture(const PressingPlace& place, const Model& model,
+                            const std::vector<Eigen::VectorXd>& known,
+                            const PostureOptions& options, const CheckReach& check_reach) {
+  Search search(place, model, known, options);
   std::vector<Candidate> good;
   std::optional<Candidate> nearest;
   for (const Eigen::VectorXd& start : search.starts())
@@ -384,7 +372,7 @@ FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOpt
     return score_at_start(a) < score_at_start(b);
   });
   const auto twice = std::unique(good.begin(), good.end(), [&](const auto& a, const auto& b) {
-    return same_place(robot.model, a, b);
+    return same_place(model, a, b);
   });
   good.erase(twice, good.end());
 
@@ -393,7 +381,7 @@ FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOpt
   const std::size_t checked = std::min(good.size(), static_cast<std::size_t>(options.checked));
   for (std::size_t i = 0; i < checked; ++i) {
     const Candidate& c = good[i];
-    ReachReport reach = check_reach(task, make_setting(task, robot, c.q), options.reach);
+    ReachReport reach = check_reach(c.q);
     if (!reach.ok()) {
       if (in_the_way.empty()) in_the_way = reach.text;
       continue;
@@ -407,4 +395,12 @@ FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOpt
               " that suit its normal none leads along the path; from the best one, " + in_the_way);
 }
 
-}  // namespace burnish::polishing
+}  // namespace burnish::pressing
+
+namespace burnish {
+
+Eigen::Vector3d pressing_axis(const Eigen::Isometry3d& tool_placement) {
+  return -tool_placement.linear().col(2);
+}
+
+}  // namespace burnish

@@ -1,15 +1,15 @@
-// Plots of a polishing run: force over time, path in the plane, torques, solver.
+// Plots of a run: force over time, path in the plane, torques, solver.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "burnish/report/svg_plot.hpp"
-#include "polishing/record/run_files.hpp"
+#include "pressing/record.hpp"
 #include "report/moving_mean.hpp"
 #include "report/trace_curves.hpp"
 
-namespace burnish::polishing {
+namespace burnish::pressing {
 namespace {
 
 constexpr const char* time_axis = "time [s]";
@@ -25,9 +25,9 @@ Curve thinned(Curve curve) {
   return curve;
 }
 
-PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
-  const Trace& trace = result.trace;
-  const Eigen::Vector3d n = result.setting.surface_axes.col(2);
+PlotSpec force_plot(const PlottedRun& run) {
+  const Trace& trace = run.run.trace;
+  const Eigen::Vector3d n = run.surface_axes.col(2);
   const Eigen::VectorXd time = trace.column("time"), force = along(trace, "tool_force", n);
   const Eigen::VectorXd target = trace.column("target_force");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
@@ -35,7 +35,7 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
   const Eigen::VectorXd smooth = moving_mean(force, width);
   const std::string mean = width > 1 ? fmt::format("mean over {:g} ms", 1e3 * width * dt) : "true";
   const Eigen::VectorXd estimated = along(trace, "estimated_force", n);
-  PlotSpec plot{.title = "Normal force, " + job.name};
+  PlotSpec plot{.title = "Normal force, " + run.name};
   plot.panel_width = 900;
   const auto panel = [&](const std::string& title, Eigen::Index first, Eigen::Index last,
                          bool with_raw) {
@@ -50,35 +50,34 @@ PlotSpec force_plot(const PolishJob& job, const RunResult& result) {
                                              .dashed = dashed}));
     };
     if (with_raw && width > 1) add("true", force, 5, false);
-    if (job.spec.controller == ControllerKind::Mpc) add("estimated", estimated, 4, false);
+    if (run.has_estimate) add("estimated", estimated, 4, false);
     add(mean, smooth, 0, false);
     add("target", target, black, true);
     plot.panels.push_back(std::move(result_panel));
   };
   panel("the whole run", 0, time.size(), true);
-  const auto [first, last] = rows_of_phase(trace, static_cast<double>(Phase::Track));
+  const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
   // The mean of the last rows reaches into the retreat.
   const Eigen::Index inside = last - std::lround(0.01 / dt);
-  if (inside - first > 1) panel("on the path", first, inside, false);
+  if (inside - first > 1) panel(run.phase_title, first, inside, false);
   return plot;
 }
 
-PlotSpec path_plot(const PolishJob& job, const RunResult& result) {
-  const Trace& trace = result.trace;
-  const Setting& setting = result.setting;
-  const auto [first, last] = rows_of_phase(trace, static_cast<double>(Phase::Track));
-  PlotSpec plot{.title = "Path of the tool in the surface, " + job.name, .columns = 2};
+PlotSpec path_plot(const PlottedRun& run) {
+  const Trace& trace = run.run.trace;
+  const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
+  PlotSpec plot{.title = "Path of the tool in the surface, " + run.name, .columns = 2};
   plot.panel_width = 560;
   plot.panel_height = 480;
   if (last - first < 2) return plot;
   const Eigen::Index from = first, size = last - first;
   const auto coordinate = [&](const std::string& what, int tangent) {
-    const Eigen::Vector3d t = setting.surface_axes.col(tangent);
+    const Eigen::Vector3d t = run.surface_axes.col(tangent);
     const Eigen::VectorXd all = along(trace, what, t);
-    return Eigen::VectorXd((all.segment(from, size).array() - t.dot(setting.p_center)) * 1e3);
+    return Eigen::VectorXd((all.segment(from, size).array() - t.dot(run.origin_world)) * 1e3);
   };
   const auto axis = [&](int tangent) {
-    const Eigen::Vector3d t = setting.surface_axes.col(tangent);
+    const Eigen::Vector3d t = run.surface_axes.col(tangent);
     return fmt::format("along ({:.2g}, {:.2g}, {:.2g}) [mm]", t.x(), t.y(), t.z());
   };
   Panel panel{.x_label = axis(0), .y_label = axis(1), .equal_aspect = true};
@@ -100,10 +99,10 @@ PlotSpec path_plot(const PolishJob& job, const RunResult& result) {
   return plot;
 }
 
-PlotSpec torque_plot(const PolishJob& job, const RunResult& result) {
-  const Trace& trace = result.trace;
-  const Model& model = result.setting.robot.model;
-  PlotSpec plot{.title = "Joint torques and their limits, " + job.name, .columns = 2};
+PlotSpec torque_plot(const PlottedRun& run) {
+  const Trace& trace = run.run.trace;
+  const Model& model = run.model;
+  PlotSpec plot{.title = "Joint torques and their limits, " + run.name, .columns = 2};
   plot.panel_width = 460;
   plot.panel_height = 190;
   const Eigen::VectorXd time = trace.column("time");
@@ -126,9 +125,9 @@ PlotSpec torque_plot(const PolishJob& job, const RunResult& result) {
   return plot;
 }
 
-PlotSpec solver_plot(const PolishJob& job, const RunResult& result) {
-  const Trace& trace = result.trace;
-  PlotSpec plot{.title = "Computing time per plan, " + job.name};
+PlotSpec solver_plot(const PlottedRun& run) {
+  const Trace& trace = run.run.trace;
+  PlotSpec plot{.title = "Computing time per plan, " + run.name};
   plot.panel_width = 900;
   std::vector<double> x, y;
   const auto time = trace.column("time"), tick = trace.column("tick");
@@ -147,7 +146,7 @@ PlotSpec solver_plot(const PolishJob& job, const RunResult& result) {
   panel.curves.push_back(thinned({.name = "plan",
                                   .x = Eigen::Map<Eigen::VectorXd>(x.data(), size),
                                   .y = Eigen::Map<Eigen::VectorXd>(y.data(), size)}));
-  const double period = 1e3 / job.spec.task.update_rate;
+  const double period = 1e3 * run.update_period;
   panel.curves.push_back({.name = "between two plans",
                           .x = Eigen::Vector2d(x.front(), x.back()),
                           .y = Eigen::Vector2d(period, period),
@@ -159,9 +158,9 @@ PlotSpec solver_plot(const PolishJob& job, const RunResult& result) {
 
 }  // namespace
 
-std::vector<PlotFile> run_plots(const PolishJob& job, const RunResult& result) {
-  const auto made_by = [&](PlotSpec (*plot)(const PolishJob&, const RunResult&)) {
-    return [plot, &job, &result] { return plot(job, result); };
+std::vector<PlotFile> run_plots(const PlottedRun& run) {
+  const auto made_by = [&](PlotSpec (*plot)(const PlottedRun&)) {
+    return [plot, run] { return plot(run); };
   };
   return {{"force.svg", made_by(force_plot)},
           {"path.svg", made_by(path_plot)},
@@ -169,4 +168,4 @@ std::vector<PlotFile> run_plots(const PolishJob& job, const RunResult& result) {
           {"solver.svg", made_by(solver_plot)}};
 }
 
-}  // namespace burnish::polishing
+}  // namespace burnish::pressing

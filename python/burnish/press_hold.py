@@ -1,0 +1,131 @@
+"""The task of pressing at a point while the rest of the arm moves aside, and its runs.
+
+    from burnish import press_hold
+    result = press_hold.run("tasks/press_hold/arm7.yaml", force=15.0)
+    print(result.hold.slip, result.metrics.force_rmse)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Callable, Dict, Optional, Sequence, Union
+
+from numpy.typing import ArrayLike
+
+from ._core import HoldResult as RunResult
+from ._core import hold_check_reach as check_reach
+from ._core import hold_check_task as check_task
+from ._core import hold_make_controller as make_controller
+from ._core import hold_make_setting as make_setting
+from ._core import hold_override_task as override_task
+from ._core import hold_phase_names as phase_names
+from ._core import hold_read_task as read_task
+from ._core import hold_run_task as run_task
+from ._core import hold_task_text as task_text
+from ._spec import Spec, vector
+from .model import Robot
+from .mpc import SafetyLimits
+from .pressing import PlantKind, PostureLimits, ToolLimits, default_plant
+from .sim import Disturbances, SceneSpec
+
+__all__ = [
+    "HoldFigures", "RunResult", "RunSpec", "Setting", "Task", "check_reach", "check_task",
+    "make_controller", "make_setting", "make_task", "override_task", "phase_names", "read_task",
+    "run", "run_task", "task_text",
+]
+
+
+# Described classes stand here (scripts/describe).
+
+
+@dataclass(eq=False, repr=False)
+class Setting(Spec):
+    """A task with everything resolved: robot, start, surface, phases."""
+
+    robot: Robot
+    q_start: ArrayLike
+    """(nq,), where the posture's reference begins"""
+    q_aside: ArrayLike
+    """(nq,), where it ends"""
+    scene: SceneSpec
+    """as the controller knows it"""
+    surface_axes: ArrayLike
+    """3 x 3, columns: two tangents and the normal, world"""
+    p_hold: ArrayLike
+    """3, of the tool in contact, m, world"""
+    touch: float = 0.0
+    """s of the schedule"""
+    ramp_end: float = 0.0
+    """s of the schedule"""
+    hold_end: float = 0.0
+    """s of the schedule"""
+
+
+@dataclass(eq=False, repr=False)
+class RunSpec(Spec):
+    """A run of a task."""
+
+    task: Task = field(default_factory=lambda: Task())
+    setting: Optional[Setting] = None
+    """of the task, where there is one already"""
+    plant: PlantKind = field(default_factory=default_plant)
+    """MUJOCO where this build has it"""
+    check_reach: bool = True
+    """before anything moves; a problem is then an Error"""
+    plan_rate: float = 20.0
+    """Hz, at which plans are recorded; 0: none"""
+    progress: Optional[Callable[[float, float], Optional[bool]]] = None
+    """called now and then with the simulated time and about when it will be over, s; returning
+    False stops the run"""
+
+
+@dataclass(eq=False, repr=False)
+class HoldFigures(Spec):
+    """Of the time from the end of the ramp to the end of the hold."""
+
+    moved_aside: float = 0.0
+    """rad (m where it slides), largest way of a joint"""
+    slip: float = 0.0
+    """m, farthest that the tool was off its point along the surface"""
+
+
+def make_task(
+    where: Union[str, Path, Task, None] = None,
+    *,
+    overrides: Sequence[str] = (),
+    **entries: Any,
+) -> Task:
+    """A task: from a file, a copy of another, or the defaults.
+
+    overrides: as override_task() takes them, "tool.frame=flange". entries: of Task, such as
+    force=15 or aside={"joint_3": 0.4}. Raises Error for what does not fit together."""
+    if where is None:
+        task = Task()
+    else:
+        task = where.replace() if isinstance(where, Task) else read_task(where)
+    for name, value in entries.items():
+        setattr(task, name, value)
+    task = override_task(task, overrides)
+    check_task(task)
+    return task
+
+
+def run(
+    where: Union[str, Path, Task, None] = None,
+    *,
+    plant: Union[str, PlantKind, None] = None,
+    overrides: Sequence[str] = (),
+    check_reach: bool = True,
+    progress: Optional[Callable[[float, float], Optional[bool]]] = None,
+    **entries: Any,
+) -> RunResult:
+    """run_task() of make_task(). plant: "mujoco" or "ideal"; None: MuJoCo where this build has it.
+
+        press_hold.run("my_task.yaml", plant="ideal", overrides=["disturbances=sensors"])
+    """
+    task = make_task(where, overrides=overrides, **entries)
+    spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
+    if plant is not None:
+        spec.plant = plant  # type: ignore[assignment]  # names are taken for members
+    return run_task(spec)

@@ -1,0 +1,154 @@
+#include "specs_pressing.hpp"
+
+#include "pressing/figures.hpp"
+#include "task_run.hpp"
+
+namespace burnish::python {
+
+using pressing::each_tick_figure;
+
+template <>
+const EnumTable& AsEnum<ReachProblem>::table() {
+  static const EnumTable words("burnish.pressing", "ReachProblem",
+                               {"none", "position", "joint", "torque", "collision"});
+  return words;
+}
+template <>
+const EnumTable& AsEnum<PlantKind>::table() {
+  static const EnumTable words("burnish.pressing", "PlantKind", {"mujoco", "ideal"});
+  return words;
+}
+template <>
+const SpecTable& AsDataclass<ReachOptions>::table() {
+  static const SpecTable fields = SpecTable("burnish.pressing", "ReachOptions")
+                                      .field("spacing", &ReachOptions::spacing)
+                                      .field("tolerance", &ReachOptions::tolerance)
+                                      .field("joint_margin", &ReachOptions::joint_margin)
+                                      .field("torque_share", &ReachOptions::torque_share)
+                                      .field("link_radius", &ReachOptions::link_radius);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<ReachReport>::table() {
+  static const SpecTable fields =
+      SpecTable("burnish.pressing", "ReachReport")
+          .field("problem", &ReachReport::problem)
+          .field("text", &ReachReport::text)
+          .field("s", &ReachReport::s)
+          .field("p_world", &ReachReport::p_world)
+          .field("joint", &ReachReport::joint)
+          .field("value", &ReachReport::value)
+          .field("limit", &ReachReport::limit)
+          .field("points", &ReachReport::points)
+          .field("path_length", &ReachReport::path_length)
+          .field("joint_margin", &ReachReport::joint_margin)
+          .field("tightest_joint", &ReachReport::tightest_joint)
+          .field("torque_share", &ReachReport::torque_share)
+          .field("tightest_torque", &ReachReport::tightest_torque)
+          .field("clearance", &ReachReport::clearance)
+          .field("tightest_clearance", &ReachReport::tightest_clearance);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<PostureOptions>::table() {
+  static const SpecTable fields = SpecTable("burnish.pressing", "PostureOptions")
+                                      .field("random_starts", &PostureOptions::random_starts)
+                                      .field("seed", &PostureOptions::seed)
+                                      .field("tilt_limit", &PostureOptions::tilt_limit)
+                                      .field("joint_margin", &PostureOptions::joint_margin)
+                                      .field("body_distance", &PostureOptions::body_distance)
+                                      .field("bend", &PostureOptions::bend)
+                                      .field("checked", &PostureOptions::checked)
+                                      .field("reach", &PostureOptions::reach);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<FoundPosture>::table() {
+  static const SpecTable fields = SpecTable("burnish.pressing", "FoundPosture")
+                                      .field("q", &FoundPosture::q)
+                                      .field("score", &FoundPosture::score)
+                                      .field("tilt", &FoundPosture::tilt)
+                                      .field("reach", &FoundPosture::reach)
+                                      .field("candidates", &FoundPosture::candidates);
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<TickTimes>::table() {
+  static const SpecTable fields = [] {
+    SpecTable table("burnish.pressing", "TickTimes");
+    each_tick_figure(
+        [&](const FigureEntry& entry, auto member) { table.field(entry.name, member); });
+    return table;
+  }();
+  return fields;
+}
+template <>
+const SpecTable& AsDataclass<PlanArrays>::table() {
+  static const SpecTable fields = SpecTable("burnish.pressing", "PlanRecord")
+                                      .field("time", &PlanArrays::time)
+                                      .field("terms", &PlanArrays::terms)
+                                      .field("costs", &PlanArrays::costs)
+                                      .field("step", &PlanArrays::step)
+                                      .field("q", &PlanArrays::q);
+  return fields;
+}
+
+PlanArrays arrays_of(const PlanRecord& record) {
+  const auto plans = static_cast<Eigen::Index>(record.time.size());
+  PlanArrays arrays{.time = Eigen::Map<const Eigen::VectorXd>(record.time.data(), plans),
+                    .terms = record.terms,
+                    .costs = RowMatrix(static_cast<Eigen::Index>(record.terms.size()), plans),
+                    .step = record.step,
+                    .q = {py::array_t<float>({static_cast<py::ssize_t>(plans),
+                                              py::ssize_t{record.knots}, py::ssize_t{record.nq}},
+                                             record.q.data())}};
+  for (std::size_t term = 0; term < record.terms.size(); ++term)
+    arrays.costs.row(static_cast<Eigen::Index>(term)) =
+        Eigen::Map<const Eigen::RowVectorXd>(record.costs[term].data(), plans);
+  return arrays;
+}
+
+PlanRecord record_of(const PlanArrays& arrays) {
+  const py::array_t<float>& q = arrays.q.array;
+  PlanRecord record;
+  record.time = {arrays.time.begin(), arrays.time.end()};
+  record.terms = arrays.terms;
+  record.knots = static_cast<int>(q.shape(1));
+  record.nq = static_cast<int>(q.shape(2));
+  record.step = arrays.step;
+  record.q = {q.data(), q.data() + q.size()};
+  for (const auto& row : arrays.costs.rowwise()) record.costs.emplace_back(row.begin(), row.end());
+  return record;
+}
+
+py::object progress_of(const py::object& spec, const char* what, const char* module,
+                       const char* wanted) {
+  if (!py::isinstance(spec, py::module_::import(module).attr(wanted)))
+    throw py::type_error(std::string(what) + ": wanted is a " + wanted);
+  return spec.attr("progress");
+}
+
+py::tuple state_of(const TaskRun& run) {
+  return py::make_tuple(run.trace, arrays_of(run.plans), run.plant_status, run.fault,
+                        run.interrupted, run.ticks, run.first_tick, run.wall_time, run.outcome);
+}
+
+void set_state(TaskRun& run, const py::tuple& state) {
+  std::size_t next = 0;
+  const auto take = [&](auto& entry) {
+    entry = py::cast<std::decay_t<decltype(entry)>>(state[next++]);
+  };
+  take(run.trace);
+  PlanArrays plans;
+  take(plans);
+  run.plans = record_of(plans);
+  take(run.plant_status);
+  take(run.fault);
+  take(run.interrupted);
+  take(run.ticks);
+  take(run.first_tick);
+  take(run.wall_time);
+  take(run.outcome);
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,112 @@
+// Runs of tasks as Python has them: a specification and what came of it, in one object.
+#pragma once
+
+#include "bind.hpp"
+#include "specs_pressing.hpp"
+#ifdef BURNISH_HAS_RECORD
+#include "record/run_files.hpp"
+#endif
+
+namespace burnish::python {
+
+/// A run and what it was asked for.
+template <class Spec, class Result>
+struct MadeRun {
+  Spec spec = {};
+  Result result = {};
+};
+
+/// What a progress function answers: nothing means that it goes on. To be called with the GIL.
+inline bool goes_on(const py::object& answer) { return answer.is_none() || py::cast<bool>(answer); }
+
+/// The entry `progress` of a spec as Python has it, or None. Throws TypeError unless it is of the
+/// class.
+py::object progress_of(const py::object& spec, const char* what, const char* module,
+                       const char* wanted);
+
+/// Calls run_task() with the specification and its progress function, looking for signals.
+template <class Run>
+Run run_given(const py::object& given, const char* module) {
+  const py::object progress = progress_of(given, "run_task", module, "RunSpec");
+  Run run{py::cast<decltype(Run::spec)>(given), {}};
+  run.spec.progress = [&progress](double time, double end) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return progress.is_none() || goes_on(progress(time, end));
+  };
+  {
+    const py::gil_scoped_release release;
+    run.result = run_task(run.spec);
+  }
+  run.spec.progress = nullptr;
+  return run;
+}
+
+/// What TaskRun holds, for pickling.
+py::tuple state_of(const TaskRun& run);
+void set_state(TaskRun& run, const py::tuple& state);
+
+/// A member of the result as a property; a copy.
+template <class Run, class Member>
+void add_result(py::class_<Run>& of, const char* name, Member member, const char* text) {
+  of.def_property_readonly(
+      name, [member](const Run& self) { return self.result.*member; }, text);
+}
+
+/// What runs of all tasks have.
+template <class Run>
+void bind_task_run(py::class_<Run>& of, const char* outcome) {
+  of.def_property_readonly(
+        "task", [](const Run& self) { return self.spec.task; }, "The Task, a copy.")
+      .def_property_readonly(
+          "plant", [](const Run& self) { return self.spec.plant; }, "PlantKind.")
+      .def_property_readonly(
+          "trace", [](const Run& self) -> const Trace& { return self.result.trace; },
+          py::return_value_policy::reference_internal,
+          "Trace of every plant step, every nth beyond 100 s; columns as of ClosedLoop.")
+      .def_property_readonly(
+          "plans", [](const Run& self) { return arrays_of(self.result.plans); },
+          "PlanRecord: plans of the MPC, now and then; a copy.");
+  add_result(of, "plant_status", &TaskRun::plant_status, "Worst Status of the plant.");
+  add_result(of, "fault", &TaskRun::fault,
+             "FaultReport of the MPC; its kind is NONE without a fault.");
+  add_result(of, "interrupted", &TaskRun::interrupted,
+             "Whether the progress function ended the run.");
+  add_result(of, "ticks", &TaskRun::ticks,
+             "TickTimes of the controller after its first tick, which solves to its end.");
+  add_result(of, "first_tick", &TaskRun::first_tick, "s of wall clock.");
+  add_result(of, "wall_time", &TaskRun::wall_time, "s of wall clock, of the simulation.");
+  add_result(of, "outcome", &TaskRun::outcome, outcome);
+}
+
+/// Adds write(); `write` is called with run, name, options, folder and pages.
+template <class Run, class Write>
+void bind_write(py::class_<Run>& of, const Write& write, const char* command) {
+  const std::string text =
+      std::string("Writes into a folder, which is made, what `") + command +
+      "` leaves of a run: run.html and run.json (page), trace.csv (every `record_every`th row), "
+      "metrics.json, task.yaml, run.mcap (recording), plots as SVG files (plots; without a page in "
+      "any case), and after a fault its report. `name` stands on the page. Returns the files' "
+      "names. Raises Error if they cannot be written, or in a build without fmt or nlohmann-json.";
+  of.def(
+      "write",
+      [write](const Run& run, const std::filesystem::path& folder, const std::string& name,
+              bool page, bool plots, bool recording, int record_every) {
+#ifdef BURNISH_HAS_RECORD
+        PageWriter pages(page, recording);
+        return write(run, name, RunFilesOptions{.record_every = record_every, .plots = plots},
+                     folder, pages);
+#else
+        static_cast<void>(std::tie(run, folder, name, page, plots, recording, record_every));
+        throw Error(
+            "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
+            "trace.write_csv() and write_task() are there in all builds");
+        return std::vector<std::string>();
+#endif
+      },
+      py::arg("folder"), py::kw_only(), py::arg("name") = "run", py::arg("page") = true,
+      py::arg("plots") = false, py::arg("recording") = false, py::arg("record_every") = 10,
+      py::call_guard<py::gil_scoped_release>(), text.c_str());
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,181 @@
+#include "files/described_file.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/sentence.hpp"
+#include "files/described.hpp"
+
+namespace burnish::files {
+namespace {
+
+/// Lines of text as comments.
+std::string comment(const std::string& text, const std::string& indent) {
+  std::istringstream lines(text);
+  std::string result, line;
+  while (std::getline(lines, line)) result += indent + "# " + line + "\n";
+  return result;
+}
+
+/// The comment stands behind the value where there is room for it, above it otherwise.
+std::string line_of(const std::string& indent, const std::string& name, const std::string& value,
+                    const std::string& meaning) {
+  constexpr std::size_t column = 34, width = 118;
+  std::string line = indent + name + ": " + value;
+  if (meaning.empty()) return line + "\n";
+  const std::size_t before = std::max(line.size() + 2, column);
+  if (before + 2 + meaning.size() > width) return comment(meaning, indent) + line + "\n";
+  line.resize(before, ' ');
+  return line + "# " + meaning + "\n";
+}
+
+}  // namespace
+
+/// A value that the specification holds is a section; so is a group of its own entries.
+DescribedFile::DescribedFile(const Description& description, std::string head, std::string task,
+                             bool says_task)
+    : head_(std::move(head)), task_(std::move(task)), says_task_(says_task), sections_{{"", ""}} {
+  const auto key = [](const Field& field, std::size_t offset) {
+    return Key{field.key, field.comment(),
+               [&field, offset](void* spec, const Reader& reader) {
+                 read_entry(field, static_cast<char*>(spec) + offset, reader);
+               },
+               [&field, offset](const void* spec) {
+                 return entry_text(field, static_cast<const char*>(spec) + offset);
+               }};
+  };
+  auto group = description.groups.begin();
+  for (std::size_t i = 0; i < description.fields.size(); ++i) {
+    const Field& field = description.fields[i];
+    if (group != description.groups.end() && group->begin == i) {
+      if (!group->key.empty()) sections_.push_back({group->key, group->meaning});
+      ++group;
+    }
+    if (field.type->kind == ValueType::Kind::Struct) {
+      if (sections_.back().name != field.key) sections_.push_back({field.key, field.comment()});
+      for (const Field& entry : field.type->description().fields)
+        sections_.back().keys.push_back(key(entry, field.offset));
+    } else {
+      sections_.back().keys.push_back(key(field, 0));
+    }
+  }
+}
+
+DescribedFile::Section& DescribedFile::section_named(const std::string& name) {
+  return *std::find_if(sections_.begin(), sections_.end(),
+                       [&](const Section& section) { return section.name == name; });
+}
+
+DescribedFile& DescribedFile::set(const std::string& section, const std::string& name,
+                                  Read reading) {
+  std::vector<Key>& keys = section_named(section).keys;
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+  if (found != keys.end())
+    found->reading = std::move(reading);
+  else
+    keys.insert(keys.begin(), {name, "", std::move(reading), nullptr});
+  return *this;
+}
+
+DescribedFile& DescribedFile::word(const std::string& section, const std::string& name) {
+  section_named(section).word = name;
+  return *this;
+}
+
+DescribedFile& DescribedFile::first(const std::string& section,
+                                    const std::vector<std::string>& names) {
+  std::vector<Key>& keys = section_named(section).keys;
+  const auto place = [&](const Key& key) {
+    return std::find(names.begin(), names.end(), key.name);
+  };
+  std::stable_sort(keys.begin(), keys.end(),
+                   [&](const Key& a, const Key& b) { return place(a) < place(b); });
+  return *this;
+}
+
+std::vector<std::string> DescribedFile::keys() const {
+  std::vector<std::string> names;
+  for (const Section& section : sections_)
+    for (const Key& key : section.keys)
+      names.push_back((section.name.empty() ? "" : section.name + ".") + key.name);
+  return names;
+}
+
+void DescribedFile::check_task(const Reader& file) const {
+  const auto task = file.find("task");
+  if (!task && says_task_) file.refuse("key 'task' is missing; wanted 'task: " + task_ + "'");
+  if (task && !task->is(task_))
+    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + task_);
+}
+
+void DescribedFile::read_section(void* spec, const Section& section, const Reader& reader) {
+  if (!section.word.empty() && !reader.is_map()) {
+    std::find_if(section.keys.begin(), section.keys.end(), [&](const Key& key) {
+      return key.name == section.word;
+    })->reading(spec, reader);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const Key& key : section.keys) names.push_back(key.name);
+  reader.allow_only(names);
+  for (const Key& key : section.keys)
+    if (const auto value = reader.find(key.name)) key.reading(spec, *value);
+}
+
+void DescribedFile::read(void* spec, const Reader& file) const {
+  std::vector<std::string> names{"task"};
+  for (const Section& section : sections_) {
+    if (!section.name.empty()) names.push_back(section.name);
+    if (section.name.empty())
+      for (const Key& key : section.keys) names.push_back(key.name);
+  }
+  file.allow_only(names);
+  // A section may set entries of the file itself too; what is stated counts.
+  for (const Section& section : sections_)
+    if (!section.name.empty())
+      if (const auto value = file.find(section.name)) read_section(spec, section, *value);
+  for (const Section& section : sections_)
+    if (section.name.empty())
+      for (const Key& key : section.keys)
+        if (const auto value = file.find(key.name)) key.reading(spec, *value);
+}
+
+std::string DescribedFile::text(const void* spec) const {
+  std::string text = comment(head_, "");
+  if (says_task_) text += "task: " + task_ + "\n";
+  for (const Section& section : sections_) {
+    std::string lines, indent;
+    if (!section.name.empty()) {
+      lines = "\n" + comment(section.meaning, "") + section.name + ":\n";
+      indent = "  ";
+    }
+    for (const Key& key : section.keys)
+      if (const auto value = key.writing ? key.writing(spec) : std::nullopt)
+        lines += line_of(indent, key.name, *value, key.meaning);
+    text += lines;
+  }
+  return text;
+}
+
+Reader parse_override(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
+    throw Error(in_quotes(word) + " is no override; wanted key.path=value");
+  return Reader::parse_override(word.substr(0, equals), word.substr(equals + 1),
+                                "override " + in_quotes(word));
+}
+
+void refuse_at(const EntryError& error, const std::vector<Reader>& texts) {
+  for (auto text = texts.rbegin(); text != texts.rend(); ++text) {
+    std::optional<Reader> value = *text;
+    std::istringstream keys(error.entry());
+    for (std::string key; value && std::getline(keys, key, '.');)
+      if (value->is_map()) value = value->find(key);
+    if (value) value->refuse(error.sentence());
+  }
+  if (texts.empty()) throw Error(error.what());
+  texts.front().refuse(error.what());
+}
+
+}  // namespace burnish::files

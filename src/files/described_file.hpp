@@ -1,0 +1,123 @@
+// A file that says one described specification: read over its defaults, changed by overrides,
+// written with every key explained.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/description.hpp"
+#include "base/entry_error.hpp"
+#include "base/text_file.hpp"
+#include "files/reader.hpp"
+
+namespace burnish::files {
+
+/// What stands in such a file beyond the description: groups of entries and values that the
+/// specification holds are sections. Entries that share a section may be of several values.
+class DescribedFile {
+ public:
+  using Read = std::function<void(void* spec, const Reader& value)>;
+
+  /// `head`: the comment that files begin with. `task`: what their key `task` says, which is
+  /// written and has to be there if `says_task`.
+  DescribedFile(const Description& description, std::string head, std::string task,
+                bool says_task = true);
+  /// A key that is read like this: an entry's, in place of its own reading, or one that sets
+  /// several entries at once and is not written; the others of its section, "" for none, count
+  /// behind.
+  template <class Spec>
+  DescribedFile& reads(const std::string& section, const std::string& name,
+                       void (*reading)(Spec& spec, const Reader& value)) {
+    return set(section, name, [reading](void* spec, const Reader& value) {
+      reading(*static_cast<Spec*>(spec), value);
+    });
+  }
+  /// One word in place of the section's keys is the value of this one.
+  DescribedFile& word(const std::string& section, const std::string& name);
+  /// These keys of the section go before its others.
+  DescribedFile& first(const std::string& section, const std::vector<std::string>& names);
+
+  /// "surface.normal", in the order of files.
+  std::vector<std::string> keys() const;
+  /// Refuses a file of another task.
+  void check_task(const Reader& file) const;
+  /// Reads what the file, or a change of it, states, over the specification. Throws Error with the
+  /// place.
+  void read(void* spec, const Reader& file) const;
+  /// The whole specification as such a file.
+  std::string text(const void* spec) const;
+
+ private:
+  struct Key {
+    std::string name, meaning;
+    Read reading;
+    std::function<std::optional<std::string>(const void*)> writing;  ///< empty: it is not written
+  };
+  struct Section {
+    std::string name, meaning, word = {};
+    std::vector<Key> keys = {};
+  };
+  DescribedFile& set(const std::string& section, const std::string& name, Read reading);
+  Section& section_named(const std::string& name);
+  static void read_section(void* spec, const Section& section, const Reader& reader);
+
+  std::string head_, task_;
+  bool says_task_;
+  std::vector<Section> sections_;
+};
+
+/// "key.path=value" as a text that says it. Throws Error where the word is none.
+Reader parse_override(const std::string& word);
+
+/// A specification and the texts that said it, the one that counts last.
+template <class Spec>
+struct Said {
+  Spec spec = {};
+  std::vector<Reader> texts = {};
+};
+
+/// Throws Error with the sentence, and where the entry is said in front; otherwise with the first
+/// text's name in front.
+[[noreturn]] void refuse_at(const EntryError& error, const std::vector<Reader>& texts);
+
+/// Calls `work`: what it refuses about an entry is refused where a text says that entry.
+template <class Work>
+decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
+  try {
+    return work();
+  } catch (const EntryError& error) {
+    refuse_at(error, texts);
+  }
+}
+
+/// Reads overrides over a specification, whose form `const DescribedFile& file_of(const Spec*)`
+/// says.
+template <class Spec>
+void change(Said<Spec>& said, const std::vector<std::string>& overrides) {
+  for (const std::string& word : overrides) {
+    said.texts.push_back(parse_override(word));
+    file_of(static_cast<const Spec*>(nullptr)).read(&said.spec, said.texts.back());
+  }
+}
+/// Reads a text and then overrides. Throws Error naming file (or override), line, key and what was
+/// wanted.
+template <class Spec>
+Said<Spec> parse_said(const std::string& text, const std::string& name,
+                      const std::vector<std::string>& overrides = {}) {
+  Said<Spec> said{.texts = {Reader::parse(text, name)}};
+  const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
+  form.check_task(said.texts.front());
+  form.read(&said.spec, said.texts.front());
+  change(said, overrides);
+  return said;
+}
+/// The same of a file.
+template <class Spec>
+Said<Spec> read_said(const std::filesystem::path& file,
+                     const std::vector<std::string>& overrides = {}) {
+  return parse_said<Spec>(read_text(file, "YAML file"), file.string(), overrides);
+}
+
+}  // namespace burnish::files

@@ -1,0 +1,27 @@
+// The arm of a task that presses: loaded, and the posture that it starts from.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "burnish/robots/robot.hpp"
+
+namespace burnish::pressing {
+
+/// Of a URDF file, which has no settings, only the joints that carry the tool move: the others are
+/// held at zero. Throws EntryError: "robot" as load_robot() refuses it, "tool.frame" for a frame
+/// that the robot has not.
+Robot load_arm(const std::string& robot, const std::string& tool);
+
+/// Throws EntryError, "robot", where the base floats free.
+void refuse_floating_base(const Model& model);
+
+/// nq: the posture of that name; of the robot's default if it is empty; what `search` finds for
+/// searched_posture, and where the robot has no default. Throws EntryError, "posture".
+Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
+                              const std::function<Eigen::VectorXd()>& search);
+
+/// Of the robot's named postures, to search from.
+std::vector<Eigen::VectorXd> known_postures(const Robot& robot);
+
+}  // namespace burnish::pressing

@@ -1,0 +1,133 @@
+#include "pressing/closed_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/sim/closed_loop.hpp"
+
+namespace burnish::pressing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Passes ticks through and notes how long they took: every nth where `ticks` of them are many.
+class Stopwatch final : public Controller {
+ public:
+  Stopwatch(Controller& timed, double ticks)
+      : timed_(&timed), every_(static_cast<long>(std::max(1.0, std::ceil(ticks / most)))) {
+    times_.reserve(static_cast<std::size_t>(ticks / static_cast<double>(every_)) + 2);
+  }
+  int nv() const override { return timed_->nv(); }
+  void reset() noexcept override {
+    timed_->reset();
+    times_.clear();
+    ticks_ = 0;
+  }
+  const Command& tick(const Measurement& measurement) noexcept override {
+    const bool noted = ticks_++ % every_ == 0 && times_.size() < times_.capacity();
+    const Clock::time_point begin = Clock::now();
+    const Command& command = timed_->tick(measurement);
+    if (noted) times_.push_back(seconds_since(begin));
+    return command;
+  }
+  const std::vector<double>& times() const { return times_; }
+
+ private:
+  static constexpr double most = 1e6;  ///< times that are kept, about: 8 MB
+
+  Controller* timed_;
+  long every_, ticks_ = 0;
+  std::vector<double> times_;
+};
+
+TickTimes summarise(std::vector<double> times, double period) {
+  TickTimes result{.period = period};
+  if (times.size() < 2) return result;
+  times.erase(times.begin());
+  std::sort(times.begin(), times.end());
+  const auto rank = [&](double share) {
+    const auto n = static_cast<double>(times.size());
+    return times[static_cast<std::size_t>(std::max(1.0, std::ceil(share * n))) - 1];
+  };
+  result.count = static_cast<int>(times.size());
+  result.median = rank(0.5);
+  result.p99 = rank(0.99);
+  result.maximum = times.back();
+  for (const double time : times) {
+    result.mean += time / result.count;
+    result.late += time > period ? 1 : 0;
+  }
+  return result;
+}
+
+/// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.
+constexpr double most_rows = 200e3;
+
+/// Plans of a record: 1000 s of the usual 20 Hz.
+constexpr double most_plans = 20e3;
+
+/// Steps until the run is over.
+void advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanRecorder* plans,
+             TaskRun& result) {
+  constexpr int between = 100;  // plant steps from one call of the progress function to the next
+  for (long step = 0; run.goes_on(plant.time(), loop.command()); ++step) {
+    result.plant_status = worst(result.plant_status, loop.step());
+    if (plans != nullptr) plans->look(loop.measurement().time, loop.command());
+    if (result.plant_status > Status::NotConverged) return;
+    if (run.mpc != nullptr && run.mpc->fault().kind != FaultKind::None) return;
+    if (step % between != 0 || !run.progress) continue;
+    result.interrupted = !run.progress(plant.time(), run.end());
+    if (result.interrupted) return;
+  }
+}
+
+}  // namespace
+
+RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
+  const double dt = plant_step(run.period);
+  const auto plant = make_plant(run.plant, plant_model(run.model, run.disturbances),
+                                plant_scene(run.scene, run.disturbances), dt);
+  std::optional<PlanRecorder> plans;
+  if (run.mpc != nullptr)
+    plans.emplace(*run.mpc, run.plan_step, run.solver_delay,
+                  std::min(run.plan_rate, most_plans / run.end()));
+  ClosedLoopOptions options;
+  options.control_period = run.period;
+  options.max_duration = run.longest;
+  options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
+  Stopwatch stopwatch(run.controller, options.max_duration / run.period);
+  ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
+  const Clock::time_point begin = Clock::now();
+  result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
+  if (result.plant_status <= Status::NotConverged)
+    advance(run, loop, *plant, plans ? &*plans : nullptr, result);
+  result.wall_time = seconds_since(begin);
+  if (run.mpc != nullptr) result.fault = run.mpc->fault();
+  if (plans) result.plans = plans->take();
+  result.trace = loop.trace();
+  if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
+  result.ticks = summarise(stopwatch.times(), run.period);
+  return {plant->time(), loop.command().phase, plant->scene().surface.normal};
+}
+
+std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase) {
+  const std::string when = " at " + number(end.time) + " s";
+  if (result.plant_status > Status::NotConverged)
+    return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
+  if (result.fault.kind != FaultKind::None) return result.fault.text();
+  if (result.interrupted) return "interrupted" + when + ", in phase " + phase;
+  return "";
+}
+
+double patience(double limit) {
+  constexpr double usual = 3.0;
+  return std::isfinite(limit) ? std::max(usual, limit) : usual;
+}
+
+}  // namespace burnish::pressing

@@ -1,0 +1,48 @@
+// A task in closed loop with a plant, step by step until it is over, and what that leaves.
+#pragma once
+
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
+
+namespace burnish::pressing {
+
+/// What is run. References outlive the run.
+struct ClosedRun {
+  Controller& controller;
+  double period;  ///< s between its ticks
+  const Model& model;
+  const SceneSpec& scene;  ///< as the controller knows it
+  const Disturbances& disturbances;
+  const Eigen::VectorXd& q_start;  ///< nq, at rest
+  double longest;                  ///< s that it may take
+  PlantKind plant = PlantKind::Ideal;
+  /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
+  /// the plans that are recorded.
+  MpcController* mpc = nullptr;
+  double plan_step = 0.0, solver_delay = 0.0, plan_rate = 0.0;
+  std::function<bool(double now, const Command& last)> goes_on = {};
+  std::function<double()> end = {};  ///< s, about
+  RunProgress progress = {};
+};
+
+/// Where a run ended.
+struct RunEnd {
+  double time = 0.0;             ///< s
+  int phase = 0;                 ///< of the last command
+  Eigen::Vector3d normal_world;  ///< of the plant's surface
+};
+
+/// Runs until goes_on() says no, the plant fails, a fault comes or the progress function stops it.
+/// Throws Error for a plant that is not there and disturbances that do not fit.
+RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
+
+/// What came in between: the plant's failure, the fault or the interruption ("in phase ...");
+/// empty: none of them.
+std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase);
+
+/// s that contact may come later than planned: longer than the controller waits (`limit`, s), if it
+/// has a limit.
+double patience(double limit);
+
+}  // namespace burnish::pressing

@@ -1,0 +1,40 @@
+#include "pressing/record.hpp"
+
+#include "burnish/dynamics/reference.hpp"
+#include "pressing/figures.hpp"
+#include "record/figures_json.hpp"
+
+namespace burnish::pressing {
+
+Json ticks_json(const TaskRun& run) {
+  Json json;
+  each_tick_figure([&](const FigureEntry& entry, auto member) {
+    json[entry.key()] = figure_json(run.ticks.*member);
+  });
+  json["first_s"] = run.first_tick;
+  return json;
+}
+
+std::vector<std::string> run_file_names() {
+  return {"trace.csv", "metrics.json", "task.yaml", "fault.txt", "last_second.csv", "run.json",
+          "run.html",  "run.mcap",     "force.svg", "path.svg",  "torques.svg",     "solver.svg"};
+}
+
+void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
+             const Disturbances& disturbances, int record_every) {
+  page.outcome = run.outcome;
+  page.fault = page_fault(run.fault);
+  const SurfaceSpec plant = plant_scene(scene, disturbances).surface;
+  page.tool_frame = scene.tip.frame;
+  page.tip_radius = scene.tip.radius;
+  page.surface = {.point = scene.surface.point,
+                  .axes = Reference::surface_with_normal(scene.surface.normal).rotation,
+                  .true_point = plant.point,
+                  .true_axes = Reference::surface_with_normal(plant.normal).rotation,
+                  .friction = plant.friction,
+                  .extent = plant.extent};
+  if (!run.plans.time.empty()) page.plans = run.plans;
+  add_trace(page, run.trace, record_every);
+}
+
+}  // namespace burnish::pressing
