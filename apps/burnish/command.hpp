@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "base/entry_error.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::app {
@@ -18,6 +19,8 @@ template <class Work>
 auto named_by(const std::string& file, const Work& work) {
   try {
     return work();
+  } catch (const EntryError&) {
+    throw;  // files::placed() says where
   } catch (const Error& error) {
     const std::string sentence = error.what();
     const bool named = sentence.find(file) != std::string::npos || error.sentences().size() > 1;

@@ -9,6 +9,7 @@
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
+#include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
@@ -38,7 +39,8 @@ struct PolishArguments {
   bool talks() const { return !quiet && !json; }
 };
 
-polishing::Task make_task(const PolishArguments& arguments, const std::string& surface) {
+files::Said<polishing::Task> make_task(const PolishArguments& arguments,
+                                       const std::string& surface) {
   std::vector<std::string> words;
   if (!arguments.robot.empty()) words.push_back("robot=" + yaml_word(arguments.robot));
   if (!arguments.tool.empty()) words.push_back("tool.frame=" + yaml_word(arguments.tool));
@@ -47,12 +49,14 @@ polishing::Task make_task(const PolishArguments& arguments, const std::string& s
   if (arguments.duration)
     words.push_back(fmt::format("phases.polish_duration={}", *arguments.duration));
   words.insert(words.end(), arguments.overrides.begin(), arguments.overrides.end());
-  if (!arguments.file.empty()) return polishing::read_task(arguments.file, words);
-  polishing::Task task;
-  task.disturbances = polishing::disturbance_preset("mismatch");
-  polishing::override_task(task, words);
-  polishing::check_task(task);
-  return task;
+  if (!arguments.file.empty())
+    return polishing::parse_said_task(read_text(arguments.file, "YAML file"), arguments.file,
+                                      words);
+  files::Said<polishing::Task> said;
+  said.spec.disturbances = disturbance_preset("mismatch");
+  files::change(said, words);
+  polishing::check_task(said.spec);
+  return said;
 }
 
 std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
@@ -84,7 +88,10 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
   return text;
 }
 
-std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
+/// What said the tasks, by their places.
+using Texts = std::map<std::string, std::vector<document::Reader>>;
+
+std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts) {
   std::vector<std::string> surfaces = arguments.surfaces;
   if (surfaces.empty() && arguments.file.empty()) {
     surfaces = {"table"};
@@ -93,7 +100,8 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
   if (surfaces.empty()) surfaces = {""};
   std::vector<PolishJob> jobs;
   for (const std::string& surface : surfaces) {
-    polishing::Task task = make_task(arguments, surface);
+    files::Said<polishing::Task> said = make_task(arguments, surface);
+    polishing::Task& task = said.spec;
     std::vector<int> seeds = arguments.seeds;
     if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
     for (const int seed : seeds) {
@@ -113,6 +121,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments) {
           if (other.name == job.name)
             throw Error(fmt::format(
                 "the run {} is asked for twice; wanted other surfaces and seeds", job.name));
+        texts[job.place] = said.texts;
         jobs.push_back(std::move(job));
       }
     }
@@ -138,14 +147,16 @@ void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
 }
 
 /// Each robot once: a pipe can be read but once.
-void load_robots(std::vector<PolishJob>& jobs, bool strict) {
+void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) {
   std::map<std::pair<std::string, std::string>, Robot> robots;
   for (PolishJob& job : jobs) {
     const polishing::Task& task = job.spec.task;
     const auto key = std::pair(task.robot, task.tool);
     auto found = robots.find(key);
     if (found == robots.end()) {
-      found = robots.emplace(key, polishing::load_task_robot(task)).first;
+      found = files::placed(texts.at(job.place), [&] {
+        return robots.emplace(key, polishing::load_task_robot(task)).first;
+      });
       print_warnings(found->second, strict);
     }
     job.spec.robot = found->second;
@@ -153,7 +164,8 @@ void load_robots(std::vector<PolishJob>& jobs, bool strict) {
 }
 
 /// What the arm can do is known before anything moves.
-void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments) {
+void check(const std::vector<PolishJob>& jobs, const Texts& texts,
+           const PolishArguments& arguments) {
   std::vector<std::pair<const PolishJob*, polishing::ReachReport>> places;
   for (const PolishJob& job : jobs) {
     if (!places.empty() && places.back().first->place == job.place) continue;
@@ -161,7 +173,9 @@ void check(const std::vector<PolishJob>& jobs, const PolishArguments& arguments)
     if (arguments.unchecked) continue;
     const polishing::Task& task = job.spec.task;
     polishing::ReachReport& reach = places.back().second;
-    reach = polishing::check_reach(task, polishing::make_setting(task, *job.spec.robot));
+    reach = polishing::check_reach(task, files::placed(texts.at(job.place), [&] {
+                                     return polishing::make_setting(task, *job.spec.robot);
+                                   }));
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
   }
   for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);
@@ -263,14 +277,15 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
 }
 
 int polish(const PolishArguments& arguments) {
-  std::vector<PolishJob> jobs = make_jobs(arguments);
+  Texts texts;
+  std::vector<PolishJob> jobs = make_jobs(arguments, texts);
   if (!arguments.write_task.empty()) {
     polishing::write_task(jobs.front().spec.task, arguments.write_task);
     return exit_ok;
   }
   named_by(arguments.file, [&] {
-    load_robots(jobs, arguments.strict);
-    check(jobs, arguments);
+    load_robots(jobs, texts, arguments.strict);
+    check(jobs, texts, arguments);
   });
   const StopRequest stop("the run ends, and what there is of it is written");
   const std::string task =

@@ -59,8 +59,8 @@ int run_as(const RunArguments& a) {
     return exit_ok;
   }
   // What does not fit is said before there is a folder.
-  named_by(a.file, [&] {
-    files::placed(said.texts, [&] {
+  files::placed(said.texts, [&] {
+    named_by(a.file, [&] {
       check_task(spec.task);
       const Robot robot = load_task_robot(spec.task);
       print_warnings(robot, a.strict);
