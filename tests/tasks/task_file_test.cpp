@@ -10,6 +10,7 @@
 
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/stages.hpp"
+#include "polishing/descriptions.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 
@@ -131,6 +132,25 @@ TEST_F(TaskFile, ANamedSurfaceWithOneThingChanged) {
   EXPECT_EQ(task.normal_world, Eigen::Vector3d(-1.0, 0.0, 0.0));
   EXPECT_EQ(task.posture, "table");
   EXPECT_EQ(task.friction, 0.2);
+}
+
+TEST_F(TaskFile, WhatTheRobotHasNotIsRefusedWhereTheFileSaysIt) {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& overrides = {}) {
+    return refusal([&] {
+      const auto said = parse_said_task(text, "my.yaml", overrides);
+      files::placed(said.texts, [&] { make_setting(said.spec); });
+    });
+  };
+  expect_words(refused("robot: arm7\ntool: {frame: tol}\n"),
+               {"my.yaml: line 2: tool.frame: the tool's frame 'tol'", "did you mean 'tool'?"});
+  expect_words(refused("robot: arm7\nposture: redy\n"), {"my.yaml: line 2: posture: ", "ready"});
+  expect_words(refused("force: 20\n", {"robot=arm8"}), {"override 'robot=arm8': robot: "});
+}
+
+TEST_F(TaskFile, OfAnotherTaskIsRefused) {
+  EXPECT_EQ(parse_task("task: polishing\nforce: 20\n", "my.yaml").force, 20.0);
+  expect_words(refusal([] { parse_task("task: press_hold\n", "my.yaml"); }),
+               {"my.yaml: line 1: task: it is 'press_hold', another task; wanted polishing"});
 }
 
 TEST_F(TaskFile, PresetsAddUp) {
