@@ -104,7 +104,9 @@ std::vector<std::string> DescribedFile::keys() const {
 
 void DescribedFile::check_task(const Reader& file) const {
   const auto task = file.find("task");
-  if (!task && says_task_) file.refuse("key 'task' is missing; wanted 'task: " + task_ + "'");
+  if (!task && says_task_)
+    file.refuse("key 'task' is missing; wanted 'task: " + task_ +
+                "' (a file of polishing may name none: burnish polish)");
   if (task && !task->is(task_))
     task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + task_);
 }

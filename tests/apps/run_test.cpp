@@ -56,7 +56,7 @@ TEST(Run, SaysWhatFailed) {
 TEST(Run, RefusesWhatIsNoTask) {
   const Scratch scratch;
   for (const auto& [text, words] :
-       {std::pair("robot: arm7\n", "task"), std::pair("task: polishing\n", "press_hold"),
+       {std::pair("robot: arm7\n", "burnish polish"), std::pair("task: polishing\n", "press_hold"),
         std::pair("task: press_hold\ntool: {frame: tol}\n", "line 2: tool.frame"),
         std::pair("task: press_hold\nrobot: arm8\n", "arm8")}) {
     const Outcome outcome = run_task_text(scratch, text, "");
