@@ -55,6 +55,27 @@ Actuation::Actuation(const Model& model, const Disturbances& disturbances, doubl
 }
 
 Actuation::~Actuation() = default;
+Actuation::Actuation(Actuation&&) noexcept = default;
+Actuation& Actuation::operator=(Actuation&&) noexcept = default;
+
+Actuation::Actuation(const Actuation& other)
+    : disturbances_(other.disturbances_),
+      motor_(other.motor_),
+      limit_(other.limit_),
+      scale_(other.scale_),
+      bias_(other.bias_),
+      at_rest_(other.at_rest_),
+      queue_(other.queue_),
+      delay_steps_(other.delay_steps_),
+      next_(other.next_),
+      tracking_(other.tracking_),
+      random_(std::make_unique<Random>(*other.random_)),
+      step_(other.step_) {}
+
+Actuation& Actuation::operator=(const Actuation& other) {
+  if (this != &other) *this = Actuation(other);
+  return *this;
+}
 
 void Actuation::reset() noexcept { reset(at_rest_); }
 

@@ -7,6 +7,7 @@
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/policy.hpp"
+#include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
 #include "support/toy_task.hpp"
 

@@ -27,6 +27,11 @@ class Actuation {
   /// dt: the plant's step, s. Throws Error as check_disturbances() does.
   Actuation(const Model& model, const Disturbances& disturbances, double dt);
   ~Actuation();
+  /// With the state of the random numbers.
+  Actuation(const Actuation& other);
+  Actuation(Actuation&&) noexcept;
+  Actuation& operator=(const Actuation& other);
+  Actuation& operator=(Actuation&&) noexcept;
 
   /// Back to the start, with the same random numbers to come. The lag starts at zero torque, and
   /// so does the delay unless `tau` (nv) says what was applied before.
