@@ -85,7 +85,7 @@ class HoldFigures(Spec):
     """Of the time from the end of the ramp to the end of the hold."""
 
     moved_aside: float = 0.0
-    """rad (m where it slides), largest way of a joint"""
+    """rad, largest way of a joint from the ramp's end to the hold's (m where it slides)"""
     slip: float = 0.0
     """m, farthest that the tool was off its point along the surface"""
 

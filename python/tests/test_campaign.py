@@ -253,7 +253,7 @@ class TestProcesses:
         processes.start_worker()
         task = Path(__file__).resolve().parents[2] / "tasks" / "press_hold" / "arm7.yaml"
         plan = {"task": str(task), "plant": "ideal",
-                "vary": {"hold_duration": [0.1], "friction": {"from": 0.1, "to": 0.3, "count": 5}}}
+                "vary": {"phases.hold_duration": [0.1], "surface.friction": {"from": 0.1, "to": 0.3, "count": 5}}}
         campaign.sweep(plan, out=tmp_path / "here", quiet=True)
         campaign.sweep(plan, out=tmp_path / "there", quiet=True, scheduler=processes.address)
         but = ("results.h5", "results.html")

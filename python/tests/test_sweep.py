@@ -211,11 +211,11 @@ class TestRuns:
             campaign.sweep(_tree(result), out=out, quiet=True)
 
     def test_other_tasks_stop_early_and_say_what_is_refused(self, tmp_path):
-        plan = pressing(vary={"hold_duration": [0.1], "touch_force": [25, 5, 5.5, 6]},
+        plan = pressing(vary={"phases.hold_duration": [0.1], "phases.touch_force": [25, 5, 5.5, 6]},
                         stop={"figure": "force_rmse", "above": 0.0, "runs": 2})
         result = campaign.sweep(plan, out=tmp_path / "out", quiet=True, threads=2)
         assert [row.outcome.done for row in result.rows] == [False, True, True]
-        assert "touch_force of 25 N is more than the force of 20 N" in result.rows[0].outcome.outcome
+        assert "phases.touch_force: it is 25 N, more than the force of 20 N" in result.rows[0].outcome.outcome
         assert result.stopped == "ended after 3 of 4 runs: 2 had force_rmse above 0"
         rows = table(tmp_path / "out")
         assert [row["done"] for row in rows] == ["no", "yes", "yes"]
@@ -223,7 +223,7 @@ class TestRuns:
 
     def test_a_figure_that_there_is_not_is_one_sentence(self, tmp_path):
         with pytest.raises(campaign.CampaignError, match="there is no figure 'force_rms'; did you mean 'force_rmse"):
-            campaign.sweep(pressing(vary={"hold_duration": [0.1]}, keep=["force_rms"]), out=tmp_path / "out",
+            campaign.sweep(pressing(vary={"phases.hold_duration": [0.1]}, keep=["force_rms"]), out=tmp_path / "out",
                            quiet=True)
 
     def test_a_run_beyond_its_limit_is_ended_and_said(self):

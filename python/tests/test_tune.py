@@ -36,7 +36,7 @@ class Made(Machine):
         for index, run in enumerate(runs):
             task = yaml.safe_load(run.text)
             self.tasks.append(task)
-            weight, friction = task["posture_weight"], task["friction"]
+            weight, friction = task["controller"]["posture_weight"], task["surface"]["friction"]
             figures = {"force_rmse_N": 1.0 + (math.log10(weight) - 1.0) ** 2 + 0.01 * friction,
                        "slip_m": 1e-3 * (2.0 + math.log10(weight)), "moved_aside": weight}
             done = weight < 60
@@ -45,9 +45,9 @@ class Made(Machine):
 
 def plan(**more):
     return {"task": str(TASKS / "press_hold" / "arm7.yaml"),
-            "tune": {"posture_weight": {"from": 0.1, "to": 100, "log": True},
-                     "approach_speed": {"from": 0.01, "to": 0.05}},
-            "minimise": "force_rmse", "vary": {"friction": {"uniform": [0.1, 0.5]}},
+            "tune": {"controller.posture_weight": {"from": 0.1, "to": 100, "log": True},
+                     "phases.approach_speed": {"from": 0.01, "to": 0.05}},
+            "minimise": "force_rmse", "vary": {"surface.friction": {"uniform": [0.1, 0.5]}},
             "train": {"samples": 3}, "test": {"samples": 6}, "evaluations": 40, **more}
 
 
@@ -67,22 +67,22 @@ def row(result, figure):
 def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
     result, machine = tuned(tmp_path)
     assert result.better
-    assert 7 < result.best["posture_weight"] < 14
+    assert 7 < result.best["controller.posture_weight"] < 14
     assert len(result.evaluated) <= 40
     force = row(result, "force_rmse_N")
     assert force["verdict"] == "better" and abs(force["change"] + 1.0) < 0.05 and force["half"] < 0.05
     assert row(result, "moved_aside")["verdict"] == "higher"
     # Those that it is judged on are no training runs.
-    train, test = ({point["friction"] for point in points} for points in (result.tuning.train, result.tuning.test))
+    train, test = ({point["surface.friction"] for point in points} for points in (result.tuning.train, result.tuning.test))
     assert not train & test and len(test) == 6
     # The key without effect is told from the one that matters.
     weight, speed = result.matters
     assert weight["verdict"] == "worse" and speed.get("verdict", "no sure difference") == "no sure difference"
     # The task is a file with these values, and the report says all of it.
     task = yaml.safe_load((tmp_path / "out" / "tuned.yaml").read_text())
-    assert task["posture_weight"] == result.best["posture_weight"] and task["friction"] == 0.3
+    assert task["controller"]["posture_weight"] == result.best["controller.posture_weight"] and task["surface"]["friction"] == 0
     report = (tmp_path / "out" / "tuning.md").read_text()
-    for words in ("better on seeds that it was not tuned on", "| posture_weight | 1 |", "| force_rmse [N] (minimised) |"):
+    for words in ("better on seeds that it was not tuned on", "| controller.posture_weight | 1 |", "| force_rmse [N] (minimised) |"):
         assert words in report
     evaluations = (tmp_path / "out" / "evaluations.csv").read_text()
     assert evaluations.count("\n") == len(result.evaluated) + 1
@@ -94,10 +94,10 @@ def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
 @either
 def test_what_may_not_get_worse_does_not(tmp_path):
     result, _ = tuned(tmp_path, not_worse="slip")
-    assert result.best["posture_weight"] <= 1.0 + 1e-9 and not result.better
+    assert result.best["controller.posture_weight"] <= 1.0 + 1e-9 and not result.better
     assert "keep the task as it was" in _tune.report_text(result)
     result, _ = tuned(tmp_path, not_worse="slip", slack=0.3)
-    assert 2.0 < result.best["posture_weight"] < 4.1 and result.better
+    assert 2.0 < result.best["controller.posture_weight"] < 4.1 and result.better
     assert row(result, "slip_m")["verdict"] == "within the slack"
 
 
@@ -105,7 +105,7 @@ def test_what_may_not_get_worse_does_not(tmp_path):
 def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "nlopt", None)
     result, _ = tuned(tmp_path, evaluations=60)
-    assert result.better and 6 < result.best["posture_weight"] < 16
+    assert result.better and 6 < result.best["controller.posture_weight"] < 16
     monkeypatch.setitem(sys.modules, "scipy.optimize", None)
     with pytest.raises(campaign.CampaignError, match="neither NLopt nor SciPy is installed"):
         tuned(tmp_path / "other")
@@ -126,7 +126,7 @@ def test_intervals_are_students():
     ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower one first"),
     ({"tune": {"force": {"from": 30, "to": 40}}}, "and the task has 20; wanted a range that holds it"),
     ({"tune": {"force": [1, 2]}}, "wanted from and to"),
-    ({"tune": {"friction": {"from": 0.1, "to": 0.9}}}, "'friction' is in vary, and 'friction' is tuned"),
+    ({"tune": {"surface.friction": {"from": 0.0, "to": 0.9}}}, "'surface.friction' is in vary, and 'surface.friction' is tuned"),
     ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "from above 0"),
     ({"train": {"samples": {"count": 2, "seed": 5}}, "test": {"samples": {"count": 2, "seed": 5}}}, "in common"),
     ({"train": {"seeds": 3, "samples": 2}}, "draws nothing; wanted none"),

@@ -163,7 +163,7 @@ class Outcome:
 def outcome_of(result: Result) -> Outcome:
     run: Dict[str, Any] = json.loads(result["run"])
     figures, times = {}, {"computing_s": float(result["computing"])}
-    for key, value in (run.get("metrics") or {}).items():
+    for key, value in {**(run.get("metrics") or {}), **(run.get("hold") or {})}.items():
         if isinstance(value, (int, float)) and not isinstance(value, bool):
             figures[key] = float(value)
     for group in ("solver", "ticks"):
