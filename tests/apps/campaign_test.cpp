@@ -182,8 +182,7 @@ TEST(Campaign, BadWordsAreOneSentence) {
                  "it goes without --shard");
   expect_refused(run("experiment tick --scheduler tcp://a:1"), "it has no --shard, --scheduler");
   expect_refused(run("merge"), "SHARD is required");
-  for (const char* command : {"sweep", "tune"})
-    expect_refused(run(command), "FILE is required");
+  for (const char* command : {"sweep", "tune"}) expect_refused(run(command), "FILE is required");
   EXPECT_FALSE(fs::exists(out));
 }
 
