@@ -127,7 +127,6 @@ class TestRefusals:
             polishing(vary={"disturbances.surface_fricton": {"uniform": [0, 1]}}, samples=2))
         assert "controller is 'mcp'" in self.refused(polishing(controller="mcp"))
         assert "wanted mujoco or ideal" in self.refused(polishing(plant="gazebo"))
-        assert "draws nothing; wanted none" in self.refused(pressing(seeds=3))
         assert "has but one; wanted none" in self.refused(pressing(controller="mpc"))
         assert "vary has 'disturbances.seed' too" in self.refused(
             polishing(seeds=3, vary={"disturbances.seed": [1]}))
@@ -220,6 +219,13 @@ class TestRuns:
         rows = table(tmp_path / "out")
         assert [row["done"] for row in rows] == ["no", "yes", "yes"]
         assert rows[0]["force_rmse [N]"] == "" and float(rows[2]["slip [m]"]) > 0
+
+    def test_other_tasks_have_seeds_too(self, tmp_path):
+        plan = pressing(vary={"phases.hold_duration": [0.1], "disturbances.force_noise": [0.3]}, seeds=2)
+        rows = campaign.sweep(plan, out=tmp_path / "out", quiet=True, threads=2).rows
+        assert [row.point["disturbances.seed"] for row in rows] == [0, 1]
+        assert all(row.outcome.done for row in rows)
+        assert rows[0].outcome.figures["force_rmse_N"] != rows[1].outcome.figures["force_rmse_N"]
 
     def test_a_figure_that_there_is_not_is_one_sentence(self, tmp_path):
         with pytest.raises(campaign.CampaignError, match="there is no figure 'force_rms'; did you mean 'force_rmse"):

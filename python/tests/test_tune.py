@@ -129,7 +129,6 @@ def test_intervals_are_students():
     ({"tune": {"surface.friction": {"from": 0.0, "to": 0.9}}}, "'surface.friction' is in vary, and 'surface.friction' is tuned"),
     ({"tune": {"surface_height": {"from": 0, "to": 1, "log": True}}}, "from above 0"),
     ({"train": {"samples": {"count": 2, "seed": 5}}, "test": {"samples": {"count": 2, "seed": 5}}}, "in common"),
-    ({"train": {"seeds": 3, "samples": 2}}, "draws nothing; wanted none"),
     ({"train": 3}, "train is 3; wanted seeds, or samples"),
     ({"evaluations": 2}, "evaluations is 2"),
     ({"minimise": 3}, "wanted minimise: FIGURE"),

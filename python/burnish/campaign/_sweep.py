@@ -85,15 +85,13 @@ def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Pat
     values = read_values(tree.get("vary"), tree.get("samples"))
     keep = tree.get("keep") or []
     keep = [keep] if isinstance(keep, str) else [str(figure) for figure in keep]
-    return Sweep(text, str(tree.get("name", name)), task, values, read_seeds("seeds", tree.get("seeds"), task, values),
+    return Sweep(text, str(tree.get("name", name)), task, values, read_seeds("seeds", tree.get("seeds"), values),
                  program_words(tree, task), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
 
 
-def read_seeds(where: str, given: Any, task: TaskFile, values: Values) -> List[int]:
+def read_seeds(where: str, given: Any, values: Values) -> List[int]:
     if given is None:
         return []
-    if not task.polishes:
-        raise CampaignError(f"{where} are stated, and the task '{task.path}' draws nothing; wanted none")
     if SEED in values.listed or SEED in values.drawn:
         raise CampaignError(f"{where} are stated, and vary has '{SEED}' too; wanted one of them")
     if isinstance(given, int):

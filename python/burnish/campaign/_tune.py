@@ -89,7 +89,7 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
                                 f"{'FILE' if key == 'task' else 'FIGURE, such as force_rmse'}")
     task = TaskFile.read(folder / tree["task"])
     keys = _keys(tree.get("tune"), task)
-    train, test = (_conditions(tree, which, task, keys) for which in ("train", "test"))
+    train, test = (_conditions(tree, which, keys) for which in ("train", "test"))
     both = [point for point in train if point in test]
     if both:
         raise CampaignError(f"train and test have {both[0] or 'the task as it is'} in common; wanted seeds or "
@@ -135,7 +135,7 @@ def _keys(given: Any, task: TaskFile) -> List[Key]:
     return keys
 
 
-def _conditions(tree: Mapping[str, Any], which: str, task: TaskFile, keys: List[Key]) -> List[Point]:
+def _conditions(tree: Mapping[str, Any], which: str, keys: List[Key]) -> List[Point]:
     """What is not the controller's: seeds, and samples of what `vary` draws."""
     given = tree.get(which)
     if not isinstance(given, dict):
@@ -152,7 +152,7 @@ def _conditions(tree: Mapping[str, Any], which: str, task: TaskFile, keys: List[
             if name == key.name or name.startswith(key.name + ".") or key.name.startswith(name + "."):
                 raise CampaignError(f"'{name}' is in vary, and '{key.name}' is tuned; wanted one of them")
     points = values.points()
-    seeds = read_seeds(f"{which}.seeds", given.get("seeds"), task, values)
+    seeds = read_seeds(f"{which}.seeds", given.get("seeds"), values)
     return [{**point, SEED: seed} for point in points for seed in seeds] if seeds else points
 
 
