@@ -95,13 +95,8 @@ int run(const RunArguments& arguments) {
   return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
 }
 
-}  // namespace
-
-void add_run(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "run", "Run a task that its file names, such as press_hold: control, simulation");
-  const auto arguments = std::make_shared<RunArguments>();
-  RunArguments& a = *arguments;
+/// What is run.
+void add_run_task_options(CLI::App* command, RunArguments& a) {
   command->add_option("TASK", a.file, "Task file that says `task: press_hold`")
       ->type_name("")
       ->required();
@@ -127,6 +122,10 @@ void add_run(CLI::App& app, int& exit_code) {
                                 : "Simulator: ideal; this build has no MuJoCo [ideal]")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mujoco", "ideal"}));
+}
+
+/// What it leaves.
+void add_run_output_options(CLI::App* command, RunArguments& a) {
   command
       ->add_option("--out", a.out,
                    "Folder for what is written [a new one: TASK_run, TASK_run_2, ...]")
@@ -150,6 +149,16 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_flag("--quiet", a.quiet, "Print nothing unless the run fails");
   command->add_flag("--json", a.json, "Print metrics.json and nothing else");
   add_strict(*command, a.strict);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "run", "Run a task that its file names, such as press_hold: control, simulation");
+  const auto arguments = std::make_shared<RunArguments>();
+  add_run_task_options(command, *arguments);
+  add_run_output_options(command, *arguments);
   command->footer(
       "Examples:\n"
       "  burnish run tasks/press_hold/arm7.yaml\n"
