@@ -229,6 +229,40 @@ void bind_forces(DynamicsClass& of) {
           "Derivatives of wrench(), (6, nv) each, at the last forward_derivatives().");
 }
 
+/// Which contacts hold, and how.
+void bind_contacts(DynamicsClass& of) {
+  of.def(
+        "set_active",
+        [](Dynamics& self, const NumberOrName& contact, bool active) {
+          const Busy::Lock lock(self.busy, "ContactDynamics.set_active");
+          const int number = contact_number("ContactDynamics.set_active", contact, self.names);
+          self.machine.set_active(number, active);
+          self.evaluated = 0;
+        },
+        py::arg("contact"), py::arg("active"),
+        "Makes or breaks a contact (name or number). Results before it are gone.")
+      .def(
+          "set_reference_rotation",
+          [](Dynamics& self, const NumberOrName& contact, const Eigen::Matrix3d& rotation) {
+            constexpr const char* call = "ContactDynamics.set_reference_rotation";
+            const Busy::Lock lock(self.busy, call);
+            const int number = contact_number(call, contact, self.names);
+            self.evaluated = 0;
+            if (self.machine.set_reference_rotation(number, rotation) != Status::Ok)
+              throw Error(std::string(call) + ": this is not a rotation matrix");
+          },
+          py::arg("contact"), py::arg("rotation"),
+          "Another rotation (3, 3) in the place of that of a contact's reference (name or number), "
+          "for states evaluated from then on. Results before it are gone.")
+      .def(
+          "is_active",
+          [](const Dynamics& self, const NumberOrName& contact) {
+            return self.machine.is_active(
+                contact_number("ContactDynamics.is_active", contact, self.names));
+          },
+          py::arg("contact"), "Whether a contact (name or number) is made.");
+}
+
 }  // namespace
 
 void bind_contact_dynamics(py::module_& m) {
@@ -257,42 +291,13 @@ void bind_contact_dynamics(py::module_& m) {
       .def_property_readonly(
           "row_names", [](const Dynamics& self) { return self.machine.row_names(); },
           "Names of the active rows, such as 'pad/z'.")
-      .def(
-          "set_active",
-          [](Dynamics& self, const NumberOrName& contact, bool active) {
-            const Busy::Lock lock(self.busy, "ContactDynamics.set_active");
-            const int number = contact_number("ContactDynamics.set_active", contact, self.names);
-            self.machine.set_active(number, active);
-            self.evaluated = 0;
-          },
-          py::arg("contact"), py::arg("active"),
-          "Makes or breaks a contact (name or number). Results before it are gone.")
-      .def(
-          "set_reference_rotation",
-          [](Dynamics& self, const NumberOrName& contact, const Eigen::Matrix3d& rotation) {
-            constexpr const char* call = "ContactDynamics.set_reference_rotation";
-            const Busy::Lock lock(self.busy, call);
-            const int number = contact_number(call, contact, self.names);
-            self.evaluated = 0;
-            if (self.machine.set_reference_rotation(number, rotation) != Status::Ok)
-              throw Error(std::string(call) + ": this is not a rotation matrix");
-          },
-          py::arg("contact"), py::arg("rotation"),
-          "Another rotation (3, 3) in the place of that of a contact's reference (name or number), "
-          "for states evaluated from then on. Results before it are gone.")
-      .def(
-          "is_active",
-          [](const Dynamics& self, const NumberOrName& contact) {
-            return self.machine.is_active(
-                contact_number("ContactDynamics.is_active", contact, self.names));
-          },
-          py::arg("contact"), "Whether a contact (name or number) is made.")
       .def("__repr__", [](const Dynamics& self) {
         std::string text = "<ContactDynamics of '" + self.robot +
                            "': nv = " + std::to_string(self.machine.nv()) + ", rows";
         for (const std::string& row : self.machine.row_names()) text += " " + row;
         return text + (self.machine.rows() == 0 ? " none>" : ">");
       });
+  bind_contacts(of);
   bind_forward(of);
   bind_inverse(of);
   bind_results(of);
