@@ -107,9 +107,10 @@ Eigen::VectorXd way_aside(const Task& task, const Model& model, Eigen::VectorXd 
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw EntryError(entry, in_quotes(name) + " is no joint of robot " + in_quotes(model.name) +
                                   " with one position" + did_you_mean(name, names));
-    const int at = std::find_if(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
-                     return joint.name == name;
-                   })->q_index;
+    const int at =
+        std::find_if(model.joints.begin(), model.joints.end(),
+                     [&wanted = name](const Joint& joint) { return joint.name == wanted; })
+            ->q_index;
     q[at] += way;
     if (q[at] < model.q_lower[at] || q[at] > model.q_upper[at])
       throw EntryError(entry, "joint " + in_quotes(name) + " would go from " + number(q[at] - way) +
