@@ -128,6 +128,7 @@ class TestRefusals:
         assert "controller is 'mcp'" in self.refused(polishing(controller="mcp"))
         assert "wanted mujoco or ideal" in self.refused(polishing(plant="gazebo"))
         assert "has but one; wanted none" in self.refused(pressing(controller="mpc"))
+        assert "did you mean 'hold_duration'?" in self.refused(pressing(vary={"phases.hold_duraton": [1]}))
         assert "vary has 'disturbances.seed' too" in self.refused(
             polishing(seeds=3, vary={"disturbances.seed": [1]}))
         assert "wanted figure, above and runs" in self.refused(polishing(stop=3))
@@ -226,6 +227,13 @@ class TestRuns:
         assert [row.point["disturbances.seed"] for row in rows] == [0, 1]
         assert all(row.outcome.done for row in rows)
         assert rows[0].outcome.figures["force_rmse_N"] != rows[1].outcome.figures["force_rmse_N"]
+
+    def test_seeds_go_with_disturbances_that_are_one_word(self, tmp_path):
+        task = tmp_path / "mine.yaml"
+        task.write_text("task: press_hold\nrobot: arm7\ndisturbances: sensors\nphases: {hold_duration: 0.1}\n")
+        rows = campaign.sweep({"task": str(task), "plant": "ideal", "seeds": [3, 4]}, out=tmp_path / "out", quiet=True).rows
+        first, second = (row.outcome.figures["force_rmse_N"] for row in rows)
+        assert first != second
 
     def test_a_figure_that_there_is_not_is_one_sentence(self, tmp_path):
         with pytest.raises(campaign.CampaignError, match="there is no figure 'force_rms'; did you mean 'force_rmse"):

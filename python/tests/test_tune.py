@@ -120,7 +120,7 @@ def test_intervals_are_students():
 
 
 @pytest.mark.parametrize("change, words", [
-    ({"tune": {"posture_wieght": {"from": 1, "to": 2}}}, "says nothing there; wanted a key with a number"),
+    ({"tune": {"posture_wieght": {"from": 1, "to": 2}}}, "key 'posture_wieght' is unknown"),
     ({"tune": {"robot": {"from": 1, "to": 2}}}, "says 'arm7' there"),
     ({"tune": {}}, "wanted keys with their ranges"),
     ({"tune": {"force": {"from": 40, "to": 20}}}, "wanted the lower one first"),

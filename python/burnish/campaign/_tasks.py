@@ -44,8 +44,7 @@ class TaskFile:
         if not isinstance(tree, dict):
             raise CampaignError(f"the task '{path}' has no keys; wanted a task file")
         file = TaskFile(path, tree)
-        if file.polishes:
-            file.changed({})  # refused before anything else is
+        file.changed({})  # refused before anything else is
         return file
 
     @property
@@ -54,22 +53,15 @@ class TaskFile:
 
     def changed(self, values: Mapping[str, Any]) -> str:
         """The whole file with other values. Raises CampaignError for keys that there are not."""
-        if self.polishes:
-            words = [f"{key}={json.dumps(value)}" for key, value in values.items()]
-            try:
+        words = [f"{key}={json.dumps(value)}" for key, value in values.items()]
+        try:
+            if self.polishes:
                 return burnish.polishing.task_text(burnish.polishing.read_task(self.path, words))
-            except burnish.Error as error:
-                raise CampaignError(str(error)) from error
-        tree = json.loads(json.dumps(self.tree))
-        for key, value in values.items():
-            at, path = tree, key.split(".")
-            for part in path[:-1]:
-                at = at.setdefault(part, {})
-                if not isinstance(at, dict):
-                    raise CampaignError(f"'{key}' is no key of '{self.path}': '{part}' holds no others")
-            at[path[-1]] = value
-        text: str = yaml().safe_dump(tree, sort_keys=False, default_flow_style=None)
-        return text
+            # What does not fit together is the run's to refuse: it may be one point of many.
+            task = burnish.press_hold.read_task(self.path)
+            return burnish.press_hold.task_text(burnish.press_hold.override_task(task, words))
+        except burnish.Error as error:
+            raise CampaignError(str(error)) from error
 
 
 @dataclass(frozen=True)
