@@ -74,7 +74,7 @@ std::vector<std::string> write_run(const RunName& run, const RunResult& result,
                                      .model = setting.robot.model,
                                      .surface_axes = setting.surface_axes,
                                      .origin_world = setting.p_hold,
-                                     .phase = 2,
+                                     .phase = 2,  // aside, of phase_names()
                                      .phase_title = "while it moves aside",
                                      .update_period = 1.0 / run.spec.task.tick_rate}),
        .page = [&] { return make_run_page(run, result, options.record_every); }},

@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
-#include <random>
 
 #include "burnish/dynamics/placement.hpp"
-#include "burnish/solver/ddp.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {
@@ -416,98 +413,6 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
   expect_words(refusal([&] { read_problem_file(folder_ / "none.yaml"); }), {"cannot be opened"});
   expect_words(refusal([&] { read_problem_file(folder_); }), {"this is a folder"});
 }
-
-std::vector<fs::path> examples() {
-  std::vector<fs::path> files;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(BURNISH_ROBOTS_DIR).parent_path() / "examples/problems"))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-class ExampleProblem : public ::testing::TestWithParam<fs::path> {};
-
-/// Cost of the solution's policy with h times `push` (N x nu) added to the controls. Entries that
-/// rest on a bound are held there: what is left may move both ways.
-double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& push, double h) {
-  const StateShape& shape = problem.state();
-  const RowMatrix xs = solver.xs(), us = solver.us();
-  Eigen::VectorXd x = xs.row(0), next = x, dx(shape.ndx);
-  double cost = 0.0;
-  for (int k = 0; k < problem.knots(); ++k) {
-    const int nu = problem.controls(k);
-    Eigen::VectorXd u = us.row(k);
-    if (nu > 0) {
-      const Eigen::VectorXd x_planned = xs.row(k);
-      problem.difference(x_planned.data(), x.data(), dx.data());
-      u.head(nu) += solver.gain(k) * dx + h * push.row(k).head(nu).transpose();
-      const double *lower = problem.control_lower(k), *upper = problem.control_upper(k);
-      for (int i = 0; i < nu && lower != nullptr; ++i)
-        if (us(k, i) < lower[i] + 1e-6 || us(k, i) > upper[i] - 1e-6) u[i] = us(k, i);
-    }
-    cost += problem.roll(0, k, x.data(), u.data(), next.data()).cost;
-    x = next;
-  }
-  return cost + problem.roll(0, problem.knots(), x.data(), nullptr, nullptr).cost;
-}
-
-TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {
-  const ProblemFile file = read_problem_file(GetParam());
-  Problem problem(file.spec);
-  DdpSolver solver(problem, file.solver);
-  const TrajectoryGuess guess = make_guess(problem, file.guess);
-  solver.set_guess(guess.xs, guess.us);
-  ASSERT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
-  const double cost = solver.summary().cost;
-  EXPECT_NEAR(pushed_cost(problem, solver, 0.0 * solver.us(), 0.0), cost, 1e-9 * cost);
-  std::mt19937_64 generator(5);
-  for (int direction = 0; direction < 8; ++direction) {
-    RowMatrix push = solver.us();
-    for (Eigen::Index i = 0; i < push.size(); ++i)
-      push.data()[i] = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
-    const double h = 1e-3;
-    const double plus = pushed_cost(problem, solver, push, h);
-    const double minus = pushed_cost(problem, solver, push, -h);
-    const double slope = (plus - minus) / (2.0 * h);
-    const double curvature = (plus - 2.0 * cost + minus) / (h * h);
-    ASSERT_GT(curvature, 0.0);
-    // What going on along this direction could save, by the parabola through the three.
-    EXPECT_LT(slope * slope / (2.0 * curvature), 1e-6 * cost) << "direction " << direction;
-  }
-}
-
-TEST_P(ExampleProblem, HasTheSameBitsWithOneAndTwoThreads) {
-  const ProblemFile file = read_problem_file(GetParam());
-  const auto solve = [&](int threads, RowMatrix& us) {
-    Problem problem(file.spec);
-    DdpOptions options = file.solver;
-    options.threads = threads;
-    DdpSolver solver(problem, options);
-    const TrajectoryGuess guess = make_guess(problem, file.guess);
-    solver.set_guess(guess.xs, guess.us);
-    solver.solve();
-    us = solver.us();
-    return RowMatrix(solver.xs());
-  };
-  RowMatrix us_one, us_two;
-  const RowMatrix xs_one = solve(1, us_one), xs_two = solve(2, us_two);
-  EXPECT_EQ(xs_one, xs_two);
-  EXPECT_EQ(us_one, us_two);
-}
-
-TEST_P(ExampleProblem, ConvergesFromItsOwnStart) {
-  const ProblemFile file = read_problem_file(GetParam());
-  EXPECT_NE(file.description, "");
-  Problem problem(file.spec);
-  DdpSolver solver(problem, file.solver);
-  const TrajectoryGuess guess = make_guess(problem, file.guess);
-  solver.set_guess(guess.xs, guess.us);
-  EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ExampleProblem, ::testing::ValuesIn(examples()),
-                         [](const auto& file) { return file.param.stem().string(); });
 
 }  // namespace
 }  // namespace burnish::testing
