@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import enum
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar, Tuple
 
 import numpy as np
@@ -11,9 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._signal import Signal
-from ._spec import Spec, identity, zeros
+from ._spec import Spec, identity
 
 __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Reference"]
+
+
+# Described classes stand here (scripts/describe).
 
 
 @dataclass(eq=False, repr=False)
@@ -71,94 +73,16 @@ class Reference(Spec):
         return _core.reference_name(self)
 
 
-class Acceleration(enum.Enum):
-    """Which acceleration of the tool a contact prescribes."""
-
-    TIME_DERIVATIVE = 0
-    """the true derivative of the constraint velocity"""
-    SPATIAL = 1
-    """the tool's local spatial acceleration carried into the axes (Proposition 3)"""
-    CLASSICAL = 2
-    """of the material point, written in the axes"""
-
-
-class PoseError(enum.Enum):
-    """Position-level error that the proportional gain acts on."""
-
-    SPLIT = 0
-    """position error, and the logarithm of the rotation error"""
-    LOG6 = 1
-    """the SE(3) logarithm in tool axes, carried into the contact's axes"""
-
-
 @dataclass(eq=False, repr=False)
 class ContactSpec(Spec):
-    """A tool frame tied to a base frame along some directions: alpha + kd nu + kp e = 0, nu and
-    alpha being velocity and acceleration of the tool relative to the base, in the reference."""
-
-    name: str = ""
-    """unique; the tool's name if left empty"""
-    tool: str = ""
-    """frame C2"""
-    base: str = "world"
-    """frame C1"""
-    reference: Reference = field(default_factory=Reference)
-    directions: str = "x,y,z,rx,ry,rz"
-    """"all", "linear", "angular", "pad_x|y|z", or names separated by commas such as "z,rx,ry\""""
-    acceleration: Acceleration = Acceleration.TIME_DERIVATIVE
-    error: PoseError = PoseError.SPLIT
-    kp: ArrayLike = zeros(6)
-    """1/s^2, by direction; only entries of held directions are used"""
-    kd: ArrayLike = zeros(6)
-    """1/s, by direction"""
-    target: ArrayLike = identity(4)
-    """4 x 4, placement of C2 in C1 that the error is measured from"""
-
     def with_gains(self, kp_all: float, kd_all: float) -> ContactSpec:
         """A copy with the same gains in every direction: kp in 1/s^2, kd in 1/s."""
         return self.replace(kp=np.full(6, float(kp_all)), kd=np.full(6, float(kd_all)))
 
 
 @dataclass(eq=False, repr=False)
-class ContactSolver(Spec):
-    """The KKT system of eq. (3) and its relaxation."""
-
-    mu: float = 0.0
-    """compliance, m/s^2 per unit force; 0: the exact system, which needs independent rows"""
-    max_proximal_iterations: int = 0
-    """refinements with mu > 0 that remove the compliance"""
-    proximal_tolerance: float = 1e-9
-    """m/s^2, of what is left of the contact acceleration"""
-
-
-@dataclass(eq=False, repr=False)
 class ContactForce(Spec):
-    """The wrench that the base exerts on the tool, at one state."""
-
     DIRECTIONS: ClassVar[Tuple[str, ...]] = ("x", "y", "z", "rx", "ry", "rz")
-
-    contact: str
-    """name of the contact"""
-    on: str
-    """tool frame: the body acted on"""
-    by: str
-    """base frame: the body that acts, "world" for the environment"""
-    reference: Reference
-    """in which `value` is written"""
-    value: NDArray[np.float64]
-    """6: force (N), then moment about the reference's origin (Nm)"""
-    tool_rotation: NDArray[np.float64]
-    """3 x 3, world axes, at that state"""
-    base_rotation: NDArray[np.float64]
-    """3 x 3, world axes, at that state"""
-    tool_position: NDArray[np.float64]
-    """3, m, world"""
-    base_position: NDArray[np.float64]
-    """3, m, world"""
-    frame_rotation: NDArray[np.float64]
-    """3 x 3, world axes, of what the reference's axes are fixed in"""
-    frame_position: NDArray[np.float64]
-    """3, m, world, of the reference's origin"""
 
     def in_(self, other: Reference) -> ContactForce:
         """The same wrench written in another reference. Raises Error where that names a frame: ask

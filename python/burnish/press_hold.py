@@ -7,11 +7,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Callable, Dict, Optional, Sequence, Union
-
-from numpy.typing import ArrayLike
+from typing import Any, Callable, Optional, Sequence, Union
 
 from ._core import HoldResult as RunResult
 from ._core import hold_check_reach as check_reach
@@ -23,10 +20,9 @@ from ._core import hold_phase_names as phase_names
 from ._core import hold_read_task as read_task
 from ._core import hold_run_task as run_task
 from ._core import hold_task_text as task_text
-from ._spec import Spec, vector
 from .model import Robot
 from .mpc import SafetyLimits
-from .pressing import PlantKind, PostureLimits, ToolLimits, default_plant
+from .pressing import PlantKind, PostureLimits, ToolLimits
 from .sim import Disturbances, SceneSpec
 
 __all__ = [
@@ -37,57 +33,6 @@ __all__ = [
 
 
 # Described classes stand here (scripts/describe).
-
-
-@dataclass(eq=False, repr=False)
-class Setting(Spec):
-    """A task with everything resolved: robot, start, surface, phases."""
-
-    robot: Robot
-    q_start: ArrayLike
-    """(nq,), where the posture's reference begins"""
-    q_aside: ArrayLike
-    """(nq,), where it ends"""
-    scene: SceneSpec
-    """as the controller knows it"""
-    surface_axes: ArrayLike
-    """3 x 3, columns: two tangents and the normal, world"""
-    p_hold: ArrayLike
-    """3, of the tool in contact, m, world"""
-    touch: float = 0.0
-    """s of the schedule"""
-    ramp_end: float = 0.0
-    """s of the schedule"""
-    hold_end: float = 0.0
-    """s of the schedule"""
-
-
-@dataclass(eq=False, repr=False)
-class RunSpec(Spec):
-    """A run of a task."""
-
-    task: Task = field(default_factory=lambda: Task())
-    setting: Optional[Setting] = None
-    """of the task, where there is one already"""
-    plant: PlantKind = field(default_factory=default_plant)
-    """MUJOCO where this build has it"""
-    check_reach: bool = True
-    """before anything moves; a problem is then an Error"""
-    plan_rate: float = 20.0
-    """Hz, at which plans are recorded; 0: none"""
-    progress: Optional[Callable[[float, float], Optional[bool]]] = None
-    """called now and then with the simulated time and about when it will be over, s; returning
-    False stops the run"""
-
-
-@dataclass(eq=False, repr=False)
-class HoldFigures(Spec):
-    """Of the time from the end of the ramp to the end of the hold."""
-
-    moved_aside: float = 0.0
-    """rad, largest way of a joint from the ramp's end to the hold's (m where it slides)"""
-    slip: float = 0.0
-    """m, farthest that the tool was off its point along the surface"""
 
 
 def make_task(

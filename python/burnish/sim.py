@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import abc
-import math
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, List, Optional
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _core
 from ._core import (
@@ -28,7 +27,7 @@ from ._core import (
     push_at,
     scene_under_tip,
 )
-from ._spec import Spec, empty, items, vector, zeros
+from ._spec import Spec
 from .base import Status
 
 __all__ = [
@@ -115,96 +114,7 @@ Plant.register(_core.CompiledPlant)
 
 
 @dataclass(eq=False, repr=False)
-class TaskPoint(Spec):
-    """Where the tip frame's origin shall be and how hard the surface shall push back."""
-
-    p_world: ArrayLike = zeros(3)
-    """3, m"""
-    v_world: ArrayLike = zeros(3)
-    """3, m/s"""
-    a_world: ArrayLike = zeros(3)
-    """3, m/s^2"""
-    force: float = 0.0
-    """N, along the surface's normal"""
-
-
-@dataclass(eq=False, repr=False)
 class CirclePath(Spec):
-    """A circle in a plane. It starts at the centre, at rest, and its radius grows smoothly."""
-
-    center_world: ArrayLike = zeros(3)
-    """3, m"""
-    normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
-    """3, of the plane, any length but zero"""
-    radius: float = 0.07
-    """m"""
-    rate: float = 1.0
-    """rad/s, about the normal"""
-    start_up: float = 2.0
-    """s until the radius is reached; positive"""
-    force: float = 30.0
-    """N"""
-
     def at(self, t: float) -> TaskPoint:
         """The task at t s from the start; before it, the start."""
         return _core.circle_path_at(self, t)
-
-
-@dataclass(eq=False, repr=False)
-class ImpedanceSpec(Spec):
-    """The baseline without optimal control: an impedance of the tool in the world, the wanted force
-    fed forward, its error integrated, a posture in the null space. With e the tool's position error
-    along the surface, v_n its velocity along the normal n and f the force along n:
-    a = a_path + kp e + kd de/dt - kd_normal v_n n and f = f_path + ki * integral of (f_path -
-    f_measured), by the tool's inertia and its Jacobian as torques."""
-
-    tool: str = "tool"
-    """frame whose origin follows the path"""
-    normal_world: ArrayLike = vector(0.0, 0.0, 1.0)
-    """3, of the surface, towards the robot"""
-    task: Optional[Callable[[float], TaskPoint]] = None
-    """the task at t s after the ramp; before, it stays at its start; must be given"""
-    posture: ArrayLike = empty()
-    """nq, what the null space is drawn to"""
-    period: float = 1e-3
-    """s between ticks"""
-
-    kp: float = 900.0
-    """1/s^2, along the surface"""
-    kd: float = 60.0
-    """1/s, along the surface"""
-    kd_normal: float = 30.0
-    """1/s, along the normal"""
-    ki: float = 10.0
-    """1/s, of the force error; 0: no force feedback"""
-    integral_limit: float = 30.0
-    """N, largest correction by the integral"""
-    posture_kp: float = 20.0
-    """1/s^2"""
-    posture_kd: float = 6.0
-    """1/s"""
-    friction: float = 0.0
-    """of the surface, fed forward along the path's velocity"""
-    approach_speed: float = 0.05
-    """m/s, of a point that draws the tip against the normal"""
-    contact_threshold: float = 2.0
-    """N of measured normal force that end the approach"""
-    ramp: float = 0.5
-    """s from the threshold to the task's force"""
-
-
-@dataclass(eq=False, repr=False)
-class MujocoPlantOptions(Spec):
-    dt: float = 5e-4
-    """s"""
-    impedance: float = 0.1
-    """d in (0, 1): (1 - d) / d times MuJoCo's inverse inertia of the tip is that of an apparent mass
-    at the contact"""
-    friction_ratio: float = 10.0
-    """how much harder friction is than the normal ("impratio")"""
-    tolerance: float = 1e-12
-    """of the constraint solver"""
-    max_iterations: int = 100
-    """of the constraint solver"""
-    joint_stops: bool = True
-    """revolute and prismatic joints stop at their limits"""

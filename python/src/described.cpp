@@ -59,6 +59,8 @@ py::object get_array(const ValueType& type, void* at) {
   const Eigen::Index rows = type.rows_of(at), columns = type.columns_of(at);
   const Eigen::Map<const MatrixXd> numbers(type.numbers(at), rows, columns);
   if (is_flat(type)) return py::cast(VectorXd(numbers.reshaped()));
+  if (type.by_rows)
+    return py::cast(MatrixXd(Eigen::Map<const RowMatrix>(numbers.data(), rows, columns)));
   return py::cast(MatrixXd(numbers));
 }
 
@@ -137,7 +139,10 @@ bool set_array(const ValueType& type, void* at, py::handle from) {
       (type.columns >= 0 && numbers.cols() != type.columns))
     return false;
   type.resize_array(at, numbers.rows(), numbers.cols());
-  Eigen::Map<Eigen::MatrixXd>(type.numbers(at), numbers.rows(), numbers.cols()) = numbers;
+  if (type.by_rows)
+    Eigen::Map<RowMatrix>(type.numbers(at), numbers.rows(), numbers.cols()) = numbers;
+  else
+    Eigen::Map<Eigen::MatrixXd>(type.numbers(at), numbers.rows(), numbers.cols()) = numbers;
   return true;
 }
 
@@ -241,7 +246,10 @@ py::dict type_entries(const ValueType& type) {
     entries["name"] = type.description().name;
     entries["module"] = type.description().layer;
   }
-  if (type.kind == Kind::Other) entries["name"] = carried_as(type).annotation;
+  if (type.kind == Kind::Other) {
+    entries["name"] = carried_as(type).annotation;
+    entries["default"] = carried_as(type).default_value;
+  }
   if (type.element != nullptr) entries["element"] = type_entries(type.element());
   return entries;
 }
@@ -328,10 +336,16 @@ SpecTable::SpecTable(const Description& description)
     : class_("burnish." + description.layer, description.name) {
   for (const burnish::Field& field : description.fields)
     fields_.push_back(
-        {field.name, [&field] { return wanted_of(*field.type); },
+        {field.name,
+         [&field] { return (field.number_too ? "a number or " : "") + wanted_of(*field.type); },
          [&field](const void* spec) { return get_value(*field.type, to_read(field.in(spec))); },
          [&field](void* spec, py::handle value) {
-           return set_value(*field.type, field.in(spec), value);
+           const bool is_number =
+               py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value);
+           if (!field.number_too || !is_number)
+             return set_value(*field.type, field.in(spec), value);
+           field.type->resize_array(field.in(spec), 1, 1);
+           return set_value(type_of<double>(), field.type->numbers(field.in(spec)), value);
          }});
 }
 

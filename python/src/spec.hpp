@@ -144,7 +144,8 @@ std::map<std::string, const Words*> described_enums();
 
 /// How an entry crosses that descriptions know nothing of.
 struct Carried {
-  const char* annotation;  ///< in Python
+  const char* annotation;     ///< in Python
+  const char* default_value;  ///< there; "": none
   std::string (*wanted)();
   py::object (*get)(const void*);
   bool (*set)(void*, py::handle);
@@ -195,21 +196,6 @@ class SpecTable {
         {name, what_is_wanted,
          [get](const void* spec) { return get(*static_cast<const Spec*>(spec)); },
          [set](void* spec, py::handle value) { return set(*static_cast<Spec*>(spec), value); }});
-    return *this;
-  }
-
-  /// A vector for which a number stands too: one entry.
-  template <class Spec>
-  SpecTable& numbers(const char* name, Eigen::VectorXd Spec::*member) {
-    field(name, member);
-    Field& added = fields_.back();
-    added.wanted = [] { return std::string("a number or a vector of numbers"); };
-    added.set = [member, of_vector = added.set](void* spec, py::handle value) {
-      if (!py::isinstance<py::float_>(value) && !py::isinstance<py::int_>(value))
-        return of_vector(spec, value);
-      (static_cast<Spec*>(spec)->*member).setConstant(1, py::cast<double>(value));
-      return true;
-    };
     return *this;
   }
 
@@ -267,10 +253,11 @@ inline const bool is_known_enum = [] {
 }();
 /// To be said once of every kind of entry that descriptions know nothing of.
 template <class Value>
-bool carry(const char* annotation) {
+bool carry(const char* annotation, const char* default_value = "") {
   return carried()
       .insert({typeid(Value),
-               {annotation, [] { return wanted<Value>(); }, value_get<Value>, value_set<Value>}})
+               {annotation, default_value, [] { return wanted<Value>(); }, value_get<Value>,
+                value_set<Value>}})
       .second;
 }
 

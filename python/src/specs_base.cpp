@@ -80,12 +80,4 @@ py::object make_signal(const Signal& signal) {
   return py::reinterpret_borrow<py::object>(over_time_class.get())(signal.size(), function);
 }
 
-template <>
-const EnumTable& AsEnum<Status>::table() {
-  static const EnumTable words("burnish.base", "Status",
-                               {"ok", "not_converged", "singular_contacts", "singular_mass",
-                                "not_normalized", "not_finite", "wrong_size", "not_evaluated"});
-  return words;
-}
-
 }  // namespace burnish::python

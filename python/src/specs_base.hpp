@@ -1,15 +1,12 @@
 // Values of the base layer. Signals are None, numbers, or functions of time.
 #pragma once
 
+#include "base/descriptions.hpp"
 #include "burnish/base/signal.hpp"
-#include "burnish/base/status.hpp"
 #include "callback.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {
-
-template <>
-struct EnumOf<Status> : AsEnum<Status> {};
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Numbers that a function of Python's answered, or nothing in the array if they are none.

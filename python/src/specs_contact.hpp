@@ -4,22 +4,8 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
+#include "contact/descriptions.hpp"
 #include "specs_dynamics.hpp"
-
-namespace burnish::python {
-
-template <>
-struct EnumOf<Acceleration> : AsEnum<Acceleration> {};
-template <>
-struct EnumOf<PoseError> : AsEnum<PoseError> {};
-template <>
-struct SpecOf<ContactSpec> : AsDataclass<ContactSpec> {};
-template <>
-struct SpecOf<ContactSolver> : AsDataclass<ContactSolver> {};
-template <>
-struct SpecOf<ContactForce> : AsDataclass<ContactForce> {};
-
-}  // namespace burnish::python
 
 namespace pybind11::detail {
 

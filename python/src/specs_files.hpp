@@ -2,18 +2,6 @@
 #pragma once
 
 #include "burnish/files/problem_file.hpp"
+#include "files/descriptions.hpp"
 #include "specs_ocp.hpp"
 #include "specs_solver.hpp"
-
-namespace burnish::python {
-
-template <>
-struct EnumOf<WarmStart::Kind> : AsEnum<WarmStart::Kind> {};
-template <>
-struct SpecOf<WarmStart> : AsDataclass<WarmStart> {};
-template <>
-struct SpecOf<ProblemFile> : AsDataclass<ProblemFile> {};
-template <>
-struct SpecOf<TrajectoryGuess> : AsDataclass<TrajectoryGuess> {};
-
-}  // namespace burnish::python

@@ -8,31 +8,6 @@
 #include "specs_solver.hpp"
 #include "time_function.hpp"
 
-namespace burnish::python {
-
-template <>
-struct EnumOf<Touch> : AsEnum<Touch> {};
-template <>
-struct EnumOf<FaultKind> : AsEnum<FaultKind> {};
-template <>
-struct SpecOf<Measurement> : AsDataclass<Measurement> {};
-template <>
-struct SpecOf<Command> : AsDataclass<Command> {};
-template <>
-struct SpecOf<SchedulePhase> : AsDataclass<SchedulePhase> {};
-template <>
-struct SpecOf<TaskTarget> : AsDataclass<TaskTarget> {};
-template <>
-struct SpecOf<PressingTask> : AsDataclass<PressingTask> {};
-template <>
-struct SpecOf<FaultReport> : AsDataclass<FaultReport> {};
-template <>
-struct SpecOf<LinearFeedback> : AsDataclass<LinearFeedback> {};
-template <>
-struct SpecOf<MpcSpec> : AsDataclass<MpcSpec> {};
-
-}  // namespace burnish::python
-
 namespace pybind11::detail {
 
 template <>

@@ -1,87 +1,9 @@
 #include "specs_pressing.hpp"
 
-#include "pressing/figures.hpp"
 #include "task_run.hpp"
 
 namespace burnish::python {
 
-using pressing::each_tick_figure;
-
-template <>
-const EnumTable& AsEnum<ReachProblem>::table() {
-  static const EnumTable words("burnish.pressing", "ReachProblem",
-                               {"none", "position", "joint", "torque", "collision"});
-  return words;
-}
-template <>
-const EnumTable& AsEnum<PlantKind>::table() {
-  static const EnumTable words("burnish.pressing", "PlantKind", {"mujoco", "ideal"});
-  return words;
-}
-template <>
-const SpecTable& AsDataclass<ReachOptions>::table() {
-  static const SpecTable fields = SpecTable("burnish.pressing", "ReachOptions")
-                                      .field("spacing", &ReachOptions::spacing)
-                                      .field("tolerance", &ReachOptions::tolerance)
-                                      .field("joint_margin", &ReachOptions::joint_margin)
-                                      .field("torque_share", &ReachOptions::torque_share)
-                                      .field("link_radius", &ReachOptions::link_radius);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<ReachReport>::table() {
-  static const SpecTable fields =
-      SpecTable("burnish.pressing", "ReachReport")
-          .field("problem", &ReachReport::problem)
-          .field("text", &ReachReport::text)
-          .field("s", &ReachReport::s)
-          .field("p_world", &ReachReport::p_world)
-          .field("joint", &ReachReport::joint)
-          .field("value", &ReachReport::value)
-          .field("limit", &ReachReport::limit)
-          .field("points", &ReachReport::points)
-          .field("path_length", &ReachReport::path_length)
-          .field("joint_margin", &ReachReport::joint_margin)
-          .field("tightest_joint", &ReachReport::tightest_joint)
-          .field("torque_share", &ReachReport::torque_share)
-          .field("tightest_torque", &ReachReport::tightest_torque)
-          .field("clearance", &ReachReport::clearance)
-          .field("tightest_clearance", &ReachReport::tightest_clearance);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<PostureOptions>::table() {
-  static const SpecTable fields = SpecTable("burnish.pressing", "PostureOptions")
-                                      .field("random_starts", &PostureOptions::random_starts)
-                                      .field("seed", &PostureOptions::seed)
-                                      .field("tilt_limit", &PostureOptions::tilt_limit)
-                                      .field("joint_margin", &PostureOptions::joint_margin)
-                                      .field("body_distance", &PostureOptions::body_distance)
-                                      .field("bend", &PostureOptions::bend)
-                                      .field("checked", &PostureOptions::checked)
-                                      .field("reach", &PostureOptions::reach);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<FoundPosture>::table() {
-  static const SpecTable fields = SpecTable("burnish.pressing", "FoundPosture")
-                                      .field("q", &FoundPosture::q)
-                                      .field("score", &FoundPosture::score)
-                                      .field("tilt", &FoundPosture::tilt)
-                                      .field("reach", &FoundPosture::reach)
-                                      .field("candidates", &FoundPosture::candidates);
-  return fields;
-}
-template <>
-const SpecTable& AsDataclass<TickTimes>::table() {
-  static const SpecTable fields = [] {
-    SpecTable table("burnish.pressing", "TickTimes");
-    each_tick_figure(
-        [&](const FigureEntry& entry, auto member) { table.field(entry.name, member); });
-    return table;
-  }();
-  return fields;
-}
 template <>
 const SpecTable& AsDataclass<PlanArrays>::table() {
   static const SpecTable fields = SpecTable("burnish.pressing", "PlanRecord")

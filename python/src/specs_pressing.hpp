@@ -5,6 +5,7 @@
 
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
+#include "pressing/run_descriptions.hpp"
 #include "specs_mpc.hpp"
 #include "specs_report.hpp"
 
@@ -26,20 +27,6 @@ struct PlanArrays {
 PlanArrays arrays_of(const PlanRecord& record);
 PlanRecord record_of(const PlanArrays& arrays);
 
-template <>
-struct EnumOf<ReachProblem> : AsEnum<ReachProblem> {};
-template <>
-struct EnumOf<PlantKind> : AsEnum<PlantKind> {};
-template <>
-struct SpecOf<ReachOptions> : AsDataclass<ReachOptions> {};
-template <>
-struct SpecOf<ReachReport> : AsDataclass<ReachReport> {};
-template <>
-struct SpecOf<PostureOptions> : AsDataclass<PostureOptions> {};
-template <>
-struct SpecOf<FoundPosture> : AsDataclass<FoundPosture> {};
-template <>
-struct SpecOf<TickTimes> : AsDataclass<TickTimes> {};
 template <>
 struct SpecOf<PlanArrays> : AsDataclass<PlanArrays> {};
 

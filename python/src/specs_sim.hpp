@@ -3,21 +3,9 @@
 
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "mujoco/descriptions.hpp"
 #include "sim/descriptions.hpp"
 #include "specs_mpc.hpp"
-
-namespace burnish::python {
-
-template <>
-struct SpecOf<TaskPoint> : AsDataclass<TaskPoint> {};
-template <>
-struct SpecOf<CirclePath> : AsDataclass<CirclePath> {};
-template <>
-struct SpecOf<ImpedanceSpec> : AsDataclass<ImpedanceSpec> {};
-template <>
-struct SpecOf<MujocoPlantOptions> : AsDataclass<MujocoPlantOptions> {};
-
-}  // namespace burnish::python
 
 namespace pybind11::detail {
 

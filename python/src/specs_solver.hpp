@@ -4,7 +4,7 @@
 #include "burnish/solver/ddp.hpp"
 #include "callback.hpp"
 #include "solver/descriptions.hpp"
-#include "specs_base.hpp"
+#include "spec.hpp"
 
 namespace burnish::python {
 
@@ -12,31 +12,6 @@ using DdpCallback = std::function<bool(const DdpProgress&)>;
 
 bool load_callback(py::handle from, DdpCallback& callback);
 py::object make_callback(const DdpCallback& callback);
-
-template <>
-struct EnumOf<StopReason> : AsEnum<StopReason> {};
-template <>
-struct SpecOf<Regularization> : AsDataclass<Regularization> {};
-template <>
-struct SpecOf<LineSearch> : AsDataclass<LineSearch> {};
-template <>
-struct SpecOf<DdpProgress> : AsDataclass<DdpProgress> {};
-template <>
-struct SpecOf<DdpOptions> : AsDataclass<DdpOptions> {};
-template <>
-struct SpecOf<PhaseTimes> : AsDataclass<PhaseTimes> {};
-template <>
-struct SpecOf<DdpSummary> : AsDataclass<DdpSummary> {};
-template <>
-struct SpecOf<CostReport::Entry> : AsDataclass<CostReport::Entry> {};
-template <>
-struct SpecOf<CostReport::Knot> : AsDataclass<CostReport::Knot> {};
-template <>
-struct SpecOf<CostReport::Row> : AsDataclass<CostReport::Row> {};
-template <>
-struct SpecOf<CostReport> : AsDataclass<CostReport> {};
-template <>
-struct SpecOf<NamedMatrix> : AsDataclass<NamedMatrix> {};
 
 }  // namespace burnish::python
 

@@ -31,7 +31,7 @@ template <class Value>
 struct TimeFunctionCaster {
   using Function = std::function<Value(double)>;
   PYBIND11_TYPE_CASTER(Function, py::detail::const_name("Callable[[float], ") +
-                                     SpecOf<Value>::name + py::detail::const_name("]"));
+                                     TypeName<Value>::name + py::detail::const_name("]"));
   bool load(py::handle from, bool) {
     value = nullptr;
     if (from.is_none()) return true;

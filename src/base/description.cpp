@@ -11,16 +11,18 @@ using Kind = ValueType::Kind;
 
 bool Range::holds(double value) const {
   if (!std::isfinite(value)) return infinite && value > 0.0;
+  if (below && value == most) return false;
   return open ? value > least && value < most : value >= least && value <= most;
 }
 
 std::string Range::text() const {
   const bool from = std::isfinite(least), to = std::isfinite(most);
   const std::string low = (open ? "more than " : "at least ") + number(least),
-                    high = (open ? "less than " : "at most ") + number(most);
+                    high = (open || below ? "less than " : "at most ") + number(most);
   if (direction) return "a vector that is not zero";
-  if (least == 0.0 && most == 1.0 && !open) return "a share between 0 and 1";
-  if (from && to) return open ? low + " and " + high : number(least) + " to " + number(most);
+  if (least == 0.0 && most == 1.0 && !open && !below) return "a share between 0 and 1";
+  if (from && to)
+    return open || below ? low + " and " + high : number(least) + " to " + number(most);
   return from ? low : to ? high : "";
 }
 

@@ -26,6 +26,7 @@ struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool open = false;       ///< the ends themselves are out of it
+  bool below = false;      ///< the upper end is
   bool infinite = false;   ///< infinity is in it
   bool direction = false;  ///< of a vector: any length but zero
   bool holds(double value) const;
@@ -37,8 +38,10 @@ inline constexpr double end = std::numeric_limits<double>::infinity();
 inline constexpr Range any{}, not_negative{.least = 0.0}, positive{.least = 0.0, .open = true},
     positive_or_infinite{.least = 0.0, .open = true, .infinite = true},
     not_negative_or_infinite{.least = 0.0, .infinite = true}, share{.least = 0.0, .most = 1.0},
+    fraction{.least = 0.0, .most = 1.0, .below = true}, any_or_infinite{.infinite = true},
     direction{.direction = true};
 constexpr Range from(double least, double most = end) { return {.least = least, .most = most}; }
+constexpr Range above(double least) { return {.least = least, .open = true}; }
 constexpr Range between(double least, double most) {
   return {.least = least, .most = most, .open = true};
 }
@@ -85,7 +88,8 @@ struct ValueType {
   void* (*entry)(void*, std::size_t) = nullptr;                    ///< List, Map, Optional
   const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map, of an entry
   void* (*named)(void*, const std::string&) = nullptr;  ///< Map: the entry, made if it is not there
-  double* (*numbers)(void*) = nullptr;                  ///< Array, column by column
+  bool by_rows = false;                                 ///< Array: how its numbers follow each other
+  double* (*numbers)(void*) = nullptr;                  ///< Array
   Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
@@ -101,7 +105,8 @@ struct Field {
   Range range;
   std::size_t offset = 0;
   const ValueType* type = nullptr;
-  bool required = false;  ///< of a value that Python's users make, without default there
+  bool required = false;    ///< of a value that Python's users make, without default there
+  bool number_too = false;  ///< in Python: of a vector, for which one number stands too
 
   void* in(void* spec) const { return static_cast<char*>(spec) + offset; }
   const void* in(const void* spec) const { return static_cast<const char*>(spec) + offset; }
@@ -161,8 +166,8 @@ concept Map = std::same_as<T, std::map<std::string, typename Element<T>::type>>;
 template <class T>
 concept Optional = std::same_as<T, std::optional<typename Element<T>::type>>;
 template <class T>
-concept Array = std::derived_from<T, Eigen::PlainObjectBase<T>> &&
-    std::same_as<typename T::Scalar, double> && !(T::IsRowMajor && T::RowsAtCompileTime != 1);
+concept Array =
+    std::derived_from<T, Eigen::PlainObjectBase<T>> && std::same_as<typename T::Scalar, double>;
 
 template <class T>
 void count(ValueType& type) {
@@ -174,6 +179,7 @@ void array(ValueType& type) {
   type.kind = ValueType::Kind::Array;
   type.rows = T::RowsAtCompileTime;
   type.columns = T::ColsAtCompileTime;
+  type.by_rows = T::IsRowMajor;
   type.numbers = [](void* at) { return static_cast<T*>(at)->data(); };
   type.rows_of = [](const void* at) { return static_cast<const T*>(at)->rows(); };
   type.columns_of = [](const void* at) { return static_cast<const T*>(at)->cols(); };
@@ -273,7 +279,7 @@ class Describe : public Description {
     make = []() -> std::shared_ptr<void> { return std::make_shared<Spec>(); };
   }
   template <class Value, class Owner>
-  Describe& field(const char* of_name, Value Owner::*member, const char* means,
+  Describe& field(const char* of_name, Value Owner::*member, const char* means = "",
                   const Range& numbers = range::any) {
     const char *begin = reinterpret_cast<const char*>(example_.get()),
                *at = reinterpret_cast<const char*>(&(example_.get()->*member));
@@ -288,6 +294,7 @@ class Describe : public Description {
   Describe& key(const char* text) { return fields.back().key = text, *this; }
   Describe& word(const char* text) { return fields.back().word = text, *this; }
   Describe& required() { return fields.back().required = true, *this; }
+  Describe& number_too() { return fields.back().number_too = true, *this; }
   /// Begins one.
   Describe& group(const char* means, const char* section = "") {
     return groups.push_back({fields.size(), section, means}), *this;

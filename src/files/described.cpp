@@ -33,10 +33,13 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
 /// Entries of a list state all keys.
 void read_struct(const Description& description, void* spec, const Reader& reader, bool all) {
   std::vector<std::string> keys;
-  for (const Field& field : description.fields) keys.push_back(field.key);
+  for (const Field& field : description.fields)
+    if (field.type->kind != Kind::Other) keys.push_back(field.key);
   reader.allow_only(keys);
   for (const Field& field : description.fields)
-    if (all)
+    if (field.type->kind == Kind::Other)
+      continue;
+    else if (all)
       read_entry(field, spec, reader[field.key]);
     else if (const auto value = reader.find(field.key))
       read_entry(field, spec, *value);
@@ -168,6 +171,10 @@ std::string value_text(const Field& field, const ValueType& type, void* at) {
 
 void read_entry(const Field& field, void* spec, const Reader& reader) {
   read_value(field, *field.type, field.in(spec), reader);
+}
+
+void read_described(const Description& description, void* spec, const Reader& reader) {
+  read_struct(description, spec, reader, false);
 }
 
 std::optional<std::string> entry_text(const Field& field, const void* spec) {

@@ -14,13 +14,13 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// The values of a leader at which a follower is within its limits.
-struct Range {
+struct LeaderRange {
   double lower = -no_limit, upper = no_limit;
 };
-Range range_of_leader(const JointSpec& spec, const Following& follows) {
+LeaderRange range_of_leader(const JointSpec& spec, const Following& follows) {
   if (follows.multiplier == 0.0) {
     const bool within = spec.lower <= follows.offset && follows.offset <= spec.upper;
-    return within ? Range{} : Range{no_limit, -no_limit};
+    return within ? LeaderRange{} : LeaderRange{no_limit, -no_limit};
   }
   const double a = (spec.lower - follows.offset) / follows.multiplier;
   const double b = (spec.upper - follows.offset) / follows.multiplier;
@@ -66,7 +66,7 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
     if (factor > 0.0)
       model.velocity_limit[v] = std::min(model.velocity_limit[v], spec.velocity_limit / factor);
     if (joint.kind == JointKind::Continuous || leader.kind == JointKind::Continuous) continue;
-    const Range range = range_of_leader(spec, *joint.follows);
+    const LeaderRange range = range_of_leader(spec, *joint.follows);
     const double lower = std::max(model.q_lower[q], range.lower);
     const double upper = std::min(model.q_upper[q], range.upper);
     if (lower > upper) {

@@ -77,4 +77,145 @@ const Description& description_of(const Fallback* /*of*/) {
   return all;
 }
 
+const Words& words_of(FaultKind /*of*/) {
+  static const Words all{
+      "mpc",
+      "FaultKind",
+      "What can go wrong in a control loop.",
+      {{"none"},
+       {"stale_measurement", "time does not go on"},
+       {"bad_measurement", "NaN, infinite or of the wrong size, for too long"},
+       {"out_of_range", "a joint is beyond its position limit"},
+       {"solver_failed", "no usable plan for too many updates in a row, or at the first"},
+       {"solver_late", "too many updates in a row took longer than their deadline"},
+       {"contact_lost", "no force for too long while it is wanted"},
+       {"no_contact", "the tool went on too far where the surface was expected"},
+       {"contact_late", "the tool took too long to get to the surface"},
+       {"unexpected_contact", "a force while the tool moves through free space"},
+       {"force_limit", "the tool is pushed harder than allowed"},
+       {"speed_limit", "a joint or the tool is faster than allowed"},
+       {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"}}};
+  return all;
+}
+
+const Description& description_of(const Measurement* /*of*/) {
+  using M = Measurement;
+  static const Description all =
+      Describe<M>("mpc", "Measurement", "What the sensors say at a tick.")
+          .field("time", &M::time, "{s}")
+          .field("q", &M::q, "nq")
+          .field("v", &M::v, "nv")
+          .field("tau", &M::tau, "nv, of the torque sensors between motor and link, Nm or N")
+          .field("tool_force_world", &M::tool_force_world,
+                 "Of the force sensor: the surface's force on the tool, N, world axes.");
+  return all;
+}
+
+const Description& description_of(const Command* /*of*/) {
+  using C = Command;
+  static const Description all =
+      Describe<C>("mpc", "Command",
+                  "What a controller sends. Only `tau` reaches the plant; the rest says what the "
+                  "controller aims at and how it fares, for the record.")
+          .field("tau", &C::tau, "nv, Nm or N; zero for a floating base")
+          .field("phase", &C::phase,
+                 "where the task stands: of an MpcController, its place in the schedule")
+          .field("target_force", &C::target_force,
+                 "{N}, how hard the surface shall push back along its normal")
+          .field("p_target_world", &C::p_target_world, "{m}, of the tip frame's origin")
+          .field(
+              "force_estimate_world", &C::force_estimate_world,
+              "What the controller believes the surface's force on the tool to be, N, world axes.")
+          .field("status", &C::status)
+          .field("solve_time", &C::solve_time,
+                 "{s} of wall clock, where an optimal control problem was solved")
+          .field("iterations", &C::iterations, "of its solver")
+          .field("missed_deadline", &C::missed_deadline, "its solution came later than it was due");
+  return all;
+}
+
+const Description& description_of(const SchedulePhase* /*of*/) {
+  using S = SchedulePhase;
+  static const Description all =
+      Describe<S>("mpc", "SchedulePhase", "One of the phases that follow each other in a schedule.")
+          .field("name", &S::name, "such as \"approach\"")
+          .field("stage", &S::stage, "of the optimal control problem")
+          .field("duration", &S::duration, "{s}; infinite for the last one only")
+          .field("until", &S::until,
+                 "Event, such as \"contact\", that ends it, and not before; empty: its duration "
+                 "does. When the event is early, the clock jumps to the end; when it is late, the "
+                 "clock stands still `hold` s before it, so that the horizon goes on with the "
+                 "phase and plans the next one soon. Of the last phase it means nothing.")
+          .field("hold", &S::hold,
+                 "{s}; longer than the phase: the clock stands still at its start");
+  return all;
+}
+
+const Description& description_of(const FaultReport* /*of*/) {
+  using F = FaultReport;
+  static const Description all =
+      Describe<F>("mpc", "FaultReport", "The first fault of a run, and the ticks that led to it.")
+          .field("kind", &F::kind)
+          .field("time", &F::time, "{s}, of the measurement, or when it was due if there was none")
+          .field("joint", &F::joint, "entry of v that it is about, or -1")
+          .field("value", &F::value,
+                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.")
+          .field("limit", &F::limit, "what was allowed, in the same unit")
+          .field("quantity", &F::quantity, "of FaultKind::Watched: its name and unit")
+          .field("last_second", &F::last_second,
+                 "oldest row first, the fault's tick last; empty while there is no fault");
+  return all;
+}
+
+const Description& description_of(const LinearFeedback* /*of*/) {
+  using L = LinearFeedback;
+  static const Description all =
+      Describe<L>(
+          "mpc", "LinearFeedback",
+          "u = feedforward + gain (x (-) state): the triple that linear feedback controllers take.")
+          .result()
+          .field("feedforward", &L::feedforward, "nu, Nm (N)")
+          .field("gain", &L::gain,
+                 "nu x ndx: by position, velocity and, with a torque model, torque")
+          .field("state", &L::state, "nx, (q, v) or (q, v, tau)");
+  return all;
+}
+
+const Description& description_of(const MpcSpec* /*of*/) {
+  using M = MpcSpec;
+  static const Description all =
+      Describe<M>("mpc", "MpcSpec",
+                  "Model predictive control of a task: a horizon that moves with time, solved "
+                  "again and again from the measured state, and its policy in between.")
+          .field("problem", &M::problem,
+                 "Horizon, stages, costs. The horizon's stages are replaced by what the schedule "
+                 "says, so its segments matter for the number of knots alone; all stages have the "
+                 "same step.")
+          .required()
+          .field("schedule", &M::schedule)
+          .field("task", &M::task, "events of the schedule, what is watched; none: neither")
+          .field("tool", &M::tool, "frame that Measurement::tool_force_world acts at")
+          .field("normal_world", &M::normal_world,
+                 "That the tool presses along: of the surface, towards the robot. Friction is "
+                 "across it.")
+          .field("contact_threshold", &M::contact_threshold,
+                 "{N} along the normal that count as contact")
+          .field("tick_period", &M::tick_period, "{s}")
+          .field("update_period", &M::update_period, "{s} between solves, a multiple of the tick")
+          .field("solver_delay", &M::solver_delay,
+                 "{s} from a measurement to the use of the plan that starts from it, at most the "
+                 "update period. The plan is made for the state that the policy in use leads to by "
+                 "then.")
+          .field("solver", &M::solver)
+          .field("first_iterations", &M::first_iterations, "of the first solve")
+          .field("jump_iterations", &M::jump_iterations,
+                 "of one after the schedule's clock jumped or stood still")
+          .field("model_error", &M::model_error)
+          .field("limits", &M::limits)
+          .field("fallback", &M::fallback)
+          .field("feedback", &M::feedback,
+                 "the Riccati policy between solves; without, the planned torque is held");
+  return all;
+}
+
 }  // namespace burnish

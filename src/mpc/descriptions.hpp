@@ -1,8 +1,9 @@
 // What the layer's specifications hold.
 #pragma once
 
-#include "base/description.hpp"
 #include "burnish/mpc/mpc.hpp"
+#include "ocp/descriptions.hpp"
+#include "solver/descriptions.hpp"
 
 namespace burnish {
 
@@ -10,5 +11,12 @@ const Words& words_of(ModelErrorKind);
 const Description& description_of(const SafetyLimits*);
 const Description& description_of(const Fallback*);
 const Description& description_of(const ModelErrorOptions*);
+const Words& words_of(FaultKind);
+const Description& description_of(const Measurement*);
+const Description& description_of(const Command*);
+const Description& description_of(const SchedulePhase*);
+const Description& description_of(const FaultReport*);
+const Description& description_of(const LinearFeedback*);
+const Description& description_of(const MpcSpec*);
 
 }  // namespace burnish

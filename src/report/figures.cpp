@@ -52,6 +52,14 @@ std::string side_by_side(const std::vector<std::vector<std::string>>& columns, s
 
 }  // namespace
 
+std::string described_as(const FigureEntry& entry) {
+  std::string text = *entry.unit.unit ? "{" + std::string(entry.unit.unit) + "}, " : "";
+  text += entry.meaning;
+  if (const std::size_t at = text.find("{mean}"); at != std::string::npos)
+    text.replace(at, 6, "'s moving mean");
+  return text;
+}
+
 std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics) {
   const Metrics all = metrics.value_or(Metrics{});
   const std::optional<SolverFigures>& solver = all.solver;

@@ -40,6 +40,9 @@ struct FigureEntry {
   std::string key() const { return *unit.unit ? std::string(name) + "_" + unit.unit : name; }
 };
 
+/// As descriptions have it: the unit in braces, and what it means of any run.
+std::string described_as(const FigureEntry& entry);
+
 /// Calls see(entry, member) for each figure of Metrics, in the order of files.
 template <class See>
 void each_metric(const See& see) {  // NOLINT(readability-function-size): a table

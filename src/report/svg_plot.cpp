@@ -39,7 +39,7 @@ std::string escaped(const std::string& text) {
 }
 
 /// Lower and upper end of an axis, in plotted units (logarithms where the axis is logarithmic).
-struct Range {
+struct AxisRange {
   double lower = std::numeric_limits<double>::infinity();
   double upper = -std::numeric_limits<double>::infinity();
 
@@ -92,7 +92,7 @@ struct Tick {
   std::string text;
 };
 
-std::vector<Tick> ticks_of(const Range& range, double wanted, bool logarithmic) {
+std::vector<Tick> ticks_of(const AxisRange& range, double wanted, bool logarithmic) {
   std::vector<Tick> ticks;
   double step = tick_step(range.span(), wanted);
   if (logarithmic) step = std::max(1.0, std::round(step));
@@ -109,7 +109,7 @@ std::vector<Tick> ticks_of(const Range& range, double wanted, bool logarithmic) 
 struct PanelWriter {
   const Panel& panel;
   double x0, y0, width, height;  // of the axes, px
-  Range x = {}, y = {};
+  AxisRange x = {}, y = {};
   std::string& out;
 
   double plotted(double value) const {

@@ -1,11 +1,23 @@
 // What the layer's specifications hold.
 #pragma once
 
-#include "base/description.hpp"
-#include "burnish/solver/options.hpp"
+#include "base/descriptions.hpp"
+#include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 
 const Words& words_of(StepUpdate);
+const Words& words_of(StopReason);
+const Description& description_of(const Regularization*);
+const Description& description_of(const LineSearch*);
+const Description& description_of(const DdpProgress*);
+const Description& description_of(const DdpOptions*);
+const Description& description_of(const PhaseTimes*);
+const Description& description_of(const DdpSummary*);
+const Description& description_of(const CostReport::Entry*);
+const Description& description_of(const CostReport::Knot*);
+const Description& description_of(const CostReport::Row*);
+const Description& description_of(const CostReport*);
+const Description& description_of(const NamedMatrix*);
 
 }  // namespace burnish

@@ -7,16 +7,16 @@
 namespace burnish {
 namespace {
 
-std::string number(double value) {
+std::string short_number(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
   return buffer;
 }
 
 std::string seconds(double value) {
-  if (value < 1e-3) return number(1e6 * value) + " us";
-  if (value < 1.0) return number(1e3 * value) + " ms";
-  return number(value) + " s";
+  if (value < 1e-3) return short_number(1e6 * value) + " us";
+  if (value < 1.0) return short_number(1e3 * value) + " ms";
+  return short_number(value) + " s";
 }
 
 template <class Names>
@@ -42,9 +42,9 @@ std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
 
 std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   const std::string improvement =
-      "the expected improvement " + number(s.expected_improvement) + " is ";
-  const std::string below = "below " + number(s.options.stop_tolerance);
-  const std::string largest = number(s.options.regularization.largest);
+      "the expected improvement " + short_number(s.expected_improvement) + " is ";
+  const std::string below = "below " + short_number(s.options.stop_tolerance);
+  const std::string largest = short_number(s.options.regularization.largest);
   switch (s.reason) {
     case StopReason::Converged:
       return "converged: " + improvement + below;
@@ -61,7 +61,8 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
              name_or_number(problem.control_names(), s.control) + ", though regularised with " +
              largest;
     case StopReason::NoStep:
-      return "no step length lowers the cost, though regularised with " + number(s.regularization) +
+      return "no step length lowers the cost, though regularised with " +
+             short_number(s.regularization) +
              (s.knot >= 0 ? "; the last trial was " + failure(s, problem) : "");
     case StopReason::Callback:
       return "stopped by the callback after " + std::to_string(s.iterations) + " iterations";
@@ -88,9 +89,9 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
   std::string lines = "constraints: " + std::to_string(broken.size()) + " of " +
                       std::to_string(rows.size()) + " rows are outside their limits\n";
   for (std::size_t i = 0; i < std::min<std::size_t>(broken.size(), 5); ++i)
-    lines += "  " + number(broken[i].outside) + "  " + broken[i].name + ": " +
-             number(broken[i].value) + ", limits " + number(broken[i].lower) + " and " +
-             number(broken[i].upper) + ", at " + broken[i].knot + "\n";
+    lines += "  " + short_number(broken[i].outside) + "  " + broken[i].name + ": " +
+             short_number(broken[i].value) + ", limits " + short_number(broken[i].lower) + " and " +
+             short_number(broken[i].upper) + ", at " + broken[i].knot + "\n";
   return lines;
 }
 
@@ -99,10 +100,10 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
 std::string DdpSummary::text(const ShootingProblem& problem) const {
   std::string sentence = reason_text(*this, problem);
   if (reason == StopReason::NotEvaluated) return sentence;
-  sentence += "; cost " + number(cost) + ", ";
+  sentence += "; cost " + short_number(cost) + ", ";
   if (feasible) return sentence + "feasible";
   const std::vector<std::string> names = problem.state_names();
-  return sentence + "not feasible: largest gap " + number(largest_gap) + " in " +
+  return sentence + "not feasible: largest gap " + short_number(largest_gap) + " in " +
          name_or_number(names, gap_entry) + " before " + problem.knot_name(gap_knot);
 }
 
@@ -115,10 +116,10 @@ std::string CostReport::text() const {
   std::stable_sort(by_knot.begin(), by_knot.end(),
                    [](const Entry& a, const Entry& b) { return a.cost > b.cost; });
   if (by_knot.size() > 5) by_knot.resize(5);
-  std::string lines = "cost " + number(total) + "\n";
-  for (const Entry& e : by_term) lines += "  " + number(e.cost) + "  " + e.name + "\n";
+  std::string lines = "cost " + short_number(total) + "\n";
+  for (const Entry& e : by_term) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
   lines += "most expensive knots\n";
-  for (const Entry& e : by_knot) lines += "  " + number(e.cost) + "  " + e.name + "\n";
+  for (const Entry& e : by_knot) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
   return lines + rows_text(rows);
 }
 

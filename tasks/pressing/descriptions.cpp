@@ -55,4 +55,108 @@ const Description& description_of(const PostureLimits* /*of*/) {
   return all;
 }
 
+const Words& words_of(Touch /*of*/) {
+  static const Words all{
+      "pressing",
+      "Touch",
+      "What the tool has to do with the surface in a phase.",
+      {{"free", "nothing touches: a force is a fault, and what is felt is the sensor's noise"},
+       {"due", "contact is to be made: SchedulePhase.until \"contact\""},
+       {"wanted", "pressed"},
+       {"leaving", "pressed at first; free once the tool has come off, or `release` s are over"}}};
+  return all;
+}
+
+const Description& description_of(const TaskTarget* /*of*/) {
+  using T = TaskTarget;
+  static const Description all =
+      Describe<T>("pressing", "TaskTarget",
+                  "What the task asks of the tool at a time of the schedule, for the record. What "
+                  "the controller aims at is what the costs of the problem say.")
+          .field("p_world", &T::p_world, "{m}")
+          .field("force", &T::force,
+                 "{N}, along the normal; 0: no contact wanted, and no friction is reckoned with");
+  return all;
+}
+
+const Description& description_of(const PressingTask* /*of*/) {
+  using P = PressingTask;
+  static const Description all =
+      Describe<P>("pressing", "PressingTask",
+                  "The task of an MpcSpec. Its event is \"contact\": a measured normal force above "
+                  "the threshold and the sensor's noise, which is found out while nothing touches.")
+          .field("touch", &P::touch, "one for each phase of the schedule")
+          .field("target", &P::target, "by time of the schedule, each tick")
+          .field("limits", &P::limits);
+  return all;
+}
+
+const Description& description_of(const TaskPoint* /*of*/) {
+  using T = TaskPoint;
+  static const Description all =
+      Describe<T>("sim", "TaskPoint",
+                  "Where the tip frame's origin shall be and how hard the surface shall push back.")
+          .field("p_world", &T::p_world, "{m}")
+          .field("v_world", &T::v_world, "{m/s}")
+          .field("a_world", &T::a_world, "{m/s^2}")
+          .field("force", &T::force, "{N}, along the surface's normal");
+  return all;
+}
+
+const Description& description_of(const CirclePath* /*of*/) {
+  using C = CirclePath;
+  static const Description all =
+      Describe<C>(
+          "sim", "CirclePath",
+          "A circle in a plane. It starts at the centre, at rest, and its radius grows smoothly.")
+          .field("center_world", &C::center_world, "{m}")
+          .field("normal_world", &C::normal_world, "of the plane, any length but zero")
+          .field("radius", &C::radius, "{m}")
+          .field("rate", &C::rate, "{rad/s}, about the normal")
+          .field("start_up", &C::start_up, "{s} until the radius is reached; positive")
+          .field("force", &C::force, "{N}");
+  return all;
+}
+
+const Description& description_of(const ImpedanceSpec* /*of*/) {
+  using I = ImpedanceSpec;
+  static const Description all =
+      Describe<I>(
+          "sim", "ImpedanceSpec",
+          "The baseline without optimal control: an impedance of the tool in the world, the wanted "
+          "force fed forward, its error integrated, a posture in the null space. With e the tool's "
+          "position error along the surface, v_n its velocity along the normal n and f the force "
+          "along n: a = a_path + kp e + kd de/dt - kd_normal v_n n and f = f_path + ki * integral "
+          "of (f_path - f_measured), by the tool's inertia and its Jacobian as torques.")
+          .field("tool", &I::tool, "frame whose origin follows the path")
+          .field("normal_world", &I::normal_world, "of the surface, towards the robot")
+          .field("task", &I::task,
+                 "The task at t s after the ramp; before, it stays at its start. Must not throw.")
+          .field("posture", &I::posture, "nq, what the null space is drawn to")
+          .field("period", &I::period, "{s} between ticks")
+          .field("kp", &I::kp, "{1/s^2}, along the surface")
+          .field("kd", &I::kd, "{1/s}, along the surface")
+          .field("kd_normal", &I::kd_normal, "{1/s}, along the normal")
+          .field("ki", &I::ki, "{1/s}, of the force error; 0: no force feedback")
+          .field("integral_limit", &I::integral_limit, "{N}, largest correction by the integral")
+          .field("posture_kp", &I::posture_kp, "{1/s^2}")
+          .field("posture_kd", &I::posture_kd, "{1/s}")
+          .field("friction", &I::friction, "of the surface, fed forward along the path's velocity")
+          .field("approach_speed", &I::approach_speed,
+                 "{m/s}, of a point that draws the tip against the normal")
+          .field("contact_threshold", &I::contact_threshold,
+                 "{N} of measured normal force that end the approach; see PressingTask")
+          .field("ramp", &I::ramp, "{s} from the threshold to the task's force");
+  return all;
+}
+
+const Words& words_of(PlantKind /*of*/) {
+  static const Words all{"pressing",
+                         "PlantKind",
+                         "What is controlled in a run.",
+                         {{"mujoco", "an engine that shares no code with this library"},
+                          {"ideal", "the library's own contact dynamics, a rigid surface"}}};
+  return all;
+}
+
 }  // namespace burnish

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "base/description.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
 
@@ -9,6 +11,13 @@ namespace burnish {
 
 const Description& description_of(const ToolLimits*);
 const Description& description_of(const PostureLimits*);
+const Words& words_of(Touch);
+const Description& description_of(const TaskTarget*);
+const Description& description_of(const PressingTask*);
+const Description& description_of(const TaskPoint*);
+const Description& description_of(const CirclePath*);
+const Description& description_of(const ImpedanceSpec*);
+const Words& words_of(PlantKind);
 
 namespace pressing {
 

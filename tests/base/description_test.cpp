@@ -73,6 +73,12 @@ TEST(Descriptions, give_ranges_their_ends) {
   EXPECT_TRUE(range::not_negative.holds(0.0));
   EXPECT_FALSE(range::between(-90, 90).holds(90.0));
   EXPECT_TRUE(range::share.holds(1.0));
+  EXPECT_TRUE(range::fraction.holds(0.0));
+  EXPECT_FALSE(range::fraction.holds(1.0));
+  EXPECT_EQ(range::fraction.text(), "at least 0 and less than 1");
+  EXPECT_FALSE(range::above(1).holds(1.0));
+  EXPECT_EQ(range::above(1).text(), "more than 1");
+  EXPECT_TRUE(range::any_or_infinite.holds(range::end));
 }
 
 }  // namespace

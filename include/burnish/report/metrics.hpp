@@ -22,44 +22,48 @@ struct MetricsSpec {
 
 /// Over the control ticks of the window that solved something.
 struct SolverFigures {
-  int updates = 0;
+  int updates = 0;                                ///< plans that were made
   double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< s
-  double mean_iterations = 0.0;
-  int missed_deadlines = 0;
+  double mean_iterations = 0.0;                   ///< solver iterations per plan, mean
+  int missed_deadlines = 0;                       ///< plans that came later than they were due
 };
 
 /// All of the window unless it says otherwise, on true forces and positions, SI units.
 struct Metrics {
   double start = 0.0, end = 0.0;  ///< s, of the rows found
-  int rows = 0;
-  /// s that averaged forces are means over: MetricsSpec::average, by whole rows; 0: of one row
-  /// each.
+  int rows = 0;                   ///< of the trace within the window
+  /// s, that averaged forces are means over, by whole rows; 0: of one row each
   double average = 0.0;
 
-  double force_mean = 0.0;  ///< N, along the normal
+  double force_mean = 0.0;  ///< N, mean normal force
   // Error of the averaged force against the target.
-  double force_mae = 0.0;   ///< N
-  double force_rmse = 0.0;  ///< N
-  double force_peak = 0.0;  ///< N, largest absolute
+  double force_mae = 0.0;   ///< N, mean absolute error of the force's moving mean
+  double force_rmse = 0.0;  ///< N, root mean square error of the force's moving mean
+  double force_peak = 0.0;  ///< N, largest absolute error of the force's moving mean
   // The same of the force in every row.
-  double force_rmse_raw = 0.0;        ///< N
-  double force_peak_raw = 0.0;        ///< N
-  double estimate_rmse = 0.0;         ///< N, of what the controller believes, along the normal
-  double without_contact = 0.0;       ///< share of rows
-  std::optional<double> impact_peak;  ///< N, in the 50 ms from the first contact of the run on
-  std::optional<double> overshoot;    ///< N, averaged force above the target, in the phase that the
-                                      ///< window begins in and before it; at least 0
+  double force_rmse_raw = 0.0;  ///< N, root mean square error of the force in every row
+  double force_peak_raw = 0.0;  ///< N, largest absolute error of the force in any row
+  /// N, root mean square error of what the controller believes the normal force to be
+  double estimate_rmse = 0.0;
+  double without_contact = 0.0;  ///< share of the time without contact
+  /// N, largest normal force in the 50 ms from the first contact of the run on
+  std::optional<double> impact_peak;
+  /// N, largest excess of the force's moving mean over the target, from the end of the ramp to the
+  /// window; at least 0
+  std::optional<double> overshoot;
 
-  double position_mean = 0.0;      ///< m, distance to the target across the normal
-  double position_rmse = 0.0;      ///< m
-  double position_p95 = 0.0;       ///< m
-  double orientation_drift = 0.0;  ///< rad, largest rotation since the window's start
+  double position_mean = 0.0;  ///< m, mean distance to the target across the normal
+  double position_rmse = 0.0;  ///< m, root mean square distance to the target across the normal
+  /// m, distance to the target across the normal that is not exceeded 95 % of the time
+  double position_p95 = 0.0;
+  double orientation_drift = 0.0;  ///< rad, largest rotation of the tool since the window began
 
-  double joint_margin = 0.0;   ///< rad (m), smallest distance to a position limit
-  std::string tightest_joint;  ///< whose it is; empty without limits
-  double torque_margin = 1.0;  ///< part of a joint's effort limit that was never used, smallest
-  std::string tightest_torque;
-  double limited_torque = 0.0;  ///< share of rows with a joint at its effort limit
+  /// rad, smallest distance of a joint to its limit (m where it slides)
+  double joint_margin = 0.0;
+  std::string tightest_joint;   ///< whose margin that is; empty without limits
+  double torque_margin = 1.0;   ///< share of a joint's effort limit that was never used, smallest
+  std::string tightest_torque;  ///< whose margin that is; empty without limits
+  double limited_torque = 0.0;  ///< share of the time with a joint at its effort limit
 
   std::optional<SolverFigures> solver;  ///< where a controller reports solve times
 };

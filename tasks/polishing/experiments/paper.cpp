@@ -26,7 +26,7 @@ std::vector<Aim> aims_under(const std::string& disturbances) {
 }
 
 /// Runs that differ in nothing but their seed.
-struct Group {
+struct FigureGroup {
   std::string surface, disturbances;
   ControllerKind controller;
   std::vector<int> runs = {};  ///< indices
@@ -45,17 +45,18 @@ std::string verdict(double value, const Aim& aim) {
   return text;
 }
 
-std::vector<RunFigures> members(const Group& group, const std::vector<RunFigures>& runs) {
+std::vector<RunFigures> members(const FigureGroup& group, const std::vector<RunFigures>& runs) {
   std::vector<RunFigures> result;
   for (const int index : group.runs) result.push_back(runs[static_cast<std::size_t>(index)]);
   return result;
 }
 
-ResultTable runs_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs) {
+ResultTable runs_table(const std::vector<FigureGroup>& groups,
+                       const std::vector<RunFigures>& runs) {
   ResultTable table{.name = "runs", .title = "Every run", .for_people = false};
   table.columns = {{"surface"}, {"disturbances"}, {"controller"}, {"seed", "", 0}};
   for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
-  for (const Group& group : groups)
+  for (const FigureGroup& group : groups)
     for (const RunFigures& run : members(group, runs)) {
       std::vector<ResultCell> row{group.surface, group.disturbances, name_of(group.controller),
                                   static_cast<double>(run.seed)};
@@ -65,7 +66,8 @@ ResultTable runs_table(const std::vector<Group>& groups, const std::vector<RunFi
   return table;
 }
 
-ResultTable summary_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs) {
+ResultTable summary_table(const std::vector<FigureGroup>& groups,
+                          const std::vector<RunFigures>& runs) {
   const std::vector<SummaryColumn> summary{
       {"force_rmse", mean_of},
       {"force_rmse", largest_of, "worst"},
@@ -81,7 +83,7 @@ ResultTable summary_table(const std::vector<Group>& groups, const std::vector<Ru
   table.columns = {
       {"surface"}, {"disturbances"}, {"controller"}, {"seeds", "", 0}, {"polished", "", 0}};
   add_columns(summary, table);
-  for (const Group& group : groups) {
+  for (const FigureGroup& group : groups) {
     const std::vector<RunFigures> all = members(group, runs);
     const auto polished =
         std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
@@ -93,13 +95,13 @@ ResultTable summary_table(const std::vector<Group>& groups, const std::vector<Ru
   return table;
 }
 
-ResultTable aims_table(const std::vector<Group>& groups, const std::vector<RunFigures>& runs,
+ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector<RunFigures>& runs,
                        ExperimentReport& report) {
   ResultTable table{.name = "aims", .title = "MPC beside the aims, by the worst seed"};
   table.columns = {{"surface"}, {"disturbances"}, {"figure"},       {"unit"},
                    {"worst"},   {"aim", "", 2},   {"room", "%", 0}, {"verdict"}};
   int met = 0, all = 0;
-  for (const Group& group : groups) {
+  for (const FigureGroup& group : groups) {
     if (group.controller != ControllerKind::Mpc) continue;
     for (const Aim& aim : aims_under(group.disturbances)) {
       double worst = -1.0;
@@ -168,7 +170,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
-  std::vector<Group> groups;
+  std::vector<FigureGroup> groups;
   std::vector<BatchRun> runs;
   for (const std::string& surface : surfaces)
     for (const char* disturbances : {"none", "mismatch", "joint_friction"})

@@ -35,9 +35,10 @@ struct RunSpec {
 
 /// What Verdict is about, as it was.
 struct VerdictFigures {
-  double contact_share = 0.0;  ///< of the time on the path
-  double force_rmse = 0.0;     ///< N
-  double path_share = 0.0;     ///< of the path's length
+  double contact_share = 0.0;  ///< share of the time on the path that was in contact
+  /// N, root mean square error of the force's mean over 10 ms, on all of the path
+  double force_rmse = 0.0;
+  double path_share = 0.0;  ///< share of the path's length along which the tip was over its target
 };
 
 /// Its outcome: that it polished, what came in between, or which figures the verdict does not bear,

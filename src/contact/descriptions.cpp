@@ -1,0 +1,87 @@
+#include "contact/descriptions.hpp"
+
+namespace burnish {
+
+const Words& words_of(Acceleration /*of*/) {
+  static const Words all{
+      "contact",
+      "Acceleration",
+      "Which acceleration of the tool a contact prescribes.",
+      {{"time_derivative", "the true derivative of the constraint velocity"},
+       {"spatial", "the tool's local spatial acceleration carried into the axes (Proposition 3)"},
+       {"classical", "of the material point, written in the axes"}}};
+  return all;
+}
+
+const Words& words_of(PoseError /*of*/) {
+  static const Words all{
+      "contact",
+      "PoseError",
+      "Position-level error that the proportional gain acts on.",
+      {{"split", "position error, and the logarithm of the rotation error"},
+       {"log6", "the SE(3) logarithm in tool axes, carried into the contact's axes"}}};
+  return all;
+}
+
+const Description& description_of(const ContactSpec* /*of*/) {
+  using C = ContactSpec;
+  static const Description all =
+      Describe<C>("contact", "ContactSpec",
+                  "A tool frame tied to a base frame along some directions: alpha + kd nu + kp e = "
+                  "0, nu and alpha being velocity and acceleration of the tool relative to the "
+                  "base, in the reference.")
+          .field("name", &C::name, "unique; the tool's name if left empty")
+          .field("tool", &C::tool, "frame C2")
+          .field("base", &C::base, "frame C1; \"world\" is always known")
+          .field("reference", &C::reference)
+          .field("directions", &C::directions,
+                 "\"all\", \"linear\", \"angular\", \"pad_x|y|z\", or names separated by commas "
+                 "such as \"z,rx,ry\"")
+          .field("acceleration", &C::acceleration)
+          .field("error", &C::error)
+          .field("kp", &C::kp, "{1/s^2}, by direction; only entries of held directions are used")
+          .field("kd", &C::kd, "{1/s}")
+          .field("target", &C::target, "Placement of C2 in C1 that the error is measured from.");
+  return all;
+}
+
+const Description& description_of(const ContactSolver* /*of*/) {
+  using C = ContactSolver;
+  static const Description all =
+      Describe<C>("contact", "ContactSolver", "The KKT system of eq. (3) and its relaxation.")
+          .field("mu", &C::mu,
+                 "Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, "
+                 "which needs independent rows. Positive: any rows, m/s^2 per unit force.")
+          .field("max_proximal_iterations", &C::max_proximal_iterations,
+                 "With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove "
+                 "the compliance while it lasts. 0 keeps the compliant solution.")
+          .field("proximal_tolerance", &C::proximal_tolerance,
+                 "The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is "
+                 "left of the contact acceleration.");
+  return all;
+}
+
+const Description& description_of(const ContactForce* /*of*/) {
+  using C = ContactForce;
+  static const Description all =
+      Describe<C>("contact", "ContactForce",
+                  "The wrench that the base exerts on the tool, at one state.")
+          .result()
+          .field("contact", &C::contact, "name of the contact")
+          .field("on", &C::on, "tool frame C2: the body acted on")
+          .field("by", &C::by, "base frame C1: the body that acts, \"world\" for the environment")
+          .field("reference", &C::reference, "in which `value` is written")
+          .field("value", &C::value, "force (N), then moment about the reference's origin (Nm)")
+          .field("tool_rotation", &C::tool_rotation, "world axes, at that state")
+          .field("base_rotation", &C::base_rotation,
+                 "Poses at that state, world axes, with which the force converts itself. `frame` "
+                 "is what `reference` names: the rotation of its axes' frame, the position of its "
+                 "origin's.")
+          .field("tool_position", &C::tool_position, "{m}")
+          .field("base_position", &C::base_position)
+          .field("frame_rotation", &C::frame_rotation)
+          .field("frame_position", &C::frame_position);
+  return all;
+}
+
+}  // namespace burnish

@@ -1,0 +1,16 @@
+// What the layer's specifications hold.
+#pragma once
+
+#include "base/description.hpp"
+#include "burnish/contact/contact.hpp"
+#include "burnish/contact/contact_force.hpp"
+#include "burnish/contact/contact_set.hpp"
+
+namespace burnish {
+const Words& words_of(Acceleration);
+const Words& words_of(PoseError);
+const Description& description_of(const ContactSpec*);
+const Description& description_of(const ContactSolver*);
+const Description& description_of(const ContactForce*);
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+// What the layer's specifications hold.
+#pragma once
+
+#include "burnish/derivatives/check.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "contact/descriptions.hpp"
+
+namespace burnish {
+const Description& description_of(const WrenchDerivatives*);
+const Description& description_of(const FrameDerivatives*);
+const Description& description_of(const PlacementDerivatives*);
+const Description& description_of(const CheckGains*);
+const Description& description_of(const CheckEntry*);
+const Description& description_of(const CheckRow*);
+const Description& description_of(const CheckReport*);
+const Description& description_of(const RedundantRow*);
+const Description& description_of(const ContactDiagnosis*);
+
+}  // namespace burnish

@@ -1,0 +1,247 @@
+#include "ocp/descriptions.hpp"
+
+namespace burnish {
+
+const Words& words_of(Penalty::Kind /*of*/) {
+  static const Words all{
+      "ocp",
+      "PenaltyKind",
+      "phi of one residual entry r. All are convex, so that Gauss-Newton Hessians are positive.",
+      {{"square", "r^2 / 2"},
+       {"barrier", "half the square of how far r is outside [lower, upper], zero inside"},
+       {"smooth_absolute",
+        "sqrt(r^2 + width^2) - width: |r| far from zero, r^2 / (2 width) close to it"},
+       {"log_barrier",
+        "-log(s / width), s the distance to each limit, where s > width; below, and beyond the "
+        "limit, the parabola ((s / width - 2)^2 - 1) / 2 that continues it smoothly"}}};
+  return all;
+}
+
+const Words& words_of(Integrator /*of*/) {
+  static const Words all{
+      "ocp",
+      "Integrator",
+      "How the state goes from one knot to the next.",
+      {{"semi_implicit_euler", "v' = v + step a(q, v, tau), q' = q (+) step v'"},
+       {"runge_kutta4", "classical, the control held; costs are taken at the start of the step"}}};
+  return all;
+}
+
+const Words& words_of(TorqueModel::Discretization /*of*/) {
+  static const Words all{
+      "ocp",
+      "Discretization",
+      "Of the torque model.",
+      {{"exact", "decay over a step: exp(-cutoff step)"}, {"euler", "1 - cutoff step"}}};
+  return all;
+}
+
+const Description& description_of(const Penalty* /*of*/) {
+  using P = Penalty;
+  static const Description all =
+      Describe<P>("ocp", "Penalty", "What a residual costs: a function of each of its entries.")
+          .field("kind", &P::kind)
+          .field("lower", &P::lower,
+                 "barriers: limit in the residual's unit, a number for all rows or one per row, "
+                 "infinite where there is none; empty: none")
+          .number_too()
+          .field("upper", &P::upper,
+                 "Barriers: limits in the residual's unit; one entry for all rows, or one per row; "
+                 "infinite where there is none. Empty: none.")
+          .number_too()
+          .field("width", &P::width, "residual's unit, positive");
+  return all;
+}
+
+const Description& description_of(const Constraint* /*of*/) {
+  using C = Constraint;
+  static const Description all =
+      Describe<C>("ocp", "Constraint",
+                  "lower <= r_i <= upper for every row i of a residual; an equality where the two "
+                  "meet. Evaluated, differentiated, checked and reported along a trajectory. The "
+                  "solver minimises the costs alone: it says how far a row is outside its limits, "
+                  "and does not keep it inside.")
+          .field("residual", &C::residual)
+          .required()
+          .field("name", &C::name,
+                 "unique among the terms of its stage; the residual's name if left empty")
+          .field("lower", &C::lower,
+                 "In the residual's unit: per row, one for all, or empty: none. At least one of "
+                 "the two, but for the margins (friction cone, center of pressure), whose rows are "
+                 "at least zero unless said.")
+          .number_too()
+          .field("upper", &C::upper, "likewise")
+          .number_too();
+  return all;
+}
+
+const Description& description_of(const CostTerm* /*of*/) {
+  using C = CostTerm;
+  static const Description all =
+      Describe<C>("ocp", "CostTerm",
+                  "weight * sum over rows i of weights_i phi(r_i), times the stage's step while "
+                  "time passes.")
+          .field("residual", &C::residual)
+          .required()
+          .field("weight", &C::weight, "1 / (unit of phi) / s while time passes; not negative")
+          .field("name", &C::name, "unique in its stage; the residual's name if left empty")
+          .field("weights", &C::weights, "per row, or empty for ones; not negative")
+          .field("penalty", &C::penalty, "Empty: a square, or what the residual says.");
+  return all;
+}
+
+const Description& description_of(const TorqueModel* /*of*/) {
+  using T = TorqueModel;
+  static const Description all =
+      Describe<T>("ocp", "TorqueModel",
+                  "Actuators as a first-order low-pass of the control: dtau/dt = cutoff (u - tau). "
+                  "The torques join the state.")
+          .field("cutoff", &T::cutoff, "{rad/s}")
+          .field("discretization", &T::discretization);
+  return all;
+}
+
+const Description& description_of(const ActuationSpec* /*of*/) {
+  using A = ActuationSpec;
+  static const Description all =
+      Describe<A>("ocp", "ActuationSpec", "Which joints are driven.")
+          .field("joints", &A::joints, "Empty: every joint but a free-flying base.")
+          .field("passive_torques", &A::passive_torques,
+                 "Joint damping and friction of the model act too, smoothed as "
+                 "dynamics/passive.hpp has it.")
+          .field("slip_velocity", &A::slip_velocity, "{rad/s} or m/s");
+  return all;
+}
+
+const Description& description_of(const Stage* /*of*/) {
+  using S = Stage;
+  static const Description all =
+      Describe<S>("ocp", "Stage",
+                  "A kind of knot: which contacts hold, what is aimed at, how long a step is.")
+          .field("name", &S::name)
+          .field("contacts", &S::contacts, "names of those that hold")
+          .field("costs", &S::costs)
+          .field("constraints", &S::constraints)
+          .field("step", &S::step, "{s}")
+          .field("integrator", &S::integrator)
+          .field("impact", &S::impact,
+                 "The contacts are made here: velocities jump so that they hold (inelastic), no "
+                 "time passes, there is no control, and costs are not multiplied by a step.");
+  return all;
+}
+
+const Description& description_of(const HorizonSegment* /*of*/) {
+  using H = HorizonSegment;
+  static const Description all =
+      Describe<H>("ocp", "HorizonSegment", "Consecutive knots of one stage.")
+          .field("stage", &H::stage)
+          .field("knots", &H::knots);
+  return all;
+}
+
+const Description& description_of(const ProblemSpec* /*of*/) {
+  using P = ProblemSpec;
+  static const Description all =
+      Describe<P>("ocp", "ProblemSpec",
+                  "An optimal control problem as a user states it: a robot, contacts, stages of "
+                  "costs, a horizon.")
+          .field("model", &P::model)
+          .required()
+          .field("contacts", &P::contacts, "all contacts of the problem; stages choose")
+          .field("contact_solver", &P::contact_solver)
+          .field("actuation", &P::actuation)
+          .field("torque_model", &P::torque_model)
+          .field("control_lower", &P::control_lower,
+                 "nu entries or one for all, Nm (N); empty: none.")
+          .number_too()
+          .field("control_upper", &P::control_upper, "likewise")
+          .number_too()
+          .field("stages", &P::stages)
+          .field("horizon", &P::horizon)
+          .field("terminal", &P::terminal, "costs of the last state")
+          .field("terminal_constraints", &P::terminal_constraints)
+          .field("initial_state", &P::initial_state, "(q, v), or (q, v, tau) with a torque model")
+          .field("start_time", &P::start_time, "{s}, of the first knot");
+  return all;
+}
+
+const Description& description_of(const StateLayout* /*of*/) {
+  using S = StateLayout;
+  static const Description all =
+      Describe<S>(
+          "ocp", "StateLayout",
+          "Where the parts of z = (du, dq, dv, dtau) start, and how many entries they have.")
+          .field("nq", &S::nq)
+          .field("nv", &S::nv)
+          .field("filtered", &S::filtered, "torques in the state (torque model), or 0")
+          .field("nu", &S::nu)
+          .field("actuated", &S::actuated, "entry of v that control i drives; nu entries");
+  return all;
+}
+
+const Description& description_of(const Problem::QuasiStatic* /*of*/) {
+  using Q = Problem::QuasiStatic;
+  static const Description all =
+      Describe<Q>(
+          "ocp", "QuasiStatic",
+          "The control of least norm that with the contacts of a stage holds a state at rest.")
+          .result()
+          .field("control", &Q::control, "nu, Nm")
+          .field("force", &Q::force, "rows of the stage's contacts, N and Nm")
+          .field("residual", &Q::residual, "largest torque that nothing balances, Nm");
+  return all;
+}
+
+const Description& description_of(const ProblemCheckOptions* /*of*/) {
+  using P = ProblemCheckOptions;
+  static const Description all =
+      Describe<P>("ocp", "ProblemCheckOptions", "How check_problem() looks.")
+          .field("states", &P::states, "random states per stage, at least 1")
+          .field("seed", &P::seed, "the same seed gives the same states on every machine")
+          .field("tolerance", &P::tolerance,
+                 "on |derivative - difference| over the block's largest entry")
+          .field(
+              "x", &P::x,
+              "Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts "
+              "are not read). Empty: the initial state, and the control that holds it at rest.")
+          .field("u", &P::u)
+          .field("position", &P::position, "How far states are drawn from it, uniformly. rad, m")
+          .field("velocity", &P::velocity, "{rad/s}, m/s")
+          .field("torque", &P::torque, "{Nm}, N: controls, and torques in the state")
+          .field("progress", &P::progress,
+                 "Called after each stage with the number of stages done and the number of all "
+                 "stages.");
+  return all;
+}
+
+const Description& description_of(const ProblemCheckRow* /*of*/) {
+  using P = ProblemCheckRow;
+  static const Description all =
+      Describe<P>(
+          "ocp", "ProblemCheckRow",
+          "The next state, one cost term or the costs together, of one stage at all its states.")
+          .result()
+          .field("stage", &P::stage)
+          .field("term", &P::term,
+                 "name of a cost term or a constraint, \"next state\" or \"all costs\"")
+          .field("states", &P::states)
+          .field("worst_error", &P::worst_error,
+                 "relative to the block's largest entry; infinite after a NaN")
+          .field("worst", &P::worst, "blocks: such as \"dnext_dq\", \"dr_du\", \"dcost_dv\"")
+          .field("pass_", &P::pass, "worst_error <= tolerance");
+  return all;
+}
+
+const Description& description_of(const ProblemReport* /*of*/) {
+  using P = ProblemReport;
+  static const Description all =
+      Describe<P>("ocp", "ProblemReport", "What check_problem() found.")
+          .result()
+          .field("robot", &P::robot)
+          .field("rows", &P::rows)
+          .field("tolerance", &P::tolerance)
+          .field("pass_", &P::pass, "there are rows, and all of them pass");
+  return all;
+}
+
+}  // namespace burnish

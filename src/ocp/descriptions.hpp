@@ -1,0 +1,43 @@
+// What the layer's specifications hold.
+#pragma once
+
+#include "base/descriptions.hpp"
+#include "burnish/ocp/check.hpp"
+#include "burnish/ocp/problem.hpp"
+#include "derivatives/descriptions.hpp"
+
+namespace burnish {
+namespace residual {
+const Description& description_of(const State*);
+const Description& description_of(const Control*);
+const Description& description_of(const JointPosition*);
+const Description& description_of(const JointVelocity*);
+const Description& description_of(const JointTorque*);
+const Description& description_of(const FrameRotation*);
+const Description& description_of(const FramePlacement*);
+const Description& description_of(const FrameVelocity*);
+const Description& description_of(const ContactForce*);
+const Description& description_of(const FrictionCone*);
+const Description& description_of(const CenterOfPressure*);
+const Description& description_of(const CenterOfMass*);
+const Description& description_of(const CentroidalMomentum*);
+}  // namespace residual
+
+const Words& words_of(Penalty::Kind);
+const Words& words_of(Integrator);
+const Words& words_of(TorqueModel::Discretization);
+const Description& description_of(const Penalty*);
+const Description& description_of(const Constraint*);
+const Description& description_of(const CostTerm*);
+const Description& description_of(const TorqueModel*);
+const Description& description_of(const ActuationSpec*);
+const Description& description_of(const Stage*);
+const Description& description_of(const HorizonSegment*);
+const Description& description_of(const ProblemSpec*);
+const Description& description_of(const StateLayout*);
+const Description& description_of(const Problem::QuasiStatic*);
+const Description& description_of(const ProblemCheckOptions*);
+const Description& description_of(const ProblemCheckRow*);
+const Description& description_of(const ProblemReport*);
+
+}  // namespace burnish

@@ -1,0 +1,143 @@
+#include "ocp/descriptions.hpp"
+
+namespace burnish::residual {
+
+const Description& description_of(const State* /*of*/) {
+  using S = State;
+  static const Description all =
+      Describe<S>("residual", "State",
+                  "x (-) target, ndx rows: dq (rad, m), dv (rad/s, m/s), dtau (Nm, N).")
+          .field("target", &S::target,
+                 "a state of nx entries; None: the initial state of the problem");
+  return all;
+}
+
+const Description& description_of(const Control* /*of*/) {
+  using C = Control;
+  static const Description all = Describe<C>("residual", "Control", "u - target, nu rows, Nm (N).")
+                                     .field("target", &C::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const JointPosition* /*of*/) {
+  using J = JointPosition;
+  static const Description all =
+      Describe<J>("residual", "JointPosition",
+                  "q_j - target for revolute and prismatic joints, one row each, rad or m. No "
+                  "joints: all of them that have a limit.")
+          .field("joints", &J::joints)
+          .field("target", &J::target, "None: zero, as limits want it");
+  return all;
+}
+
+const Description& description_of(const JointVelocity* /*of*/) {
+  using J = JointVelocity;
+  static const Description all =
+      Describe<J>("residual", "JointVelocity",
+                  "v - target for the entries of the named joints, rad/s or m/s; no joints: all "
+                  "but the free-flying base.")
+          .field("joints", &J::joints)
+          .field("target", &J::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const JointTorque* /*of*/) {
+  using J = JointTorque;
+  static const Description all =
+      Describe<J>("residual", "JointTorque",
+                  "What the actuators apply to the named joints minus the target, Nm or N: the "
+                  "control, or with a torque model the torque state. No joints: all actuated ones.")
+          .field("joints", &J::joints)
+          .field("target", &J::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const FrameRotation* /*of*/) {
+  using F = FrameRotation;
+  static const Description all =
+      Describe<F>("residual", "FrameRotation", "log(R_target^T R), 3 rows, rad, target axes.")
+          .field("frame", &F::frame)
+          .field("target", &F::target, "quaternion x, y, z, w, of unit length");
+  return all;
+}
+
+const Description& description_of(const FramePlacement* /*of*/) {
+  using F = FramePlacement;
+  static const Description all =
+      Describe<F>("residual", "FramePlacement",
+                  "SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.")
+          .field("frame", &F::frame)
+          .field("target", &F::target, "position (m), quaternion x, y, z, w");
+  return all;
+}
+
+const Description& description_of(const FrameVelocity* /*of*/) {
+  using F = FrameVelocity;
+  static const Description all =
+      Describe<F>("residual", "FrameVelocity",
+                  "Velocity of a frame in the world minus the target, 6 rows: m/s, rad/s, written "
+                  "in the reference, whose tool is the frame and whose base is the world.")
+          .field("frame", &F::frame)
+          .field("reference", &F::reference)
+          .field("target", &F::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const ContactForce* /*of*/) {
+  using C = ContactForce;
+  static const Description all =
+      Describe<C>("residual", "ContactForce",
+                  "Force of an active contact minus the target, N and Nm: the held rows in the "
+                  "contact's own reference, or six rows in another one.")
+          .field("contact", &C::contact)
+          .field("reference", &C::reference)
+          .field("target", &C::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const FrictionCone* /*of*/) {
+  using F = FrictionCone;
+  static const Description all =
+      Describe<F>("residual", "FrictionCone",
+                  "Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be "
+                  "kept above a limit: the default penalty is a barrier at 0. f_n is the force "
+                  "along the axis `normal` of the reference (0, 1, 2: x, y, z), f_t what stands at "
+                  "a right angle to it.")
+          .field("contact", &F::contact)
+          .field("friction", &F::friction)
+          .field("normal", &F::normal)
+          .field("reference", &F::reference, "default: the contact's own");
+  return all;
+}
+
+const Description& description_of(const CenterOfPressure* /*of*/) {
+  using C = CenterOfPressure;
+  static const Description all =
+      Describe<C>("residual", "CenterOfPressure",
+                  "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
+                  "tool's axes, times the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ "
+                  "m_x, both halves in m. Default penalty: a barrier at 0.")
+          .field("contact", &C::contact)
+          .field("half_x", &C::half_x, "{m}")
+          .field("half_y", &C::half_y);
+  return all;
+}
+
+const Description& description_of(const CenterOfMass* /*of*/) {
+  using C = CenterOfMass;
+  static const Description all =
+      Describe<C>("residual", "CenterOfMass", "Centre of mass minus the target, 3 rows, m, world.")
+          .field("target", &C::target);
+  return all;
+}
+
+const Description& description_of(const CentroidalMomentum* /*of*/) {
+  using C = CentroidalMomentum;
+  static const Description all = Describe<C>("residual", "CentroidalMomentum",
+                                             "Momentum about the centre of mass minus the target, "
+                                             "6 rows: kg m/s, kg m^2/s, world axes.")
+                                     .field("target", &C::target, "None: zero");
+  return all;
+}
+
+}  // namespace burnish::residual

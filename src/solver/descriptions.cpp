@@ -1,0 +1,245 @@
+#include "solver/descriptions.hpp"
+
+namespace burnish {
+
+const Words& words_of(StepUpdate /*of*/) {
+  static const Words all{
+      "solver",
+      "StepUpdate",
+      "How a direction becomes the next iterate.",
+      {{"rollout",
+        "The controls' policy is rolled out through the dynamics; gaps shrink by 1 - alpha. After "
+        "a step of length 1 the trajectory is feasible and stays so (feasibility-driven DDP)."},
+       {"multiple_shooting",
+        "States and controls move along the solution of the linear-quadratic problem; every knot "
+        "is evaluated on its own, in packs and threads. Gaps vanish with convergence."}}};
+  return all;
+}
+
+const Words& words_of(StopReason /*of*/) {
+  static const Words all{
+      "solver",
+      "StopReason",
+      "Why a solve ended.",
+      {{"converged", "feasible, and the expected improvement is below stop_tolerance"},
+       {"max_iterations", "max_iterations were made"},
+       {"time_budget", "time_budget was spent"},
+       {"not_evaluated", "a knot of the iterate cannot be evaluated: see status, knot, term"},
+       {"not_positive_definite", "Quu of a knot, with the largest regularisation"},
+       {"no_step", "no step length was acceptable, with the largest regularisation"},
+       {"callback", "the callback asked for it"}}};
+  return all;
+}
+
+const Description& description_of(const Regularization* /*of*/) {
+  using R = Regularization;
+  static const Description all =
+      Describe<R>(
+          "solver", "Regularization",
+          "Levenberg term, added to the diagonal of Quu, in cost per squared unit of control.")
+          .field("initial", &R::initial, "", range::not_negative)
+          .field("smallest", &R::smallest,
+                 "Below this there is none: a decrease ends at 0, an increase from 0 begins here.",
+                 range::positive)
+          .field("largest", &R::largest, "needed more than this: the solver gives up")
+          .field("factor", &R::factor, "of an increase, and 1 / factor of a decrease",
+                 range::above(1))
+          .field("decrease_above", &R::decrease_above, "decreases after a step of length > this",
+                 range::any_or_infinite)
+          .field("increase_at_or_below", &R::increase_at_or_below,
+                 "increases after a step of length <= this", range::any_or_infinite);
+  return all;
+}
+
+const Description& description_of(const LineSearch* /*of*/) {
+  using L = LineSearch;
+  static const Description all =
+      Describe<L>("solver", "LineSearch",
+                  "The step lengths 1, 1/2, 1/4, ... and what a trial must reach to be taken.")
+          .field("halvings", &L::halvings, "the smallest length is 2^-halvings", range::from(0, 60))
+          .field(
+              "sufficient_decrease", &L::sufficient_decrease,
+              "Rollout, expected improvement dV(alpha) >= 0: taken if the iterate is not feasible, "
+              "since closing its gaps may cost, or cost - trial > sufficient_decrease * dV(alpha).",
+              range::fraction)
+          .field("allowed_increase", &L::allowed_increase,
+                 "Rollout, dV(alpha) < 0 (closing gaps costs): taken if cost - trial > "
+                 "allowed_increase * dV(alpha).",
+                 range::not_negative)
+          .field("merit_decrease", &L::merit_decrease,
+                 "MultipleShooting, merit = cost + penalty * sum |gap|_1 with slope D: taken if "
+                 "trial <= merit + merit_decrease * alpha * D.",
+                 range::fraction)
+          .field("merit_share", &L::merit_share,
+                 "MultipleShooting: the penalty makes D <= -merit_share * penalty * sum |gap|_1.",
+                 range::fraction)
+          .field("rounding", &L::rounding,
+                 "Rounding of a sum of costs: every comparison above is relaxed by rounding * "
+                 "|cost|.",
+                 range::not_negative);
+  return all;
+}
+
+const Description& description_of(const DdpProgress* /*of*/) {
+  using D = DdpProgress;
+  static const Description all =
+      Describe<D>("solver", "DdpProgress", "What a callback sees after each iteration.")
+          .field("iteration", &D::iteration, "from 1")
+          .field("cost", &D::cost)
+          .field("expected_improvement", &D::expected_improvement,
+                 "|d1 + d2 / 2|: what the quadratic model said before the step that the whole step "
+                 "would save.")
+          .field("largest_gap", &D::largest_gap)
+          .field("step_length", &D::step_length, "0: no length was acceptable")
+          .field("regularization", &D::regularization)
+          .field("penalty", &D::penalty, "of gaps in the merit; MultipleShooting only")
+          .field("feasible", &D::feasible)
+          .field("seconds", &D::seconds, "since the solve began");
+  return all;
+}
+
+const Description& description_of(const DdpOptions* /*of*/) {
+  using D = DdpOptions;
+  static const Description all =
+      Describe<D>("solver", "DdpOptions",
+                  "How a DdpSolver works, each tolerance beside the inequality it enters.")
+          .field("update", &D::update)
+          .field("max_iterations", &D::max_iterations, "", range::from(0))
+          .field("time_budget", &D::time_budget,
+                 "Seconds, looked at between phases and between trials; the best iterate so far is "
+                 "kept. At least the guess is evaluated.",
+                 range::not_negative_or_infinite)
+          .field("threads", &D::threads, "", range::from(1, 1024))
+          .field(
+              "pin_threads", &D::pin_threads,
+              "Thread i of the solver stays on the i-th core that the thread which makes it (or "
+              "gives it options) may run on. The thread that solves is left as it is. Linux alone.")
+          .field("share_knots", &D::share_knots,
+                 "Threads work together on each knot of the recursion where knots are large (a "
+                 "humanoid's), which is faster on cores that share a cache and slower on others. "
+                 "Results have the same bits.")
+          .field("segments", &D::segments,
+                 "The recursion works on so many parts of the horizon at the same time, for long "
+                 "horizons and several cores: docs/performance.md, \"Threads\", says when that is "
+                 "faster. It makes up to three times the operations, and threads + 1 segments suit "
+                 "`threads` best; 1 and 2 mean one sweep from the end to the begin, as do bounds "
+                 "on controls. Fewer than the problem has knots. Gains and values are those of the "
+                 "whole horizon, but for rounding; their bits depend on this number and not on "
+                 "that of threads.",
+                 range::from(1, 1024))
+          .field(
+              "stop_tolerance", &D::stop_tolerance,
+              "Converged if feasible and expected improvement < stop_tolerance (in units of cost).",
+              range::not_negative)
+          .field("gap_tolerance", &D::gap_tolerance,
+                 "Feasible if every |entry of a gap| <= gap_tolerance.", range::not_negative)
+          .field("line_search", &D::line_search)
+          .field("regularization", &D::regularization)
+          .field("callback", &D::callback,
+                 "called after each iteration; False stops the solve, None and True go on, and "
+                 "what it raises reaches the caller of solve()");
+  return all;
+}
+
+const Description& description_of(const PhaseTimes* /*of*/) {
+  using P = PhaseTimes;
+  static const Description all =
+      Describe<P>("solver", "PhaseTimes", "Seconds of a solve by phase.")
+          .field("expand", &P::expand, "values and derivatives")
+          .field("backward", &P::backward, "Riccati recursion")
+          .field("trial", &P::trial, "rollouts and evaluations of the line search")
+          .field("total", &P::total);
+  return all;
+}
+
+const Description& description_of(const DdpSummary* /*of*/) {
+  using D = DdpSummary;
+  static const Description all =
+      Describe<D>("solver", "DdpSummary", "Why a solve ended and what it reached.")
+          .field("reason", &D::reason)
+          .field("iterations", &D::iterations, "line searches made")
+          .field("cost", &D::cost, "of the trajectory that is returned")
+          .field("feasible", &D::feasible)
+          .field("expected_improvement", &D::expected_improvement, "the last one computed")
+          .field("regularization", &D::regularization, "the last one used")
+          .field("largest_gap", &D::largest_gap, "of the trajectory that is returned")
+          .field("gap_knot", &D::gap_knot,
+                 "where: the state that the gap leads to, 0 for the initial one")
+          .field("gap_entry", &D::gap_entry, "entry of dx")
+          .field("status", &D::status,
+                 "NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be "
+                 "evaluated: where and what.")
+          .field("knot", &D::knot)
+          .field("term", &D::term, "cost term that is not finite, -1: none, a row or the dynamics")
+          .field("row", &D::row, "row of a constraint that is not finite, -1: none")
+          .field("in_derivatives", &D::in_derivatives,
+                 "NotEvaluated: values are finite, derivatives are not")
+          .field("control", &D::control,
+                 "NotPositiveDefinite: the first one whose pivot is not positive")
+          .field("options", &D::options, "those it was solved with, without callback")
+          .field("seconds", &D::seconds)
+          .field("log", &D::log, "an entry per iteration");
+  return all;
+}
+
+const Description& description_of(const CostReport::Entry* /*of*/) {
+  using E = CostReport::Entry;
+  static const Description all = Describe<E>("solver", "CostEntry", "What one cost term adds.")
+                                     .result()
+                                     .field("name", &E::name)
+                                     .field("cost", &E::cost);
+  return all;
+}
+
+const Description& description_of(const CostReport::Knot* /*of*/) {
+  using K = CostReport::Knot;
+  static const Description all = Describe<K>("solver", "CostKnot", "What one knot costs.")
+                                     .result()
+                                     .field("name", &K::name)
+                                     .field("cost", &K::cost)
+                                     .field("terms", &K::terms);
+  return all;
+}
+
+const Description& description_of(const CostReport::Row* /*of*/) {
+  using R = CostReport::Row;
+  static const Description all =
+      Describe<R>("solver", "LimitedRow",
+                  "A row of a constraint, where it is furthest outside its limits, or nearest to "
+                  "one of them from inside.")
+          .result()
+          .field("name", &R::name, "as Problem.row_names has it")
+          .field("knot", &R::knot, "as Problem.knot_name has it")
+          .field("value", &R::value)
+          .field("lower", &R::lower)
+          .field("upper", &R::upper)
+          .field("outside", &R::outside,
+                 "how far; negative: the least distance to a limit from inside");
+  return all;
+}
+
+const Description& description_of(const CostReport* /*of*/) {
+  using C = CostReport;
+  static const Description all =
+      Describe<C>("solver", "CostReport", "Where a cost comes from.")
+          .result()
+          .field("total", &C::total)
+          .field("terms", &C::terms, "summed over knots, in order of appearance")
+          .field("knots", &C::knots, "N + 1")
+          .field("rows", &C::rows, "over all knots, in order of appearance");
+  return all;
+}
+
+const Description& description_of(const NamedMatrix* /*of*/) {
+  using N = NamedMatrix;
+  static const Description all =
+      Describe<N>("solver", "NamedMatrix",
+                  "A result with the names of what its rows and columns stand for.")
+          .result()
+          .field("rows", &N::rows)
+          .field("columns", &N::columns)
+          .field("values", &N::values);
+  return all;
+}
+
+}  // namespace burnish

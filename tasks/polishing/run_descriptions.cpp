@@ -1,0 +1,87 @@
+#include "polishing/run_descriptions.hpp"
+
+#include "polishing/figures.hpp"
+
+namespace burnish::polishing {
+
+const Description& description_of(const VerdictFigures* /*of*/) {
+  static const Description all = [] {
+    Describe<VerdictFigures> figures("polishing", "VerdictFigures",
+                                     "What Verdict is about, as it was in a run.");
+    each_verdict_figure([&](const FigureEntry& entry, auto member, auto, bool) {
+      figures.field(entry.name, member, described_as(entry).c_str());
+    });
+    return figures.result();
+  }();
+  return all;
+}
+
+const Words& words_of(ControllerKind /*of*/) {
+  static const Words all{
+      "polishing",
+      "ControllerKind",
+      "What controls a run.",
+      {{"mpc", "model predictive control (MpcController)"},
+       {"baseline",
+        "impedance with force feedback, no optimisation (make_impedance_controller())"}}};
+  return all;
+}
+
+const Description& description_of(const NamedSurface* /*of*/) {
+  using N = NamedSurface;
+  static const Description all =
+      Describe<N>(
+          "polishing", "NamedSurface",
+          "A surface by name: where its normal points and a starting posture of the robot for it.")
+          .result()
+          .field("name", &N::name)
+          .field("posture", &N::posture, "of the robot's settings")
+          .field("normal_world", &N::normal_world, "out of the surface");
+  return all;
+}
+
+const Description& description_of(const Setting* /*of*/) {
+  using S = Setting;
+  static const Description all =
+      Describe<S>(
+          "polishing", "Setting",
+          "A task with everything resolved: robot, start, surface, path in the world, phases.")
+          .field("robot", &S::robot)
+          .required()
+          .field("q_start", &S::q_start, "nq")
+          .required()
+          .field("scene", &S::scene, "as the controller knows it")
+          .required()
+          .field("surface_axes", &S::surface_axes, "columns: two tangents and the normal, world")
+          .required()
+          .field("p_start", &S::p_start, "of the tool, m, world")
+          .required()
+          .field("p_center", &S::p_center, "of the tool at the path's origin in contact, m, world")
+          .required()
+          .field("reach_end", &S::reach_end, "{s} of the schedule")
+          .field("touch", &S::touch, "{s} of the schedule")
+          .field("ramp_end", &S::ramp_end, "{s} of the schedule")
+          .field("track_end", &S::track_end, "{s} of the schedule");
+  return all;
+}
+
+const Description& description_of(const RunSpec* /*of*/) {
+  using R = RunSpec;
+  static const Description all =
+      Describe<R>("polishing", "RunSpec", "A run of a task.")
+          .field("task", &R::task)
+          .field("robot", &R::robot, "in place of the one that the task names")
+          .field("controller", &R::controller)
+          .field("plant", &R::plant)
+          .field("check_reach", &R::check_reach,
+                 "before anything moves; a problem is then an Error")
+          .field("reach", &R::reach)
+          .field("plan_rate", &R::plan_rate,
+                 "{Hz}, at which plans of the MPC are recorded, at most 20 000 of them; 0: none")
+          .field("progress", &R::progress,
+                 "Called now and then with the simulated time and about when it will be over, s. "
+                 "Returning false stops the run.");
+  return all;
+}
+
+}  // namespace burnish::polishing
