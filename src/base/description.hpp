@@ -88,9 +88,9 @@ struct ValueType {
   void* (*entry)(void*, std::size_t) = nullptr;                    ///< List, Map, Optional
   const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Map, of an entry
   void* (*named)(void*, const std::string&) = nullptr;  ///< Map: the entry, made if it is not there
-  bool by_rows = false;                                 ///< Array: how its numbers follow each other
-  double* (*numbers)(void*) = nullptr;                  ///< Array
-  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Array
+  bool by_rows = false;                            ///< Array: how its numbers follow each other
+  double* (*numbers)(void*) = nullptr;             ///< Array
+  Eigen::Index (*rows_of)(const void*) = nullptr;  ///< Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };

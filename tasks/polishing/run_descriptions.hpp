@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/tasks/polishing/run.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/descriptions.hpp"
 #include "pressing/run_descriptions.hpp"
 #include "sim/descriptions.hpp"

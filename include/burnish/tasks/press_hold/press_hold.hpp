@@ -112,8 +112,9 @@ struct RunSpec {
 
 /// Of the time from the end of the ramp to the end of the hold.
 struct HoldFigures {
-  double moved_aside = 0.0;  ///< rad (m), the largest way of a joint
-  double slip = 0.0;         ///< m, farthest that the tool was off its point along the surface
+  /// rad, largest way of a joint from the ramp's end to the hold's (m where it slides)
+  double moved_aside = 0.0;
+  double slip = 0.0;  ///< m, farthest that the tool was off its point along the surface
 };
 
 struct RunResult : TaskRun {

@@ -32,7 +32,7 @@ using RunProgress = std::function<bool(double time, double end)>;
 /// Wall clock of the controller's ticks after the first, s.
 struct TickTimes {
   int count = 0;        ///< ticks that were timed: every nth of more than a million
-  double period = 0.0;  ///< between two ticks: what they must stay below
+  double period = 0.0;  ///< s, between two ticks
   double median = 0.0, p99 = 0.0, maximum = 0.0, mean = 0.0;
   int late = 0;  ///< ticks that took longer than a period
 };
