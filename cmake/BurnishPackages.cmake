@@ -84,7 +84,7 @@ math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
 debian_package(python SECTION python
   DEPENDS "${burnish_package_library} ${same}" "${burnish_package_program} ${same}" python3-numpy
     "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})" "python3 (<< ${Python3_VERSION_MAJOR}.${next_python})"
-  RECOMMENDS python3-matplotlib python3-distributed python3-yaml python3-scipy python3-h5py python3-nlopt
+  RECOMMENDS python3-matplotlib python3-distributed python3-scipy python3-h5py python3-nlopt
   CONTROL ${CMAKE_CURRENT_LIST_DIR}/debian/postinst ${CMAKE_CURRENT_LIST_DIR}/debian/prerm
   DESCRIPTION "contact dynamics, its derivatives and optimal control (Python 3)
 ${what}

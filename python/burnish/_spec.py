@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-import difflib
 import functools
 from typing import Any, ClassVar, Dict, Tuple, TypeVar
 
 import numpy as np
+
+from . import _core
 
 S = TypeVar("S", bound="Spec")
 
@@ -69,8 +70,7 @@ class Spec:
     def __setattr__(self, name: str, value: Any) -> None:
         known = _names(type(self))
         if name not in known:
-            near = difflib.get_close_matches(name, known, 1)
-            hint = f"; did you mean '{near[0]}'?" if near else f"; it has {', '.join(known)}"
+            hint = _core.did_you_mean(name, list(known)) or f"; it has {', '.join(known)}"
             raise AttributeError(f"{type(self).__name__} has no entry '{name}'{hint}")
         object.__setattr__(self, name, value)
 

@@ -81,6 +81,9 @@ void bind_errors(py::module_& m) {
   m.def(
       "describe", [](Status status) { return std::string(describe(status)); }, py::arg("status"),
       "One sentence that says what the status means and what to do about it.");
+  m.def("did_you_mean", &did_you_mean, py::arg("name"), py::arg("known"),
+        "The end of a sentence that refuses a name: \"; did you mean 'x'?\", or nothing where none "
+        "is near.");
 }
 
 void bind_trace(py::class_<Trace>& of) {

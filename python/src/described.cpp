@@ -7,11 +7,6 @@ namespace {
 
 using Kind = ValueType::Kind;
 
-/// What gives access to a value's parts takes it as one that may be written.
-void* to_read(const void* at) {
-  return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): nothing is
-}
-
 const Carried& carried_as(const ValueType& type) {
   const auto found = carried().find(type.id);
   if (found == carried().end())

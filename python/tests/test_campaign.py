@@ -248,7 +248,6 @@ class TestProcesses:
 
     @long
     def test_campaigns_as_values_are_the_same_there(self, processes, tmp_path):
-        pytest.importorskip("yaml")
         processes.start_worker()
         processes.start_worker()
         task = Path(__file__).resolve().parents[2] / "tasks" / "press_hold" / "arm7.yaml"

@@ -11,13 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from burnish import campaign
+from burnish import _core, campaign
 from burnish.campaign import _tune
 from burnish.campaign._results import RunFolder
 from burnish.campaign._tasks import Machine, Outcome
 
 TASKS = Path(__file__).resolve().parents[2] / "tasks"
-yaml = pytest.importorskip("yaml", reason="PyYAML is not installed (python3-yaml)")
 has_nlopt = importlib.util.find_spec("nlopt") is not None
 has_scipy = importlib.util.find_spec("scipy") is not None
 either = pytest.mark.skipif(not (has_nlopt or has_scipy),
@@ -34,7 +33,7 @@ class Made(Machine):
 
     def make(self, runs, keep):
         for index, run in enumerate(runs):
-            task = yaml.safe_load(run.text)
+            task = _core.parse_yaml(run.text)
             self.tasks.append(task)
             weight, friction = task["controller"]["posture_weight"], task["surface"]["friction"]
             figures = {"force_rmse_N": 1.0 + (math.log10(weight) - 1.0) ** 2 + 0.01 * friction,
@@ -79,7 +78,7 @@ def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
     weight, speed = result.matters
     assert weight["verdict"] == "worse" and speed.get("verdict", "no sure difference") == "no sure difference"
     # The task is a file with these values, and the report says all of it.
-    task = yaml.safe_load((tmp_path / "out" / "tuned.yaml").read_text())
+    task = _core.read_yaml(tmp_path / "out" / "tuned.yaml")
     assert task["controller"]["posture_weight"] == result.best["controller.posture_weight"] and task["surface"]["friction"] == 0
     report = (tmp_path / "out" / "tuning.md").read_text()
     for words in ("better on seeds that it was not tuned on", "| controller.posture_weight | 1 |", "| force_rmse [N] (minimised) |"):

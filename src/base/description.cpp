@@ -87,11 +87,6 @@ using Subject = std::function<std::string(const std::string&)>;
               (!wanted.empty() ? wanted : "a finite number"));
 }
 
-/// What gives access to a value's parts takes it as one that may be written.
-void* to_read(const void* at) {
-  return const_cast<void*>(at);  // NOLINT(cppcoreguidelines-pro-type-const-cast): nothing is
-}
-
 void check_value(const Field& field, const ValueType& type, const void* at, const std::string& way,
                  const Subject& subject) {
   const Range& range = field.range;

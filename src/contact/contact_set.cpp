@@ -1,12 +1,12 @@
 #include "burnish/contact/contact_set.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "contact/compiled_contact.hpp"
+#include "contact/descriptions.hpp"
 #include "contact/row_size.hpp"
 #include "dynamics/reference.hpp"
 
@@ -111,14 +111,8 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
 }  // namespace
 
 void ContactSolver::check() const {
-  if (!std::isfinite(mu) || mu < 0.0)
-    throw Error("contact solver: mu is " + number(mu) + "; wanted a number >= 0");
-  if (max_proximal_iterations < 0)
-    throw Error("contact solver: max_proximal_iterations is " +
-                std::to_string(max_proximal_iterations) + "; wanted 0 or more");
-  if (!std::isfinite(proximal_tolerance) || proximal_tolerance < 0.0)
-    throw Error("contact solver: proximal_tolerance is " + number(proximal_tolerance) +
-                "; wanted a number >= 0");
+  check_ranges(description_of(this), this,
+               [](const std::string& entry) { return "contact solver: " + entry; });
 }
 
 CompiledFrame tool_of(const CompiledContact& contact) {

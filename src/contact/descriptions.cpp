@@ -51,13 +51,16 @@ const Description& description_of(const ContactSolver* /*of*/) {
       Describe<C>("contact", "ContactSolver", "The KKT system of eq. (3) and its relaxation.")
           .field("mu", &C::mu,
                  "Compliance, the lower right block -mu 1 of the KKT matrix. 0: the exact system, "
-                 "which needs independent rows. Positive: any rows, m/s^2 per unit force.")
+                 "which needs independent rows. Positive: any rows, m/s^2 per unit force.",
+                 range::not_negative)
           .field("max_proximal_iterations", &C::max_proximal_iterations,
                  "With mu > 0: refinements lambda <- G^-1 (rho + mu lambda), at most; they remove "
-                 "the compliance while it lasts. 0 keeps the compliant solution.")
+                 "the compliance while it lasts. 0 keeps the compliant solution.",
+                 range::from(0))
           .field("proximal_tolerance", &C::proximal_tolerance,
                  "The iterations stop when every |mu (lambda - previous)| <= this, m/s^2: what is "
-                 "left of the contact acceleration.");
+                 "left of the contact acceleration.",
+                 range::not_negative);
   return all;
 }
 

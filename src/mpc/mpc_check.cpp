@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "mpc/descriptions.hpp"
 
 namespace burnish {
 namespace {
@@ -41,35 +41,11 @@ int ticks_per_update(const MpcSpec& spec) {
 }
 
 void check_limits(const SafetyLimits& limits, double tick_period) {
-  const std::pair<const char*, double> numbers[] = {{"joint_speed_ratio", limits.joint_speed_ratio},
-                                                    {"joint_margin", limits.joint_margin},
-                                                    {"bad", limits.bad},
-                                                    {"deadline", limits.deadline}};
-  for (const auto& [name, value] : numbers)
-    if (!(value >= 0.0))
-      throw Error("MPC: the limit " + std::string(name) + " is " + number(value) +
-                  "; wanted a number that is not negative");
+  check_ranges(description_of(&limits), &limits,
+               [](const std::string& entry) { return "MPC: the limit " + entry; });
   if (!(limits.stale > tick_period))
     throw Error("MPC: measurements are stale after " + number(limits.stale) +
                 " s; wanted longer than the tick of " + number(tick_period) + " s");
-  if (limits.failed_solves < 1 || limits.late_solves < 1)
-    throw Error("MPC: the run ends after " +
-                std::to_string(std::min(limits.failed_solves, limits.late_solves)) +
-                " failed or late updates; wanted at least 1");
-}
-
-void check_fallback(const Fallback& fallback) {
-  const auto refuse = [](const char* what, double value, const char* wanted) {
-    throw Error("MPC: the fallback's " + std::string(what) + " is " + number(value) + "; wanted " +
-                wanted);
-  };
-  constexpr const char* not_negative = "a number that is not negative";
-  if (!(fallback.stiffness >= 0.0) || !std::isfinite(fallback.stiffness))
-    refuse("stiffness in 1/s^2", fallback.stiffness, not_negative);
-  if (!(fallback.damping >= 0.0) || !std::isfinite(fallback.damping))
-    refuse("damping in 1/s", fallback.damping, not_negative);
-  if (!(fallback.give >= 0.0 && fallback.give <= 1.0))
-    refuse("give", fallback.give, "a share between 0 and 1");
 }
 
 }  // namespace
@@ -91,7 +67,8 @@ int checked_ticks_per_update(const MpcSpec& spec) {
                 std::to_string(std::min(
                     {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
                 " iterations; wanted at least 1");
-  check_fallback(spec.fallback);
+  check_ranges(description_of(&spec.fallback), &spec.fallback,
+               [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);
   if (!(spec.contact_threshold >= 0.0))
     throw Error("MPC: a contact threshold of " + number(spec.contact_threshold) +

@@ -6,12 +6,13 @@ const Description& description_of(const MujocoPlantOptions* /*of*/) {
   using M = MujocoPlantOptions;
   static const Description all =
       Describe<M>("sim", "MujocoPlantOptions", "How make_mujoco_plant()'s plant steps.")
-          .field("dt", &M::dt, "{s}")
-          .field("impedance", &M::impedance, "d in (0, 1): 1/R is an apparent mass at the contact")
+          .field("dt", &M::dt, "{s}", range::positive)
+          .field("impedance", &M::impedance, "d in (0, 1): 1/R is an apparent mass at the contact",
+                 range::between(0, 1))
           .field("friction_ratio", &M::friction_ratio,
-                 "how much harder friction is than the normal (\"impratio\")")
-          .field("tolerance", &M::tolerance, "of the constraint solver")
-          .field("max_iterations", &M::max_iterations, "of the constraint solver")
+                 "how much harder friction is than the normal (\"impratio\")", range::positive)
+          .field("tolerance", &M::tolerance, "of the constraint solver", range::not_negative)
+          .field("max_iterations", &M::max_iterations, "of the constraint solver", range::from(1))
           .field("joint_stops", &M::joint_stops,
                  "revolute and prismatic joints stop at their limits");
   return all;

@@ -4,26 +4,14 @@
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/reference.hpp"
+#include "mujoco/descriptions.hpp"
 
 namespace burnish::mujoco {
 namespace {
 
 void check(const MujocoPlantOptions& options) {
-  const auto refuse_unless = [](bool good, const char* name, double value, const char* wanted) {
-    if (!good)
-      throw Error(std::string("the MuJoCo plant's ") + name + " is " + number(value) + "; wanted " +
-                  wanted);
-  };
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
-  refuse_unless(positive(options.dt), "dt", options.dt, "a positive number of seconds");
-  refuse_unless(options.impedance > 0.0 && options.impedance < 1.0, "impedance", options.impedance,
-                "a number between 0 and 1");
-  refuse_unless(positive(options.friction_ratio), "friction_ratio", options.friction_ratio,
-                "a positive number");
-  refuse_unless(std::isfinite(options.tolerance) && options.tolerance >= 0.0, "tolerance",
-                options.tolerance, "a number that is not negative");
-  refuse_unless(options.max_iterations > 0, "max_iterations", options.max_iterations,
-                "a positive number");
+  check_ranges(description_of(&options), &options,
+               [](const std::string& entry) { return "the MuJoCo plant's " + entry; });
 }
 
 /// Tip and surface meet each other and nothing else.

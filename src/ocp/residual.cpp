@@ -1,26 +1,27 @@
 #include "burnish/ocp/residual.hpp"
 
+#include <cctype>
+
+#include "ocp/descriptions.hpp"
+
 namespace burnish {
 namespace {
 struct NameOf {
-  std::string operator()(const residual::State&) const { return "state"; }
-  std::string operator()(const residual::Control&) const { return "control"; }
-  std::string operator()(const residual::JointPosition&) const { return "joint position"; }
-  std::string operator()(const residual::JointVelocity&) const { return "joint velocity"; }
-  std::string operator()(const residual::JointTorque&) const { return "joint torque"; }
-  std::string operator()(const residual::FramePosition&) const { return "frame position"; }
-  std::string operator()(const residual::FrameRotation&) const { return "frame rotation"; }
-  std::string operator()(const residual::FramePlacement&) const { return "frame placement"; }
-  std::string operator()(const residual::FrameVelocity&) const { return "frame velocity"; }
-  std::string operator()(const residual::ContactForce&) const { return "contact force"; }
-  std::string operator()(const residual::FrictionCone&) const { return "friction cone"; }
-  std::string operator()(const residual::CenterOfPressure&) const { return "center of pressure"; }
-  std::string operator()(const residual::CenterOfMass&) const { return "center of mass"; }
-  std::string operator()(const residual::CentroidalMomentum&) const {
-    return "centroidal momentum";
+  std::string operator()(const Described auto& residual) const {
+    return in_words(description_of(&residual).name);
   }
+  std::string operator()(const residual::FramePosition&) const { return "frame position"; }
   std::string operator()(const residual::Custom& r) const {
     return r.name.empty() ? "custom" : r.name;
+  }
+  static std::string in_words(const std::string& type) {
+    std::string words;
+    for (const char c : type) {
+      const auto letter = static_cast<unsigned char>(c);
+      if (std::isupper(letter) != 0 && !words.empty()) words += ' ';
+      words += static_cast<char>(std::tolower(letter));
+    }
+    return words;
   }
 };
 }  // namespace

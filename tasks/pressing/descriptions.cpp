@@ -12,7 +12,7 @@ const Description& description_of(const ToolLimits* /*of*/) {
               "A rigid impact's force at a single instant is its impulse over the sampling time "
               "and "
               "says little.")
-          .field("force_window", &ToolLimits::force_window, "{s}", limit)
+          .field("force_window", &ToolLimits::force_window, "{s}", range::not_negative)
           .more("rounded to ticks, one at least")
           .field("tool_speed", &ToolLimits::tool_speed, "{m/s}", limit)
           .field("contact_lost", &ToolLimits::contact_lost, "{s} without force while it is wanted",
@@ -129,24 +129,30 @@ const Description& description_of(const ImpedanceSpec* /*of*/) {
           "along n: a = a_path + kp e + kd de/dt - kd_normal v_n n and f = f_path + ki * integral "
           "of (f_path - f_measured), by the tool's inertia and its Jacobian as torques.")
           .field("tool", &I::tool, "frame whose origin follows the path")
-          .field("normal_world", &I::normal_world, "of the surface, towards the robot")
+          .field("normal_world", &I::normal_world, "of the surface, towards the robot",
+                 range::direction)
           .field("task", &I::task,
                  "The task at t s after the ramp; before, it stays at its start. Must not throw.")
           .field("posture", &I::posture, "nq, what the null space is drawn to")
-          .field("period", &I::period, "{s} between ticks")
-          .field("kp", &I::kp, "{1/s^2}, along the surface")
-          .field("kd", &I::kd, "{1/s}, along the surface")
-          .field("kd_normal", &I::kd_normal, "{1/s}, along the normal")
-          .field("ki", &I::ki, "{1/s}, of the force error; 0: no force feedback")
-          .field("integral_limit", &I::integral_limit, "{N}, largest correction by the integral")
-          .field("posture_kp", &I::posture_kp, "{1/s^2}")
-          .field("posture_kd", &I::posture_kd, "{1/s}")
-          .field("friction", &I::friction, "of the surface, fed forward along the path's velocity")
+          .field("period", &I::period, "{s} between ticks", range::positive)
+          .field("kp", &I::kp, "{1/s^2}, along the surface", range::not_negative)
+          .field("kd", &I::kd, "{1/s}, along the surface", range::not_negative)
+          .field("kd_normal", &I::kd_normal, "{1/s}, along the normal", range::not_negative)
+          .field("ki", &I::ki, "{1/s}, of the force error; 0: no force feedback",
+                 range::not_negative)
+          .field("integral_limit", &I::integral_limit, "{N}, largest correction by the integral",
+                 range::not_negative)
+          .field("posture_kp", &I::posture_kp, "{1/s^2}", range::not_negative)
+          .field("posture_kd", &I::posture_kd, "{1/s}", range::not_negative)
+          .field("friction", &I::friction, "of the surface, fed forward along the path's velocity",
+                 range::not_negative)
           .field("approach_speed", &I::approach_speed,
-                 "{m/s}, of a point that draws the tip against the normal")
+                 "{m/s}, of a point that draws the tip against the normal", range::not_negative)
           .field("contact_threshold", &I::contact_threshold,
-                 "{N} of measured normal force that end the approach; see PressingTask")
-          .field("ramp", &I::ramp, "{s} from the threshold to the task's force");
+                 "{N} of measured normal force that end the approach; see PressingTask",
+                 range::not_negative)
+          .field("ramp", &I::ramp, "{s} from the threshold to the task's force",
+                 range::not_negative);
   return all;
 }
 

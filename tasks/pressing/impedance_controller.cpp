@@ -2,8 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -11,6 +9,7 @@
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "dynamics/integration.hpp"
 #include "pressing/contact_detector.hpp"
+#include "pressing/descriptions.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish {
@@ -24,26 +23,9 @@ ImpedanceSpec checked(const Model& model, ImpedanceSpec spec) {
   const auto refuse = [](const std::string& what) {
     throw Error("the impedance controller's " + what);
   };
-  const std::array<std::pair<const char*, double>, 11> not_negative{
-      {{"kp", spec.kp},
-       {"kd", spec.kd},
-       {"kd_normal", spec.kd_normal},
-       {"ki", spec.ki},
-       {"integral_limit", spec.integral_limit},
-       {"posture_kp", spec.posture_kp},
-       {"posture_kd", spec.posture_kd},
-       {"friction", spec.friction},
-       {"approach_speed", spec.approach_speed},
-       {"contact_threshold", spec.contact_threshold},
-       {"ramp", spec.ramp}}};
-  for (const auto& [name, value] : not_negative)
-    if (!(std::isfinite(value) && value >= 0.0))
-      refuse(std::string(name) + " is " + number(value) + "; wanted a number that is not negative");
-  if (!(std::isfinite(spec.period) && spec.period > 0.0))
-    refuse("period is " + number(spec.period) + "; wanted a positive number of seconds");
+  check_ranges(description_of(&spec), &spec,
+               [](const std::string& entry) { return "the impedance controller's " + entry; });
   if (!spec.task) refuse("task is empty; wanted a function of time");
-  if (!(spec.normal_world.allFinite() && spec.normal_world.norm() > 1e-9))
-    refuse("normal has length " + number(spec.normal_world.norm()) + "; wanted a direction");
   if (spec.posture.size() != model.nq)
     refuse("posture has " + std::to_string(spec.posture.size()) + " entries; wanted " +
            std::to_string(model.nq));

@@ -1,7 +1,7 @@
 #include "pressing/posture_search.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -293,8 +293,11 @@ class Search {
     c.margin = smallest_margin(q);
     measure_body(c);
     if (const auto place = wanted_position()) c.off = (*place - placement_.translation()).norm();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivatives_.jacobian.topRows(3));
-    c.manipulability = svd.singularValues().minCoeff();
+    // The smallest singular value, without what a decomposition of any size takes to compile.
+    const auto linear = derivatives_.jacobian.topRows(3);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(linear * linear.transpose(),
+                                                                 Eigen::EigenvaluesOnly);
+    c.manipulability = std::sqrt(std::max(0.0, squares.eigenvalues()[0]));
     c.torque = torque_share();
     return c;
   }

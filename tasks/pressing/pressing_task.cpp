@@ -3,25 +3,15 @@
 #include <algorithm>
 
 #include "base/sentence.hpp"
+#include "pressing/descriptions.hpp"
 #include "pressing/tool_watch.hpp"
 
 namespace burnish {
 namespace {
 
 void check_tool_limits(const ToolLimits& limits) {
-  const std::pair<const char*, double> numbers[] = {
-      {"force", limits.force},
-      {"force_window", limits.force_window},
-      {"tool_speed", limits.tool_speed},
-      {"contact_lost", limits.contact_lost},
-      {"late_contact_travel", limits.late_contact_travel},
-      {"late_contact_time", limits.late_contact_time},
-      {"unexpected_force", limits.unexpected_force},
-      {"release", limits.release}};
-  for (const auto& [name, value] : numbers)
-    if (!(value >= 0.0))
-      throw Error("pressing task: the limit " + std::string(name) + " is " + number(value) +
-                  "; wanted a number that is not negative");
+  check_ranges(description_of(&limits), &limits,
+               [](const std::string& entry) { return "pressing task: the limit " + entry; });
   if (!(limits.force_window < 1.0))
     throw Error("pressing task: a force window of " + number(limits.force_window) +
                 " s; wanted less than a second");

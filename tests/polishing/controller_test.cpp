@@ -353,7 +353,7 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(with([](S& s) { s.problem.stages.clear(); }), {"no stages"});
   expect_words(with([](S& s) { s.first_iterations = 0; }), {"0 iterations"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
-  expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "not negative"});
+  expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
   expect_words(with([](S& s) { s.fallback.give = 1.5; }), {"give", "1.5", "between 0 and 1"});
   const auto without = [&](auto&& change) {
     return with([&](S& s) {
@@ -373,7 +373,7 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(without([](P& p) { p.limits.force_window = 2.0; }), {"force window"});
   expect_words(with([](S& s) { s.limits.bad = -1.0; }), {"bad", "-1"});
   expect_words(with([](S& s) { s.limits.stale = 5e-4; }), {"stale", "tick"});
-  expect_words(with([](S& s) { s.limits.failed_solves = 0; }), {"0 failed or late"});
+  expect_words(with([](S& s) { s.limits.failed_solves = 0; }), {"failed_solves", "0"});
   expect_words(with([](S& s) { s.model_error.bandwidth = 0.0; }), {"bandwidth"});
 }
 

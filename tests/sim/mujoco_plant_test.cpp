@@ -160,7 +160,7 @@ TEST(MujocoPlant, refuses_options_with_a_sentence) {
   MujocoPlantOptions options;
   options.impedance = 1.0;
   testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, {}, options); }),
-                        {"impedance", "between 0 and 1"});
+                        {"impedance", "more than 0 and less than 1"});
   options = {};
   options.dt = -1.0;
   testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, {}, options); }),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 import itertools
 import math
@@ -14,6 +13,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _core
 from ._results import CampaignError
 
 Point = Dict[str, Any]
@@ -24,8 +24,7 @@ most_runs = 100_000
 
 def nearest(word: str, known: List[str]) -> str:
     """"; did you mean 'x'?", or what is known."""
-    close = difflib.get_close_matches(word, known, 1)
-    return f"; did you mean '{close[0]}'?" if close else f"; known are {', '.join(known)}"
+    return _core.did_you_mean(word, known) or f"; known are {', '.join(known)}"
 
 
 def only(where: str, given: Mapping[str, Any], known: List[str]) -> None:

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Dict, List, Mapping, Optional, Union
 
+from .. import _core
 from ._points import Point, Values, count, most_runs, nearest, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
-from ._tasks import Machine, Outcome, TaskFile, TaskRun, yaml
+from ._tasks import Machine, Outcome, TaskFile, TaskRun, read_tree
 
 SEED = "disturbances.seed"
 
@@ -63,20 +64,12 @@ def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Pat
     one). Raises CampaignError for what does not fit together."""
     if isinstance(source, (str, Path)):
         path = Path(source)
-        try:
-            text = path.read_text()
-        except OSError as error:
-            raise CampaignError(f"cannot read the campaign '{path}': {error.strerror}") from error
-        try:
-            tree = yaml().safe_load(text)
-        except yaml().YAMLError as error:
-            raise CampaignError(f"the campaign '{path}' is no YAML: {' '.join(str(error).split())}") from error
+        tree = read_tree(path, "at least task")
+        text = path.read_text()
         folder, name = path.parent, path.stem
     else:
         tree, name = dict(source), "campaign"
-        text = yaml().safe_dump(json.loads(json.dumps(tree)), sort_keys=False)
-    if not isinstance(tree, dict):
-        raise CampaignError("the campaign has no keys; wanted at least task")
+        text = "".join(f"{key}: {_core.json_as_yaml(json.dumps(value))}\n" for key, value in tree.items())
     known = ["name", "task", "vary", "samples", "seeds", "controller", "plant", "keep", "stop", "worst"]
     only("campaign", tree, known)
     if not isinstance(tree.get("task"), str):

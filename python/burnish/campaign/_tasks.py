@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import importlib
 import json
 import os
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
@@ -13,17 +12,20 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import burnish
 
+from .. import _core
 from ._dask import Job, Limit, Result, hand_over
 from ._results import CampaignError, Listed
 
 
-def yaml() -> Any:
-    """The module. Raises CampaignError where it is not installed."""
+def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
+    """A file's keys. Raises CampaignError where it cannot be read, is no YAML or has none."""
     try:
-        return importlib.import_module("yaml")
-    except ImportError as missing:
-        raise CampaignError("files of campaigns are read by PyYAML, which is not installed (Debian: apt install "
-                            "python3-yaml)") from missing
+        tree = _core.read_yaml(path)
+    except burnish.Error as error:
+        raise CampaignError(str(error)) from error
+    if not isinstance(tree, dict):
+        raise CampaignError(f"'{path}' has no keys; wanted {wanted}")
+    return tree
 
 
 @dataclass
@@ -35,15 +37,7 @@ class TaskFile:
 
     @staticmethod
     def read(path: Path) -> TaskFile:
-        try:
-            tree = yaml().safe_load(path.read_text())
-        except OSError as error:
-            raise CampaignError(f"cannot read the task '{path}': {error.strerror}") from error
-        except yaml().YAMLError as error:
-            raise CampaignError(f"the task '{path}' is no YAML: {' '.join(str(error).split())}") from error
-        if not isinstance(tree, dict):
-            raise CampaignError(f"the task '{path}' has no keys; wanted a task file")
-        file = TaskFile(path, tree)
+        file = TaskFile(path, read_tree(path, "a task file"))
         file.changed({})  # refused before anything else is
         return file
 
@@ -77,18 +71,10 @@ class TaskRun:
         digest = hashlib.sha256()
         for part in (burnish.__version__, *self.words, self.text):
             digest.update(f"{len(part)}:{part}".encode())
-        robot = str(yaml_value(self.text, "robot")).partition(":")[0]
+        robot = str(_core.parse_yaml(self.text)["robot"]).partition(":")[0]
         if os.path.isfile(robot):
             digest.update(Path(robot).read_bytes())
         return digest.hexdigest()[:32]
-
-
-def yaml_value(text: str, key: str) -> str:
-    """Of a key at the outermost level, as it stands there."""
-    for line in text.splitlines():
-        if line.startswith(key + ":"):
-            return line.partition(":")[2].partition(" #")[0].strip().strip("'\"")
-    return ""
 
 
 def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float) -> Result:

@@ -15,11 +15,12 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _core
 from ._points import Point, count, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
 from ._sweep import (SEED, bare, figure_named, find_outcome, keep_outcome, known_figures, program_words, read_seeds,
                      unit, Row)
-from ._tasks import Machine, Outcome, TaskFile, TaskRun, yaml
+from ._tasks import Machine, Outcome, TaskFile, TaskRun, read_tree
 
 Vector = NDArray[np.float64]
 
@@ -70,17 +71,10 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
     """From a file, or the same as a dictionary. Raises CampaignError for what does not fit together."""
     if isinstance(source, (str, Path)):
         path = Path(source)
-        try:
-            tree = yaml().safe_load(path.read_text())
-        except OSError as error:
-            raise CampaignError(f"cannot read the tuning '{path}': {error.strerror}") from error
-        except yaml().YAMLError as error:
-            raise CampaignError(f"the tuning '{path}' is no YAML: {' '.join(str(error).split())}") from error
+        tree = read_tree(path, "at least task, tune, minimise, train and test")
         folder, name = path.parent, path.stem
     else:
         tree, folder, name = dict(source), Path(), "tuning"
-    if not isinstance(tree, dict):
-        raise CampaignError("the tuning has no keys; wanted at least task, tune, minimise, train and test")
     only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "vary", "train", "test",
                           "evaluations", "controller", "plant"])
     for key in ("task", "minimise"):
@@ -103,7 +97,7 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
 
 def _start(task: TaskFile, key: str) -> float:
     """The value that the task has. Raises CampaignError where that is no number."""
-    tree = yaml().safe_load(task.changed({})) or {}
+    tree = _core.parse_yaml(task.changed({}))
     for part in key.split("."):
         tree = tree.get(part) if isinstance(tree, dict) else None
     if isinstance(tree, bool) or not isinstance(tree, (int, float)):
