@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 
@@ -25,6 +26,7 @@ const char* name_of(int signal) {
 }
 
 extern "C" void take_signal(int signal) {
+  const int interrupted = errno;  // what the handler comes between may be about to read it
   if (isatty(STDERR_FILENO) != 0) say("\r\033[K");  // over the line of progress
   say("burnish: ");
   say(name_of(signal));
@@ -33,6 +35,7 @@ extern "C" void take_signal(int signal) {
     say(": ");
     say(answer);
     say("; once more ends it at once\n");
+    errno = interrupted;
     return;
   }
   say(answer != nullptr ? ": ended at once\n" : ": interrupted, nothing was written\n");
