@@ -78,8 +78,8 @@ const Description& description_of(const CheckRow* /*of*/) {
           .field("directions", &C::directions)
           .field("bodies", &C::bodies, "\"tool on base\"")
           .field("acceleration", &C::acceleration)
-          .field("error", &C::error, "\"split\" or \"log6\"; \"-\" without a proportional gain")
-          .field("gains", &C::gains, "\"none\", or such as \"kp 7..12, kd 2..7\"")
+          .field("error", &C::error, R"("split" or "log6"; "-" without a proportional gain)")
+          .field("gains", &C::gains, R"("none", or such as "kp 7..12, kd 2..7")")
           .field("states", &C::states)
           .field("mu", &C::mu,
                  "Compliance that the row was checked with, m/s^2 per N: zero, or positive where "
@@ -116,7 +116,7 @@ const Description& description_of(const RedundantRow* /*of*/) {
                   "A row of the contact Jacobian that depends on rows before it.")
           .result()
           .field("contact", &R::contact, "name of the contact")
-          .field("direction", &R::direction, "\"x\" ... \"rz\" in its reference")
+          .field("direction", &R::direction, R"("x" ... "rz" in its reference)")
           .field("row", &R::row, "index among all rows of the set")
           .field("immovable", &R::immovable, "no joint moves it at this posture, but for rounding")
           .field("implied_by", &R::implied_by,

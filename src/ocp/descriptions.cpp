@@ -223,11 +223,11 @@ const Description& description_of(const ProblemCheckRow* /*of*/) {
           .result()
           .field("stage", &P::stage)
           .field("term", &P::term,
-                 "name of a cost term or a constraint, \"next state\" or \"all costs\"")
+                 R"(name of a cost term or a constraint, "next state" or "all costs")")
           .field("states", &P::states)
           .field("worst_error", &P::worst_error,
                  "relative to the block's largest entry; infinite after a NaN")
-          .field("worst", &P::worst, "blocks: such as \"dnext_dq\", \"dr_du\", \"dcost_dv\"")
+          .field("worst", &P::worst, R"(blocks: such as "dnext_dq", "dr_du", "dcost_dv")")
           .field("pass_", &P::pass, "worst_error <= tolerance");
   return all;
 }
