@@ -133,6 +133,12 @@ class TestRefusals:
         bad = tmp_path / "bad.yaml"
         bad.write_text("task: [")
         assert "is no YAML" in self.refused(bad)
+        bad.write_bytes(b"task: caf\xe9.yaml\n")
+        assert "no UTF-8" in self.refused(bad)
+        bad.write_text("task: " + "1" * 300)
+        assert "names no task" in self.refused(bad)
+        for value in (np.linspace(10.0, 20.0, 3), [float("inf")]):
+            assert "vary: " in self.refused(polishing(vary={"force": value}))
         assert "the file cannot be opened" in self.refused(tmp_path / "nowhere.yaml")
 
     def test_on_the_command_line(self, tmp_path):

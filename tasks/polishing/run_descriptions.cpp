@@ -72,7 +72,7 @@ const Description& description_of(const RunSpec* /*of*/) {
           .field("task", &R::task)
           .field("robot", &R::robot, "in place of the one that the task names")
           .field("controller", &R::controller)
-          .field("plant", &R::plant)
+          .field("plant", &R::plant, "MuJoCo where this build has it")
           .field("check_reach", &R::check_reach,
                  "before anything moves; a problem is then an Error")
           .field("reach", &R::reach)

@@ -45,7 +45,7 @@ const Description& description_of(const RunSpec* /*of*/) {
       Describe<R>("press_hold", "RunSpec", "A run of a task.")
           .field("task", &R::task)
           .field("setting", &R::setting, "of the task, where there is one already")
-          .field("plant", &R::plant)
+          .field("plant", &R::plant, "MuJoCo where this build has it")
           .field("check_reach", &R::check_reach,
                  "before anything moves; a problem is then an Error")
           .field("plan_rate", &R::plan_rate, "{Hz}, at which plans are recorded; 0: none")

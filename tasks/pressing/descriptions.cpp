@@ -86,7 +86,7 @@ const Description& description_of(const PressingTask* /*of*/) {
                   "The task of an MpcSpec. Its event is \"contact\": a measured normal force above "
                   "the threshold and the sensor's noise, which is found out while nothing touches.")
           .field("touch", &P::touch, "one for each phase of the schedule")
-          .field("target", &P::target, "by time of the schedule, each tick")
+          .field("target", &P::target, "by time of the schedule, each tick; must be given")
           .field("limits", &P::limits);
   return all;
 }

@@ -54,7 +54,7 @@ const Description& description_of(const ReachReport* /*of*/) {
                  "problem.")
           .field("s", &R::s,
                  "{m} along the path in contact where the problem is; negative: so far before the "
-                 "path's start, on the way to it.")
+                 "path's start, on the way to it. A point that is held is a path without length.")
           .field("p_world", &R::p_world, "of the tool there, m")
           .field("joint", &R::joint, "empty for Position")
           .field("value", &R::value,

@@ -59,6 +59,15 @@ class Worst:
     count: int
 
 
+def _as_yaml(key: str, value: Any) -> str:
+    """In one line. Raises CampaignError for what files cannot say."""
+    try:
+        return _core.json_as_yaml(json.dumps(value))
+    except (TypeError, ValueError) as error:
+        raise CampaignError(f"campaign: {key}: {error}; wanted finite numbers, texts, lists and dictionaries of "
+                            "Python's own") from error
+
+
 def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Path] = None) -> Sweep:
     """From a file, or the same as a dictionary, whose paths are seen from `folder` (None: the current
     one). Raises CampaignError for what does not fit together."""
@@ -69,7 +78,7 @@ def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Pat
         folder, name = path.parent, path.stem
     else:
         tree, name = dict(source), "campaign"
-        text = "".join(f"{key}: {_core.json_as_yaml(json.dumps(value))}\n" for key, value in tree.items())
+        text = "".join(f"{key}: {_as_yaml(key, value)}\n" for key, value in tree.items())
     known = ["name", "task", "vary", "samples", "seeds", "controller", "plant", "keep", "stop", "worst"]
     only("campaign", tree, known)
     if not isinstance(tree.get("task"), str):

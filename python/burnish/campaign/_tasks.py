@@ -21,6 +21,8 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
     """A file's keys. Raises CampaignError where it cannot be read, is no YAML or has none."""
     try:
         tree = _core.read_yaml(path)
+    except UnicodeDecodeError as error:
+        raise CampaignError(f"{path}: the text is no UTF-8; wanted {wanted}") from error
     except burnish.Error as error:
         raise CampaignError(str(error)) from error
     if not isinstance(tree, dict):

@@ -25,6 +25,7 @@ struct RunSpec {
   Task task;
   std::optional<Robot> robot = {};  ///< in place of the one that the task names
   ControllerKind controller = ControllerKind::Mpc;
+  /// MuJoCo where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
   ReachOptions reach = {};

@@ -104,6 +104,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting);
 struct RunSpec {
   Task task;
   std::optional<Setting> setting = {};  ///< of the task, where there is one already
+  /// MuJoCo where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
   bool check_reach = true;  ///< before anything moves; a problem is then an Error
   double plan_rate = 20.0;  ///< Hz, at which plans are recorded; 0: none

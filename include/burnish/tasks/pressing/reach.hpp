@@ -33,7 +33,7 @@ struct ReachReport {
   /// One sentence: where, which joint, what came and what is allowed; empty without a problem.
   std::string text;
   /// m along the path in contact where the problem is; negative: so far before the path's start, on
-  /// the way to it.
+  /// the way to it. A point that is held is a path without length.
   double s = 0.0;
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< of the tool there, m
   std::string joint;                                  ///< empty for Position
