@@ -1,8 +1,9 @@
 #include "derivatives/check_values.hpp"
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <numbers>
+
+#include "base/decomposition.hpp"
 
 namespace burnish {
 
@@ -129,14 +130,15 @@ CheckSizes CheckValues::sizes(const CheckState& state) {
                       moved.transpose() * state.lambda.cwiseAbs());
   sizes.alpha = largest(moved * state.a.cwiseAbs() + drift);
   if (dynamics_.status(0) >= Status::SingularMass) return sizes;
-  const Eigen::LLT<Eigen::MatrixXd> mass(M);
-  const Eigen::MatrixXd inverse = mass.solve(Eigen::MatrixXd::Identity(nv(), nv())).cwiseAbs();
+  const Eigen::MatrixXd inverse =
+      solve_positive(M, Eigen::MatrixXd::Identity(nv(), nv())).cwiseAbs();
   Eigen::VectorXd a = inverse * (state.tau.cwiseAbs() + bias);
   if (rows() > 0) {
-    Eigen::MatrixXd G = J * mass.solve(J.transpose());
+    Eigen::MatrixXd G = J * solve_positive(M, J.transpose());
     G.diagonal().array() += dynamics_.solver().mu;
     const Eigen::VectorXd lambda =
-        G.llt().solve(Eigen::MatrixXd::Identity(rows(), rows())).cwiseAbs() * (moved * a + drift);
+        solve_positive(G, Eigen::MatrixXd::Identity(rows(), rows())).cwiseAbs() *
+        (moved * a + drift);
     sizes.lambda = largest(lambda);
     a += inverse * (moved.transpose() * lambda);
   }

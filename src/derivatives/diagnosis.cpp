@@ -1,11 +1,10 @@
 #include "burnish/derivatives/diagnosis.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/decomposition.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
 #include "derivatives/contact_rows.hpp"
@@ -16,9 +15,8 @@ ContactRows contact_rows(const Model& model, ContactDynamics& dynamics,
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   const Status status = dynamics.forward(q, rest, rest);
   if (status > Status::SingularContacts) throw Error("diagnose: " + dynamics.explanation());
-  const Eigen::LLT<Eigen::MatrixXd> mass(dynamics.mass_matrix());
   const RowMatrix J = dynamics.jacobian();
-  ContactRows rows{mass.matrixL().solve(Eigen::MatrixXd(J.transpose())).transpose(),
+  ContactRows rows{solve_positive_half(dynamics.mass_matrix(), J.transpose()).transpose(),
                    Eigen::VectorXd(J.rows())};
   Eigen::Index r = 0;
   for (int c = 0; c < dynamics.contacts().size(); ++c) {
@@ -61,8 +59,7 @@ struct Orthogonalized {
 
 /// Of Y Y^T, whose rows are scaled already; at least that of a row of length 1.
 double condition_of(const Eigen::MatrixXd& Y) {
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Y * Y.transpose()).eigenvalues();
+  const Eigen::VectorXd values = symmetric_eigen(Y * Y.transpose()).values;
   return std::max(1.0, values.maxCoeff()) / values.minCoeff();
 }
 

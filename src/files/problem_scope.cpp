@@ -1,9 +1,9 @@
 #include "files/problem_scope.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <tuple>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 
@@ -86,7 +86,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
     free.emplace_back(name, column, rows);
     column += rows;
   }
-  const Eigen::VectorXd solution = A.leftCols(column).completeOrthogonalDecomposition().solve(b);
+  const Eigen::VectorXd solution = least_squares(A.leftCols(column), b);
   result.control = solution.head(nu);
   for (const auto& [name, first, rows] : free) result.forces[name] = solution.segment(first, rows);
   result.residual = (A.leftCols(column) * solution - b).cwiseAbs().maxCoeff();

@@ -6,11 +6,11 @@
 // special stands for all: what is zero there is zero everywhere.
 #include "model/mass_check.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "model/posture.hpp"
 
@@ -80,21 +80,20 @@ Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
 struct Met {
   Square inertia;  // S^T A S + armature
   Square carried;  // the same as if the joints beyond it were rigid
-  Eigen::SelfAdjointEigenSolver<Square> decomposed;
+  SymmetricEigen decomposed;
 
   Met(Square met, Square rigid)
-      : inertia(std::move(met)), carried(std::move(rigid)), decomposed(inertia) {}
-  double smallest() const { return decomposed.eigenvalues()[0]; }
+      : inertia(std::move(met)), carried(std::move(rigid)), decomposed(symmetric_eigen(inertia)) {}
+  double smallest() const { return decomposed.values[0]; }
   /// Rounding of the subtraction grows with what was subtracted from.
   double tolerance() const {
     return no_inertia * std::max(1.0, carried.diagonal().cwiseAbs().maxCoeff());
   }
   /// inertia^-1 along what has an inertia: where there is none, nothing is handed on.
   Square inverse() const {
-    const auto along = decomposed.eigenvalues().array();
+    const auto along = decomposed.values.array();
     const Eigen::ArrayXd inverses = (along.abs() > tolerance()).select(1.0 / along, 0.0);
-    return decomposed.eigenvectors() * inverses.matrix().asDiagonal() *
-           decomposed.eigenvectors().transpose();
+    return decomposed.vectors * inverses.matrix().asDiagonal() * decomposed.vectors.transpose();
   }
 };
 
@@ -107,8 +106,7 @@ struct Oddities {
 
   void look(const Joint& joint, const Met& met) {
     if (met.smallest() > met.tolerance()) return;
-    const double carried =
-        Eigen::SelfAdjointEigenSolver<Square>(met.carried, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double carried = symmetric_eigen(met.carried).values[0];
     if (met.smallest() < -met.tolerance()) {
       negative.push_back(joint.name);
     } else if (carried <= no_inertia) {

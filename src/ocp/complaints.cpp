@@ -1,8 +1,8 @@
 // What will not go well with a problem, in sentences.
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -139,11 +139,7 @@ Balance balance_of(const Problem& problem, std::size_t index, const Eigen::Vecto
   if (dynamics.acceleration(q, rest, rest) != Status::Ok)
     return {Eigen::MatrixXd(0, l.nu), Eigen::VectorXd(0)};  // nothing can be said there
   Eigen::MatrixXd N = Eigen::MatrixXd::Identity(l.nv, l.nv);
-  if (dynamics.rows() > 0) {
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(dynamics.jacobian().transpose());
-    const Eigen::MatrixXd Q = qr.householderQ();
-    N = Q.rightCols(l.nv - qr.rank());
-  }
+  if (dynamics.rows() > 0) N = null_space(dynamics.jacobian());
   Eigen::VectorXd b = dynamics.bias();
   for (int k = 0; k < l.nv; ++k) b[k] -= impl.compiled.torque_bias[static_cast<std::size_t>(k)];
   Balance balance{Eigen::MatrixXd(N.cols(), l.nu), N.transpose() * b};

@@ -1,5 +1,5 @@
-#include <Eigen/QR>
 
+#include "base/decomposition.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "ocp/problem_impl.hpp"
@@ -36,7 +36,7 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   } else {
     b -= dynamics.jacobian().transpose() * force;
   }
-  const Eigen::VectorXd solution = A.completeOrthogonalDecomposition().solve(b);
+  const Eigen::VectorXd solution = least_squares(A, b);
   QuasiStatic result;
   result.control = solution.head(l.nu);
   result.force = force.size() == 0 ? Eigen::VectorXd(solution.tail(rows)) : force;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -162,9 +163,7 @@ class Search {
     } else {
       damp.head<3>().setConstant(balance.damping * balance.damping);
     }
-    Eigen::MatrixXd A = J * J.transpose();
-    A += damp.asDiagonal();
-    const Eigen::VectorXd step = home + J.transpose() * A.ldlt().solve(error - J * home);
+    const Eigen::VectorXd step = home + damped_step(J, damp, error - J * home);
     return step.cwiseProduct(reach_);
   }
 

@@ -1,11 +1,11 @@
 #include "pressing/reach_walk.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/reference.hpp"
@@ -81,9 +81,8 @@ class ReachWalk::Impl {
       const Eigen::VectorXd secondary =
           orientation * Jr.transpose() * (turned.angle() * turned.axis()) +
           posture * difference(model_, q, q_start_);
-      const Eigen::Matrix3d A =
-          Jp * Jp.transpose() + damping * damping * Eigen::Matrix3d::Identity();
-      Eigen::VectorXd dq = secondary + Jp.transpose() * A.ldlt().solve(error - Jp * secondary);
+      Eigen::VectorXd dq = secondary + damped_step(Jp, Eigen::Vector3d::Constant(damping * damping),
+                                                   error - Jp * secondary);
       dq *= std::min(1.0, longest / std::max(dq.cwiseAbs().maxCoeff(), 1e-12));
       q = integrate(model_, q, dq);
       if (within_limits) clamp(q);

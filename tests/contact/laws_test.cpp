@@ -1,6 +1,7 @@
 // Physics that holds in every reference.
 #include <gtest/gtest.h>
 
+#include "base/decomposition.hpp"
 #include "support/contact_motion.hpp"
 #include "support/contact_states.hpp"
 #include "support/touch.hpp"
@@ -175,7 +176,7 @@ double height_lost(Acceleration acceleration) {
   RobotState state{arm7::ready(), {}, {}};
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   pose.acceleration(state.q, rest, rest);
-  state.v = Eigen::MatrixXd(pose.jacobian()).completeOrthogonalDecomposition().solve(wanted);
+  state.v = least_squares(pose.jacobian(), wanted);
   // Torques that keep all of the wanted motion but the height, which is the contact's affair.
   const Torque keep = [&](const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
     pose.acceleration(q, v, rest);
@@ -183,7 +184,7 @@ double height_lost(Acceleration acceleration) {
     Eigen::MatrixXd J = pose.jacobian();
     alpha[2] = 0.0;
     J.row(2).setZero();
-    const Eigen::VectorXd a = J.completeOrthogonalDecomposition().solve(alpha);
+    const Eigen::VectorXd a = least_squares(J, alpha);
     return Eigen::VectorXd(pose.mass_matrix() * a + pose.bias());
   };
   plane.forward(state.q, state.v, rest);

@@ -158,7 +158,10 @@ TEST_P(DynamicsReference, frames_and_their_velocities_and_drifts) {
 
 /// A rotation whose z column is `axis`.
 Eigen::Matrix3d along(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  const Eigen::Vector3d x = axis.unitOrthogonal();
+  Eigen::Matrix3d rotation;
+  rotation << x, axis.normalized().cross(x), axis.normalized();
+  return rotation;
 }
 
 /// In the file WORLD means the centred frame, except for spatial accelerations.

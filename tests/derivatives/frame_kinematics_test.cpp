@@ -186,11 +186,14 @@ TEST_P(FrameKinematics, rotation_derivative_turns_the_frame_in_its_own_axes) {
   std::vector<double> turning(static_cast<std::size_t>(3 * model.nv), 0.0);
   frame_rotation_derivative(frame, run.kinematics, run.state, turning.data(), model.nv);
   const Eigen::MatrixXd local = as_matrix(turning, model.nv);
-  const std::vector<Dual> q = seeded_q(model, s.q), v = seeded_v(model, s.v);
-  const std::vector<Dual> a = constant_duals(s.a);
-  const FrameRun<Dual> dual(tree, frame, q.data(), v.data(), a.data());
+  const Duals a = constant_duals(s.a);
+  const ByState rotation = differentiate(model, s.q, s.v, [&](const Duals& q, const Duals& v) {
+    const FrameRun<Dual> dual(tree, frame, q.data(), v.data(), a.data());
+    const Mat3<Dual>& R = dual.state.R;
+    return entries({column(R, 0), column(R, 1), column(R, 2)});
+  });
   for (int column_of_R = 0; column_of_R < 3; ++column_of_R) {
-    const Eigen::MatrixXd rate = d_dq(model, entries({column(dual.state.R, column_of_R)}));
+    const Eigen::MatrixXd rate = rotation.dq.middleRows(3 * column_of_R, 3);
     // R (turning x e_j) = -R [e_j x] turning
     const Vec3<double> e = column(Mat3<double>::identity(), column_of_R);
     const Mat3<double> e_cross{{0.0, e.z, -e.y}, {-e.z, 0.0, e.x}, {e.y, -e.x, 0.0}};

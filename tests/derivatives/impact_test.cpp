@@ -95,12 +95,17 @@ Result evaluate(ConstrainedDynamics<double>& dynamics, ConstrainedDerivatives<do
 }
 
 Result by_autodiff(const Model& model, ConstrainedDynamics<Dual>& dynamics, const RobotState& at) {
-  dynamics.impact(seeded_q(model, at.q).data(), seeded_v(model, at.v).data());
-  const std::span<const Dual> velocity(dynamics.velocity_after);
-  const std::span<const Dual> impulse(dynamics.lambda.data(),
-                                      static_cast<std::size_t>(dynamics.rows()));
-  return {values_of(velocity),   values_of(impulse),   d_dq(model, velocity),
-          d_dv(model, velocity), d_dq(model, impulse), d_dv(model, impulse)};
+  const int n = dynamics.nv(), m = dynamics.rows();
+  Eigen::VectorXd both;
+  const ByState by = differentiate(model, at.q, at.v, [&](const Duals& q, const Duals& v) {
+    dynamics.impact(q.data(), v.data());
+    Duals result = dynamics.velocity_after;
+    result.insert(result.end(), dynamics.lambda.begin(), dynamics.lambda.begin() + m);
+    both = values_of(result);
+    return result;
+  });
+  return {both.head(n),     both.tail(m),        by.dq.topRows(n),
+          by.dv.topRows(n), by.dq.bottomRows(m), by.dv.bottomRows(m)};
 }
 
 Result by_differences(const Model& model, ConstrainedDynamics<double>& dynamics,

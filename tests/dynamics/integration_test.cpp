@@ -118,22 +118,33 @@ TEST_P(Integration, jacobians_equal_automatic_differentiation) {
     for (int i = 0; i < 5; ++i) {
       const Eigen::VectorXd q = random_configuration(model, generator);
       const Eigen::VectorXd dq = random_vector(model.nv, scale, generator);
-      std::vector<Dual> out(static_cast<std::size_t>(model.nq));
-      integrate_configuration(t, seeded_q(model, q).data(), seeded_v(model, dq).data(), out.data());
+      Eigen::VectorXd q1;
+      const ByState plus_by = differentiate(model, q, dq, [&](const Duals& at, const Duals& along) {
+        Duals out(static_cast<std::size_t>(model.nq));
+        integrate_configuration(t, at.data(), along.data(), out.data());
+        q1 = values_of(out);
+        return out;
+      });
       // tangent_map turns right increments of the result into rates of its entries.
-      const Eigen::MatrixXd map = tangent_map(model, values_of(out));
+      const Eigen::MatrixXd map = tangent_map(model, q1);
       const Pair by = of_plus(dq);
-      EXPECT_LE(relative_error(map * by.first, d_dq(model, out)), 1e-13) << "by q, " << scale;
-      EXPECT_LE(relative_error(map * by.second, d_dv(model, out)), 1e-13) << "by dq, " << scale;
+      EXPECT_LE(relative_error(map * by.first, plus_by.dq), 1e-13) << "by q, " << scale;
+      EXPECT_LE(relative_error(map * by.second, plus_by.dv), 1e-13) << "by dq, " << scale;
 
-      const Eigen::VectorXd q1 = plus(q, dq);
+      q1 = plus(q, dq);
       const Pair minus_by = of_minus(dq);
-      std::vector<Dual> apart(static_cast<std::size_t>(model.nv));
-      const std::vector<Dual> fixed = constant_duals(q), fixed_1 = constant_duals(q1);
-      difference_configuration(t, seeded_q(model, q).data(), fixed_1.data(), apart.data());
-      EXPECT_LE(relative_error(minus_by.first, d_dq(model, apart)), 1e-12) << "q0, " << scale;
-      difference_configuration(t, fixed.data(), seeded_q(model, q1).data(), apart.data());
-      EXPECT_LE(relative_error(minus_by.second, d_dq(model, apart)), 1e-12) << "q1, " << scale;
+      const Duals fixed = constant_duals(q), fixed_1 = constant_duals(q1);
+      const auto apart = [&](const Duals& q_from, const Duals& q_to) {
+        Duals between(static_cast<std::size_t>(model.nv));
+        difference_configuration(t, q_from.data(), q_to.data(), between.data());
+        return between;
+      };
+      const ByState from = differentiate(
+          model, q, dq, [&](const Duals& at, const Duals&) { return apart(at, fixed_1); });
+      EXPECT_LE(relative_error(minus_by.first, from.dq), 1e-12) << "q0, " << scale;
+      const ByState to = differentiate(
+          model, q1, dq, [&](const Duals& at, const Duals&) { return apart(fixed, at); });
+      EXPECT_LE(relative_error(minus_by.second, to.dq), 1e-12) << "q1, " << scale;
     }
 }
 

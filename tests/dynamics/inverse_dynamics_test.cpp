@@ -1,9 +1,7 @@
 // The mass matrix, inverse dynamics and its derivatives, without contacts.
 #include "derivatives/inverse_dynamics.tpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include "base/decomposition.hpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/mass_matrix.tpp"
@@ -75,7 +73,7 @@ TEST_P(Dynamics, mass_matrix_is_positive_definite_and_its_factor_is_its_own) {
   for (int i = 0; i < 10; ++i) {
     const KernelState s = random_kernel_state(model, generator);
     const Eigen::MatrixXd M = mass_matrix(s.q);
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0], 0.0);
+    EXPECT_GT(symmetric_eigen(M).values[0], 0.0);
     Evaluation<double> run(tree, s.q.data(), s.v.data(), s.a.data());
     EXPECT_FALSE(factorize(tree, run.kinematics, run.mass));
     Eigen::MatrixXd L = Eigen::MatrixXd::Zero(model.nv, model.nv);

@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
-#include <unsupported/Eigen/AutoDiff>
 
 #include "math/logarithm.hpp"
 #include "math/pack.hpp"
+#include "support/dual.hpp"
 #include "support/random_unit.hpp"
 
 namespace burnish {
@@ -167,11 +167,11 @@ TEST(RightJacobian, is_undone_by_the_derivative_of_the_logarithm) {
 }
 
 TEST(RightJacobian, is_what_automatic_differentiation_of_the_exponential_says) {
-  using Dual = Eigen::AutoDiffScalar<Vector6>;
+  using test::Dual;
   std::mt19937_64 generator(5);
   for (const double angle : all_angles) {
     const Motion<double> xi = random_twist(angle, generator);
-    const auto seeded = [](double value, int k) { return Dual(value, 6, k); };
+    const auto seeded = [](double value, int k) { return Dual(value, k); };
     const Vec3<Dual> v{seeded(xi.linear.x, 0), seeded(xi.linear.y, 1), seeded(xi.linear.z, 2)};
     const Vec3<Dual> w{seeded(xi.angular.x, 3), seeded(xi.angular.y, 4), seeded(xi.angular.z, 5)};
     const Dual theta = rotation_angle(w);
@@ -182,9 +182,9 @@ TEST(RightJacobian, is_what_automatic_differentiation_of_the_exponential_says) {
     const ExpCoefficients<double> c = exp_coefficients(rotation_angle(xi.angular));
     for (int k = 0; k < 6; ++k) {
       // The twist in its own axes: R^T dp, and twice the vector part of conj(q) dq.
-      const Eigen::Vector3d dp(p.x.derivatives()[k], p.y.derivatives()[k], p.z.derivatives()[k]);
-      const Eigen::Quaterniond dq(turn.w.derivatives()[k], turn.vector.x.derivatives()[k],
-                                  turn.vector.y.derivatives()[k], turn.vector.z.derivatives()[k]);
+      const Eigen::Vector3d dp(p.x.derivative(k), p.y.derivative(k), p.z.derivative(k));
+      const Eigen::Quaterniond dq(turn.w.derivative(k), turn.vector.x.derivative(k),
+                                  turn.vector.y.derivative(k), turn.vector.z.derivative(k));
       Vector6 want;
       want << R.conjugate() * dp, 2.0 * (R.conjugate() * dq).vec();
       const Vector6 unit = Vector6::Unit(k);

@@ -2,6 +2,7 @@
 // impacts.
 #include <gtest/gtest.h>
 
+#include "base/decomposition.hpp"
 #include "derivatives/check_differences.hpp"
 #include "support/ocp_autodiff.hpp"
 #include "support/ocp_cases.hpp"
@@ -176,7 +177,7 @@ TEST_P(StepOf, ImpactStopsTheContactsAndNothingElseMoves) {
   const Eigen::MatrixXd J = dynamics.jacobian();
   // M (v+ - v-) = J^T Lambda with J v+ = mu Lambda.
   const Eigen::VectorXd momentum = dynamics.mass_matrix() * (after - before);
-  const Eigen::VectorXd impulse = J.transpose().completeOrthogonalDecomposition().solve(momentum);
+  const Eigen::VectorXd impulse = least_squares(J.transpose(), momentum);
   EXPECT_LT(relative_error(J.transpose() * impulse, momentum, 1e-3), 1e-6);
   if (spec.contact_solver.mu == 0.0) {
     EXPECT_LT((J * after).cwiseAbs().maxCoeff(), 1e-9);

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <random>
 
+#include "base/decomposition.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/nonlinear_problems.hpp"
 
@@ -45,7 +45,7 @@ Eigen::VectorXd enumerate(const Instance& p) {
       const Eigen::MatrixXd Qff = p.Q(free, free);
       const Eigen::VectorXd right = -(p.q + p.Q * x);
       const Eigen::VectorXd right_free = right(free);
-      const Eigen::VectorXd x_free = Qff.llt().solve(right_free);
+      const Eigen::VectorXd x_free = solve_positive(Qff, right_free);
       x(free) = x_free;
     }
     const Eigen::VectorXd gradient = p.q + p.Q * x;

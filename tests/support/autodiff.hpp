@@ -1,71 +1,79 @@
 // Automatic differentiation through the kernels: states whose derivatives are seeded along the
-// tangent of q and along v, and the blocks d/dq and d/dv read back from results.
+// tangent of q and along v, and the blocks d/dq and d/dv of what a kernel makes of them.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <initializer_list>
 #include <span>
-#include <string>
-#include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
-#include "burnish/base/error.hpp"
 #include "burnish/model/state.hpp"
 #include "math/spatial.hpp"
+#include "support/dual.hpp"
 
 namespace burnish::test {
 
-/// Directions that one evaluation differentiates along: room for d/dq and d/dv of 40 joints.
-inline constexpr int dual_directions = 80;
-
-/// A value and its derivatives: d/d(dq) in entries 0 to nv - 1, d/dv in entries nv to 2 nv - 1.
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, dual_directions, 1>>;
+using Duals = std::vector<Dual>;
 
 /// Values with zero derivatives.
-inline std::vector<Dual> constant_duals(const Eigen::VectorXd& x) {
-  std::vector<Dual> result;
+inline Duals constant_duals(const Eigen::VectorXd& x) {
+  Duals result;
   for (const double value : x) result.emplace_back(value);
   return result;
 }
 
-inline void check_room(const Model& model) {
-  if (2 * model.nv > dual_directions)
-    throw Error("automatic differentiation has room for " + std::to_string(dual_directions / 2) +
-                " entries of v; the model has " + std::to_string(model.nv));
-}
+/// A vector and its derivative along every direction (a column each).
+struct Seeded {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd directions;
+};
 
-/// q (nq) with the derivatives of q (+) dq at dq = 0.
-inline std::vector<Dual> seeded_q(const Model& model, const Eigen::VectorXd& q) {
-  check_room(model);
-  const Eigen::MatrixXd map = tangent_map(model, q);
-  std::vector<Dual> result = constant_duals(q);
-  for (int i = 0; i < model.nq; ++i)
-    result[static_cast<std::size_t>(i)].derivatives().head(model.nv) = map.row(i);
+/// The derivative, along every direction of the seeds x and y, of the Duals that `evaluate` makes
+/// of x and y: as many columns as they have.
+template <class Evaluate>
+Eigen::MatrixXd differentiate(const Seeded& x, const Seeded& y, Evaluate&& evaluate) {
+  const auto columns = static_cast<int>(x.directions.cols());
+  Eigen::MatrixXd result;
+  for (int first = 0; first < columns; first += dual_directions) {
+    const int count = std::min(dual_directions, columns - first);
+    const auto seeded = [&](const Seeded& vector) {
+      Duals duals = constant_duals(vector.values);
+      for (std::size_t i = 0; i < duals.size(); ++i)
+        for (int k = 0; k < count; ++k)
+          duals[i].set(k, vector.directions(static_cast<Eigen::Index>(i), first + k));
+      return duals;
+    };
+    const Duals values = evaluate(seeded(x), seeded(y));
+    if (first == 0) result.resize(static_cast<Eigen::Index>(values.size()), columns);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (int k = 0; k < count; ++k)
+        result(static_cast<Eigen::Index>(i), first + k) = values[i].derivative(k);
+  }
   return result;
 }
 
-/// v (nv) with unit derivatives along v.
-inline std::vector<Dual> seeded_v(const Model& model, const Eigen::VectorXd& v) {
-  check_room(model);
-  std::vector<Dual> result = constant_duals(v);
-  for (int k = 0; k < model.nv; ++k)
-    result[static_cast<std::size_t>(k)].derivatives()[model.nv + k] = 1.0;
-  return result;
-}
+/// Derivatives of one thing by q (along the tangent, at q (+) 0) and by another vector of nv
+/// entries.
+struct ByState {
+  Eigen::MatrixXd dq, dv;
 
-/// Row i: derivatives `first` to `first + count - 1` of value i.
-inline Eigen::MatrixXd derivative_block(std::span<const Dual> values, int first, int count) {
-  Eigen::MatrixXd block(static_cast<Eigen::Index>(values.size()), count);
-  Eigen::Index row = 0;
-  for (const Dual& value : values) block.row(row++) = value.derivatives().segment(first, count);
-  return block;
-}
-/// values.size() x nv.
-inline Eigen::MatrixXd d_dq(const Model& model, std::span<const Dual> values) {
-  return derivative_block(values, 0, model.nv);
-}
-inline Eigen::MatrixXd d_dv(const Model& model, std::span<const Dual> values) {
-  return derivative_block(values, model.nv, model.nv);
+  /// Those of some of the entries.
+  ByState of(Eigen::Index first, Eigen::Index count) const {
+    return {dq.middleRows(first, count), dv.middleRows(first, count)};
+  }
+};
+
+/// The derivatives of what `evaluate` makes of q (nq) and v (nv).
+template <class Evaluate>
+ByState differentiate(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                      Evaluate&& evaluate) {
+  const int n = model.nv;
+  Seeded by_q{q, Eigen::MatrixXd::Zero(model.nq, 2 * n)}, by_v{v, Eigen::MatrixXd::Zero(n, 2 * n)};
+  by_q.directions.leftCols(n) = tangent_map(model, q);
+  by_v.directions.rightCols(n).setIdentity();
+  const Eigen::MatrixXd both = differentiate(by_q, by_v, evaluate);
+  return {both.leftCols(n), both.rightCols(n)};
 }
 
 inline Eigen::VectorXd values_of(std::span<const Dual> duals) {
@@ -76,12 +84,12 @@ inline Eigen::VectorXd values_of(std::span<const Dual> duals) {
 }
 
 /// The entries of vectors one after the other, as the functions above take them.
-inline std::vector<Dual> entries(std::initializer_list<Vec3<Dual>> vectors) {
-  std::vector<Dual> result;
+inline Duals entries(std::initializer_list<Vec3<Dual>> vectors) {
+  Duals result;
   for (const Vec3<Dual>& v : vectors) result.insert(result.end(), {v.x, v.y, v.z});
   return result;
 }
-inline std::vector<Dual> entries(const Motion<Dual>& m) { return entries({m.linear, m.angular}); }
-inline std::vector<Dual> entries(const Force<Dual>& f) { return entries({f.linear, f.angular}); }
+inline Duals entries(const Motion<Dual>& m) { return entries({m.linear, m.angular}); }
+inline Duals entries(const Force<Dual>& f) { return entries({f.linear, f.angular}); }
 
 }  // namespace burnish::test

@@ -1,11 +1,10 @@
 #include "support/contact_laws.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdlib>
 #include <random>
 
+#include "base/decomposition.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/model/state.hpp"
@@ -125,19 +124,32 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& lambda)
   return both;
 }
 
+/// a over lambda.
+Duals stacked(const ConstrainedDynamics<Dual>& dynamics) {
+  Duals both = dynamics.a;
+  both.insert(both.end(), dynamics.lambda.begin(), dynamics.lambda.begin() + dynamics.rows());
+  return both;
+}
+
 Blocks by_autodiff(const Model& model, ConstrainedDynamics<Dual>& dynamics, const State& state,
                    bool with_tau) {
-  Blocks blocks;
-  const auto rows = static_cast<std::size_t>(dynamics.rows());
-  dynamics.set_state(seeded_q(model, state.q).data(), seeded_v(model, state.v).data());
-  dynamics.forward(constant_duals(state.tau).data());
-  const std::span<const Dual> lambda(dynamics.lambda.data(), rows);
-  blocks.dq = stacked(d_dq(model, dynamics.a), d_dq(model, lambda));
-  blocks.dv = stacked(d_dv(model, dynamics.a), d_dv(model, lambda));
+  const Duals tau = constant_duals(state.tau);
+  const ByState by = differentiate(model, state.q, state.v, [&](const Duals& q, const Duals& v) {
+    dynamics.set_state(q.data(), v.data());
+    dynamics.forward(tau.data());
+    return stacked(dynamics);
+  });
+  Blocks blocks{by.dq, by.dv, {}};
   if (!with_tau) return blocks;
-  dynamics.set_state(constant_duals(state.q).data(), constant_duals(state.v).data());
-  dynamics.forward(seeded_v(model, state.tau).data());
-  blocks.dtau = stacked(d_dv(model, dynamics.a), d_dv(model, lambda));
+  const auto n = static_cast<int>(state.tau.size());
+  const Seeded by_tau{state.tau, Eigen::MatrixXd::Identity(n, n)};
+  const Seeded constant{state.v, Eigen::MatrixXd::Zero(n, n)};
+  const Duals q = constant_duals(state.q);
+  blocks.dtau = differentiate(by_tau, constant, [&](const Duals& at, const Duals& v) {
+    dynamics.set_state(q.data(), v.data());
+    dynamics.forward(at.data());
+    return stacked(dynamics);
+  });
   return blocks;
 }
 
@@ -218,10 +230,10 @@ double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, int n, 
 bool near_singular(ContactDynamics& dynamics) {
   if (dynamics.rows() == 0) return false;
   const Eigen::MatrixXd J = dynamics.jacobian();
-  Eigen::MatrixXd G = J * dynamics.mass_matrix().llt().solve(J.transpose());
+  Eigen::MatrixXd G = J * solve_positive(dynamics.mass_matrix(), J.transpose());
   const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
   G = scale.asDiagonal() * G * scale.asDiagonal();
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(G).eigenvalues().minCoeff();
+  const double least = symmetric_eigen(G).values.minCoeff();
   return !(least > 1e-4);
 }
 
@@ -231,20 +243,25 @@ double propositions_error(const Model& model, ContactDynamics& dynamics,
                           ConstrainedDynamics<Dual>& dual, const State& state) {
   const int n = model.nv;
   const Eigen::VectorXd a = dynamics.a(), lambda = dynamics.lambda();
-  dual.set_state(seeded_q(model, state.q).data(), seeded_v(model, state.v).data());
-  dual.inverse(constant_duals(a).data(), constant_duals(lambda).data());
-  dual.acceleration(constant_duals(a).data());
+  const Duals constant_a = constant_duals(a), constant_lambda = constant_duals(lambda);
+  const ByState want = differentiate(model, state.q, state.v, [&](const Duals& q, const Duals& v) {
+    dual.set_state(q.data(), v.data());
+    dual.inverse(constant_a.data(), constant_lambda.data());
+    Duals both = dual.tau;
+    dual.acceleration(constant_a.data());
+    both.insert(both.end(), dual.alpha.begin(), dual.alpha.begin() + dual.rows());
+    return both;
+  });
+  const ByState tau = want.of(0, n), alpha = want.of(n, dual.rows());
   dynamics.inverse(state.q, state.v, a, lambda);
   dynamics.inverse_derivatives();
   const Eigen::MatrixXd none(0, n);
-  double worst = relative(stacked(dynamics.dtau_dq(), none), d_dq(model, dual.tau), n, 1e-12);
-  worst =
-      std::max(worst, relative(stacked(dynamics.dtau_dv(), none), d_dv(model, dual.tau), n, 1e-12));
+  double worst = relative(stacked(dynamics.dtau_dq(), none), tau.dq, n, 1e-12);
+  worst = std::max(worst, relative(stacked(dynamics.dtau_dv(), none), tau.dv, n, 1e-12));
   dynamics.acceleration(state.q, state.v, a);
   dynamics.acceleration_derivatives();
-  const std::span<const Dual> alpha(dual.alpha.data(), static_cast<std::size_t>(dynamics.rows()));
-  worst = std::max(worst, relative(dynamics.dalpha_dq(), d_dq(model, alpha), 0, 0.0));
-  return std::max(worst, relative(dynamics.dalpha_dv(), d_dv(model, alpha), 0, 0.0));
+  worst = std::max(worst, relative(dynamics.dalpha_dq(), alpha.dq, 0, 0.0));
+  return std::max(worst, relative(dynamics.dalpha_dv(), alpha.dv, 0, 0.0));
 }
 
 std::string describe_case(const char* against, const char* block, Acceleration acceleration,
@@ -308,7 +325,7 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
     const int n = model.nv;
     // What da/dtau would be without the contact.
     const double free =
-        1e-3 * dynamics.mass_matrix().llt().solve(Eigen::MatrixXd::Identity(n, n)).maxCoeff();
+        1e-3 * solve_positive(dynamics.mass_matrix(), Eigen::MatrixXd::Identity(n, n)).maxCoeff();
     note("autodiff", "d/dq", relative(got.dq, want.dq, n, 1e-12), row.autodiff, i);
     note("autodiff", "d/dv", relative(got.dv, want.dv, n, 1e-12), row.autodiff, i);
     ++row.states;

@@ -1,13 +1,11 @@
 // Robots, states and contacts that the contact tests draw from.
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "base/decomposition.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/state.hpp"
@@ -38,10 +36,10 @@ inline RobotState random_state(const Model& model, std::mt19937_64& generator) {
 inline double independence(const ContactDynamics& dynamics) {
   if (dynamics.rows() == 0) return 1.0;
   const Eigen::MatrixXd J = dynamics.jacobian();
-  const Eigen::MatrixXd G = J * dynamics.mass_matrix().llt().solve(J.transpose());
+  const Eigen::MatrixXd G = J * solve_positive(dynamics.mass_matrix(), J.transpose());
   const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd unit = scale.asDiagonal() * G * scale.asDiagonal();
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(unit).eigenvalues()[0];
+  const double least = symmetric_eigen(unit).values[0];
   return std::isfinite(least) ? least : 0.0;
 }
 
@@ -62,7 +60,7 @@ inline Eigen::VectorXd at_rest(ContactDynamics& dynamics, const Eigen::VectorXd&
                                const Eigen::VectorXd& v) {
   dynamics.acceleration(q, v, v);
   const Eigen::MatrixXd J = dynamics.jacobian();
-  return v - J.completeOrthogonalDecomposition().solve(J * v);
+  return v - least_squares(J, J * v);
 }
 
 inline Eigen::Matrix3d tilt() {

@@ -1,9 +1,8 @@
 #include "support/mujoco_model.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "base/decomposition.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::test {
@@ -110,7 +109,7 @@ void MujocoModel::load_torque(const Eigen::VectorXd& tau) {
 Eigen::VectorXd MujocoModel::forward(const Eigen::VectorXd& tau) {
   const auto follows = [](const Joint& joint) { return joint.follows.has_value(); };
   if (std::any_of(model_.joints.begin(), model_.joints.end(), follows))
-    return mass_matrix().ldlt().solve(tau - bias());
+    return solve_positive(mass_matrix(), tau - bias());
   load_torque(tau);
   mj_fwdActuation(m_.get(), d_.get());
   mj_fwdAcceleration(m_.get(), d_.get());

@@ -23,37 +23,20 @@ extern template class ConstrainedDynamics<test::Dual>;
 namespace burnish::test {
 namespace {
 
-using Duals = std::vector<Dual>;
-
 const ocp::CompiledStage& stage_of(const ocp::CompiledProblem& problem, const OcpPoint& at) {
   return problem.stages[static_cast<std::size_t>(at.stage)];
 }
 
-/// Derivatives by all of z of what `evaluate` makes of (x, u), as many columns at a time as a Dual
-/// has room for.
+/// Derivatives by all of z of what `evaluate` makes of (x, u).
 Eigen::MatrixXd by_z(const ocp::CompiledProblem& problem, const OcpPoint& at,
                      const std::function<Duals(const Duals& x, const Duals& u)>& evaluate) {
   const StateLayout& l = problem.layout;
-  Eigen::MatrixXd seeds_x = Eigen::MatrixXd::Zero(l.nx(), l.nz());
-  seeds_x.block(0, l.column_q(), l.nq, l.nv) = tangent_map(problem.model, at.x.head(l.nq));
-  seeds_x.bottomRightCorner(l.nv + l.filtered, l.nv + l.filtered).setIdentity();
-  Eigen::MatrixXd seeds_u = Eigen::MatrixXd::Zero(l.nu, l.nz());
-  seeds_u.leftCols(l.nu).setIdentity();
-  Eigen::MatrixXd result;
-  for (int first = 0; first < l.nz(); first += dual_directions) {
-    const int count = std::min(dual_directions, l.nz() - first);
-    const auto seeded = [&](const Eigen::VectorXd& values, const Eigen::MatrixXd& seeds) {
-      Duals duals = constant_duals(values);
-      for (std::size_t i = 0; i < duals.size(); ++i)
-        duals[i].derivatives().head(count) =
-            seeds.row(static_cast<Eigen::Index>(i)).segment(first, count);
-      return duals;
-    };
-    const Duals values = evaluate(seeded(at.x, seeds_x), seeded(at.u, seeds_u));
-    if (first == 0) result.resize(static_cast<Eigen::Index>(values.size()), l.nz());
-    result.middleCols(first, count) = derivative_block(values, 0, count);
-  }
-  return result;
+  Seeded x{at.x, Eigen::MatrixXd::Zero(l.nx(), l.nz())},
+      u{at.u, Eigen::MatrixXd::Zero(l.nu, l.nz())};
+  x.directions.block(0, l.column_q(), l.nq, l.nv) = tangent_map(problem.model, at.x.head(l.nq));
+  x.directions.bottomRightCorner(l.nv + l.filtered, l.nv + l.filtered).setIdentity();
+  u.directions.leftCols(l.nu).setIdentity();
+  return differentiate(x, u, evaluate);
 }
 
 /// x (+) dx.
