@@ -124,4 +124,22 @@ void check_ranges(const Description& description, const void* spec, const Subjec
     check_value(field, *field.type, field.in(spec), field.name, subject);
 }
 
+namespace detail {
+
+void add_field(Description& description, const char* name, const char* means, const Range& numbers,
+               std::size_t offset, const ValueType& type) {
+  Field field{name, name, means, "", "", "", numbers, offset, &type};
+  if (numbers.infinite) field.word = "never";
+  description.fields.push_back(std::move(field));
+}
+
+void add_group(Description& description, const char* means, const char* section) {
+  description.groups.push_back({description.fields.size(), section, means});
+}
+
+Field& last_field(Description& description) { return description.fields.back(); }
+
+void set_text(std::string& of, const char* text) { of = text; }
+
+}  // namespace detail
 }  // namespace burnish

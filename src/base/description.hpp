@@ -274,40 +274,57 @@ const ValueType& type_of() {
   return type;
 }
 
+namespace detail {
+// What is the same for all specifications is compiled once.
+void add_field(Description& description, const char* name, const char* means, const Range& numbers,
+               std::size_t offset, const ValueType& type);
+void add_group(Description& description, const char* means, const char* section);
+Field& last_field(Description& description);
+void set_text(std::string& of, const char* text);
+
+template <class Spec>
+std::shared_ptr<void> made() {
+  return std::make_shared<Spec>();
+}
+}  // namespace detail
+
 /// Makes a Description, entry by entry in the order of the members.
 template <class Spec>
 class Describe : public Description {
  public:
   Describe(const char* of_layer, const char* of_name, const char* means)
-      : Description{of_layer, of_name, means}, example_(std::make_shared<Spec>()) {
-    defaults = example_;
-    make = []() -> std::shared_ptr<void> { return std::make_shared<Spec>(); };
+      : Description{of_layer, of_name, means} {
+    make = &detail::made<Spec>;
+    defaults = make();
   }
   template <class Value, class Owner>
   Describe& field(const char* of_name, Value Owner::*member, const char* means = "",
                   const Range& numbers = range::any) {
-    const char *begin = reinterpret_cast<const char*>(example_.get()),
-               *at = reinterpret_cast<const char*>(&(example_.get()->*member));
-    fields.push_back({of_name, of_name, means, "", "", numbers.infinite ? "never" : "", numbers,
-                      static_cast<std::size_t>(at - begin), &type_of<Value>()});
+    const auto* example = static_cast<const Spec*>(defaults.get());
+    const char *begin = reinterpret_cast<const char*>(example),
+               *at = reinterpret_cast<const char*>(&(example->*member));
+    detail::add_field(*this, of_name, means, numbers, static_cast<std::size_t>(at - begin),
+                      type_of<Value>());
     return *this;
   }
   using Description::field;
   // Of the entry before.
-  Describe& in_code(const char* text) { return fields.back().in_code = text, *this; }
-  Describe& more(const char* text) { return fields.back().more = text, *this; }
-  Describe& key(const char* text) { return fields.back().key = text, *this; }
-  Describe& word(const char* text) { return fields.back().word = text, *this; }
-  Describe& required() { return fields.back().required = true, *this; }
-  Describe& number_too() { return fields.back().number_too = true, *this; }
+  Describe& in_code(const char* text) { return set(&Field::in_code, text); }
+  Describe& more(const char* text) { return set(&Field::more, text); }
+  Describe& key(const char* text) { return set(&Field::key, text); }
+  Describe& word(const char* text) { return set(&Field::word, text); }
+  Describe& required() { return detail::last_field(*this).required = true, *this; }
+  Describe& number_too() { return detail::last_field(*this).number_too = true, *this; }
   /// Begins one.
   Describe& group(const char* means, const char* section = "") {
-    return groups.push_back({fields.size(), section, means}), *this;
+    return detail::add_group(*this, means, section), *this;
   }
   Describe& result() { return is_result = true, *this; }
 
  private:
-  std::shared_ptr<Spec> example_;
+  Describe& set(std::string Field::*part, const char* text) {
+    return detail::set_text(detail::last_field(*this).*part, text), *this;
+  }
 };
 
 }  // namespace burnish
