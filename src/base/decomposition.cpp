@@ -22,16 +22,27 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
   return Q.rightCols(A.cols() - qr.rank());
 }
 
-Eigen::MatrixXd solve_positive_half(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+namespace {
+
+/// What `solve` makes of the factor of A; NaN where there is none. (A NaN in A is no failure to
+/// Eigen.)
+template <class Solve>
+Eigen::MatrixXd by_factor(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Solve&& solve) {
   const Eigen::LLT<Eigen::MatrixXd> factor(A);
-  if (factor.info() == Eigen::Success) return factor.matrixL().solve(B);
+  if (factor.info() == Eigen::Success && factor.matrixLLT().diagonal().allFinite())
+    return solve(factor);
   return Eigen::MatrixXd::Constant(A.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
 }
 
+}  // namespace
+
+Eigen::MatrixXd solve_positive_half(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return by_factor(
+      A, B, [&](const auto& factor) -> Eigen::MatrixXd { return factor.matrixL().solve(B); });
+}
+
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(A);
-  if (factor.info() == Eigen::Success) return factor.solve(B);
-  return Eigen::MatrixXd::Constant(A.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
+  return by_factor(A, B, [&](const auto& factor) -> Eigen::MatrixXd { return factor.solve(B); });
 }
 
 Eigen::VectorXd damped_step(const Eigen::MatrixXd& J, const Eigen::VectorXd& damping,
