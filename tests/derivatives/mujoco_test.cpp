@@ -11,7 +11,7 @@
 namespace burnish::test {
 namespace {
 
-constexpr int states = 60;
+constexpr int states_tried = 60;
 
 /// Worst errors, each relative to the largest entry of what is compared; kept as properties of the
 /// test.
@@ -44,7 +44,7 @@ void compare_free_motion(const Model& model, Worst& worst) {
   MujocoModel theirs(model);
   ContactDynamics ours(model);
   std::mt19937_64 generator(7);
-  for (int i = 0; i < states; ++i) {
+  for (int i = 0; i < states_tried; ++i) {
     const Eigen::VectorXd q = random_configuration(model, generator);
     const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
     const Eigen::VectorXd tau = uniform(model.nv, 20.0, generator);
@@ -81,7 +81,7 @@ TEST_P(Mujoco, agrees_on_the_placements_and_jacobians_of_frames) {
   Worst worst;
   for (const std::string& frame : GetParam().frames) {
     ContactDynamics ours(model, {held(frame, "world", Directions::all())});
-    for (int i = 0; i < states; ++i) {
+    for (int i = 0; i < states_tried; ++i) {
       const Eigen::VectorXd q = random_configuration(model, generator);
       const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
       theirs.set_state(q, v);
@@ -165,7 +165,7 @@ void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocit
   ContactDynamics ours(model, contacts, solver);
   MujocoModel theirs(model, ties);
   std::mt19937_64 generator(9);
-  for (int i = 0; i < states;) {
+  for (int i = 0; i < states_tried;) {
     const Eigen::VectorXd q = random_configuration(model, generator);
     Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
     if (velocity == Velocity::Tied) v = at_rest(ours, q, v);
