@@ -1,4 +1,3 @@
-
 #include "base/decomposition.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"

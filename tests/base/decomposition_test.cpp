@@ -23,6 +23,14 @@ TEST(Decomposition, eigenvalues_ascend_and_make_the_matrix_with_their_vectors) {
   }
 }
 
+TEST(Decomposition, eigenvalues_of_what_is_no_number_are_none) {
+  for (const int n : {1, 2, 6}) {
+    Eigen::MatrixXd A = positive(n);
+    A(n - 1, 0) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(symmetric_eigen(A).values.allFinite()) << n;
+  }
+}
+
 TEST(Decomposition, least_squares_meets_what_can_be_met_and_is_the_shortest) {
   const Eigen::MatrixXd tall = Eigen::MatrixXd::Random(9, 4), B = Eigen::MatrixXd::Random(9, 2);
   EXPECT_LE((tall.transpose() * (tall * least_squares(tall, B) - B)).norm(), 1e-12);

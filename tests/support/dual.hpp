@@ -1,6 +1,6 @@
 // A number with its derivatives along some directions: forward automatic differentiation as the
-// kernels' scalar. Every operation makes a number at once: kernels are long, and compilers take
-// twice as long for the expression templates of Eigen's AutoDiffScalar.
+// kernels' scalar. Every operation makes a number at once, which compilers are through with sooner
+// than with the expression templates of Eigen's AutoDiffScalar.
 #pragma once
 
 #include <cmath>
