@@ -57,6 +57,9 @@ struct ExperimentSpec {
   /// own.
   std::function<void(std::size_t, const std::string& result, const std::string& run)> list =
       nullptr;
+
+  /// Whether anybody reads the report: a list or a part of the runs has none.
+  bool reports() const { return !list && shard.count == 1; }
 };
 
 struct Figure {
