@@ -95,6 +95,7 @@ std::optional<CampaignFile> CampaignFile::read(const fs::path& folder) {
   file.campaign.name = map["experiment"].text();
   file.version = map["version"].text();
   read_word(map["shard"], file.shard);
+  if (file.campaign.name == CampaignFile::sweep) return file;
   const Reader words = map["words"];
   each_word([&](const char* key, auto member) { read_word(words[key], file.campaign.*member); });
   return file;

@@ -28,6 +28,9 @@ struct Campaign {
 /// What a folder with results of runs says of them, in its file campaign.json.
 struct CampaignFile {
   static constexpr const char* name = "campaign.json";
+  /// Stands in place of an experiment's name where burnish sweep left the runs, of which the words
+  /// say nothing.
+  static constexpr const char* sweep = "sweep";
   Campaign campaign;
   std::string version;
   std::string shard = {};  ///< "2/4"; empty: all of it

@@ -58,6 +58,8 @@ void check_resumed(const ExperimentArguments& a) {
   if (there->version != program_version())
     throw Error(fmt::format("'{}' holds runs of burnish {}, and this is {}; wanted another folder",
                             a.out, there->version, program_version()));
+  if (there->campaign.name == CampaignFile::sweep)
+    throw Error(fmt::format("'{}' holds runs of burnish sweep; wanted another folder", a.out));
   Campaign same = there->campaign;
   same.seeds = a.campaign.seeds;
   same.first_seed = a.campaign.first_seed;

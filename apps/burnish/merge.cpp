@@ -6,6 +6,7 @@
 
 #include "campaign.hpp"
 #include "command.hpp"
+#include "hand_over.hpp"
 
 namespace burnish::app {
 namespace {
@@ -60,7 +61,28 @@ std::string missing_shards(const std::vector<std::string>& folders) {
   return missing.empty() ? "" : fmt::format(" (no folder is of {})", fmt::join(missing, ", "));
 }
 
+/// Whether burnish sweep left it.
+bool is_sweep(const std::string& folder) {
+  const std::optional<CampaignFile> file = CampaignFile::read(folder);
+  return file && file->campaign.name == CampaignFile::sweep;
+}
+
+/// Python knows what a campaign's file says.
+[[noreturn]] void merge_sweep(const MergeArguments& a) {
+  if (a.force)
+    throw Error(
+        "--force is not for campaigns that a file states; wanted another folder for --out, or that "
+        "of a shard");
+  std::vector<std::string> words{"merge"};
+  words.insert(words.end(), a.folders.begin(), a.folders.end());
+  if (!a.out.empty()) words.insert(words.end(), {"--out", a.out});
+  if (a.mixed) words.emplace_back("--mixed");
+  if (a.quiet) words.emplace_back("--quiet");
+  hand_over_to_python(words, "numpy");
+}
+
 int merge(const MergeArguments& a) {
+  if (std::any_of(a.folders.begin(), a.folders.end(), is_sweep)) merge_sweep(a);
   const Campaign campaign = common_campaign(a.folders);
   std::vector<fs::path> results;
   for (const std::string& folder : a.folders) results.push_back(fs::path(folder) / results_folder);
@@ -94,11 +116,13 @@ int merge(const MergeArguments& a) {
 }  // namespace
 
 void add_merge(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("merge", "The tables of an experiment whose runs were made in shards");
+  CLI::App* command = app.add_subcommand(
+      "merge", "The tables of an experiment or a campaign whose runs were made in shards");
   const auto arguments = std::make_shared<MergeArguments>();
   MergeArguments& a = *arguments;
-  command->add_option("SHARD", a.folders, "Folders that burnish experiment --shard left")
+  command
+      ->add_option("SHARD", a.folders,
+                   "Folders that burnish experiment --shard, or burnish sweep --shard, left")
       ->required()
       ->type_name("DIR");
   command->add_flag("--mixed", a.mixed,
@@ -115,6 +139,7 @@ void add_merge(CLI::App& app, int& exit_code) {
       "  burnish experiment seeds --shard 1/2 --out part_1    # on one machine\n"
       "  burnish experiment seeds --shard 2/2 --out part_2    # on another\n"
       "  burnish merge part_1 part_2\n"
+      "  burnish sweep friction.yaml --shard 1/2 --out part_1 # and the same with these\n"
       "\n"
       "What it writes is what one process would have written, byte for byte. Shards of other\n"
       "experiments, words or versions are refused, and those that lack runs.\n"

@@ -114,10 +114,11 @@ def make_solution(problem_file: File, initial_state: Optional[ArrayLike] = None)
 _RUN_VIEWS = {"q": "q_", "v": "v_", "tau": "tau_applied_", "force": "tool_force_", "target": "target_"}
 
 
-def make_run(task: polishing.Task, controller: str = "mpc", plant: Optional[str] = None) -> Record:
-    """Runs a polishing task, with all signals of every plant step but measured times. Raises Error as
-    run_task() does."""
-    result = polishing.run(task, controller=controller, plant=plant)
+def make_run(task: polishing.Task, controller: str = "mpc", plant: Optional[str] = None,
+             plan_rate: float = 20.0) -> Record:
+    """Runs a polishing task, with all signals of every plant step but measured times, and plans of the
+    controller at plan_rate, Hz. Raises Error as run_task() does."""
+    result = polishing.run(task, controller=controller, plant=plant, plan_rate=plan_rate)
     trace = result.trace
     columns = [name for name in trace.columns if name != "solve_time"]
     arrays: Dict[str, Array] = {"signals": np.stack([trace[name] for name in columns], axis=1)}
@@ -126,11 +127,14 @@ def make_run(task: polishing.Task, controller: str = "mpc", plant: Optional[str]
         names[view] = [name for name in columns if name.startswith(start)]
         arrays[view] = np.stack([trace[name] for name in names[view]], axis=1) if names[view] else np.empty(
             (len(trace), 0))
+    plans = result.plans
     arrays.update(time=trace["time"], phase=trace["phase"].astype(np.int64),
-                  contact=trace["in_contact"] != 0.0, plan_time=result.plans.time, plan_q=result.plans.q)
+                  contact=trace["in_contact"] != 0.0, plan_time=plans.time, plan_q=plans.q, plan_x=plans.x,
+                  plan_u=plans.u, plan_K=plans.K, plan_Vx=plans.Vx, plan_Vxx=plans.Vxx)
     return Record("run", polishing.task_text(task), arrays, names,
                   {"outcome": result.outcome.partition(", simulated in")[0], "burnish": __version__,
-                   "controller": controller, "plant": result.plant.name.lower()})
+                   "controller": controller, "plant": result.plant.name.lower(),
+                   "plan_rate": repr(float(plan_rate))})
 
 
 def replay(record: Record) -> Record:
@@ -138,7 +142,8 @@ def replay(record: Record) -> Record:
     it needs, such as its robot, is not there any more."""
     if record.kind == "run":
         task = _from_text(record, lambda file: polishing.read_task(file))
-        return make_run(task, record.attributes["controller"], record.attributes["plant"])
+        return make_run(task, record.attributes["controller"], record.attributes["plant"],
+                        float(record.attributes["plan_rate"]))
     start = record.arrays["x"][0]
     again: Record = _from_text(record, lambda file: make_solution(file, start))
     again.attributes["file"] = record.attributes["file"]
@@ -194,9 +199,9 @@ def write_solutions(file: File, problem_file: File, initial_states: Sequence[Arr
 
 
 def write_runs(file: File, tasks: Sequence[polishing.Task], controller: str = "mpc",
-               plant: Optional[str] = None) -> List[Record]:
+               plant: Optional[str] = None, plan_rate: float = 20.0) -> List[Record]:
     """make_run() of each task, written."""
-    records = [make_run(task, controller, plant) for task in tasks]
+    records = [make_run(task, controller, plant, plan_rate) for task in tasks]
     write(file, records)
     return records
 

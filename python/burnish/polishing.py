@@ -39,6 +39,7 @@ from ._core import (
     task_notes,
     task_point,
     task_text,
+    task_units,
     write_task,
 )
 from ._spec import Spec
@@ -73,7 +74,7 @@ __all__ = [
     "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
     "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on",
     "read_task", "run", "run_task", "task_notes",
-    "task_point", "task_text", "write_task",
+    "task_point", "task_text", "task_units", "write_task",
 ]
 
 # Described classes stand here (scripts/describe).
@@ -175,6 +176,7 @@ def run(
     seed: Optional[int] = None,
     overrides: Sequence[str] = (),
     check_reach: bool = True,
+    plan_rate: float = 20.0,
     progress: Optional[Callable[[float, float], Optional[bool]]] = None,
     **entries: Any,
 ) -> RunResult:
@@ -186,7 +188,7 @@ def run(
         polishing.run("board", seed=1, polish_duration=4, overrides=["path.radius=0.04"])
     """
     task = make_task(where, disturbances=disturbances, seed=seed, overrides=overrides, **entries)
-    spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
+    spec = RunSpec(task=task, check_reach=check_reach, plan_rate=plan_rate, progress=progress)
     spec.controller = controller  # type: ignore[assignment]  # names are taken for members
     if plant is not None:
         spec.plant = plant  # type: ignore[assignment]

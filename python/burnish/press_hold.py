@@ -20,6 +20,7 @@ from ._core import hold_phase_names as phase_names
 from ._core import hold_read_task as read_task
 from ._core import hold_run_task as run_task
 from ._core import hold_task_text as task_text
+from ._core import hold_task_units as task_units
 from .model import Robot
 from .mpc import SafetyLimits
 from .pressing import PlantKind, PostureLimits, ToolLimits
@@ -28,7 +29,7 @@ from .sim import Disturbances, SceneSpec
 __all__ = [
     "HoldFigures", "RunResult", "RunSpec", "Setting", "Task", "check_reach", "check_task",
     "make_controller", "make_setting", "make_task", "override_task", "phase_names", "read_task",
-    "run", "run_task", "task_text",
+    "run", "run_task", "task_text", "task_units",
 ]
 
 

@@ -59,3 +59,13 @@ class PlanRecord(Spec):
     """s between the knots that are kept"""
     q: NDArray[np.float32]
     """(plans, knots, nq)"""
+    x: NDArray[np.float64]
+    """(plans, nx), of the first knot: the state that the plan was made for"""
+    u: NDArray[np.float64]
+    """(plans, nu), of the first knot"""
+    K: NDArray[np.float64]
+    """(plans, nu, ndx), Riccati gains of the first knot"""
+    Vx: NDArray[np.float64]
+    """(plans, ndx), gradient of the value function at the first knot"""
+    Vxx: NDArray[np.float64]
+    """(plans, ndx, ndx), its Hessian"""

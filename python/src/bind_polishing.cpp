@@ -4,6 +4,7 @@
 #include <future>
 
 #include "burnish/tasks/polishing/run.hpp"
+#include "polishing/descriptions.hpp"
 #include "specs_polishing.hpp"
 #include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD
@@ -185,6 +186,9 @@ void bind_task(py::module_& m) {
         "Raises Error with a sentence for numbers that are possible each but not together.");
   m.def("task_text", &task_text, py::arg("task"),
         "The task as a task file, every key with its unit and meaning; reads back as it was.");
+  m.def(
+      "task_units", [] { return file_of(static_cast<const Task*>(nullptr)).units(); },
+      "Units of the keys of task files that have one, by the keys' paths: 'surface.stiffness'.");
   m.def("write_task", &write_task, py::arg("task"), py::arg("file"),
         "Writes task_text(). Raises Error if the file cannot be written.");
   m.def("task_notes", &task_notes, py::arg("task"), py::arg("plant"),

@@ -1,5 +1,6 @@
 // The task of pressing at a point while the arm moves aside, and its runs.
 #include "loop_parts.hpp"
+#include "press_hold/descriptions.hpp"
 #include "specs_press_hold.hpp"
 #include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD
@@ -83,6 +84,9 @@ void bind_press_hold(py::module_& m) {
   m.def(
       "hold_task_text", [](const HoldTask& task) { return task_text(task); }, py::arg("task"),
       "The task as a file, every key with its unit and meaning; reads back as it was.");
+  m.def(
+      "hold_task_units", [] { return file_of(static_cast<const HoldTask*>(nullptr)).units(); },
+      "Units of the keys of task files that have one, by the keys' paths.");
   m.def(
       "hold_make_setting", [](const HoldTask& task) { return make_setting(task); }, py::arg("task"),
       py::call_guard<py::gil_scoped_release>(),

@@ -11,9 +11,10 @@
 
 namespace burnish::python {
 
-/// An array of plans x knots x nq.
-struct PlanPostures {
-  py::array_t<float> array;
+/// An array of plans x rows x columns.
+template <class T>
+struct PlanCube {
+  py::array_t<T> array;
 };
 
 /// burnish.pressing.PlanRecord: burnish::PlanRecord as arrays.
@@ -22,7 +23,13 @@ struct PlanArrays {
   std::vector<std::string> terms;  ///< of the costs
   RowMatrix costs;                 ///< terms x plans
   double step = 0.0;
-  PlanPostures q = {};
+  PlanCube<float> q = {};  ///< plans x knots x nq
+  // Of the first knots.
+  RowMatrix x;                ///< plans x nx
+  RowMatrix u;                ///< plans x nu
+  PlanCube<double> K = {};    ///< plans x nu x ndx
+  RowMatrix Vx;               ///< plans x ndx
+  PlanCube<double> Vxx = {};  ///< plans x ndx x ndx
 };
 PlanArrays arrays_of(const PlanRecord& record);
 PlanRecord record_of(const PlanArrays& arrays);
@@ -34,16 +41,16 @@ struct SpecOf<PlanArrays> : AsDataclass<PlanArrays> {};
 
 namespace pybind11::detail {
 
-template <>
-struct type_caster<burnish::python::PlanPostures> {
-  PYBIND11_TYPE_CASTER(burnish::python::PlanPostures, const_name("numpy.ndarray[numpy.float32]"));
+template <class T>
+struct type_caster<burnish::python::PlanCube<T>> {
+  PYBIND11_TYPE_CASTER(burnish::python::PlanCube<T>, const_name("numpy.ndarray"));
   bool load(handle from, bool) {
-    value.array = array_t<float, array::c_style | array::forcecast>::ensure(from);
+    value.array = array_t<T, array::c_style | array::forcecast>::ensure(from);
     return value.array && value.array.ndim() == 3;
   }
-  static handle cast(const burnish::python::PlanPostures& from, return_value_policy, handle) {
+  static handle cast(const burnish::python::PlanCube<T>& from, return_value_policy, handle) {
     return from.array.ndim() == 3 ? from.array.inc_ref()
-                                  : array_t<float>(std::vector<ssize_t>{0, 0, 0}).release();
+                                  : array_t<T>(std::vector<ssize_t>{0, 0, 0}).release();
   }
 };
 

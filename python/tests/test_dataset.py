@@ -77,6 +77,22 @@ def test_runs_have_all_signals_and_their_parts(runs):
     assert a["plan_q"].shape[0] == len(a["plan_time"]) > 0
 
 
+def test_plans_of_a_run_have_gains_and_values_where_they_start(runs):
+    a = runs[1][0].arrays
+    plans, nx, nu = len(a["plan_time"]), a["plan_x"].shape[1], a["plan_u"].shape[1]
+    assert (nx, nu) == (2 * nu, a["q"].shape[1])
+    assert a["plan_K"].shape == (plans, nu, nx) and a["plan_Vxx"].shape == (plans, nx, nx)
+    assert a["plan_Vx"].shape == (plans, nx)
+    assert np.allclose(a["plan_x"][:, :nu], a["plan_q"][:, 0], atol=1e-6)  # of single precision
+    assert all(np.isfinite(a[f"plan_{name}"]).all() for name in ("x", "u", "K", "Vx", "Vxx"))
+    for Vxx in a["plan_Vxx"]:
+        assert np.allclose(Vxx, Vxx.T) and np.linalg.eigvalsh(Vxx)[0] > 0
+    # Plans are recorded as often as it is said.
+    more = dataset.make_run(short_task(1), plant="ideal", plan_rate=100.0)
+    assert len(more.arrays["plan_time"]) > 3 * plans
+    assert np.array_equal(more.arrays["signals"], a["signals"])
+
+
 @pytest.mark.parametrize("kind", ["solutions", "runs"])
 def test_files_read_back_and_records_replay_to_the_bit(kind, request):
     file, records = request.getfixturevalue(kind)

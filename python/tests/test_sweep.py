@@ -171,6 +171,7 @@ class TestRuns:
         assert len(rows) == len(result.rows) == 4
         assert [row["disturbances.seed"] for row in rows] == ["4", "5", "4", "5"]
         assert all(float(row["force_rmse [N]"]) > 0 for row in rows)
+        assert "phases.polish_duration [s]" in rows[0] and "disturbances.surface_friction" in rows[0]
         assert "position_rmse [m]" in rows[0] and not any("force_peak" in key for key in rows[0])
         # The runs are those of the library.
         run = burnish.polishing.run(_written(out, result.rows[1]), controller="baseline", plant="ideal")
@@ -249,6 +250,98 @@ class TestRuns:
         outcome = outcome_of(make_task_run(campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01))
         assert (outcome.late, outcome.done, outcome.outcome) == (True, False, "ended by its time limit")
         assert not outcome.figures
+
+
+@runs
+class TestShards:
+    PLAN = dict(vary={"phases.hold_duration": [0.1], "surface.friction": {"from": 0.1, "to": 0.5, "count": 5}},
+                worst={"figure": "slip", "count": 1})
+
+    @pytest.fixture
+    def file(self, tmp_path):
+        file = tmp_path / "friction.yaml"
+        file.write_text("".join(f"{key}: {json.dumps(value)}\n" for key, value in pressing(**self.PLAN).items()))
+        return file
+
+    def test_merge_writes_what_one_process_does(self, tmp_path, file, capsys):
+        one, parts = tmp_path / "one", [tmp_path / f"part_{i}" for i in (1, 2)]
+        campaign.sweep(file, out=one, quiet=True)
+        for i, part in enumerate(parts):
+            result = campaign.sweep(file, out=part, shard=f"{i + 1}/2", threads=1)
+            assert [row.number for row in result.rows] == ([1, 3, 5], [2, 4])[i]
+            assert not (part / "results.csv").exists()
+        assert "friction, shard 2/2: 2 runs, 0 of them not done" in capsys.readouterr().out
+        before = {each: each.stat().st_mtime_ns for each in (parts[0] / "runs").iterdir()}
+        campaign.sweep(file, out=parts[0], shard="1/2", resume=True, quiet=True)
+        assert {each: each.stat().st_mtime_ns for each in (parts[0] / "runs").iterdir()} == before
+        merged = tmp_path / "merged"
+        words = [campaign.program(), "merge", *map(str, parts), "--out", str(merged)]
+        done = subprocess.run(words, capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (0, "")
+        assert "5 runs, 0 of them not done" in done.stdout
+        for name in ("results.csv", "results.html", "campaign.yaml", "campaign.json"):
+            assert (merged / name).read_bytes() == (one / name).read_bytes()
+        assert (merged / "results.h5").exists() == (one / "results.h5").exists()
+        assert (merged / "worst").is_dir()
+        # The tables may stand beside the runs.
+        assert campaign.merge(parts, out=parts[0], quiet=True).rows[4].number == 5
+        assert (parts[0] / "results.csv").read_bytes() == (one / "results.csv").read_bytes()
+
+    def test_what_does_not_go_together_is_one_sentence(self, tmp_path, file):
+        part = tmp_path / "part"
+        campaign.sweep(file, out=part, shard="2/3", quiet=True)
+
+        def refused(*folders):
+            with pytest.raises(campaign.CampaignError) as error:
+                campaign.merge(folders, out=tmp_path / "no", quiet=True)
+            assert not (tmp_path / "no").exists()
+            return str(error.value)
+
+        assert refused(part) == ("3 of 5 runs are not there, the first of them number 1; wanted all shards, each with "
+                                 "all of its runs (no folder is of 1/3, 3/3)")
+        assert "no folder is named" in refused()
+        assert f"'{tmp_path}' holds no runs of a campaign" in refused(part, tmp_path)
+        for key, value, words in (("campaign", "task: x\n", "holds runs of another campaign than"),
+                                  ("task", "force: 3\n", "holds runs of another task than"),
+                                  ("version", "0.0.1", "holds runs of burnish 0.0.1, and this is"),
+                                  ("experiment", "seeds", "wanted those of burnish sweep")):
+            other = tmp_path / f"other_{key}"
+            other.mkdir()
+            tree = json.loads((part / "campaign.json").read_text())
+            (other / "campaign.json").write_text(json.dumps({**tree, key: value}))
+            assert words in refused(part, other)
+        for shard in ("0/2", "3/2", "2", "a/b", "1/2/3", ""):
+            with pytest.raises(campaign.CampaignError, match="wanted I/N with I from 1 to N"):
+                campaign.sweep(file, out=tmp_path / "no", shard=shard, quiet=True)
+        there = subprocess.run([campaign.program(), "experiment", "seeds", "--quick", "--resume", "--out", str(part)],
+                               capture_output=True, text=True)
+        assert (there.returncode, "holds runs of burnish sweep" in there.stderr) == (2, True)
+
+    def test_kernels_of_several_kinds_are_refused_or_said(self, tmp_path, file):
+        parts = [tmp_path / f"part_{i}" for i in (1, 2)]
+        for i, part in enumerate(parts):
+            campaign.sweep(file, out=part, shard=f"{i + 1}/2", quiet=True)
+        for times in (parts[1] / "runs").glob("*.times.json"):
+            times.write_text(json.dumps({**json.loads(times.read_text()), "kernels": "ABACUS"}))
+        own = json.loads(next((parts[0] / "runs").glob("*.times.json")).read_text())["kernels"]
+        words = f"2 with ABACUS, 3 with {own}"
+        with pytest.raises(campaign.CampaignError, match=f"different processors .{words}."):
+            campaign.merge(parts, out=tmp_path / "no", quiet=True)
+        with pytest.raises(campaign.CampaignError, match="different processors"):
+            campaign.sweep(file, out=parts[1], resume=True, quiet=True)
+        campaign.merge(parts, out=tmp_path / "mixed", mixed=True, quiet=True)
+        assert words in (tmp_path / "mixed" / "results.html").read_text()
+        assert [row["kernels"] for row in table(tmp_path / "mixed")] == [own, "ABACUS", own, "ABACUS", own]
+
+    def test_a_shard_that_stops_early_has_all_that_the_whole_needs(self, tmp_path, file):
+        file.write_text(file.read_text() + "stop: {figure: force_rmse, above: 0, runs: 2}\n")
+        parts = [tmp_path / f"part_{i}" for i in (1, 2)]
+        rows = [campaign.sweep(file, out=part, shard=f"{i + 1}/2", threads=1, quiet=True).rows
+                for i, part in enumerate(parts)]
+        assert [[row.number for row in each] for each in rows] == [[1, 3], [2, 4]]
+        merged = campaign.merge(parts, out=tmp_path / "merged", quiet=True)
+        assert [row.number for row in merged.rows] == [1, 2]
+        assert merged.stopped == "ended after 2 of 5 runs: 2 had force_rmse above 0"
 
 
 def _written(out, row):

@@ -36,7 +36,7 @@ DescribedFile::DescribedFile(const Description& description, std::string head, s
                              bool says_task)
     : head_(std::move(head)), task_(std::move(task)), says_task_(says_task), sections_{{"", ""}} {
   const auto key = [](const Field& field, std::size_t offset) {
-    return Key{field.key, field.comment(),
+    return Key{field.key, field.comment(), field.unit(),
                [&field, offset](void* spec, const Reader& reader) {
                  read_entry(field, static_cast<char*>(spec) + offset, reader);
                },
@@ -74,7 +74,7 @@ DescribedFile& DescribedFile::set(const std::string& section, const std::string&
   if (found != keys.end())
     found->reading = std::move(reading);
   else
-    keys.insert(keys.begin(), {name, "", std::move(reading), nullptr});
+    keys.insert(keys.begin(), {name, "", "", std::move(reading), nullptr});
   return *this;
 }
 
@@ -100,6 +100,15 @@ std::vector<std::string> DescribedFile::keys() const {
     for (const Key& key : section.keys)
       names.push_back((section.name.empty() ? "" : section.name + ".") + key.name);
   return names;
+}
+
+std::map<std::string, std::string> DescribedFile::units() const {
+  std::map<std::string, std::string> units;
+  for (const Section& section : sections_)
+    for (const Key& key : section.keys)
+      if (!key.unit.empty())
+        units[(section.name.empty() ? "" : section.name + ".") + key.name] = key.unit;
+  return units;
 }
 
 void DescribedFile::check_task(const Reader& file) const {

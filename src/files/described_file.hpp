@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ class DescribedFile {
 
   /// "surface.normal", in the order of files.
   std::vector<std::string> keys() const;
+  /// Of the keys that have one: {"surface.stiffness", "N/m"}.
+  std::map<std::string, std::string> units() const;
   /// Refuses a file of another task.
   void check_task(const Reader& file) const;
   /// Reads what the file, or a change of it, states, over the specification. Throws Error with the
@@ -51,7 +54,7 @@ class DescribedFile {
 
  private:
   struct Key {
-    std::string name, meaning;
+    std::string name, meaning, unit;
     Read reading;
     std::function<std::optional<std::string>(const void*)> writing;  ///< empty: it is not written
   };

@@ -25,6 +25,7 @@ double MpcController::force_error() const { return impl_->error.force_error(); }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 const Problem& MpcController::problem() const { return impl_->problem; }
 MatrixView MpcController::plan() const { return impl_->solver.xs(); }
+const DdpSolver& MpcController::solver() const { return impl_->solver; }
 std::vector<double> MpcController::plan_costs(int knot) {
   const MatrixView xs = impl_->solver.xs(), us = impl_->solver.us();
   if (knot < 0 || knot > impl_->problem.knots())

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/mpc/mpc.hpp"
+#include "burnish/solver/ddp.hpp"
 
 namespace burnish {
 namespace {
@@ -38,7 +39,26 @@ void PlanRecorder::look(double time, const Command& command) {
   for (int k = 0; k < record_.knots; ++k)
     for (int i = 0; i < record_.nq; ++i)
       record_.q.push_back(static_cast<float>(plan(k * stride_, i)));
+  add_start();
   add_costs();
+}
+
+void PlanRecorder::add_start() {
+  const DdpSolver& solver = controller_.solver();
+  PlanStart& start = record_.start;
+  const auto append = [](std::vector<double>& to, const auto& values) {
+    for (const auto& row : values.rowwise()) to.insert(to.end(), row.begin(), row.end());
+  };
+  const MatrixView xs = solver.xs(), us = solver.us();
+  const PaddedView gain = solver.gain(0);
+  start.nx = static_cast<int>(xs.cols());
+  start.nu = static_cast<int>(gain.rows());
+  start.ndx = static_cast<int>(gain.cols());
+  append(start.x, xs.row(0));
+  append(start.u, us.row(0).head(start.nu));
+  append(start.K, gain);
+  append(start.Vx, solver.value_gradient(0).transpose());
+  append(start.Vxx, solver.value_hessian(0));
 }
 
 void PlanRecorder::add_costs() {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dynamics/instruction_set.hpp"
 #include "press_hold/figures.hpp"
 #include "pressing/record.hpp"
 #include "record/figures_json.hpp"
@@ -14,6 +15,7 @@ Json run_json(const RunName& run, const RunResult& result) {
   Json json{{"name", run.name},
             {"task", "press_hold"},
             {"plant", name_of(run.spec.plant)},
+            {"kernels", instruction_set()},
             {"seed", run.spec.task.disturbances.seed},
             {"done", result.done},
             {"outcome", result.outcome},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/decomposition.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 
 namespace burnish::polishing {
@@ -73,6 +74,29 @@ TEST(PlanRecord, PlansStartWhereTheRobotIsAndCostsAreNamed) {
   EXPECT_EQ(force.back(), 0.0);
   EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.0);
   EXPECT_GT(costs_of("position").front(), 0.0);
+}
+
+TEST(PlanRecord, StartsHaveThePolicyAndTheValueOfTheirFirstKnot) {
+  const RunResult result = run_task(short_run(20.0));
+  const PlanStart& start = result.plans.start;
+  const std::size_t count = result.plans.time.size();
+  ASSERT_EQ(start.nx, 12);
+  ASSERT_EQ(start.ndx, 12);
+  ASSERT_EQ(start.nu, 6);
+  ASSERT_EQ(start.x.size(), count * 12);
+  ASSERT_EQ(start.u.size(), count * 6);
+  ASSERT_EQ(start.K.size(), count * 6 * 12);
+  ASSERT_EQ(start.Vx.size(), count * 12);
+  ASSERT_EQ(start.Vxx.size(), count * 12 * 12);
+  for (std::size_t i = 0; i < count; ++i) {
+    // The plan's posture, of which the record keeps single precision.
+    for (std::size_t k = 0; k < 6; ++k)
+      EXPECT_NEAR(start.x[12 * i + k], result.plans.q[i * 66 + k], 1e-6);
+    const Eigen::MatrixXd Vxx =
+        Eigen::Map<const Eigen::MatrixXd>(start.Vxx.data() + 144 * i, 12, 12);
+    EXPECT_LT((Vxx - Vxx.transpose()).norm(), 1e-9 * Vxx.norm());
+    EXPECT_GT(symmetric_eigen(Vxx).values[0], 0.0);
+  }
 }
 
 TEST(PlanRecord, ABaselineHasNone) {

@@ -19,6 +19,8 @@
 
 namespace burnish {
 
+class DdpSolver;
+
 /// When a run is given up, whatever the task; the task's own limits are its. Infinite: never.
 struct SafetyLimits {
   double joint_speed_ratio = 1.2;  ///< of the robot's velocity limits
@@ -126,6 +128,8 @@ class MpcController final : public Controller {
   const Problem& problem() const;
   /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet.
   MatrixView plan() const;
+  /// What solved that plan last: its trajectory, gains and value function.
+  const DdpSolver& solver() const;
   /// Cost of each term at a knot of that plan, as problem().term_names(knot) names them; the knots'
   /// steps are in it. For the record: allocates, and is not for ticks.
   std::vector<double> plan_costs(int knot);

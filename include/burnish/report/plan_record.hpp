@@ -10,6 +10,16 @@ namespace burnish {
 class MpcController;
 struct Command;
 
+/// Where plans start, per plan, and what the solver's last backward pass says there.
+struct PlanStart {
+  int nx = 0, ndx = 0, nu = 0;
+  std::vector<double> x = {};    ///< plans x nx: the state that the plan was made for
+  std::vector<double> u = {};    ///< plans x nu, of the first knot
+  std::vector<double> K = {};    ///< plans x nu x ndx: Riccati gains of the first knot
+  std::vector<double> Vx = {};   ///< plans x ndx: gradient of the value function there
+  std::vector<double> Vxx = {};  ///< plans x ndx x ndx: its Hessian
+};
+
 /// Empty without plans.
 struct PlanRecord {
   std::vector<double> time = {};        ///< s, of each plan's first knot
@@ -20,6 +30,7 @@ struct PlanRecord {
   int nq = 0;
   double step = 0.0;          ///< s between the knots that are kept
   std::vector<float> q = {};  ///< plans x knots x nq
+  PlanStart start = {};
 };
 
 /// Copies plans out of a controller, without changing what it does.
@@ -33,6 +44,7 @@ class PlanRecorder {
   PlanRecord take() { return std::move(record_); }
 
  private:
+  void add_start();
   void add_costs();
   void find_terms(std::size_t stage, int knot);
 

@@ -22,15 +22,16 @@ from typing import Any, List, Mapping, Optional, Sequence, Union
 
 from ._bar import Bar
 from ._dask import Job, dask, hand_over, make_run
+from . import _parts
 from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
-from ._sweep import Row, SweepResult, make_sweep, read_sweep
+from ._sweep import Row, Shard, SweepResult, make_sweep, read_sweep
 from ._tables import write_sweep
 from ._tasks import Machine, Outcome
 from ._tune import Tuned, Tuner, read_tuning, report_text, write_tuned
 from ._tune import tune as tune_by
 
-__all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "Tuned", "experiment",
+__all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "Tuned", "experiment", "merge",
            "program", "sweep", "tune"]
 
 
@@ -117,6 +118,8 @@ def sweep(
     scheduler: Optional[str] = None,
     out: Union[str, Path, None] = None,
     resume: bool = False,
+    shard: Optional[str] = None,
+    mixed: bool = False,
     quiet: bool = False,
     threads: int = 0,
     time_limit: float = 0.0,
@@ -125,10 +128,12 @@ def sweep(
     """Makes the runs of a campaign, a YAML file or the same as a dictionary, and leaves its table and page
     in a folder. docs/campaigns.md says what a campaign states.
 
-    threads: runs at once where there is no scheduler; 0: one per core. The others are experiment()'s.
-    Raises CampaignError for what is refused; runs that failed are in the table."""
+    shard: "I/N", every Nth run alone, from the Ith on, and no table, which merge() makes. threads: runs at
+    once where there is no scheduler; 0: one per core. The others are experiment()'s. Raises CampaignError for
+    what is refused; runs that failed are in the table."""
     plan = read_sweep(campaign)
     plan.points()
+    which = Shard() if shard is None else Shard.parse(shard)
     if scheduler is not None:
         dask()
     if resume and out is None:
@@ -136,15 +141,42 @@ def sweep(
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
     command = f"burnish sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
-    with RunFolder(None if out is None else Path(out), f"{plan.name}_campaign", resume) as folder:
-        result = make_sweep(plan, machine, folder, lambda done, all: bar.part(done, all))
+    name = f"{plan.name}_campaign" + (f"_{which.number}_of_{which.count}" if shard is not None else "")
+    with RunFolder(None if out is None else Path(out), name, resume) as folder:
+        _parts.part_of(plan, command, shard or "").write(folder.path)
+        result = make_sweep(plan, machine, folder, lambda done, all: bar.part(done, all), which, mixed)
         bar.end()
-        names = write_sweep(result, machine.program, folder, command)
+        names = write_sweep(result, machine.program, folder, command) if shard is None else ["runs/"]
         if not quiet:
-            failed = sum(not row.outcome.done for row in result.rows)
-            print(f"{plan.name}: {len(result.rows)} runs, {failed} of them not done\nin {folder.path}: "
-                  f"{', '.join(names)}")
+            _say(f"{plan.name}{'' if shard is None else ', shard ' + shard}", result, folder, names)
     return result
+
+
+def merge(
+    folders: Sequence[Union[str, Path]],
+    *,
+    out: Union[str, Path, None] = None,
+    mixed: bool = False,
+    quiet: bool = False,
+) -> SweepResult:
+    """The table and page of a campaign whose shards are in these folders, as one process would have written
+    them. Raises CampaignError for shards of different campaigns, tasks, versions or kernels (unless `mixed`)
+    and where runs are missing."""
+    if not folders:
+        raise CampaignError("no folder is named; wanted those that burnish sweep FILE --shard I/N left")
+    places, target = [Path(folder) for folder in folders], None if out is None else Path(out)
+    result, command = _parts.merge(places, mixed)
+    with _parts.target_of(places, target, result.sweep.name) as folder:
+        _parts.part_of(result.sweep, command, "").write(folder.path)
+        names = write_sweep(result, program(), folder, command)
+        if not quiet:
+            _say(result.sweep.name, result, folder, names)
+    return result
+
+
+def _say(what: str, result: SweepResult, folder: RunFolder, names: Sequence[str]) -> None:
+    failed = sum(not row.outcome.done for row in result.rows)
+    print(f"{what}: {len(result.rows)} runs, {failed} of them not done\nin {folder.path}: {', '.join(names)}")
 
 
 def tune(
@@ -153,6 +185,7 @@ def tune(
     scheduler: Optional[str] = None,
     out: Union[str, Path, None] = None,
     resume: bool = False,
+    mixed: bool = False,
     quiet: bool = False,
     threads: int = 0,
     time_limit: float = 0.0,
@@ -169,7 +202,7 @@ def tune(
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
     with RunFolder(None if out is None else Path(out), f"{plan.name}_tuned", resume) as folder:
-        tuned = tune_by(Tuner(plan, machine, folder))
+        tuned = tune_by(Tuner(plan, machine, folder, mixed))
         names = write_tuned(tuned, folder)
         if not quiet:
             print(f"{report_text(tuned)}\nin {folder.path}: {', '.join(names)}")

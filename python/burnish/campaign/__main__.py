@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import List, Optional, Sequence
 
-from . import CampaignError, sweep, tune
+from . import CampaignError, merge, sweep, tune
 from . import _experiment as perform
 
 
@@ -29,7 +29,14 @@ def _parser() -> argparse.ArgumentParser:
                      help="how long a scheduler that is lost is waited for [600]")
     one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
                      help="name and options of burnish experiment")
-    _add_file(commands.add_parser("sweep", help="the runs of a campaign's file, and their table"))
+    many = commands.add_parser("sweep", help="the runs of a campaign's file, and their table")
+    _add_file(many)
+    many.add_argument("--shard", metavar="I/N", help="every Nth run alone, from the Ith on, and no table")
+    parts = commands.add_parser("merge", help="the table of a campaign whose runs were made in shards")
+    parts.add_argument("folders", nargs="+", type=Path, metavar="DIR", help="that sweep --shard left")
+    parts.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
+    parts.add_argument("--mixed", action="store_true", help="take results of kernels for different processors")
+    parts.add_argument("--quiet", action="store_true", help="print nothing")
     _add_file(commands.add_parser("tune", help="keys of a task made better, as a file says"))
     return parser
 
@@ -39,6 +46,7 @@ def _add_file(many: argparse.ArgumentParser) -> None:
     many.add_argument("--scheduler", metavar="ADDRESS", help="of Dask, such as tcp://192.168.0.5:8786")
     many.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
     many.add_argument("--resume", action="store_true", help="go on with what the folder of --out holds")
+    many.add_argument("--mixed", action="store_true", help="take results of kernels for different processors")
     many.add_argument("--threads", type=int, default=0, metavar="N", help="runs at once [one per core]")
     many.add_argument("--time-limit", type=float, default=0.0, metavar="S",
                       help="computing time of a run [20 times the median of those before]")
@@ -62,11 +70,14 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 def _do(a: argparse.Namespace) -> int:
     if a.command == "sweep":
-        result = sweep(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, quiet=a.quiet,
-                       threads=a.threads, time_limit=a.time_limit, patience=a.patience)
+        result = sweep(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, shard=a.shard, mixed=a.mixed,
+                       quiet=a.quiet, threads=a.threads, time_limit=a.time_limit, patience=a.patience)
+        return 0 if all(row.outcome.done for row in result.rows) else 1
+    if a.command == "merge":
+        result = merge(a.folders, out=a.out, mixed=a.mixed, quiet=a.quiet)
         return 0 if all(row.outcome.done for row in result.rows) else 1
     if a.command == "tune":
-        tuned = tune(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, quiet=a.quiet,
+        tuned = tune(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, mixed=a.mixed, quiet=a.quiet,
                      threads=a.threads, time_limit=a.time_limit, patience=a.patience)
         return 0 if tuned.better else 1
     words: List[str] = a.words[1:] if a.words[:1] == ["--"] else a.words

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 from .. import _core
 from ._points import Point, Values, count, most_runs, nearest, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
-from ._tasks import Machine, Outcome, TaskFile, TaskRun, read_tree
+from ._tasks import Machine, Outcome, TaskFile, TaskRun, kernels_of, read_tree
 
 SEED = "disturbances.seed"
 
@@ -68,27 +68,28 @@ def _as_yaml(key: str, value: Any) -> str:
                             "Python's own") from error
 
 
-def read_sweep(source: Union[str, Path, Mapping[str, Any]], folder: Optional[Path] = None) -> Sweep:
-    """From a file, or the same as a dictionary, whose paths are seen from `folder` (None: the current
-    one). Raises CampaignError for what does not fit together."""
+def read_sweep(source: Union[str, Path, Mapping[str, Any]], *, task: Optional[Path] = None,
+               name: str = "") -> Sweep:
+    """From a file, which its paths are seen from, or the same as a dictionary. `task`, `name`: in place of
+    what it says. Raises CampaignError for what does not fit together."""
     if isinstance(source, (str, Path)):
         path = Path(source)
         tree = read_tree(path, "at least task")
         text = path.read_text()
-        folder, name = path.parent, path.stem
+        folder, own_name = path.parent, path.stem
     else:
-        tree, name = dict(source), "campaign"
+        tree, folder, own_name = dict(source), Path(), "campaign"
         text = "".join(f"{key}: {_as_yaml(key, value)}\n" for key, value in tree.items())
     known = ["name", "task", "vary", "samples", "seeds", "controller", "plant", "keep", "stop", "worst"]
     only("campaign", tree, known)
     if not isinstance(tree.get("task"), str):
         raise CampaignError("the campaign names no task; wanted task: FILE")
-    task = TaskFile.read((folder or Path()) / tree["task"])
+    task_file = TaskFile.read(task or folder / tree["task"])
     values = read_values(tree.get("vary"), tree.get("samples"))
     keep = tree.get("keep") or []
     keep = [keep] if isinstance(keep, str) else [str(figure) for figure in keep]
-    return Sweep(text, str(tree.get("name", name)), task, values, read_seeds("seeds", tree.get("seeds"), values),
-                 program_words(tree, task), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
+    return Sweep(text, name or str(tree.get("name", own_name)), task_file, values,
+                 read_seeds("seeds", tree.get("seeds"), values), program_words(tree, task_file), keep, _stop(tree.get("stop")), _worst(tree.get("worst")))
 
 
 def read_seeds(where: str, given: Any, values: Values) -> List[int]:
@@ -177,7 +178,7 @@ class Row:
 
 @dataclass
 class SweepResult:
-    """Runs in order, up to the one that ended the campaign early."""
+    """Runs in order, up to the one that ended the campaign early; of a shard, those that it has."""
 
     sweep: Sweep
     rows: List[Row]
@@ -185,6 +186,8 @@ class SweepResult:
     """those that are kept, by their names in metrics.json"""
     stopped: str
     """why it ended early, one sentence; empty: it did not"""
+    kernels: str
+    """where they are of several kinds, how many runs are of which"""
 
     def values(self, figure: str) -> List[float]:
         """Of the runs that have it."""
@@ -207,69 +210,120 @@ def known_figures(rows: List[Row]) -> List[str]:
     return list(known)
 
 
+@dataclass(frozen=True)
+class Shard:
+    """Every count-th run, from number on."""
+
+    number: int = 1
+    count: int = 1
+
+    @staticmethod
+    def parse(text: str) -> Shard:
+        """Of "2/4". Raises CampaignError for another text."""
+        number, slash, count_of = text.partition("/")
+        if slash and number.isdecimal() and count_of.isdecimal() and 1 <= int(number) <= int(count_of):
+            return Shard(int(number), int(count_of))
+        raise CampaignError(f"shard is '{text}'; wanted I/N with I from 1 to N")
+
+    def has(self, index: int) -> bool:
+        return index % self.count == self.number - 1
+
+
+class SweepRuns:
+    """The runs of a campaign, those of a shard, and what came out of them so far."""
+
+    def __init__(self, sweep: Sweep, shard: Shard, mixed: bool) -> None:
+        self.sweep, self.mixed = sweep, mixed
+        self.points = sweep.points()
+        self.runs = [TaskRun(sweep.task.changed(point), tuple(sweep.words)) for point in self.points]
+        self.wanted = [index for index in range(len(self.runs)) if shard.has(index)]
+        self.outcomes: Dict[int, Outcome] = {}
+        self._seen, self._beyond = 0, 0  # of the wanted ones in their order, without a gap
+
+    def find(self, folders: Sequence[Path]) -> int:
+        """Takes the results that are there; how many."""
+        for index in self.wanted:
+            found = find_outcome(folders, self.runs[index])
+            if found is not None:
+                self.outcomes[index] = found
+        kernels_of(self.outcomes.values(), self.mixed)
+        return len(self.outcomes)
+
+    def missing(self) -> List[int]:
+        return [index for index in self.wanted if index not in self.outcomes]
+
+    def size(self) -> Optional[int]:
+        """How many of the wanted runs the campaign has by now, if it is over. Where a shard counts enough
+        that are beyond, all of them together do so by then: what the others lack is not needed."""
+        stop = self.sweep.stop
+        while self._seen < len(self.wanted) and (stop is None or self._beyond < stop.runs):
+            if self.wanted[self._seen] not in self.outcomes:
+                return None
+            figures = self.outcomes[self.wanted[self._seen]].figures
+            if stop is not None and figures:
+                self._beyond += figures[figure_named(stop.figure, list(figures))] > stop.above
+            self._seen += 1
+        return self._seen
+
+    def take(self, index: int, outcome: Outcome) -> None:
+        """Raises CampaignError for figures that there are not, and for kernels that do not go together."""
+        asked = [each.figure for each in (self.sweep.stop, self.sweep.worst) if each is not None]
+        if outcome.figures:
+            for figure in self.sweep.keep + asked:
+                figure_named(figure, list(outcome.figures))
+        first = next((other for other in self.outcomes.values() if other.kernels), outcome)
+        self.outcomes[index] = outcome
+        kernels_of([first, outcome], self.mixed)
+
+    def result(self) -> SweepResult:
+        """Once it is over."""
+        size = self.size() or 0
+        rows = [Row(index + 1, self.points[index], self.runs[index], self.outcomes[index])
+                for index in self.wanted[:size]]
+        known, sweep = known_figures(rows), self.sweep
+        figures = [figure_named(figure, known) for figure in sweep.keep] if sweep.keep and known else known
+        stopped = ""
+        if size < len(self.wanted) and sweep.stop is not None:
+            stopped = (f"ended after {size} of {len(self.wanted)} runs: {sweep.stop.runs} had {sweep.stop.figure} "
+                       f"above {sweep.stop.above:g}")
+        return SweepResult(sweep, rows, figures, stopped, kernels_of((row.outcome for row in rows), self.mixed))
+
+
 def make_sweep(sweep: Sweep, machine: Machine, folder: RunFolder,
-               progress: Callable[[int, int], None] = lambda done, all: None) -> SweepResult:
+               progress: Callable[[int, int], None] = lambda done, all: None, shard: Shard = Shard(),
+               mixed: bool = False) -> SweepResult:
     """Makes the runs that the folder has no result of. Raises CampaignError for points that the task
     refuses, and for figures that there are not."""
-    points = sweep.points()
-    runs = [TaskRun(sweep.task.changed(point), tuple(sweep.words)) for point in points]
-    outcomes: Dict[int, Outcome] = {}
-    for index, run in enumerate(runs):
-        found = find_outcome(folder, run)
-        if found is not None:
-            outcomes[index] = found
-    left = [index for index in range(len(runs)) if index not in outcomes]
-
-    def end() -> Optional[int]:
-        """How many runs the campaign has by now, if it is over."""
-        beyond = 0
-        for index in range(len(runs)):
-            if index not in outcomes:
-                return None
-            if sweep.stop is None:
-                continue
-            known = list(outcomes[index].figures)
-            value = outcomes[index].figures.get(figure_named(sweep.stop.figure, known)) if known else None
-            beyond += value is not None and value > sweep.stop.above
-            if beyond >= sweep.stop.runs:
-                return index + 1
-        return len(runs)
+    plan = SweepRuns(sweep, shard, mixed)
+    plan.find([folder.path])
+    left = plan.missing()
 
     def keep(at: int, outcome: Outcome) -> bool:
-        index = left[at]
-        if outcome.figures:
-            for figure in sweep.keep + [each.figure for each in (sweep.stop, sweep.worst) if each is not None]:
-                figure_named(figure, list(outcome.figures))
-        outcomes[index] = outcome
-        keep_outcome(folder, runs[index], outcome)
-        progress(len(outcomes), len(runs))
-        return end() is None
+        plan.take(left[at], outcome)
+        keep_outcome(folder, plan.runs[left[at]], outcome)
+        progress(len(plan.outcomes), len(plan.wanted))
+        return plan.size() is None
 
-    if end() is None:
-        machine.make([runs[index] for index in left], keep)
-    size = end() or 0
-    rows = [Row(index + 1, points[index], runs[index], outcomes[index]) for index in range(size)]
-    known = known_figures(rows)
-    figures = [figure_named(figure, known) for figure in sweep.keep] if sweep.keep and known else known
-    stopped = ""
-    if size < len(runs) and sweep.stop is not None:
-        stopped = (f"ended after {size} of {len(runs)} runs: {sweep.stop.runs} had {sweep.stop.figure} above "
-                   f"{sweep.stop.above:g}")
-    return SweepResult(sweep, rows, figures, stopped)
+    if plan.size() is None:
+        machine.make([plan.runs[index] for index in left], keep)
+    return plan.result()
 
 
-def find_outcome(folder: RunFolder, run: TaskRun) -> Optional[Outcome]:
-    """What the folder has of a run, unless its time limit ended that. Raises CampaignError for a file
+def find_outcome(folders: Sequence[Path], run: TaskRun) -> Optional[Outcome]:
+    """What the folders have of a run, unless its time limit ended that. Raises CampaignError for a file
     that is no result."""
-    file = folder.path / "runs" / f"{run.name()}.json"
-    if not file.exists():
-        return None
-    try:
-        found = Outcome.parse(file.read_text())
-    except (ValueError, KeyError) as error:
-        raise CampaignError(f"'{file}' is no result of a run; wanted it whole, or removed to make the run "
-                            f"again") from error
-    return None if found.late else found
+    for folder in folders:
+        file = folder / "runs" / f"{run.name()}.json"
+        if not file.exists():
+            continue
+        try:
+            found = Outcome.parse(file.read_text(), file.with_suffix(".times.json").read_text())
+        except (OSError, ValueError, KeyError) as error:
+            raise CampaignError(f"'{file}' is no result of a run; wanted it whole, or removed to make the run "
+                                f"again") from error
+        if not found.late:
+            return found
+    return None
 
 
 def keep_outcome(folder: RunFolder, run: TaskRun, outcome: Outcome) -> None:
@@ -279,5 +333,6 @@ def keep_outcome(folder: RunFolder, run: TaskRun, outcome: Outcome) -> None:
         runs.mkdir(exist_ok=True)
     except OSError as error:
         raise CampaignError(f"cannot make the folder '{runs}': {error.strerror}") from error
-    write_whole(runs / f"{run.name()}.times.json", (json.dumps(outcome.times, indent=1) + "\n").encode())
+    # The result comes last: where it is, so are its times.
+    write_whole(runs / f"{run.name()}.times.json", outcome.times_text().encode())
     write_whole(runs / f"{run.name()}.json", outcome.text().encode())

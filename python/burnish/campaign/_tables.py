@@ -24,13 +24,16 @@ from ._sweep import Row, SweepResult, bare, unit
 def columns_of(result: SweepResult) -> List[Tuple[str, str, Callable[[Row], Any]]]:
     """Name, unit and value of each column."""
     columns: List[Tuple[str, str, Callable[[Row], Any]]] = [("run", "", lambda row: row.number)]
+    units = result.sweep.task.units()
     for key in result.rows[0].point if result.rows else []:
-        columns.append((key, "", lambda row, key=key: row.point[key]))  # type: ignore[misc]
+        columns.append((key, units.get(key, ""), lambda row, key=key: row.point[key]))  # type: ignore[misc]
     columns.append(("done", "", lambda row: row.outcome.done))
     for figure in result.figures:
         columns.append((bare(figure), unit(figure), lambda row, figure=figure:  # type: ignore[misc]
                         row.outcome.figures.get(figure, math.nan)))
     columns.append(("outcome", "", lambda row: row.outcome.outcome))
+    if result.kernels:
+        columns.append(("kernels", "", lambda row: row.outcome.kernels))
     columns.append(("result", "", lambda row: row.run.name()))
     return columns
 
@@ -162,6 +165,9 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
     done = sum(row.outcome.done for row in rows)
     body = [f"<h1>{html.escape(result.sweep.name)}</h1><p>{len(rows)} runs, {done} done. "
             f"{html.escape(result.stopped)}</p>"]
+    if result.kernels:
+        body.append(f"<p>Kernels of several kinds made them, which differ in their last digits: "
+                    f"{html.escape(result.kernels)}.</p>")
     if figures:
         head = list(statistics_of([0.0, 1.0]))
         lines = "".join(f"<tr><td>{html.escape(_label(f))}</td>" + "".join(
@@ -172,12 +178,13 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
         shown = [f for f in _SHOWN if f in figures] or figures[:6]
         body.append("<section><h2>Distributions</h2>" + "".join(
             histogram(f, result.values(f)) for f in shown) + "</section>")
-        plots = ""
+        plots, units = "", result.sweep.task.units()
         for key in rows[0].point:
             for figure in shown[:4]:
                 pairs = [(float(row.point[key]), row.outcome.figures[figure]) for row in rows
                          if figure in row.outcome.figures and isinstance(row.point[key], (int, float))]
-                plots += scatter(key, figure, pairs) if pairs else ""
+                label = f"{key} [{units[key]}]" if key in units else key
+                plots += scatter(label, figure, pairs) if pairs else ""
         if plots:
             body.append(f"<section><h2>Over what varies</h2>{plots}</section>")
     if worst:

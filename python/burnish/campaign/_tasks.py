@@ -8,7 +8,7 @@ import os
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import burnish
 
@@ -36,16 +36,22 @@ class TaskFile:
 
     path: Path
     tree: Dict[str, Any]
+    text: str
+    """as it was read"""
 
     @staticmethod
     def read(path: Path) -> TaskFile:
-        file = TaskFile(path, read_tree(path, "a task file"))
+        file = TaskFile(path, read_tree(path, "a task file"), path.read_text())
         file.changed({})  # refused before anything else is
         return file
 
     @property
     def polishes(self) -> bool:
         return bool(self.tree.get("task", "polishing") == "polishing")
+
+    def units(self) -> Dict[str, str]:
+        """Of the keys that have one."""
+        return burnish.polishing.task_units() if self.polishes else burnish.press_hold.task_units()
 
     def changed(self, values: Mapping[str, Any]) -> str:
         """The whole file with other values. Raises CampaignError for keys that there are not."""
@@ -129,15 +135,39 @@ class Outcome:
     """by their names in metrics.json, `force_rmse_N`, without those that are measured times"""
     times: Dict[str, float]
     late: bool = False
+    kernels: str = ""
+    """that made it, `AVX2` and the like; nothing where no run came about"""
 
     def text(self) -> str:
+        """What every machine with the same kernels gets."""
         return json.dumps({"done": self.done, "outcome": self.outcome, "late": self.late,
                            "figures": self.figures}, indent=1) + "\n"
 
+    def times_text(self) -> str:
+        """What was measured, and what made it."""
+        return json.dumps({"kernels": self.kernels, **self.times}, indent=1) + "\n"
+
     @staticmethod
-    def parse(text: str) -> Outcome:
-        tree = json.loads(text)
-        return Outcome(tree["done"], tree["outcome"], tree["figures"], {}, tree["late"])
+    def parse(text: str, times_text: str) -> Outcome:
+        tree, times = json.loads(text), json.loads(times_text)
+        kernels = times.pop("kernels")
+        return Outcome(tree["done"], tree["outcome"], tree["figures"], times, tree["late"], kernels)
+
+
+def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
+    """Which kernels made these: "3 with AVX2, 5 with AVX-512", or nothing where all are of one kind.
+    Raises CampaignError for several kinds unless they may be mixed."""
+    counts: Dict[str, int] = {}
+    for outcome in outcomes:
+        if outcome.kernels:
+            counts[outcome.kernels] = counts.get(outcome.kernels, 0) + 1
+    if len(counts) < 2:
+        return ""
+    text = ", ".join(f"{runs} with {kernels}" for kernels, runs in sorted(counts.items()))
+    if not mixed:
+        raise CampaignError(f"the runs were made by kernels for different processors ({text}), whose results differ "
+                            f"in their last digits; wanted one kind, or --mixed")
+    return text
 
 
 def outcome_of(result: Result) -> Outcome:
@@ -152,7 +182,7 @@ def outcome_of(result: Result) -> Outcome:
             times[f"{group}.{key}"] = float(value)
     outcome = str(run["outcome"]).partition(", simulated in")[0]
     return Outcome(bool(run.get("polished", run.get("done", False))), outcome, figures, times,
-                   bool(result["late"]))
+                   bool(result["late"]), str(run.get("kernels", "")))
 
 
 @dataclass

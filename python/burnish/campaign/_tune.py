@@ -20,7 +20,7 @@ from ._points import Point, count, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
 from ._sweep import (SEED, bare, figure_named, find_outcome, keep_outcome, known_figures, program_words, read_seeds,
                      unit, Row)
-from ._tasks import Machine, Outcome, TaskFile, TaskRun, read_tree
+from ._tasks import Machine, Outcome, TaskFile, TaskRun, kernels_of, read_tree
 
 Vector = NDArray[np.float64]
 
@@ -165,6 +165,8 @@ class Tuned:
     """per key, on the training seeds: what going back to its start costs"""
     text: str
     """of the tuned task"""
+    kernels: str
+    """where they are of several kinds, how many of the last runs are of which"""
 
     @property
     def better(self) -> bool:
@@ -185,8 +187,10 @@ class _Enough(Exception):
 class Tuner:
     """Makes runs and remembers them."""
 
-    def __init__(self, tuning: Tuning, machine: Machine, folder: RunFolder) -> None:
-        self.tuning, self.machine, self.folder = tuning, machine, folder
+    def __init__(self, tuning: Tuning, machine: Machine, folder: RunFolder, mixed: bool = False) -> None:
+        self.tuning, self.machine, self.folder, self.mixed = tuning, machine, folder, mixed
+        self.kernels = ""
+        """where they are of several kinds, how many runs are of which"""
         self.start = {key.name: key.start for key in tuning.keys}
         self.evaluated: Dict[Tuple[float, ...], Tuple[float, List[float]]] = {}
         first = self.outcomes(self.start, tuning.train)
@@ -208,7 +212,7 @@ class Tuner:
         runs = [TaskRun(self.tuning.task.changed({**values, **point}), tuple(self.tuning.words)) for point in points]
         made: Dict[int, Outcome] = {}
         for index, run in enumerate(runs):
-            found = find_outcome(self.folder, run)
+            found = find_outcome([self.folder.path], run)
             if found is not None:
                 made[index] = found
         left = [index for index in range(len(runs)) if index not in made]
@@ -220,6 +224,7 @@ class Tuner:
 
         if left:
             self.machine.make([runs[index] for index in left], keep)
+        self.kernels = kernels_of(made.values(), self.mixed) or self.kernels
         return [made[index] for index in range(len(runs))]
 
     def values(self, shares: Vector) -> Dict[str, float]:
@@ -381,7 +386,8 @@ def tune(tuner: Tuner) -> Tuned:
         matters.append({**row, "start": key.start, "tuned": best[key.name]})
     evaluated = [(dict(zip(tuner.start, at)), objective, max(excess, default=0.0))
                  for at, (objective, excess) in tuner.evaluated.items()]
-    return Tuned(tuning, tuner.start, best, evaluated, table, matters, tuning.task.changed(best))
+    return Tuned(tuning, tuner.start, best, evaluated, table, matters, tuning.task.changed(best),
+                 tuner.kernels)
 
 
 def _label(figure: str) -> str:
@@ -395,7 +401,9 @@ def report_text(tuned: Tuned) -> str:
                if tuned.better else "not surely better on seeds that it was not tuned on: keep the task as it was")
     lines = [f"# {tuning.name}", "", f"The tuned task is {verdict}.", "",
              f"{len(tuned.evaluated)} evaluations on {len(tuning.train)} training runs; judged on {len(tuning.test)} "
-             f"others. Differences are of pairs, with 95 % intervals.", "", "## What changed", "",
+             f"others. Differences are of pairs, with 95 % intervals.",
+             *[f"Kernels of several kinds, which differ in their last digits: {tuned.kernels}."] * bool(tuned.kernels),
+             "", "## What changed", "",
              f"| key | start | tuned | back to its start costs {_label(tuning.minimise)}, on training runs |",
              "| --- | ---: | ---: | --- |"]
     for row in tuned.matters:

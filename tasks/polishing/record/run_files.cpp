@@ -1,6 +1,7 @@
 #include "polishing/record/run_files.hpp"
 
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "dynamics/instruction_set.hpp"
 #include "polishing/figures.hpp"
 #include "pressing/record.hpp"
 #include "record/figures_json.hpp"
@@ -28,6 +29,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
   Json json{{"name", job.name},
             {"controller", name_of(job.spec.controller)},
             {"plant", name_of(job.spec.plant)},
+            {"kernels", instruction_set()},
             {"seed", job.spec.task.disturbances.seed},
             {"polished", result.polished},
             {"outcome", result.outcome},

@@ -1,0 +1,115 @@
+"""Shards of a campaign that a file states: what each leaves, and the table of all."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import List, Optional, Sequence, Tuple
+
+import burnish
+
+from ._results import CampaignError, RunFolder, write_whole
+from ._sweep import Shard, Sweep, SweepResult, SweepRuns, read_sweep
+
+FILE = "campaign.json"
+"""as burnish experiment has it"""
+
+
+@dataclass(frozen=True)
+class Part:
+    """What a folder says that its runs are of."""
+
+    name: str
+    command: str
+    campaign: str
+    """the campaign's text"""
+    task: str
+    """the text of its task's file"""
+    version: str
+    shard: str
+    """"2/4", or nothing: all of it"""
+
+    def write(self, folder: Path) -> None:
+        tree = {"experiment": "sweep", "name": self.name, "command": self.command, "version": self.version,
+                "shard": self.shard, "campaign": self.campaign, "task": self.task}
+        write_whole(folder / FILE, (json.dumps(tree, indent=2) + "\n").encode())
+
+    @staticmethod
+    def read(folder: Path) -> Part:
+        """Raises CampaignError for a folder of something else or of another version."""
+        try:
+            tree = json.loads((folder / FILE).read_text())
+            if tree["experiment"] != "sweep":
+                raise CampaignError(f"'{folder}' holds runs of `{tree['command']}`; wanted those of burnish sweep, or "
+                                    f"all of that")
+            part = Part(*(str(tree[key]) for key in ("name", "command", "campaign", "task", "version", "shard")))
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise CampaignError(f"'{folder}' holds no runs of a campaign; wanted a folder that burnish sweep FILE "
+                                f"--shard I/N left") from error
+        if part.version != burnish.__version__:
+            raise CampaignError(f"'{folder}' holds runs of burnish {part.version}, and this is {burnish.__version__}; "
+                                f"wanted all of one version")
+        return part
+
+
+def part_of(sweep: Sweep, command: str, shard: str) -> Part:
+    return Part(sweep.name, command, sweep.text, sweep.task.text, burnish.__version__, shard)
+
+
+def _common_part(folders: Sequence[Path]) -> Part:
+    first = Part.read(folders[0])
+    for folder in folders[1:]:
+        other = Part.read(folder)
+        for what, one, another in (("another campaign", first.campaign, other.campaign),
+                                   ("another task", first.task, other.task)):
+            if one != another:
+                raise CampaignError(f"'{folder}' holds runs of {what} than '{folders[0]}'; wanted shards of one")
+    return first
+
+
+def _lacking(plan: SweepRuns, folders: Sequence[Path]) -> str:
+    """What is missing, and of which shards there is no folder."""
+    missing = plan.missing()
+    text = (f"{len(missing)} of {len(plan.runs)} runs are not there, the first of them number {missing[0] + 1}; "
+            f"wanted all shards, each with all of its runs")
+    shards = [Part.read(folder).shard for folder in folders]
+    if all(shards):
+        read = [Shard.parse(shard) for shard in shards]
+        numbers, count = {shard.number for shard in read}, read[0].count
+        absent = [f"{number}/{count}" for number in range(1, count + 1) if number not in numbers]
+        if absent and all(shard.count == count for shard in read):
+            text += f" (no folder is of {', '.join(absent)})"
+    return text
+
+
+def _runs_of(part: Part, folders: Sequence[Path], mixed: bool) -> SweepRuns:
+    """The task's file need not be here: its text is. What it names by a path is."""
+    with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
+        task = Path(scratch) / "task.yaml"
+        task.write_text(part.task)
+        file = Path(scratch) / "campaign.yaml"
+        file.write_text(part.campaign)
+        plan = SweepRuns(read_sweep(file, task=task, name=part.name), Shard(), mixed)
+    plan.find(folders)
+    return plan
+
+
+def merge(folders: Sequence[Path], mixed: bool) -> Tuple[SweepResult, str]:
+    """What all shards have, and the command that one process would have had. Raises CampaignError for
+    folders that do not go together or lack runs."""
+    part = _common_part(folders)
+    plan = _runs_of(part, folders, mixed)
+    if plan.size() is None:
+        raise CampaignError(_lacking(plan, folders))
+    return plan.result(), part.command
+
+
+def target_of(folders: Sequence[Path], out: Optional[Path], name: str) -> RunFolder:
+    """Where the tables go: they may stand beside the runs of one of the folders."""
+    beside = out is not None and any(out.exists() and out.samefile(folder) for folder in folders)
+    return RunFolder(out, f"{name}_campaign", resume=beside)
+
+
+__all__: List[str] = ["Part", "merge", "part_of", "target_of"]
