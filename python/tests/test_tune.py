@@ -100,6 +100,35 @@ def test_what_may_not_get_worse_does_not(tmp_path):
     assert row(result, "slip_m")["verdict"] == "within the slack"
 
 
+class Divided(Made):
+    """On hard ground less weight is better, on soft ground, where errors are large, more."""
+
+    def make(self, runs, keep):
+        def kept(index, outcome):
+            task = _core.parse_yaml(runs[index].text)
+            log = math.log10(task["controller"]["posture_weight"])
+            hard = task["surface"]["stiffness"] > 2e5
+            outcome.figures["force_rmse_N"] = 1.0 + 0.5 * (log + 0.3) ** 2 if hard else 9.0 + (log - 1.0) ** 2
+            return keep(index, outcome)
+
+        super().make(runs, kept)
+
+
+@either
+def test_no_group_of_runs_pays_for_another(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "Made", Divided)
+    ground = {"vary": {"surface.friction": {"uniform": [0.1, 0.5]}, "surface.stiffness": [1e5, 1e6]}}
+    together, _ = tuned(tmp_path / "together", **ground)
+    assert together.best["controller.posture_weight"] > 2.0 and not together.groups
+    apart, _ = tuned(tmp_path / "apart", **ground, per="surface.stiffness", slack=1e-6)
+    assert 0.4 < apart.best["controller.posture_weight"] <= 1.01
+    assert list(apart.groups) == ["surface.stiffness 100000.0", "surface.stiffness 1000000.0"]
+    report = _tune.report_text(apart)
+    assert "on test runs, by group" in report and "| surface.stiffness 1000000.0 |" in report
+    with pytest.raises(campaign.CampaignError, match="per names 'surface.stifness', which is not in vary; did you mean"):
+        tuned(tmp_path / "no", **ground, per=["surface.stifness"])
+
+
 @pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")
 def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "nlopt", None)

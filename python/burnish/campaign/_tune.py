@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _core
-from ._points import Point, count, number, only, read_values
+from ._points import Point, count, nearest, number, only, read_values
 from ._results import CampaignError, RunFolder, write_whole
 from ._sweep import (SEED, bare, figure_named, find_outcome, keep_outcome, known_figures, program_words, read_seeds,
                      unit, Row)
@@ -61,6 +61,9 @@ class Tuning:
     not_worse: List[str]
     slack: float
     """share by which these may be above their start"""
+    per: List[str]
+    """keys of `vary`: runs that have the same values of them are a group. Every group counts as much, and
+    in none may the minimised figure get worse; none: all runs are one"""
     train: List[Point]
     test: List[Point]
     evaluations: int
@@ -75,8 +78,8 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
         folder, name = path.parent, path.stem
     else:
         tree, folder, name = dict(source), Path(), "tuning"
-    only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "vary", "train", "test",
-                          "evaluations", "controller", "plant"])
+    only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "per", "vary", "train",
+                          "test", "evaluations", "controller", "plant"])
     for key in ("task", "minimise"):
         if not isinstance(tree.get(key), str):
             raise CampaignError(f"the tuning states no {key}; wanted {key}: "
@@ -88,11 +91,27 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
     if both:
         raise CampaignError(f"train and test have {both[0] or 'the task as it is'} in common; wanted seeds or "
                             f"samples of their own")
-    not_worse = tree.get("not_worse") or []
-    return Tuning(str(tree.get("name", name)), task, keys, tree["minimise"],
-                  [not_worse] if isinstance(not_worse, str) else [str(each) for each in not_worse],
-                  number("slack", tree.get("slack", 0.0)), train, test,
+    not_worse, per = (_texts(tree.get(key)) for key in ("not_worse", "per"))
+    for key in per:
+        if key not in train[0]:
+            raise CampaignError(f"per names '{key}', which is not in vary{nearest(key, list(train[0]))}")
+    return Tuning(str(tree.get("name", name)), task, keys, tree["minimise"], not_worse,
+                  number("slack", tree.get("slack", 0.0)), per, train, test,
                   count("evaluations", tree.get("evaluations", 60), len(keys) + 2), program_words(tree, task))
+
+
+def _texts(given: Any) -> List[str]:
+    return [given] if isinstance(given, str) else [str(each) for each in given or []]
+
+
+def groups_of(points: Sequence[Point], per: Sequence[str]) -> Dict[str, List[int]]:
+    """Numbers of the points that have the same values of some keys, by what these are."""
+    groups: Dict[str, List[int]] = {}
+    for index, point in enumerate(points):
+        name = ", ".join(f"{key} {value if isinstance(value, str) else json.dumps(value)}"
+                         for key, value in point.items() if key in per)
+        groups.setdefault(name, []).append(index)
+    return groups
 
 
 def _start(task: TaskFile, key: str) -> float:
@@ -161,6 +180,8 @@ class Tuned:
     """values, objective and largest excess of what may not get worse, both as shares of the start"""
     table: List[Dict[str, Any]]
     """per figure on the test seeds: start, tuned, difference with the half width of its 95 % interval"""
+    groups: Dict[str, Dict[str, Any]]
+    """the same of the minimised figure, by groups of the test seeds"""
     matters: List[Dict[str, Any]]
     """per key, on the training seeds: what going back to its start costs"""
     text: str
@@ -173,8 +194,8 @@ class Tuned:
         """On seeds that it was not tuned on, surely, and nothing that may not get worse did, surely."""
         rows = {row["figure"]: row for row in self.table}
         gained: bool = rows[self.tuning.minimise]["verdict"] == "better"
-        kept = [*self.tuning.not_worse, FAILURES]
-        return gained and all(rows[figure]["verdict"] not in ("worse", "unknown") for figure in kept)
+        kept = [*[rows[figure] for figure in [*self.tuning.not_worse, FAILURES]], *self.groups.values()]
+        return gained and all(row["verdict"] not in ("worse", "unknown") for row in kept)
 
 
 FAILURES = "runs that failed"
@@ -201,11 +222,18 @@ class Tuner:
         known = list(first[0].figures)
         tuning.minimise = figure_named(tuning.minimise, known)
         tuning.not_worse = [figure_named(figure, known) for figure in tuning.not_worse]
-        self.means = {figure: self._mean(first, figure) for figure in [tuning.minimise, *tuning.not_worse]}
+        self.groups = list(groups_of(tuning.train, tuning.per).values())
+        self.means = {figure: self._means(first, figure) for figure in [tuning.minimise, *tuning.not_worse]}
+        # With groups, in none of which it may get worse, the minimised figure is one of these too.
+        self.kept = [*tuning.not_worse, *[tuning.minimise] * bool(tuning.per)]
 
-    @staticmethod
-    def _mean(outcomes: Sequence[Outcome], figure: str) -> float:
-        return statistics.fmean(outcome.figures[figure] for outcome in outcomes)
+    def _means(self, outcomes: Sequence[Outcome], figure: str) -> List[float]:
+        """Of each group."""
+        return [statistics.fmean(outcomes[index].figures[figure] for index in group) for group in self.groups]
+
+    @property
+    def constraints(self) -> int:
+        return len(self.kept) * len(self.groups)
 
     def outcomes(self, values: Mapping[str, float], points: Sequence[Point]) -> List[Outcome]:
         """Of a run per point, in order."""
@@ -239,17 +267,19 @@ class Tuner:
                 raise _Enough
             outcomes = self.outcomes(values, self.tuning.train)
             if all(outcome.done for outcome in outcomes):
-                self.evaluated[at] = (self._share(outcomes, self.tuning.minimise), [
-                    self._share(outcomes, figure) - 1.0 - self.tuning.slack for figure in self.tuning.not_worse])
+                self.evaluated[at] = (statistics.fmean(self._shares(outcomes, self.tuning.minimise)), [
+                    share - 1.0 - self.tuning.slack
+                    for figure in self.kept for share in self._shares(outcomes, figure)])
             else:
-                self.evaluated[at] = (_FAILED, [_FAILED] * len(self.tuning.not_worse))
+                self.evaluated[at] = (_FAILED, [_FAILED] * self.constraints)
             self.machine.say(f"{len(self.evaluated)} of {self.tuning.evaluations}: {bare(self.tuning.minimise)} "
                              f"{self.evaluated[at][0]:.4g} of the start's")
         return self.evaluated[at]
 
-    def _share(self, outcomes: Sequence[Outcome], figure: str) -> float:
-        start = self.means[figure]
-        return self._mean(outcomes, figure) / start if start > 0 else 1.0 + self._mean(outcomes, figure) - start
+    def _shares(self, outcomes: Sequence[Outcome], figure: str) -> List[float]:
+        """Of the start's, in each group."""
+        return [mean / start if start > 0 else 1.0 + mean - start
+                for mean, start in zip(self._means(outcomes, figure), self.means[figure])]
 
     def best(self) -> Dict[str, float]:
         """The lowest of those that keep to what may not get worse; the start is one."""
@@ -262,7 +292,7 @@ class Tuner:
 def optimise(tuner: Tuner) -> None:
     """COBYLA, of NLopt where that is installed, otherwise of SciPy. Raises CampaignError without either."""
     first = np.array([key.share(key.start) for key in tuner.tuning.keys])
-    constraints = range(len(tuner.tuning.not_worse))
+    constraints = range(tuner.constraints)
     try:
         tuner.evaluate(first)
         try:
@@ -376,6 +406,11 @@ def tune(tuner: Tuner) -> Tuned:
     table.append({"figure": FAILURES, "start": failed[0], "tuned": failed[1],
                   "change": failed[1] - failed[0], "half": 0.0,
                   "verdict": "worse" if failed[1] > failed[0] else "better" if failed[1] < failed[0] else "the same"})
+    groups = {}
+    if tuning.per:
+        for name, group in groups_of(tuning.test, tuning.per).items():
+            groups[name] = compare([before[i] for i in group], [after[i] for i in group], [tuning.minimise],
+                                   {tuning.minimise: tuning.slack})[0]
     trained = tuner.outcomes(best, tuning.train)
     matters = []
     for key in tuning.keys:
@@ -386,7 +421,7 @@ def tune(tuner: Tuner) -> Tuned:
         matters.append({**row, "start": key.start, "tuned": best[key.name]})
     evaluated = [(dict(zip(tuner.start, at)), objective, max(excess, default=0.0))
                  for at, (objective, excess) in tuner.evaluated.items()]
-    return Tuned(tuning, tuner.start, best, evaluated, table, matters, tuning.task.changed(best),
+    return Tuned(tuning, tuner.start, best, evaluated, table, groups, matters, tuning.task.changed(best),
                  tuner.kernels)
 
 
@@ -417,6 +452,12 @@ def report_text(tuned: Tuned) -> str:
             " (may not get worse)" if row["figure"] in tuning.not_worse else "")
         lines.append(f"| {_label(row['figure'])}{asked} | {row['start']:.5g} | {row['tuned']:.5g} | "
                      f"{row['change']:.3g} +- {row['half']:.2g} | {row['verdict']} |")
+    if tuned.groups:
+        lines += ["", f"## {_label(tuning.minimise)} on test runs, by group", "",
+                  "| group | start | tuned | change | verdict |", "| --- | ---: | ---: | ---: | --- |"]
+        for name, row in tuned.groups.items():
+            lines.append(f"| {name} | {row['start']:.5g} | {row['tuned']:.5g} | {row['change']:.3g} +- "
+                         f"{row['half']:.2g} | {row['verdict']} |")
     return "\n".join(lines) + "\n"
 
 
