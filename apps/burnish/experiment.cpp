@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
+
 #include "campaign.hpp"
 #include "command.hpp"
 #include "hand_over.hpp"
@@ -27,13 +30,22 @@ struct ExperimentArguments {
 
 polishing::Shard shard_of(const std::string& text) {
   if (text.empty()) return {};
-  int number = 0, count = 0, read = 0;
-  const bool ok = std::sscanf(text.c_str(), "%6d/%6d%n", &number, &count, &read) == 2 &&
-                  static_cast<std::size_t>(read) == text.size() && number >= 1 && number <= count;
-  if (!ok)
-    throw Error(
-        fmt::format("--shard is '{}'; wanted I/N, number I of N shards, such as 2/4", text));
-  return {number, count};
+  const std::size_t slash = text.find('/');
+  std::vector<std::string> words = CLI::detail::split(text.substr(0, slash), ',');
+  words.push_back(slash == std::string::npos ? "" : text.substr(slash + 1));
+  std::vector<int> read;
+  for (const std::string& word : words) {
+    int number = 0;
+    const char* const end = word.data() + word.size();
+    const auto [at, error] = std::from_chars(word.data(), end, number);
+    read.push_back(error == std::errc() && at == end ? number : 0);
+  }
+  polishing::Shard shard{.numbers = {read.begin(), read.end() - 1}, .count = read.back()};
+  std::sort(shard.numbers.begin(), shard.numbers.end());
+  if (shard.numbers.empty() || shard.numbers.front() < 1 || shard.numbers.back() > shard.count)
+    throw Error(fmt::format(
+        "--shard is '{}'; wanted I/N, number I of N shards, such as 2/4, or several, 1,3/4", text));
+  return shard;
 }
 
 /// Throws Error for options that do not go together.
@@ -131,7 +143,7 @@ int perform(const ExperimentArguments& a) {
   if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a), "distributed");
   const StopRequest stop("the runs end, and what there is of them is written");
   std::string name = "experiment_" + a.campaign.name;
-  if (!a.shard.empty()) name += fmt::format("_{}_of_{}", spec.shard.number, spec.shard.count);
+  if (!a.shard.empty()) name += fmt::format("_{}_of_{}", fmt::join(spec.shard.numbers, "_"), spec.shard.count);
   RunFolder folder({.out = a.out, .name = name, .force = a.force, .resume = a.resume});
   const polishing::RunStore store(a.campaign.name, program_version(),
                                   {folder.path() / results_folder});
@@ -207,7 +219,8 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       ->check(CLI::Range(1, 1024));
   command
       .add_option("--shard", a.shard,
-                  "Make every Nth run alone, from the Ith on, and no tables: burnish merge does")
+                  "Make every Nth run alone, from the Ith on, and no tables: burnish merge does; "
+                  "several: 1,3/4")
       ->type_name("I/N");
   command.add_flag("--resume", a.resume,
                    "Go on with what the folder of --out holds: no run is made twice");

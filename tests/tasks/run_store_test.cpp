@@ -161,7 +161,7 @@ TEST(Batch, MakesNoRunTwiceAndShardsMakeThemAll) {
   spec.counts = &counts;
   const std::vector<RunFigures> once = run_batch(spec, two_runs());
   spec.store = &store;
-  spec.shard = {2, 2};
+  spec.shard = {{2}, 2};
   const std::vector<RunFigures> half = run_batch(spec, two_runs());
   EXPECT_FALSE(half[0].made);
   EXPECT_EQ(counts.wanted, 1);

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, List, Mapping, Optional, Sequence, Union
 
 from ._bar import Bar
-from ._dask import Job, dask, hand_over, make_run
+from ._dask import TOGETHER, Job, dask, hand_over, make_runs
 from . import _parts
 from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
@@ -99,10 +99,10 @@ def _experiment(words: List[str], scheduler: Optional[str], out: Optional[Path],
             missing = [run for run in runs if not folder.has(run.name)]
             bar = Bar(words[1], len(runs), len(runs) - len(missing), quiet)
             hand_over(Job(
-                missing, make_run,
-                lambda run, limit, clock: (burnish, words, str(Path.cwd()), run.number, len(runs), run.name,
-                                           limit, clock),
-                lambda run, result: folder.keep(run.name, result), time_limit, bar.say, bar.show),
+                missing, make_runs,
+                lambda some, limit, clock: (burnish, words, str(Path.cwd()), [run.number for run in some], len(runs),
+                                            [run.name for run in some], limit, clock),
+                lambda run, result: folder.keep(run.name, result), time_limit, bar.say, bar.show, TOGETHER),
                 scheduler, patience)
             bar.end()
         merge = [burnish, "merge", str(path), "--out", str(path), *flags]

@@ -18,11 +18,14 @@ Result = Dict[str, bytes]
 _FIRST_LIMIT = 3600.0
 """s of the clock that a run may take while nothing is known of the others"""
 
+TOGETHER = 6.0
+"""s of computing that runs of an experiment are handed over for at once"""
 
-def make_run(program: str, words: List[str], folder: str, number: int, count: int, name: str,
-             limit: float, clock: float) -> Result:
-    """What a worker does: one shard of one run, in a process of its own that ends with its time.
-    Sent by value: workers need the program and Dask, and no Python package of burnish."""
+
+def make_runs(program: str, words: List[str], folder: str, numbers: List[int], count: int, names: List[str],
+              limit: float, clock: float) -> Dict[str, Result]:
+    """What a worker does: some runs, shards of one run each, in a process of its own that ends with its
+    time. Sent by value: workers need the program and Dask, and no Python package of burnish."""
     import os
     import pathlib
     import shutil
@@ -35,32 +38,45 @@ def make_run(program: str, words: List[str], folder: str, number: int, count: in
                            f"or as '{program}'")
     there: str = found
     with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
-        def attempt(to: pathlib.Path, seconds: float, of_clock: float) -> Any:
-            command = ["timeout", "-k", "10", str(of_clock), there, *words, "--shard", f"{number}/{count}",
-                       "--threads", "1", "--quiet", "--out", str(to)]
+        def attempt(to: pathlib.Path, which: List[int], seconds: float, of_clock: float) -> Any:
+            command = ["timeout", "-k", "10", str(of_clock), there, *words, "--shard",
+                       f"{','.join(map(str, which))}/{count}", "--threads", "1", "--quiet", "--out", str(to)]
             if seconds > 0:
                 command += ["--time-limit", str(seconds)]
             return subprocess.run(command, cwd=folder if os.path.isdir(folder) else None,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE, text=True)
 
+        def files(out: pathlib.Path, name: str) -> Dict[str, bytes]:
+            result = out / "runs" / f"{name}.json"
+            if not result.exists():
+                return {}
+            return {"times": (out / "runs" / f"{name}.times.json").read_bytes(), "result": result.read_bytes(),
+                    "campaign": (out / "campaign.json").read_bytes()}
+
         out = pathlib.Path(scratch) / "part"
-        done = attempt(out, limit, clock)
-        if done.returncode in (124, 137):  # it hangs: its result says that it was ended
-            out = pathlib.Path(scratch) / "ended"
-            done = attempt(out, 1e-9, 60.0)
-        result = out / "runs" / f"{name}.json"
-        if not result.exists():
+        done = attempt(out, numbers, limit, clock * len(numbers))
+        results = {name: files(out, name) for name in names}
+        for number, name in zip(numbers, names):
+            if results[name]:
+                continue
+            if done.returncode in (124, 137) and len(numbers) > 1:  # one hangs: each by itself
+                out = pathlib.Path(scratch) / f"alone_{number}"
+                done = attempt(out, [number], limit, clock)
+            if done.returncode in (124, 137):  # its result says that it was ended
+                out = pathlib.Path(scratch) / f"ended_{number}"
+                done = attempt(out, [number], 1e-9, 60.0)
+            results[name] = files(out, name)
+            if results[name]:
+                continue
             said = done.stderr.strip().splitlines()
-            other = sorted(p.name for p in (out / "runs").glob("*.json")) if out.exists() else []
+            other = out.exists() and any((out / "runs").glob("*.json"))
             raise RuntimeError(
                 f"the worker on {os.uname().nodename} made another run than was asked for; wanted the "
                 f"same version of burnish and the same files of robots there" if other else
                 f"the worker on {os.uname().nodename}: {said[-1] if said else 'burnish ended with code '}"
                 f"{'' if said else done.returncode}")
-        return {"times": (out / "runs" / f"{name}.times.json").read_bytes(),
-                "result": result.read_bytes(),
-                "campaign": (out / "campaign.json").read_bytes()}
+        return results
 
 
 def dask() -> Any:
@@ -73,7 +89,7 @@ def dask() -> Any:
                             ) from missing
 
 
-def _by_value(function: Callable[..., Result]) -> None:
+def _by_value(function: Callable[..., Any]) -> None:
     cloudpickle = importlib.import_module("cloudpickle")
     cloudpickle.register_pickle_by_value(sys.modules[function.__module__])
 
@@ -84,10 +100,10 @@ class Job:
 
     runs: List[Listed]
     """those that have no result yet"""
-    function: Callable[..., Result]
-    """what a worker does; sent by value, so that it needs no module of burnish"""
-    arguments: Callable[[Listed, float, float], Tuple[Any, ...]]
-    """of the function for a run, from its limits: s of computing (0: none) and of the clock"""
+    function: Callable[..., Dict[str, Result]]
+    """what a worker does, to results by the runs' names; sent by value, so that it needs no module of burnish"""
+    arguments: Callable[[List[Listed], float, float], Tuple[Any, ...]]
+    """of the function for some runs, from the limits of one: s of computing (0: none) and of the clock"""
     keep: Callable[[Listed, Result], Optional[float]]
     """what becomes of a result; the s that the run computed, None where it was ended"""
     limit: float
@@ -96,6 +112,8 @@ class Job:
     """for sentences"""
     progress: Callable[[int, str], None]
     """called with the number of results that came, and the last one's run"""
+    together: float = 0.0
+    """s of computing that are handed over at once, for the sake of what a process and a message cost; 0: a run"""
 
 
 class Limit:
@@ -112,6 +130,10 @@ class Limit:
         if self._said > 0 or len(self._seen) < 5:
             return self._said
         return max(10.0, 20.0 * sorted(self._seen)[(len(self._seen) - 1) // 2])
+
+    def typical(self) -> float:
+        """s that a run computes; 0 while too few are known."""
+        return sorted(self._seen)[(len(self._seen) - 1) // 2] if len(self._seen) >= 5 else 0.0
 
     def clock(self) -> float:
         """A machine may be busy, and a limit is looked at between two ticks alone."""
@@ -198,29 +220,30 @@ def _threads(client: Any) -> int:
 def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None:
     """Until nothing is left. Raises _Lost."""
     waiting = [run for run in left.values()]
-    pending: List[Tuple[Any, Listed]] = []
-    window, looked, silent = 0, 0.0, False
+    pending: List[Tuple[Any, List[Listed]]] = []
+    window, threads, looked, silent = 0, 0, 0.0, False
     while left:
         now = time.monotonic()
         if now - looked > 2.0:
             # Some for every thread to come: workers that join have theirs at once.
             threads, looked = _threads(client), now
-            window = max(8, 4 * threads)
+            window = max(8, 4 * threads) if job.together == 0.0 else max(4, 2 * threads)
             if threads == 0 and not silent:
                 job.say("the scheduler has no workers; the runs wait for some")
             silent = threads == 0
         while waiting and len(pending) < window:
-            run = waiting.pop(0)
-            pending.append((_submit(job, client, run, limit), run))
-        still: List[Tuple[Any, Listed]] = []
-        for future, run in pending:
+            size = _together(job, limit, len(waiting), threads)
+            runs, waiting = waiting[:size], waiting[size:]
+            pending.append((_submit(job, client, runs, limit), runs))
+        still: List[Tuple[Any, List[Listed]]] = []
+        for future, runs in pending:
             status = future.status
             if status == "pending":
-                still.append((future, run))
+                still.append((future, runs))
             elif status == "finished":
-                _keep(job, run, future, left, limit)
+                _keep(job, runs, future, left, limit)
             elif status == "error":
-                raise CampaignError(_why(run, future))
+                raise CampaignError(_why(runs, future))
             else:  # cancelled or lost: the connection is gone
                 raise _Lost
         if len(still) == len(pending):
@@ -230,30 +253,40 @@ def _drain(job: Job, client: Any, left: Dict[str, Listed], limit: Limit) -> None
         pending = still
 
 
-def _submit(job: Job, client: Any, run: Listed, limit: Limit) -> Any:
+def _together(job: Job, limit: Limit, waiting: int, threads: int) -> int:
+    """Runs that are handed over at once. Towards the end fewer, so that no worker waits for the others."""
+    typical = limit.typical()
+    if job.together == 0.0 or typical <= 0.0:
+        return 1
+    return max(1, min(int(job.together / typical), waiting // max(1, 4 * threads)))
+
+
+def _submit(job: Job, client: Any, runs: List[Listed], limit: Limit) -> Any:
     try:
-        return client.submit(job.function, *job.arguments(run, limit.seconds(), limit.clock()),
-                             key=f"burnish-{run.name}", pure=False)
+        return client.submit(job.function, *job.arguments(runs, limit.seconds(), limit.clock()),
+                             key=f"burnish-{runs[0].name}-{len(runs)}", pure=False)
     except Exception as gone:
         raise _Lost from gone
 
 
-def _keep(job: Job, run: Listed, future: Any, left: Dict[str, Listed], limit: Limit) -> None:
+def _keep(job: Job, runs: List[Listed], future: Any, left: Dict[str, Listed], limit: Limit) -> None:
     try:
-        result: Result = future.result(timeout=60)
+        results: Dict[str, Result] = future.result(timeout=60)
     except Exception as gone:  # its worker went before it was fetched
         raise _Lost from gone
-    seconds = job.keep(run, result)
-    if seconds is not None:
-        limit.note(seconds)
-    del left[run.name]
     future.release()
-    job.progress(len(job.runs) - len(left), run.run)
+    for run in runs:
+        seconds = job.keep(run, results[run.name])
+        if seconds is not None:
+            limit.note(seconds)
+        del left[run.name]
+        job.progress(len(job.runs) - len(left), run.run)
 
 
-def _why(run: Listed, future: Any) -> str:
+def _why(runs: List[Listed], future: Any) -> str:
     error = future.exception(timeout=60)
+    what = f"the run '{runs[0].run}'" if len(runs) == 1 else f"one of the runs '{runs[0].run}' to '{runs[-1].run}'"
     if type(error).__name__ == "KilledWorker":
-        return (f"the run '{run.run}' was on several workers that died one after the other; wanted "
-                f"workers with more memory, or a look at it by itself")
-    return f"the run '{run.run}' could not be made: {error}"
+        return (f"{what} was on several workers that died one after the other; wanted workers with more "
+                f"memory, or a look at it by itself")
+    return f"{what} could not be made: {error}"

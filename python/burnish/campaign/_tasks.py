@@ -85,8 +85,9 @@ class TaskRun:
         return digest.hexdigest()[:32]
 
 
-def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float) -> Result:
-    """What a worker does. A run that was refused, or killed by its limit, has no figures."""
+def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float,
+                  name: str = "") -> Dict[str, Result]:
+    """What a worker does; the result by the name. A run that was refused, or killed by its limit, has no figures."""
     import json
     import os
     import pathlib
@@ -121,8 +122,8 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
             sentence = said[-1] if said else f"burnish ended with code {process.returncode}"
             run = {"outcome": sentence.replace("burnish: ", "", 1).replace(str(task), "the task")}
         seconds = usage.ru_utime + usage.ru_stime
-        return {"run": json.dumps(run).encode(), "late": b"1" if late else b"",
-                "computing": str(seconds).encode()}
+        return {name: {"run": json.dumps(run).encode(), "late": b"1" if late else b"",
+                       "computing": str(seconds).encode()}}
 
 
 @dataclass
@@ -207,9 +208,9 @@ class Machine:
         for index, first in same.items():
             copies.setdefault(first, []).append(index)
 
-        def arguments(run: Listed, limit: float, clock: float) -> Tuple[Any, ...]:
-            one = runs[run.number - 1]
-            return self.program, list(one.words), one.text, str(Path.cwd()), clock
+        def arguments(some: List[Listed], limit: float, clock: float) -> Tuple[Any, ...]:
+            one = runs[some[0].number - 1]
+            return self.program, list(one.words), one.text, str(Path.cwd()), clock, some[0].name
 
         def kept(run: Listed, result: Result) -> Optional[float]:
             outcome = outcome_of(result)
@@ -227,20 +228,21 @@ class Machine:
         except Ended:
             pass
 
-    def _make_here(self, listed: List[Listed], arguments: Callable[[Listed, float, float], Tuple[Any, ...]],
+    def _make_here(self, listed: List[Listed], arguments: Callable[[List[Listed], float, float], Tuple[Any, ...]],
                    kept: Callable[[Listed, Result], Optional[float]]) -> None:
         limit = Limit(self.time_limit)
         threads = self.threads or len(os.sched_getaffinity(0))
         waiting = list(listed)
-        pending: Dict[Future[Result], Listed] = {}
+        pending: Dict[Future[Dict[str, Result]], Listed] = {}
         pool = ThreadPoolExecutor(threads)
         try:
             while waiting or pending:
                 while waiting and len(pending) < 2 * threads:
                     run = waiting.pop(0)
-                    pending[pool.submit(make_task_run, *arguments(run, limit.seconds(), limit.clock()))] = run
+                    pending[pool.submit(make_task_run, *arguments([run], limit.seconds(), limit.clock()))] = run
                 for future in wait(pending, return_when=FIRST_COMPLETED).done:
-                    seconds = kept(pending.pop(future), future.result())
+                    run = pending.pop(future)
+                    seconds = kept(run, future.result()[run.name])
                     if seconds is not None:
                         limit.note(seconds)
         finally:

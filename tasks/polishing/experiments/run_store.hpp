@@ -1,6 +1,7 @@
 // Results of runs in files of their own: no run is made twice, and many machines share a campaign.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,11 +11,13 @@
 
 namespace burnish::polishing {
 
-/// Every `count`th run, the first of them the `number`th.
+/// Of `count` shards some: run I, I + count, I + 2 count, ... for each number I of them.
 struct Shard {
-  int number = 1, count = 1;
+  std::vector<int> numbers{1};  ///< ascending
+  int count = 1;
   bool has(std::size_t run) const {
-    return run % static_cast<std::size_t>(count) == static_cast<std::size_t>(number - 1);
+    const int number = static_cast<int>(run % static_cast<std::size_t>(count)) + 1;
+    return std::binary_search(numbers.begin(), numbers.end(), number);
   }
 };
 
