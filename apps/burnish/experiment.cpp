@@ -143,7 +143,8 @@ int perform(const ExperimentArguments& a) {
   if (!a.scheduler.empty()) hand_over_to_python(words_for_python(a), "distributed");
   const StopRequest stop("the runs end, and what there is of them is written");
   std::string name = "experiment_" + a.campaign.name;
-  if (!a.shard.empty()) name += fmt::format("_{}_of_{}", fmt::join(spec.shard.numbers, "_"), spec.shard.count);
+  if (!a.shard.empty())
+    name += fmt::format("_{}_of_{}", fmt::join(spec.shard.numbers, "_"), spec.shard.count);
   RunFolder folder({.out = a.out, .name = name, .force = a.force, .resume = a.resume});
   const polishing::RunStore store(a.campaign.name, program_version(),
                                   {folder.path() / results_folder});
