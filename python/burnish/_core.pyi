@@ -538,6 +538,7 @@ class DdpSolver:
     def us(self) -> Array: ...  # (N, max_controls)
     def feedforward(self, knot: int) -> Array: ...  # (nu,)
     def gain(self, knot: int) -> Array: ...  # (nu, ndx)
+    def multipliers(self, knot: int) -> Array: ...  # (rows,)
     def value_gradient(self, knot: int) -> Array: ...  # (ndx,)
     def value_hessian(self, knot: int) -> Array: ...  # (ndx, ndx)
     def named_gain(self, knot: int) -> NamedMatrix: ...

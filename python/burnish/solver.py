@@ -10,8 +10,8 @@ from ._spec import Spec
 from .base import Status
 
 __all__ = ["CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
-           "DdpSummary", "LimitedRow", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization", "StepUpdate",
-           "StopReason"]
+           "DdpSummary", "LimitOptions", "LimitedRow", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization",
+           "RowPlace", "StepUpdate", "StopReason"]
 
 
 # Described classes stand here (scripts/describe).

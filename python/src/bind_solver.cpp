@@ -157,6 +157,10 @@ void bind_results(SolverClass& c) {
       c, "gain", 0, [](const DdpSolver& s, int k) { return RowMatrix(s.gain(k)); },
       "(nu, ndx) of the same policy.");
   of_knot(
+      c, "multipliers", 1, [](const DdpSolver& s, int k) { return copied(s.multipliers(k)); },
+      "(rows,) of the rows with limits: the cost that a limit's being one unit further out would "
+      "save, above zero where the upper one pushes; knots 0 to N.");
+  of_knot(
       c, "value_gradient", 1, [](const DdpSolver& s, int k) { return copied(s.value_gradient(k)); },
       "(ndx,), of the value function about the same iterate; knots 0 to N.");
   of_knot(

@@ -319,7 +319,8 @@ CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& co
 
 Constraint read_constraint(const ProblemScope& scope, const std::vector<std::string>& contacts,
                            const std::string& name, const Reader& reader) {
-  CostReader rows{scope, contacts, reader, {"type", "lower", "upper", "limits"}};
+  CostReader rows{
+      scope, contacts, reader, {"type", "lower", "upper", "limits", "scale", "price", "square"}};
   const Read read = read_type(reader["type"]);
   if (read == &CostReader::state)
     reader["type"].refuse(
@@ -329,6 +330,12 @@ Constraint read_constraint(const ProblemScope& scope, const std::vector<std::str
   const RowLimits limits = read_limits(rows.rows, reader);
   constraint.lower = limits.lower;
   constraint.upper = limits.upper;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (const auto scale = reader.find("scale"))
+    constraint.scale = read_rows(*scale, rows.rows.rows, infinity);
+  if (const auto price = reader.find("price"); price && !price->is("hard"))
+    constraint.price = price->not_negative();
+  if (const auto square = reader.find("square")) constraint.square = square->not_negative();
   return constraint;
 }
 

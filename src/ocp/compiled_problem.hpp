@@ -49,6 +49,7 @@ struct CompiledStage {
   std::vector<CompiledTerm> terms;           ///< costs, then constraints
   std::size_t costs = 0;                     ///< how many are costs
   std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
+  std::vector<double> row_scale, row_price, row_square;
   std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }

@@ -223,19 +223,6 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
-void about_constraints(const Problem& problem, std::vector<std::string>& sentences) {
-  std::string names;
-  std::size_t count = 0;
-  for (const ocp::CompiledStage& stage : ProblemInside::of(problem).compiled.stages)
-    for (const ocp::CompiledTerm& term : stage.constraints())
-      names += (count++ == 0 ? "" : ", ") + in_quotes(term.name) + " of " + in_quotes(stage.name);
-  if (count == 0) return;
-  sentences.push_back(
-      "the solver minimises the costs alone and reports how far constraints are "
-      "outside their limits: " +
-      names);
-}
-
 /// False where joints move no mass, which leaves nothing to say of contacts.
 bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
@@ -253,7 +240,6 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_targets(problem, sentences);
   about_initial_state(problem, sentences);
   about_bounds(problem, sentences);
-  about_constraints(problem, sentences);
   if (about_mass(problem, sentences)) about_contacts(problem, sentences);
   return sentences;
 }

@@ -58,9 +58,7 @@ const Description& description_of(const Constraint* /*of*/) {
   static const Description all =
       Describe<C>("ocp", "Constraint",
                   "lower <= r_i <= upper for every row i of a residual; an equality where the two "
-                  "meet. Evaluated, differentiated, checked and reported along a trajectory. The "
-                  "solver minimises the costs alone: it says how far a row is outside its limits, "
-                  "and does not keep it inside.")
+                  "meet. Hard, or soft with a price.")
           .field("residual", &C::residual)
           .required()
           .field("name", &C::name,
@@ -71,7 +69,17 @@ const Description& description_of(const Constraint* /*of*/) {
                  "at least zero unless said.")
           .number_too()
           .field("upper", &C::upper, "likewise")
-          .number_too();
+          .number_too()
+          .field("scale", &C::scale,
+                 "What counts as much of a row, in its unit: per row, one for all, or empty: half "
+                 "the distance of its limits, without one the robot's own limit, of forces its "
+                 "weight. Where there is none of these it has to be said.")
+          .number_too()
+          .field("price", &C::price,
+                 "A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied "
+                 "by the step); infinite: hard.",
+                 range::not_negative_or_infinite)
+          .field("square", &C::square, "likewise", range::not_negative);
   return all;
 }
 

@@ -172,6 +172,9 @@ const double* Problem::control_lower(int knot) const {
 const double* Problem::control_upper(int knot) const {
   return controls(knot) == 0 || impl_->upper.empty() ? nullptr : impl_->upper.data();
 }
+const double* Problem::control_scale(int knot) const {
+  return controls(knot) == 0 ? nullptr : impl_->control_scale.data();
+}
 
 int Problem::rows(int knot) const { return impl_->stage(knot).rows(); }
 int Problem::max_rows() const { return impl_->compiled.largest_limited_rows; }
@@ -181,20 +184,30 @@ const double* Problem::row_lower(int knot) const {
 const double* Problem::row_upper(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_upper.data();
 }
+const double* Problem::row_scale(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_scale.data();
+}
+const double* Problem::row_price(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_price.data();
+}
+const double* Problem::row_square(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_square.data();
+}
 
 void Problem::prepare(int workers) { impl_->prepare(workers); }
 std::span<const KnotRange> Problem::ranges() const { return impl_->ranges; }
 
-KnotValue Problem::roll(int worker, int knot, const double* x, const double* u, double* next) {
-  return impl_->roll(worker, knot, x, u, next);
+KnotValue Problem::roll(int worker, int knot, const double* x, const double* u, double* next,
+                        double* rows) {
+  return impl_->roll(worker, knot, x, u, next, rows);
 }
 void Problem::evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
-                       KnotValue* values) {
-  impl_->run(worker, range, at, next, values, nullptr);
+                       KnotValue* values, double* rows) {
+  impl_->run(worker, range, at, next, values, rows, nullptr);
 }
 void Problem::expand(int worker, KnotRange range, TrajectoryView at, double* next,
                      KnotValue* values, KnotExpansion* out) {
-  impl_->run(worker, range, at, next, values, out);
+  impl_->run(worker, range, at, next, values, nullptr, out);
 }
 
 std::vector<std::string> Problem::state_names() const {

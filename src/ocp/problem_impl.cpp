@@ -107,6 +107,10 @@ Problem::Impl::Impl(const ProblemSpec& given)
     if (lower[i] > upper[i])
       throw Error("control_lower " + number(lower[i]) + " is above control_upper " +
                   number(upper[i]) + " at entry " + std::to_string(i));
+  for (const int k : compiled.layout.actuated) {
+    const double limit = compiled.model.effort_limit[k];
+    control_scale.push_back(limit > 0.0 && std::isfinite(limit) ? limit : 1.0);
+  }
   int largest_signal = 4;  // of rotations
   for (const ocp::CompiledStage& stage : compiled.stages)
     for (const ocp::CompiledTerm& term : stage.terms)
@@ -241,11 +245,13 @@ const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const Co
   return kernel.dynamics();
 }
 
-KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double* u, double* next) {
+KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double* u, double* next,
+                              double* rows) {
   ocp::NodeKernel<double>& kernel = worker(index).one;
   const ocp::CompiledStage& at = stage(knot);
   kernel.values(at, x, u, targets_of(knot), &times[static_cast<std::size_t>(knot)]);
   if (!at.terminal) std::copy(kernel.next.begin(), kernel.next.end(), next);
+  if (rows != nullptr) std::copy_n(kernel.row_values.begin(), at.rows(), rows);
   return kernel.outcome(at, 0);
 }
 
@@ -267,7 +273,7 @@ void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView 
 }
 
 void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* next,
-                        KnotValue* values, KnotExpansion* out) {
+                        KnotValue* values, double* rows, KnotExpansion* out) {
   ocp::Worker& w = worker(index);
   const ocp::CompiledStage& at_stage = stage(range.begin);
   gather(w, range, at);
@@ -288,6 +294,10 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
         next[static_cast<std::ptrdiff_t>(k) * nx + i] =
             w.pack.next[static_cast<std::size_t>(i)].v[l];
     values[k] = w.pack.outcome(at_stage, l);
+    if (rows == nullptr) continue;
+    for (int r = 0; r < at_stage.rows(); ++r)
+      rows[k * compiled.largest_limited_rows + r] =
+          w.pack.row_values[static_cast<std::size_t>(r)].v[l];
   }
 }
 

@@ -51,9 +51,9 @@ struct Problem::Impl {
   const ocp::CompiledTerm& term(const char* call, int knot, int term) const;
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
                                                  const ConstVectorRef& u);
-  KnotValue roll(int index, int knot, const double* x, const double* u, double* next);
+  KnotValue roll(int index, int knot, const double* x, const double* u, double* next, double* rows);
   void run(int index, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
-           KnotExpansion* out);
+           double* rows, KnotExpansion* out);
   void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at);
   void store_expansion(const ocp::Worker& worker, const ocp::CompiledStage& stage, KnotRange range,
                        KnotExpansion* out) const;
@@ -65,6 +65,7 @@ struct Problem::Impl {
   std::vector<double> targets;  ///< per knot, largest_targets each
   std::vector<KnotRange> ranges;
   std::vector<double> initial_state, lower, upper;
+  std::vector<double> control_scale;  ///< the robot's effort limits, 1 where it has none
   Eigen::VectorXd signal_scratch;
   std::vector<std::unique_ptr<ocp::Worker>> workers;
 };

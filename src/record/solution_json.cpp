@@ -19,6 +19,8 @@ std::string word(StopReason reason) {
       return "not_evaluated";
     case StopReason::NotPositiveDefinite:
       return "not_positive_definite";
+    case StopReason::Infeasible:
+      return "infeasible";
     case StopReason::NoStep:
       return "no_step";
     case StopReason::Callback:
@@ -92,13 +94,19 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
                     {"value", number_json(row.value)},
                     {"lower", number_json(row.lower)},
                     {"upper", number_json(row.upper)},
-                    {"outside", number_json(row.outside)}});
+                    {"outside", number_json(row.outside)},
+                    {"scale", number_json(row.scale)},
+                    {"multiplier", number_json(row.multiplier)},
+                    {"multiplier_at", row.pushed},
+                    {"active_knots", row.active}});
   Json log = Json::array();
   for (const DdpProgress& p : s.log)
     log.push_back({{"iteration", p.iteration},
                    {"cost", number_json(p.cost)},
                    {"expected_improvement", number_json(p.expected_improvement)},
                    {"largest_gap", number_json(p.largest_gap)},
+                   {"outside", number_json(p.outside)},
+                   {"recursions", p.factors},
                    {"step_length", p.step_length},
                    {"regularization", p.regularization},
                    {"seconds", p.seconds}});
@@ -113,6 +121,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
           {"cost", number_json(s.cost)},
           {"feasible", s.feasible},
           {"largest_gap", number_json(s.largest_gap)},
+          {"outside", number_json(s.outside)},
           {"expected_improvement", number_json(s.expected_improvement)},
           {"stop_tolerance", s.options.stop_tolerance},
           {"gap_tolerance", s.options.gap_tolerance},

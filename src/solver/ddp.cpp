@@ -76,6 +76,13 @@ PaddedView DdpSolver::gain(int knot) const {
           Eigen::OuterStride<>(impl_->gain_stride)};
 }
 
+VectorView DdpSolver::multipliers(int knot) const {
+  const auto k = static_cast<std::size_t>(knot);
+  if (!impl_->limited) return {nullptr, 0};
+  return {impl_->limited->rows(knot).multiplier + impl_->limited->first_row(),
+          impl_->row_counts[k]};
+}
+
 VectorView DdpSolver::value_gradient(int knot) const {
   return {impl_->value(knot).gradient, impl_->ndx};
 }
@@ -99,7 +106,7 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
 namespace {
 /// The rows of a knot, each where it is worst so far.
 void add_rows(ShootingProblem& problem, int knot, const double* x, const double* u,
-              std::vector<CostReport::Row>& rows) {
+              VectorView multipliers, std::vector<CostReport::Row>& rows) {
   if (problem.rows(knot) == 0) return;
   const std::vector<std::string> names = problem.row_names(knot);
   const std::vector<double> values = problem.row_values(knot, x, u);
@@ -109,14 +116,30 @@ void add_rows(ShootingProblem& problem, int knot, const double* x, const double*
                         values[i],
                         problem.row_lower(knot)[i],
                         problem.row_upper(knot)[i],
-                        0.0};
+                        0.0,
+                        problem.row_scale(knot)[i]};
     row.outside = std::max(row.lower - row.value, row.value - row.upper);
+    if (multipliers.size() > static_cast<Eigen::Index>(i))
+      row.multiplier = multipliers[static_cast<Eigen::Index>(i)];
+    row.pushed = row.multiplier != 0.0 ? row.knot : "";
+    row.active = row.multiplier != 0.0 ? 1 : 0;
     const auto known = std::find_if(rows.begin(), rows.end(),
                                     [&](const CostReport::Row& r) { return r.name == row.name; });
     if (known == rows.end()) {
       rows.push_back(std::move(row));
-    } else if (!(row.outside <= known->outside)) {
+      continue;
+    }
+    row.active += known->active;
+    if (std::abs(row.multiplier) <= std::abs(known->multiplier)) {
+      row.multiplier = known->multiplier;
+      row.pushed = known->pushed;
+    }
+    if (!(row.outside <= known->outside)) {
       *known = std::move(row);
+    } else {
+      known->active = row.active;
+      known->multiplier = row.multiplier;
+      known->pushed = row.pushed;
     }
   }
 }
@@ -141,7 +164,7 @@ CostReport DdpSolver::cost_report() const {
       else
         known->cost += costs[t];
     }
-    add_rows(s.problem, k, s.current.xs.data() + k * s.nx, u, report.rows);
+    add_rows(s.problem, k, s.current.xs.data() + k * s.nx, u, multipliers(k), report.rows);
     report.total += knot.cost;
     report.knots.push_back(std::move(knot));
   }
@@ -155,19 +178,33 @@ double DdpSolver::optimality_error() {
   s.current.feasible = was_feasible;
   if (!good) return std::numeric_limits<double>::infinity();
   std::vector<double> multiplier(static_cast<std::size_t>(s.value_stride));
+  const auto add_limits = [&](int k, double* gradient) {
+    const KnotExpansion& e = s.expansions[static_cast<std::size_t>(k)];
+    const VectorView of_rows = s.limited ? multipliers(k) : VectorView(nullptr, 0);
+    const int nz = s.controls[static_cast<std::size_t>(k)] + s.ndx;
+    for (Eigen::Index r = 0; r < of_rows.size(); ++r)
+      for (int c = 0; c < nz; ++c) gradient[c] += of_rows[r] * e.rows[r * e.stride + c];
+  };
   std::copy_n(s.expansions[static_cast<std::size_t>(s.N)].gradient, s.ndx, multiplier.data());
+  add_limits(s.N, multiplier.data());
   double largest = 0.0;
   for (int k = s.N - 1; k >= 0; --k) {
     const auto i = static_cast<std::size_t>(k);
     const int nu = s.controls[i];
     double* gradient = s.z.data();
     std::copy_n(s.expansions[i].gradient, nu + s.ndx, gradient);
+    add_limits(k, gradient);
     add_transposed(s.state, s.expansions[i], nu, multiplier.data(), s.scratch.data(), gradient);
     const ControlBox box = s.box(k);
     for (int c = 0; c < nu; ++c) {
       const bool bounded = box.lower != nullptr && box.upper != nullptr;
-      if (bounded && ((box.u[c] <= box.lower[c] && gradient[c] > 0.0) ||
-                      (box.u[c] >= box.upper[c] && gradient[c] < 0.0)))
+      // With limits, bounds are kept to their tolerance.
+      const double near = s.limited ? 10.0 * s.options.limits.tolerance : 0.0;
+      const auto at = [&](double bound) {
+        return std::abs(box.u[c] - bound) <= near * std::max(1.0, std::abs(bound));
+      };
+      if (bounded && (((box.u[c] <= box.lower[c] || at(box.lower[c])) && gradient[c] > 0.0) ||
+                      ((box.u[c] >= box.upper[c] || at(box.upper[c])) && gradient[c] < 0.0)))
         continue;
       largest = std::max(largest, std::abs(gradient[c]));
     }

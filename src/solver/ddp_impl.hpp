@@ -7,6 +7,7 @@
 #include "base/thread_pool.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "solver/buffer.hpp"
+#include "solver/limited_lq.hpp"
 #include "solver/parametric_segment.hpp"
 #include "solver/riccati.hpp"
 
@@ -20,6 +21,9 @@ struct Iterate {
   Buffer gaps;  ///< row k: what leads to state k, (x0 or f(x_(k-1), u_(k-1))) (-) x_k
   double gap_sum = 0.0, largest_gap = 0.0;
   int gap_knot = 0, gap_entry = 0;
+  std::vector<double> rows;   ///< values, max_rows of each knot
+  double outside_cost = 0.0;  ///< of rows outside their limits, at the merit's prices
+  double outside = 0.0;       ///< the largest violation of a hard row, in its scale
 };
 
 /// What the quadratic model says of the direction.
@@ -72,7 +76,31 @@ struct DdpSolver::Impl {
   bool accept_rollout(double length, double gap_improvement) const;
   bool accept_shooting(double length) const;
   void take_trial(double length);
-  double merit(const Iterate& of) const { return of.cost + penalty * of.gap_sum; }
+  double merit(const Iterate& of) const { return of.cost + penalty * of.gap_sum + of.outside_cost; }
+
+  // Rows with limits, in ddp_limits.cpp.
+  void allocate_rows();
+  void start_rows();
+  void take_rows(Iterate& at);
+  void set_row_limits();
+  void set_row_weights();
+  bool limited_backward();
+  void raise_prices();
+  void model_of_limited();
+  double square_of(int knot, int row) const;
+  double curvature_unit();
+  void find_fixed_rows();
+  bool is_fixed(int knot, int row) const;
+  bool solve_limited();
+  bool become_elastic();
+  bool after_elastic();
+  bool is_least_violation() const;
+  bool starts_outside() const;
+  bool keeps_limits(const Iterate& at) const { return at.outside <= options.limits.tolerance; }
+  bool accept_limited(double length) const;
+  void note_outside();
+  template <class Visit>
+  void for_each_row(Visit&& visit) const;
 
   // Bookkeeping.
   bool increase_regularization();
@@ -114,7 +142,7 @@ struct DdpSolver::Impl {
   std::vector<double> next;
   std::vector<KnotValue> values;
   std::vector<KnotExpansion> expansions;
-  std::vector<Buffer> expansion_memory, value_memory, policy_memory;
+  std::vector<Buffer> expansion_memory, value_memory, policy_memory, row_memory;
   Buffer hessian_gaps, dxs, dus, z, scratch;
 
   // Segments of the horizon; empty where there are not three.
@@ -122,6 +150,31 @@ struct DdpSolver::Impl {
   std::vector<int> borders;        ///< where each begins, and N
   std::vector<int> failures;       ///< knot of each, or -1
   std::vector<RiccatiStep> steps;  ///< of each knot
+
+  // Rows with limits; null where the problem has none.
+  std::unique_ptr<LimitedLq> limited;
+  int rows_max = 0;
+  std::vector<int> row_counts;
+  std::vector<ValueStorage> value_list;
+  std::vector<PolicyStorage> policy_list;
+  std::vector<double> merit_prices;  ///< of violations, rows_max of each knot
+  bool limited_before = false;       ///< policies and multipliers are those of a direction
+  LimitedLqResult limited_result;
+  /// What the tolerance of limits is worth, by their multipliers: the merit knows no better.
+  double limit_resolution = 0.0;
+  /// Hard rows without multipliers, whose violations cost squares.
+  struct Elastic {
+    bool on = false;
+    double weight = 0.0;      ///< in units of row_unit / scale^2, of the squares
+    double violation = -1.0;  ///< at the last minimum; -1: there was none
+    bool stays = false;       ///< it does, however large the weight
+    int lost = 0;             ///< iterations in a row whose rows could not all be kept
+    int stood = 0;            ///< iterations without anything to gain, with limits broken
+  } elastic;
+  double hard_price = 0.0;           ///< in units of row_unit / scale
+  std::vector<char> start_is_fixed;  ///< rows of the first knot that no control moves
+  double row_unit = 0.0;      ///< curvature of the cost by a control's scale, of the first iterate
+  double merit_change = 0.0;  ///< what the model says that a whole step changes the merit by
 
   // State of a solve.
   Clock::time_point began;

@@ -6,6 +6,10 @@
 
 namespace burnish {
 
+/// So many iterations have nothing to gain with limits broken before it is doubted that they can be
+/// kept: the last digits of violations go by Newton's steps.
+static constexpr int patience_outside = 4;
+
 bool DdpSolver::Impl::increase_regularization() {
   const Regularization& rule = options.regularization;
   if (regularization >= rule.largest) return false;
@@ -39,13 +43,15 @@ bool DdpSolver::Impl::make_direction() {
     if (out_of_time()) return stop(StopReason::TimeBudget);
   }
   summary.knot = summary.control = -1;
+  if (limited) model_of_limited();
   if (!std::isfinite(direction.slope) || !std::isfinite(direction.model_change) ||
       !std::isfinite(value(0).hessian[0])) {
     if (!find_not_finite()) fail_at(0, {0.0, Status::NotFinite, -1});
     return stop(StopReason::NotEvaluated);
   }
   summary.regularization = regularization;
-  summary.expected_improvement = std::abs(direction.slope + 0.5 * direction.curvature);
+  summary.expected_improvement =
+      limited ? std::abs(merit_change) : std::abs(direction.slope + 0.5 * direction.curvature);
   return true;
 }
 
@@ -53,15 +59,25 @@ bool DdpSolver::Impl::make_direction() {
 /// nothing, so that only the least that the recursion accepts counts; `again` asks for that one.
 bool DdpSolver::Impl::judge_direction(bool& again) {
   again = false;
-  if (current.feasible && summary.expected_improvement < options.stop_tolerance) {
+  if (limited && elastic.on) {
+    again = current.feasible && after_elastic();
+    if (again || !current.feasible || !is_least_violation())
+      return !out_of_time() || stop(StopReason::TimeBudget);
+    return stop(StopReason::Infeasible);
+  }
+  const bool feasible = current.feasible && (!limited || keeps_limits(current));
+  if (feasible && summary.expected_improvement < options.stop_tolerance + limit_resolution) {
     if (regularization <= std::max(regularization_floor, options.regularization.smallest))
-      return stop(StopReason::Converged);
+      return stop(limited && starts_outside() ? StopReason::Infeasible : StopReason::Converged);
     if (searched_at_floor) return stop(StopReason::NoStep);
     searched_at_floor = true;
     regularization = regularization_floor;
     again = true;
     return true;
   }
+  const bool stands = limited && current.feasible && !keeps_limits(current) &&
+                      summary.expected_improvement < options.stop_tolerance + limit_resolution;
+  if (stands && ++elastic.stood >= patience_outside) again = become_elastic();
   return !out_of_time() || stop(StopReason::TimeBudget);
 }
 
@@ -69,7 +85,7 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
 bool DdpSolver::Impl::line_search(double& length) {
   const bool rollout = options.update == StepUpdate::Rollout;
   trial_failure_knot = -1;
-  if (!rollout) {
+  if (!rollout && !limited) {
     linear_rollout();
     penalty = penalty_for_direction();
   }
@@ -79,13 +95,15 @@ bool DdpSolver::Impl::line_search(double& length) {
     if (rollout) {
       const Clock::time_point from = Clock::now();
       double gap_improvement = 0.0;
-      taken = roll_trial(length, gap_improvement) && accept_rollout(length, gap_improvement);
+      taken = roll_trial(length, gap_improvement) &&
+              (limited ? accept_limited(length) : accept_rollout(length, gap_improvement));
       summary.seconds.trial += since(from);
       if (taken) expanded = false;
     } else {
       // The whole step is taken most of the time: expanded at once, it need not be evaluated again.
       const bool ahead = halving == 0 && summary.iterations + 1 < options.max_iterations;
-      taken = shooting_trial(length, ahead) && accept_shooting(length);
+      taken = shooting_trial(length, ahead) &&
+              (limited ? accept_limited(length) : accept_shooting(length));
       expanded = ahead && taken;
     }
     if (taken) {
@@ -109,14 +127,18 @@ bool DdpSolver::Impl::after_search(double length) {
   progress.regularization = regularization;
   progress.penalty = penalty;
   progress.feasible = current.feasible;
+  progress.outside = current.outside;
+  progress.factors = limited ? limited_result.factors : 1;
   progress.seconds = since(began);
   summary.log.push_back(progress);
   if (length > 0.0) searched_at_floor = false;
   if (options.callback && !options.callback(progress)) return stop(StopReason::Callback);
   const Regularization& rule = options.regularization;
   if (length > rule.decrease_above) decrease_regularization();
-  if (length <= rule.increase_at_or_below && !increase_regularization())
-    return stop(StopReason::NoStep);
+  if (length <= rule.increase_at_or_below && !increase_regularization()) {
+    if (!limited || keeps_limits(current) || !become_elastic()) return stop(StopReason::NoStep);
+    regularization = regularization_floor;
+  }
   if (summary.iterations >= options.max_iterations) return stop(StopReason::MaxIterations);
   return !out_of_time() || stop(StopReason::TimeBudget);
 }
@@ -134,8 +156,9 @@ void DdpSolver::Impl::iterate() {
 
 /// Cut short, a solve returns the best iterate; one that made its iterations, the last.
 void DdpSolver::Impl::finish() {
-  const bool complete =
-      summary.reason == StopReason::Converged || summary.reason == StopReason::MaxIterations;
+  const bool complete = summary.reason == StopReason::Converged ||
+                        summary.reason == StopReason::Infeasible ||
+                        summary.reason == StopReason::MaxIterations;
   if (!best_is_current && !complete) {
     std::swap(current, best);
     expanded = false;
@@ -147,6 +170,7 @@ void DdpSolver::Impl::finish() {
   summary.largest_gap = current.largest_gap;
   summary.gap_knot = current.gap_knot;
   summary.gap_entry = current.gap_entry;
+  if (limited) note_outside();
   summary.seconds.total = since(began);
 }
 

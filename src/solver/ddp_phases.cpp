@@ -87,11 +87,15 @@ bool DdpSolver::Impl::expand(Iterate& at) {
   const Clock::time_point from = Clock::now();
   expanded = false;
   const TrajectoryView view{at.xs.data(), at.us.data()};
+  if (limited)
+    for (int k = 0; k <= N; ++k)
+      expansions[static_cast<std::size_t>(k)].row_values = at.rows.data() + k * rows_max;
   pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
     problem.expand(worker, ranges[static_cast<std::size_t>(piece)], view, next.data(),
                    values.data(), expansions.data());
   });
   bool good = take_values(at);
+  if (good && limited) take_rows(at);
   // A trajectory that came out of a rollout has no gaps: what rounding leaves is not one.
   const bool rolled_out = at.feasible && options.update == StepUpdate::Rollout;
   if (good && !rolled_out) {
@@ -119,6 +123,11 @@ bool DdpSolver::Impl::shares_knots() const {
 bool DdpSolver::Impl::backward() {
   const Clock::time_point from = Clock::now();
   direction = {};
+  if (limited) {
+    const bool done = limited_backward();
+    summary.seconds.backward += since(from);
+    return done;
+  }
   recursion.terminal(expansions[static_cast<std::size_t>(N)], value(N));
   bool decided = false;
   bool good = false;

@@ -132,6 +132,7 @@ void DdpSolver::Impl::allocate() {
     value_memory.emplace_back(size(ndx + 1, value_stride) + spare);
     policy_memory.emplace_back(size(1, control_stride) + size(nu_max, gain_stride) + spare);
   }
+  allocate_rows();
   hessian_gaps = Buffer(size(N + 2, value_stride));
   dxs = Buffer(size(N + 2, value_stride));
   dus = Buffer(size(N + 1, control_stride));
@@ -150,6 +151,7 @@ void DdpSolver::Impl::start() {
     clamp(k, current.us.data() + k * nu_max);
   }
   controls[static_cast<std::size_t>(N)] = 0;
+  start_rows();
   ranges = problem.ranges();
   current.feasible = false;
   best_is_current = true;

@@ -38,7 +38,8 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
       clamp(k, u);
     }
     double* after = k < N ? next.data() + k * nx : nullptr;
-    const KnotValue v = problem.roll(0, k, x, u, after);
+    double* rows = limited ? trial.rows.data() + k * rows_max : nullptr;
+    const KnotValue v = problem.roll(0, k, x, u, after, rows);
     values[static_cast<std::size_t>(k)] = v;
     if (v.status > Status::NotConverged || !std::isfinite(v.cost)) {
       trial_failure = v;
@@ -48,6 +49,8 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
     trial.cost += v.cost;
     reached = after;
   }
+  trial.gap_sum = closing ? (1.0 - length) * current.gap_sum : 0.0;
+  if (limited) take_rows(trial);
   return true;
 }
 
@@ -83,9 +86,10 @@ bool DdpSolver::Impl::shooting_trial(double length, bool with_expansion) {
   const TrajectoryView view{trial.xs.data(), trial.us.data()};
   pool->for_each(static_cast<int>(ranges.size()), [&](int worker, int piece) {
     problem.evaluate(worker, ranges[static_cast<std::size_t>(piece)], view, next.data(),
-                     values.data());
+                     values.data(), limited ? trial.rows.data() : nullptr);
   });
   const bool good = take_values(trial) && take_gaps(trial);
+  if (good && limited) take_rows(trial);
   trial.feasible = good && trial.largest_gap <= options.gap_tolerance;
   summary.seconds.trial += since(from);
   return good;

@@ -21,11 +21,15 @@ const Words& words_of(StopReason /*of*/) {
       "solver",
       "StopReason",
       "Why a solve ended.",
-      {{"converged", "feasible, and the expected improvement is below stop_tolerance"},
+      {{"converged",
+        "feasible, limits kept, and the expected improvement is below stop_tolerance, or what the "
+        "tolerance of limits is worth"},
        {"max_iterations", "max_iterations were made"},
        {"time_budget", "time_budget was spent"},
        {"not_evaluated", "a knot of the iterate cannot be evaluated: see status, knot, term"},
        {"not_positive_definite", "Quu of a knot, with the largest regularisation"},
+       {"infeasible",
+        "no trajectory near keeps all limits; this one breaks them least: see conflict"},
        {"no_step", "no step length was acceptable, with the largest regularisation"},
        {"callback", "the callback asked for it"}}};
   return all;
@@ -80,6 +84,31 @@ const Description& description_of(const LineSearch* /*of*/) {
   return all;
 }
 
+const Description& description_of(const LimitOptions* /*of*/) {
+  using L = LimitOptions;
+  static const Description all =
+      Describe<L>("solver", "LimitOptions",
+                  "How rows are kept within their limits: semismooth Newton steps on an augmented "
+                  "Lagrangian of the linear-quadratic problem of each iteration.")
+          .field("weight", &L::weight,
+                 "Weight of a violation, in units of the cost's curvature over a row's scale. More "
+                 "needs fewer changes of multipliers and costs digits.",
+                 range::positive)
+          .field("max_factors", &L::max_factors, "recursions per iteration", range::from(1))
+          .field("max_sweeps", &L::max_sweeps, "with kept factors, per iteration", range::from(0))
+          .field("price", &L::price,
+                 "Of a violation of a hard row, and weight of its square where that price leaves "
+                 "some broken, in units of the cost's curvature over its scale.",
+                 range::positive)
+          .field("largest_price", &L::largest_price,
+                 "What it is raised to until limits are kept, or it is known that they cannot be; "
+                 "below price: it stays.",
+                 range::not_negative)
+          .field("tolerance", &L::tolerance,
+                 "Kept if every violation <= tolerance * scale of its row.", range::positive);
+  return all;
+}
+
 const Description& description_of(const DdpProgress* /*of*/) {
   using D = DdpProgress;
   static const Description all =
@@ -94,6 +123,8 @@ const Description& description_of(const DdpProgress* /*of*/) {
           .field("regularization", &D::regularization)
           .field("penalty", &D::penalty, "of gaps in the merit; MultipleShooting only")
           .field("feasible", &D::feasible)
+          .field("outside", &D::outside, "largest violation of a hard row, in its scale")
+          .field("factors", &D::factors, "recursions of this iteration")
           .field("seconds", &D::seconds, "since the solve began");
   return all;
 }
@@ -134,6 +165,7 @@ const Description& description_of(const DdpOptions* /*of*/) {
           .field("gap_tolerance", &D::gap_tolerance,
                  "Feasible if every |entry of a gap| <= gap_tolerance.", range::not_negative)
           .field("line_search", &D::line_search)
+          .field("limits", &D::limits)
           .field("regularization", &D::regularization)
           .field("callback", &D::callback,
                  "called after each iteration; False stops the solve, None and True go on, and "
@@ -152,6 +184,15 @@ const Description& description_of(const PhaseTimes* /*of*/) {
   return all;
 }
 
+const Description& description_of(const RowPlace* /*of*/) {
+  using R = RowPlace;
+  static const Description all = Describe<R>("solver", "RowPlace", "A row with limits at a knot.")
+                                     .field("knot", &R::knot)
+                                     .field("row", &R::row, "of those of the knot")
+                                     .result();
+  return all;
+}
+
 const Description& description_of(const DdpSummary* /*of*/) {
   using D = DdpSummary;
   static const Description all =
@@ -166,6 +207,12 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("gap_knot", &D::gap_knot,
                  "where: the state that the gap leads to, 0 for the initial one")
           .field("gap_entry", &D::gap_entry, "entry of dx")
+          .field("outside", &D::outside,
+                 "largest violation of a hard row, in its scale, of the trajectory that is "
+                 "returned")
+          .field("outside_knot", &D::outside_knot, "where; -1: every row is within its limits")
+          .field("outside_row", &D::outside_row)
+          .field("conflict", &D::conflict, "Infeasible: rows that cannot hold together")
           .field("status", &D::status,
                  "NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be "
                  "evaluated: where and what.")
@@ -214,7 +261,11 @@ const Description& description_of(const CostReport::Row* /*of*/) {
           .field("lower", &R::lower)
           .field("upper", &R::upper)
           .field("outside", &R::outside,
-                 "how far; negative: the least distance to a limit from inside");
+                 "how far; negative: the least distance to a limit from inside")
+          .field("scale", &R::scale, "in its unit: what counts as much of it")
+          .field("multiplier", &R::multiplier, "of the horizon the largest: see multipliers()")
+          .field("pushed", &R::pushed, "the knot that has that")
+          .field("active", &R::active, "knots at which a limit pushes");
   return all;
 }
 

@@ -48,10 +48,16 @@ void multiply(const StateShape& state, const KnotExpansion& e, int controls, con
     for (int i = 0; i < state.ndx; ++i) next[i] = dense::dot(e.dynamics + i * e.stride, z, nz);
     return;
   }
+  double* dv = next + state.nv;
+  for (int i = 0; i < state.nv; ++i) dv[i] = dense::dot(e.dynamics + i * e.stride, z, nz);
+  complete_next(state, e, controls, z, scratch, next);
+}
+
+void complete_next(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
+                   double* scratch, double* next) {
   const int nv = state.nv;
   const double* dx = z + controls;
-  double* dv = next + nv;
-  for (int i = 0; i < nv; ++i) dv[i] = dense::dot(e.dynamics + i * e.stride, z, nz);
+  const double* dv = next + nv;
   for (int i = 0; i < nv; ++i) next[i] = dx[i] + e.step * dv[i];
   const double* lead = e.lead;
   for (const LeadBlock& b : state.blocks) {

@@ -20,6 +20,10 @@ void project_rows(const StateShape& state, const KnotExpansion& e, const double*
 void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
               double* scratch, double* next);
 
+/// What multiply does once dv' stands in next. SecondOrder.
+void complete_next(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
+                   double* scratch, double* next);
+
 /// out += F^T w. Spoils w; `scratch`: nv entries and a vector to spare. Writes whole vectors.
 void add_transposed(const StateShape& state, const KnotExpansion& e, int controls, double* w,
                     double* scratch, double* out);

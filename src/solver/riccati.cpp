@@ -115,6 +115,18 @@ void RiccatiRecursion::terminal(const KnotExpansion& e, ValueStorage value) cons
   dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx}, value.hessian, layout_.value_stride);
 }
 
+void RiccatiRecursion::terminal(const KnotExpansion& e, const WeightedRows& rows,
+                                ValueStorage value) {
+  const int ndx = state_.ndx;
+  const int vs = layout_.value_stride;
+  std::copy_n(rows.gradient, ndx, value.gradient);
+  for (int i = 0; i < ndx; ++i) dense::copy(e.hessian + i * e.stride, i + 1, qxx_.data() + i * vs);
+  if (rows.count > 0)
+    dense::lower_product<Update::Add>({rows.weighted, rows.stride, 1}, {rows.rows, rows.stride},
+                                      rows.count, ndx, qxx_.data(), vs);
+  dense::mirror_lower({qxx_.data(), vs}, {0, ndx}, value.hessian, vs);
+}
+
 /// Y <- [Huu | Hux], Qxx <- Hxx.
 void RiccatiRecursion::load_cost(const Knot& knot) {
   const KnotExpansion& e = knot.e;
@@ -228,12 +240,27 @@ void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* he
 }
 
 /// q = h + F^T w, and qu in Y.
-void RiccatiRecursion::add_gradient(const Knot& knot) {
+void RiccatiRecursion::add_gradient(const Knot& knot, const double* gradient) {
   double* q = gradient_.data();
-  std::copy_n(knot.e.gradient, knot.nz, q);
+  std::copy_n(gradient, knot.nz, q);
   add_transposed(state_, knot.e, knot.nu, w_next_.data(), knot.own.passed.data(), q);
   double* y = y_.data();
   for (int i = 0; i < knot.nu; ++i) y[i * y_stride_ + knot.nz] = q[i];
+}
+
+/// Quu, Qux and Qxx += C^T w C.
+void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
+  const int first = knot.columns.begin;
+  if (rows.count > 0) {
+    dense::product<Update::Add>({rows.weighted, rows.stride, 1}, {rows.rows + first, rows.stride},
+                                rows.count, knot.nu, knot.width(), y_.data() + first, y_stride_);
+    dense::lower_product<Update::Add>({rows.weighted + knot.nu, rows.stride, 1},
+                                      {rows.rows + knot.nu, rows.stride}, rows.count, knot.rows,
+                                      qxx_.data(), layout_.value_stride);
+  }
+  if (rows.diagonal == nullptr) return;
+  for (int i = first; i < std::min(knot.nu, knot.columns.end); ++i)
+    y_.data()[i * y_stride_ + i] += rows.diagonal[i];
 }
 
 /// Qxx += P^T G + M^T P, where M^T P has the rows of what passes through: dq
@@ -423,7 +450,7 @@ void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStor
 RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const double* gap,
                                    ValueStorage next, double regularization, const ControlBox& box,
                                    PolicyStorage policy, ValueStorage value, double* hessian_gap,
-                                   const Crew& crew) {
+                                   const Crew& crew, const WeightedRows* rows) {
   RiccatiStep result;
   const int ndx = state_.ndx;
   const Knot knot(e, next, controls, ndx, state_.filtered, crew,
@@ -432,11 +459,12 @@ RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const d
 
   if (crew.leads()) cross_gap(knot, gap, hessian_gap, result);
   load_cost(knot);
+  if (rows != nullptr) add_rows(knot, *rows);
   if (e.form == DynamicsForm::SecondOrder) project_value(knot);
   add_to_controls(knot);
   for (int i = knot.columns.begin; i < std::min(controls, knot.columns.end); ++i)
     y_.data()[i * y_stride_ + i] += regularization;
-  if (crew.leads()) add_gradient(knot);
+  if (crew.leads()) add_gradient(knot, rows != nullptr ? rows->gradient : e.gradient);
   crew.meet();
   if (bounded) {
     if (crew.leads()) clamp(knot, box, policy.feedforward, result);
@@ -450,6 +478,29 @@ RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const d
   if (crew.leads()) conclude(knot, bounded, policy, result);
   crew.meet();
   return result;
+}
+
+void RiccatiRecursion::resolve(const KnotExpansion& e, int nu, const RiccatiFactor& factor,
+                               const double* next_gradient, const double* hessian_gap,
+                               double* gradient, PolicyStorage policy, double* value_gradient) {
+  const int ndx = state_.ndx;
+  dense::sum_scaled(next_gradient, 1.0, hessian_gap, ndx, w_next_.data());
+  add_transposed(state_, e, nu, w_next_.data(), own_[0].passed.data(), gradient);
+  double* k = policy.feedforward;
+  for (int i = 0; i < nu; ++i) {  // R^T l = qu
+    double sum = gradient[i];
+    for (int j = 0; j < i; ++j) sum -= factor.r[j * factor.stride + i] * k[j];
+    k[i] = sum * factor.inverse_diagonal[i];
+  }
+  for (int i = nu; i-- > 0;) {  // R k = -l
+    double sum = -k[i];
+    for (int j = i + 1; j < nu; ++j) sum -= factor.r[i * factor.stride + j] * k[j];
+    k[i] = sum * factor.inverse_diagonal[i];
+  }
+  // vx = qx + K^T qu
+  std::copy_n(gradient + nu, ndx, value_gradient);
+  dense::product<Update::Add>({gradient, 1, 1}, {policy.gain, layout_.gain_stride}, nu, 1, ndx,
+                              value_gradient, 0);
 }
 
 }  // namespace burnish

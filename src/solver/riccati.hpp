@@ -55,6 +55,16 @@ struct ControlBox {
   const double* u = nullptr;
 };
 
+/// Rows C z that a knot's cost has squared, 1/2 sum w (C z)^2, beside its expansion.
+struct WeightedRows {
+  const double* rows = nullptr;      ///< C: count x nz
+  const double* weighted = nullptr;  ///< w C
+  int stride = 0;                    ///< of both
+  int count = 0;
+  const double* diagonal = nullptr;  ///< nu entries that come to the diagonal of Quu
+  const double* gradient = nullptr;  ///< nz entries that take the place of the expansion's
+};
+
 /// What one step says about the cost that its policy saves.
 struct RiccatiStep {
   /// First control at which Quu is not positive definite (or not a number); -1: none.
@@ -86,6 +96,8 @@ class RiccatiRecursion {
 
   /// The value function of the end: the terminal cost's expansion.
   void terminal(const KnotExpansion& expansion, ValueStorage value) const;
+  /// The same with rows of the end.
+  void terminal(const KnotExpansion& expansion, const WeightedRows& rows, ValueStorage value);
 
   /// One knot backwards. `regularization` is added to the diagonal of Quu. `hessian_gap` receives
   /// Vxx' gap (value_stride entries). Where a box is given, policy.feedforward is read first: the
@@ -96,10 +108,16 @@ class RiccatiRecursion {
   RiccatiStep step(const KnotExpansion& expansion, int controls, const double* gap,
                    ValueStorage next, double regularization, const ControlBox& box,
                    PolicyStorage policy, ValueStorage value, double* hessian_gap,
-                   const Crew& crew = {});
+                   const Crew& crew = {}, const WeightedRows* rows = nullptr);
 
   /// Of the last step that a worker alone made, without bounds.
   RiccatiFactor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
+
+  /// The step again for another gradient, nz entries, with what it left: `factor` of Quu, the gains
+  /// and Vxx' gap. Spoils the gradient; writes the feedforward and the value function's gradient.
+  void resolve(const KnotExpansion& expansion, int controls, const RiccatiFactor& factor,
+               const double* next_gradient, const double* hessian_gap, double* gradient,
+               PolicyStorage policy, double* value_gradient);
 
  private:
   struct Knot;  ///< what a step is given, and a worker's shares of it
@@ -116,7 +134,8 @@ class RiccatiRecursion {
   void add_passed_to_controls(const Knot& knot);
   const double* pass_filtered(const Knot& knot, int c);
   void cross_gap(const Knot& knot, const double* gap, double* hessian_gap, RiccatiStep& result);
-  void add_gradient(const Knot& knot);
+  void add_gradient(const Knot& knot, const double* gradient);
+  void add_rows(const Knot& knot, const WeightedRows& rows);
   void add_to_states(const Knot& knot);
   void add_passed_to_states(const Knot& knot);
   void add_passed_controls_to_states(const Knot& knot);

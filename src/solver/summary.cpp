@@ -40,6 +40,21 @@ std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
   return "not evaluated" + where + ": " + std::string(describe(s.status));
 }
 
+/// The rows that cannot hold together, each once.
+std::string conflict_text(const DdpSummary& s, const ShootingProblem& problem) {
+  std::vector<std::string> names;
+  for (const RowPlace& place : s.conflict) {
+    const std::string name = name_or_number(problem.row_names(place.knot), place.row);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  constexpr std::size_t most = 5;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    list += (i == 0 ? ": " : ", ") + names[i];
+  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+  return list;
+}
+
 std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   const std::string improvement =
       "the expected improvement " + short_number(s.expected_improvement) + " is ";
@@ -47,7 +62,10 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   const std::string largest = short_number(s.options.regularization.largest);
   switch (s.reason) {
     case StopReason::Converged:
-      return "converged: " + improvement + below;
+      return "converged: " + improvement +
+             (s.expected_improvement < s.options.stop_tolerance
+                  ? below
+                  : "less than what the tolerance of limits is worth");
     case StopReason::MaxIterations:
       return "stopped after " + std::to_string(s.iterations) + " iterations: " + improvement +
              (s.expected_improvement < s.options.stop_tolerance ? below : "not " + below);
@@ -60,6 +78,8 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
       return "Quu is not positive definite at " + problem.knot_name(s.knot) + ", control " +
              name_or_number(problem.control_names(), s.control) + ", though regularised with " +
              largest;
+    case StopReason::Infeasible:
+      return "no trajectory near this one keeps all limits" + conflict_text(s, problem);
     case StopReason::NoStep:
       return "no step length lowers the cost, though regularised with " +
              short_number(s.regularization) +
@@ -70,10 +90,25 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   return "unknown";
 }
 
-/// Rounding breaks no limit.
+/// What a solver keeps limits to, and rounding, break none.
 bool is_broken(const CostReport::Row& row) {
   const double limit = row.value > row.upper ? row.upper : row.lower;
-  return !(row.outside <= 1e-9 * std::max(1.0, std::abs(limit)));
+  return !(row.outside <= std::max(1e-8 * row.scale, 1e-9 * std::max(1.0, std::abs(limit))));
+}
+
+/// The rows whose limits push hardest, by their scale.
+std::string pushing_text(std::vector<CostReport::Row> rows) {
+  std::erase_if(rows, [](const CostReport::Row& row) { return row.active == 0; });
+  if (rows.empty()) return "";
+  const auto push = [](const CostReport::Row& row) { return std::abs(row.multiplier) * row.scale; };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const auto& a, const auto& b) { return push(a) > push(b); });
+  std::string lines = "limits that push: " + std::to_string(rows.size()) + " rows\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), 5); ++i)
+    lines += "  " + short_number(rows[i].multiplier) + "  " + rows[i].name + ": at " +
+             rows[i].pushed + ", at " + std::to_string(rows[i].active) +
+             (rows[i].active == 1 ? " knot" : " knots") + " in all\n";
+  return lines;
 }
 
 /// The rows that are furthest outside their limits, or that none is.
@@ -101,6 +136,11 @@ std::string DdpSummary::text(const ShootingProblem& problem) const {
   std::string sentence = reason_text(*this, problem);
   if (reason == StopReason::NotEvaluated) return sentence;
   sentence += "; cost " + short_number(cost) + ", ";
+  if (outside_knot >= 0)
+    return sentence +
+           "not feasible: " + name_or_number(problem.row_names(outside_knot), outside_row) +
+           " is outside its limits by " + short_number(outside) + " of its scale at " +
+           problem.knot_name(outside_knot);
   if (feasible) return sentence + "feasible";
   const std::vector<std::string> names = problem.state_names();
   return sentence + "not feasible: largest gap " + short_number(largest_gap) + " in " +
@@ -120,7 +160,7 @@ std::string CostReport::text() const {
   for (const Entry& e : by_term) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
   lines += "most expensive knots\n";
   for (const Entry& e : by_knot) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
-  return lines + rows_text(rows);
+  return lines + rows_text(rows) + pushing_text(rows);
 }
 
 }  // namespace burnish

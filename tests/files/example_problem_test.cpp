@@ -24,8 +24,26 @@ std::vector<fs::path> examples() {
 
 class ExampleProblem : public ::testing::TestWithParam<fs::path> {};
 
-/// Cost of the solution's policy with h times `push` (N x nu) added to the controls. Entries that
-/// rest on a bound are held there: what is left may move both ways.
+/// What limits push with, times how far rows have moved from the solution.
+double pushed_limits(Problem& problem, const DdpSolver& solver, int knot, const Eigen::VectorXd& x,
+                     const Eigen::VectorXd& u) {
+  if (problem.rows(knot) == 0) return 0.0;
+  const RowMatrix xs = solver.xs(), us = solver.us();
+  const Eigen::VectorXd x_planned = xs.row(knot),
+                        u_planned = us.row(std::min<Eigen::Index>(knot, us.rows() - 1));
+  const bool ends = knot == problem.knots();
+  const std::vector<double> here = problem.row_values(knot, x.data(), ends ? nullptr : u.data());
+  const std::vector<double> planned =
+      problem.row_values(knot, x_planned.data(), ends ? nullptr : u_planned.data());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < here.size(); ++i)
+    sum += solver.multipliers(knot)[static_cast<Eigen::Index>(i)] * (here[i] - planned[i]);
+  return sum;
+}
+
+/// Cost of the solution's policy with h times `push` (N x nu) added to the controls, and what the
+/// limits push with: the Lagrangian. Entries that rest on a bound are held there: what is left may
+/// move both ways.
 double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& push, double h) {
   const StateShape& shape = problem.state();
   const RowMatrix xs = solver.xs(), us = solver.us();
@@ -42,10 +60,12 @@ double pushed_cost(Problem& problem, const DdpSolver& solver, const RowMatrix& p
       for (int i = 0; i < nu && lower != nullptr; ++i)
         if (us(k, i) < lower[i] + 1e-6 || us(k, i) > upper[i] - 1e-6) u[i] = us(k, i);
     }
-    cost += problem.roll(0, k, x.data(), u.data(), next.data()).cost;
+    cost += problem.roll(0, k, x.data(), u.data(), next.data()).cost +
+            pushed_limits(problem, solver, k, x, u);
     x = next;
   }
-  return cost + problem.roll(0, problem.knots(), x.data(), nullptr, nullptr).cost;
+  return cost + problem.roll(0, problem.knots(), x.data(), nullptr, nullptr).cost +
+         pushed_limits(problem, solver, problem.knots(), x, x);
 }
 
 TEST_P(ExampleProblem, NoChangeOfItsControlsIsCheaper) {

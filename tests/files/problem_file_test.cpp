@@ -207,12 +207,12 @@ TEST_F(ProblemFiles, ReferencesTurnOverTime) {
   const ProblemFile file =
       read(small("directions: z", "directions: z, reference: {surface: {over_time: " + table + "}}",
                  "terminal_constraints:\n"
-                 "  turned: {type: frame_velocity, frame: tool, lower: 0,"
+                 "  turned: {type: frame_velocity, frame: tool, lower: 0, scale: 0.1,"
                  " reference: {axes: link_3, over_time: " +
                      line +
                      "}}\n"
                      "  held: {type: frame_rotation, frame: tool, target: " +
-                     line + ", lower: -1}\n"));
+                     line + ", lower: -1, scale: 1, price: 3, square: 2}\n"));
   const Reference& pad = file.spec.contacts[0].reference;
   EXPECT_EQ(pad.axes, Anchor(Anchor::Base));
   EXPECT_LT((rotation_at(pad, -1.0) - about_z(0.0)).norm(), 1e-8);

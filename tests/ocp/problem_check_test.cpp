@@ -239,15 +239,6 @@ TEST(Complaints, OfBoundsThatCannotHoldTheRobot) {
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
-TEST(Complaints, OfConstraintsThatNothingKeeps) {
-  const Model model = arm.robot.model();
-  ProblemSpec spec = calm_spec(model);
-  spec.stages[0].constraints = {
-      {"slowly", residual::JointVelocity{}, {}, Eigen::VectorXd::Constant(1, 0.5)}};
-  testing::expect_words(only_complaint(spec),
-                        {"solver", "costs alone", "reports", "'slowly' of 'go'"});
-}
-
 TEST(Complaints, OfJointsThatMoveNoMass) {
   Model model = arm.robot.model();
   Joint& last = model.joints.back();

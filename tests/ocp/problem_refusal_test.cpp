@@ -184,9 +184,29 @@ std::vector<BadSpec> bad_constraints() {
           {name, residual::FramePosition{"tool", Eigen::Vector3d(0.3, 0.0, 0.4)}, lower, upper}};
     };
   };
+  const auto priced = [](const Eigen::VectorXd& scale, double price, double square) {
+    return [=](ProblemSpec& s) {
+      s.stages[0].constraints = {{"slow",
+                                  residual::JointVelocity{},
+                                  {},
+                                  Eigen::VectorXd::Constant(1, 0.5),
+                                  scale,
+                                  price,
+                                  square}};
+    };
+  };
   const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
   const Eigen::VectorXd none;
   return {
+      {"constraint_without_a_scale",
+       with(one(0.0), none, "box"),
+       {"constraint 'box'", "row 0", "no range", "wanted scale", "in its unit"}},
+      {"constraint_scales", priced(Eigen::Vector2d(1.0, 1.0), 1.0, 0.0), {"scale has 2 entries"}},
+      {"constraint_scale_zero", priced(one(0.0), 1.0, 0.0), {"scale is 0", "positive"}},
+      {"constraint_price", priced(none, -1.0, 0.0), {"price is -1", "at least 0"}},
+      {"constraint_price_nan", priced(none, nan, 0.0), {"price is nan", "at least 0"}},
+      {"constraint_for_nothing", priced(none, 0.0, 0.0), {"price and square are 0"}},
+      {"constraint_square", priced(none, 1.0, -1.0), {"square is -1", "at least 0"}},
       {"constraint_without_limits",
        with(none, none, "box"),
        {"stage 'press'", "constraint 'box'", "no limits", "lower or an upper"}},

@@ -320,5 +320,37 @@ TEST_P(NoAllocation, OnceAProblemIsMade) {
 INSTANTIATE_TEST_SUITE_P(Robots, NoAllocation, ::testing::ValuesIn(ocp_cases()),
                          [](const auto& test) { return test.param.label(); });
 
+TEST(Problem, RowsWithoutARangeAreScaledByTheRobot) {
+  const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
+  ProblemSpec spec = bare_problem(arm, arm.robot.model());
+  spec.contact_solver.mu = 1e-3;
+  spec.stages = {
+      {.name = "press", .contacts = {"pad"}, .costs = {{.residual = residual::Control{}}}}};
+  spec.horizon = {{"press", 3}};
+  const Eigen::VectorXd most = Eigen::VectorXd::Constant(1, 0.4), zero = Eigen::VectorXd::Zero(1);
+  spec.stages[0].constraints = {
+      {"slow", residual::JointVelocity{{"joint_2"}}, {}, most},
+      {"weak", residual::JointTorque{{"joint_2"}}, zero, {}},
+      {"low", residual::JointPosition{{"joint_2"}}, {}, most},
+      {"pressed", residual::ContactForce{"pad"}, zero, {}},
+      {"near", residual::FramePosition{"tool", Eigen::Vector3d::Zero()}, -most, most},
+      {"still", residual::JointVelocity{{"joint_2"}}, zero, zero, Eigen::VectorXd::Constant(1, 3.0),
+       7.0, 2.0}};
+  Problem problem(spec);
+  const Model& m = problem.spec().model;
+  const int q = m.joints[static_cast<std::size_t>(m.joint_index("joint_2"))].v_index;
+  const double* scale = problem.row_scale(0);
+  EXPECT_EQ(scale[0], m.velocity_limit[q]);
+  EXPECT_EQ(scale[1], m.effort_limit[q]);
+  EXPECT_EQ(scale[2], 0.5 * (m.q_upper[q] - m.q_lower[q]));
+  EXPECT_EQ(scale[3], m.total_mass() * m.gravity.norm());
+  const int rows = problem.rows(0);
+  EXPECT_EQ(scale[rows - 2], 0.4);
+  EXPECT_EQ(scale[rows - 1], 3.0);
+  EXPECT_EQ(problem.row_price(0)[rows - 1], 7.0);
+  EXPECT_EQ(problem.row_square(0)[rows - 1], 2.0);
+  EXPECT_TRUE(std::isinf(problem.row_price(0)[0]));
+}
+
 }  // namespace
 }  // namespace burnish::test

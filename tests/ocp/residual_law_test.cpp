@@ -175,7 +175,8 @@ TEST_P(ResidualLaw, RollAndEvaluateGiveWhatExpandGives) {
 TEST_P(ResidualLaw, IsAConstraintToo) {
   ProblemSpec spec = problem.spec();
   const auto limited = [](const CostTerm& cost, const std::string& name) {
-    return Constraint{name, cost.residual, Eigen::VectorXd::Constant(1, -0.2), {}};
+    return Constraint{
+        name, cost.residual, Eigen::VectorXd::Constant(1, -0.2), {}, Eigen::VectorXd::Ones(1)};
   };
   for (Stage& stage : spec.stages) {
     stage.constraints = {limited(stage.costs[0], "alone"), limited(stage.costs[0], "again")};

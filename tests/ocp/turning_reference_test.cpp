@@ -35,8 +35,11 @@ ProblemSpec all_turned(const OcpCase& test, const Model& model, const Turned& tu
               {.residual = R::ContactForce{"brace", turned(other, Anchor::World)}},
               {.residual = R::FrictionCone{"pad", 0.5, 2, turned(Anchor::Tool, Anchor::Tool)}},
               {.residual = R::custom(WithoutJacobian{.frames = {tool}, .contacts = {"pad"}})}};
-  go.constraints = {
-      {"slow", R::FrameVelocity{tool, turned(Anchor::Tool, other)}, Eigen::VectorXd::Zero(1), {}}};
+  go.constraints = {{"slow",
+                     R::FrameVelocity{tool, turned(Anchor::Tool, other)},
+                     Eigen::VectorXd::Zero(1),
+                     {},
+                     Eigen::VectorXd::Ones(1)}};
   Stage precise = go, touch = go;
   precise.name = "precise";
   precise.integrator = Integrator::RungeKutta4;

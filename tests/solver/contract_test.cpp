@@ -233,6 +233,7 @@ TEST(Solver, reports_rows_where_they_are_furthest_outside_their_limits) {
   const RowMatrix xs = solver.xs();
   Eigen::Index first = 0, second = 0;
   const double most = xs.col(0).maxCoeff(&first), highest = xs.col(1).maxCoeff(&second);
+  p.row_scales = {1.0, 1.0};
   p.row_limits_below = {-1e3, -1e3};
   p.row_limits_above = {most - 0.25, highest + 0.5};
   const CostReport report = solver.cost_report();

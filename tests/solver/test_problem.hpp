@@ -30,6 +30,7 @@ class TestProblem final : public ShootingProblem {
   int most_controls = 0;
   /// Of rows of every knot: the entries of the state.
   std::vector<double> row_limits_below, row_limits_above;
+  std::vector<double> row_scales, row_prices, row_squares;
   int poisoned_knot = -1;  ///< its cost is not a number, in the term 'nothing'
   int poisoned_derivatives = -1;
   mutable int prepared = 0;
@@ -62,6 +63,9 @@ class TestProblem final : public ShootingProblem {
   int max_rows() const override { return rows(0); }
   const double* row_lower(int /*knot*/) const override { return row_limits_below.data(); }
   const double* row_upper(int /*knot*/) const override { return row_limits_above.data(); }
+  const double* row_scale(int /*knot*/) const override { return row_scales.data(); }
+  const double* row_price(int /*knot*/) const override { return row_prices.data(); }
+  const double* row_square(int /*knot*/) const override { return row_squares.data(); }
   std::vector<std::string> row_names(int knot) const override {
     return numbered("limit/x", rows(knot));
   }
@@ -71,23 +75,30 @@ class TestProblem final : public ShootingProblem {
   void prepare(int workers) override { prepared = workers; }
   std::span<const KnotRange> ranges() const override { return ranges_; }
 
-  KnotValue roll(int /*worker*/, int knot, const double* x, const double* u,
-                 double* next) override {
+  KnotValue roll(int /*worker*/, int knot, const double* x, const double* u, double* next,
+                 double* row_values = nullptr) override {
     KnotValue value{stages[knot].roll(x, u, next), Status::Ok, -1};
+    if (row_values != nullptr) std::copy_n(x, rows(knot), row_values);
     if (knot == poisoned_knot) value = {std::nan(""), Status::NotFinite, 1};
     return value;
   }
-  void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
-                KnotValue* values) override {
+  void evaluate(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
+                double* row_values) override {
     for (int k = range.begin; k < range.end; ++k)
       values[k] = roll(worker, k, at.x + k * shape.nx, at.u + k * most_controls,
-                       k < knots() ? next + k * shape.nx : nullptr);
+                       k < knots() ? next + k * shape.nx : nullptr,
+                       row_values != nullptr ? row_values + k * max_rows() : nullptr);
   }
   void expand(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
               KnotExpansion* out) override {
-    evaluate(worker, range, at, next, values);
+    evaluate(worker, range, at, next, values, nullptr);
     for (int k = range.begin; k < range.end; ++k) {
       stages[k].expand(at.x + k * shape.nx, at.u + k * most_controls, out[k]);
+      for (int r = 0; r < rows(k); ++r) {
+        out[k].row_values[r] = at.x[k * shape.nx + r];
+        std::fill_n(out[k].rows + r * out[k].stride, stages[k].nu + shape.ndx, 0.0);
+        out[k].rows[r * out[k].stride + stages[k].nu + r] = 1.0;
+      }
       if (k == poisoned_derivatives) out[k].hessian[0] = std::nan("");
     }
   }

@@ -91,15 +91,20 @@ class Problem final : public ShootingProblem {
   void difference(const double* x0, const double* x1, double* dx) const override;
   const double* control_lower(int knot) const override;
   const double* control_upper(int knot) const override;
+  const double* control_scale(int knot) const override;
   int rows(int knot) const override;
   int max_rows() const override;
   const double* row_lower(int knot) const override;
   const double* row_upper(int knot) const override;
+  const double* row_scale(int knot) const override;
+  const double* row_price(int knot) const override;
+  const double* row_square(int knot) const override;
   void prepare(int workers) override;
   std::span<const KnotRange> ranges() const override;
-  KnotValue roll(int worker, int knot, const double* x, const double* u, double* next) override;
-  void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
-                KnotValue* values) override;
+  KnotValue roll(int worker, int knot, const double* x, const double* u, double* next,
+                 double* rows = nullptr) override;
+  void evaluate(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
+                double* rows = nullptr) override;
   void expand(int worker, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
               KnotExpansion* out) override;
   std::vector<std::string> state_names() const override;

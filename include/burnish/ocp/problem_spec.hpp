@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,9 +57,8 @@ struct CostTerm {
   std::optional<Penalty> penalty = {};
 };
 
-/// lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Evaluated,
-/// differentiated, checked and reported along a trajectory. The solver minimises the costs alone:
-/// it says how far a row is outside its limits, and does not keep it inside.
+/// lower <= r_i <= upper for every row i of a residual; an equality where the two meet. Hard, or
+/// soft with a price.
 struct Constraint {
   std::string name =
       {};  ///< unique among the terms of its stage; the residual's name if left empty
@@ -66,6 +66,14 @@ struct Constraint {
   /// In the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
   /// the margins (friction cone, center of pressure), whose rows are at least zero unless said.
   Eigen::VectorXd lower = {}, upper = {};
+  /// What counts as much of a row, in its unit: per row, one for all, or empty: half the distance
+  /// of its limits, without one the robot's own limit, of forces its weight. Where there is none of
+  /// these it has to be said.
+  Eigen::VectorXd scale = {};
+  /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step);
+  /// infinite: hard.
+  double price = std::numeric_limits<double>::infinity();
+  double square = 0.0;  ///< likewise
 };
 
 /// How the state goes from one knot to the next.

@@ -27,6 +27,7 @@ enum class StopReason {
   TimeBudget,           ///< time_budget was spent
   NotEvaluated,         ///< a knot of the iterate cannot be evaluated: see status, knot, term
   NotPositiveDefinite,  ///< Quu of a knot, with the largest regularisation
+  Infeasible,           ///< no trajectory near keeps all limits; this one breaks them least
   NoStep,               ///< no step length was acceptable, with the largest regularisation
   Callback,             ///< the callback asked for it
 };
@@ -39,6 +40,12 @@ struct PhaseTimes {
   double total = 0.0;
 };
 
+/// A row with limits at a knot.
+struct RowPlace {
+  int knot = 0;
+  int row = 0;  ///< of those of the knot
+};
+
 struct DdpSummary {
   StopReason reason = StopReason::MaxIterations;
   int iterations = 0;  ///< line searches made
@@ -49,6 +56,11 @@ struct DdpSummary {
   double largest_gap = 0.0;           ///< of the trajectory that is returned
   int gap_knot = 0;   ///< where: the state that the gap leads to, 0 for the initial one
   int gap_entry = 0;  ///< entry of dx
+  /// largest violation of a hard row, in its scale, of the trajectory that is returned
+  double outside = 0.0;
+  int outside_knot = -1;  ///< where; -1: every row is within its limits
+  int outside_row = -1;
+  std::vector<RowPlace> conflict = {};  ///< Infeasible: rows that cannot hold together
   /// NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be evaluated:
   /// where and what.
   Status status = Status::Ok;
@@ -81,15 +93,19 @@ struct CostReport {
     std::string name;  ///< as the problem's row_names
     std::string knot;  ///< as the problem's knot_name
     double value, lower, upper;
-    double outside;  ///< how far; negative: the least distance to a limit from inside
+    double outside;           ///< how far; negative: the least distance to a limit from inside
+    double scale = 0.0;       ///< in its unit: what counts as much of it
+    double multiplier = 0.0;  ///< of the horizon the largest: see DdpSolver::multipliers()
+    std::string pushed = {};  ///< the knot that has that
+    int active = 0;           ///< knots at which a limit pushes
   };
   double total = 0.0;
   std::vector<Entry> terms;  ///< summed over knots, in order of appearance
   std::vector<Knot> knots;   ///< N + 1
   std::vector<Row> rows;     ///< over all knots, in order of appearance
 
-  /// A table for people: terms from the largest down, the five most expensive knots, and the five
-  /// rows that are furthest outside their limits.
+  /// A table for people: terms from the largest down, the five most expensive knots, the five rows
+  /// that are furthest outside their limits, and the five whose limits push hardest by their scale.
   std::string text() const;
 };
 
@@ -142,6 +158,9 @@ class DdpSolver {
   /// after convergence about the solution, with a feedforward of zero. nu; nu x ndx.
   VectorView feedforward(int knot) const;
   PaddedView gain(int knot) const;
+  /// Of the knot's rows: the cost that a limit's being one unit further out would save, above zero
+  /// where the upper one pushes. At most a row's price. Zero for all where there are no limits.
+  VectorView multipliers(int knot) const;
   /// Value function about the same iterate: ndx; ndx x ndx. Knots 0 to N.
   VectorView value_gradient(int knot) const;
   PaddedView value_hessian(int knot) const;

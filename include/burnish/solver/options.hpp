@@ -45,6 +45,24 @@ struct LineSearch {
   double rounding = 1e-14;
 };
 
+/// How rows are kept within their limits: semismooth Newton steps on an augmented Lagrangian of the
+/// linear-quadratic problem of each iteration.
+struct LimitOptions {
+  /// Weight of a violation, in units of the cost's curvature over a row's scale. More needs fewer
+  /// changes of multipliers and costs digits.
+  double weight = 1000.0;
+  int max_factors = 50;  ///< recursions per iteration
+  int max_sweeps = 100;  ///< with kept factors, per iteration
+  /// Of a violation of a hard row, and weight of its square where that price leaves some broken, in
+  /// units of the cost's curvature over its scale.
+  double price = 1e4;
+  /// What it is raised to until limits are kept, or it is known that they cannot be; below price:
+  /// it stays.
+  double largest_price = 1e8;
+  /// Kept if every violation <= tolerance * scale of its row.
+  double tolerance = 1e-8;
+};
+
 /// What a callback sees after each iteration.
 struct DdpProgress {
   int iteration = 0;  ///< from 1
@@ -56,6 +74,8 @@ struct DdpProgress {
   double regularization = 0.0;
   double penalty = 0.0;  ///< of gaps in the merit; MultipleShooting only
   bool feasible = false;
+  double outside = 0.0;  ///< largest violation of a hard row, in its scale
+  int factors = 0;       ///< recursions of this iteration
   double seconds = 0.0;  ///< since the solve began
 };
 
@@ -84,6 +104,7 @@ struct DdpOptions {
   /// Feasible if every |entry of a gap| <= gap_tolerance.
   double gap_tolerance = 1e-9;
   LineSearch line_search = {};
+  LimitOptions limits = {};
   Regularization regularization = {};
   /// Called after each iteration. Stops the solve by returning false; what it throws reaches the
   /// caller of solve().

@@ -97,6 +97,8 @@ class ShootingProblem {
   /// Bounds of the controls of a knot, nu entries each, or null where there are none.
   virtual const double* control_lower(int /*knot*/) const { return nullptr; }
   virtual const double* control_upper(int /*knot*/) const { return nullptr; }
+  /// What counts as much of a control that has no bounds, in its unit, above zero; null: 1.
+  virtual const double* control_scale(int /*knot*/) const { return nullptr; }
 
   /// Rows with limits of a knot, and the limits, rows(knot) entries each, infinite where there is
   /// none; null where there are no rows.
@@ -104,6 +106,12 @@ class ShootingProblem {
   virtual int max_rows() const { return 0; }
   virtual const double* row_lower(int /*knot*/) const { return nullptr; }
   virtual const double* row_upper(int /*knot*/) const { return nullptr; }
+  /// In a row's own unit, above zero: what counts as much of it. A tolerance is a share of it.
+  virtual const double* row_scale(int /*knot*/) const { return nullptr; }
+  /// What a violation v of a row costs, price |v| + 1/2 square v^2. An infinite price: none is
+  /// accepted as long as there is a trajectory without any.
+  virtual const double* row_price(int /*knot*/) const { return nullptr; }
+  virtual const double* row_square(int /*knot*/) const { return nullptr; }
 
   /// Makes room for this many workers. May allocate and throw.
   virtual void prepare(int workers) = 0;
@@ -112,15 +120,18 @@ class ShootingProblem {
   /// holds the terminal knot alone.
   virtual std::span<const KnotRange> ranges() const = 0;
 
-  /// Cost and next state of one knot; `next` is not written at the end (knot N).
-  virtual KnotValue roll(int worker, int knot, const double* x, const double* u, double* next) = 0;
+  /// Cost and next state of one knot; `next` is not written at the end (knot N). `rows` receives
+  /// the values of the knot's rows; null: they are not asked for.
+  virtual KnotValue roll(int worker, int knot, const double* x, const double* u, double* next,
+                         double* rows = nullptr) = 0;
 
-  /// The same for a range: knot k of it writes next + k * nx and values[k], both counted from the
-  /// start of the horizon.
+  /// The same for a range: knot k of it writes next + k * nx, values[k] and rows + k * max_rows(),
+  /// all counted from the start of the horizon.
   virtual void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
-                        KnotValue* values) = 0;
+                        KnotValue* values, double* rows = nullptr) = 0;
 
-  /// Like evaluate, and the expansion of each knot, out[k] counted from the start of the horizon.
+  /// Like evaluate, rows in the expansions, and the expansion of each knot, out[k] counted from the
+  /// start of the horizon.
   virtual void expand(int worker, KnotRange range, TrajectoryView at, double* next,
                       KnotValue* values, KnotExpansion* out) = 0;
 

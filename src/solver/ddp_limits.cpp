@@ -1,0 +1,404 @@
+// Rows with limits: what the linear-quadratic problem of an iteration is given, what its solution
+// means for a step, and the merit that steps are judged by,
+//   cost + penalty sum |gap|_1 + sum (price |v| + 1/2 square v^2)  over violations v of rows,
+// with a price of at least the row's multiplier so far. It is exact: where prices are above the
+// multipliers, its minimum is the solution.
+//
+// Hard rows have a price too, a high one, so that an iteration whose rows cannot all be kept has a
+// direction. Where that price leaves some broken for good, hard rows become elastic: violations
+// cost 1/2 S v^2 alone, without multipliers. Where that has a minimum S is raised. Violations that
+// fall with S are those of a problem that can be solved: its multipliers are S v, and limits are
+// hard again, at a higher price. Violations that stay are the least that there are.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/ddp_impl.hpp"
+#include "solver/dense.hpp"
+
+namespace burnish {
+
+namespace {
+/// Prices and limits that count as none.
+constexpr double beyond_all = 1e300;
+/// Limits stay open by so much, in their scale, for so many iterations, where they cannot be kept.
+constexpr double wide_open = 1e-3;
+constexpr int lost_patience = 20;
+/// By so much do violations fall that another, a hundred times larger weight is to thank for.
+constexpr double fall = 0.1, raise = 100.0;
+
+bool is_hard(double price) { return price >= beyond_all; }
+
+double outside_of(double value, double lower, double upper) {
+  return std::max({lower - value, value - upper, 0.0});
+}
+double signed_outside_of(double value, double lower, double upper) {
+  return value > upper ? value - upper : std::min(value - lower, 0.0);
+}
+}  // namespace
+
+/// visit(knot, row of the knot, row of all, lower, upper)
+template <class Visit>
+void DdpSolver::Impl::for_each_row(Visit&& visit) const {
+  for (int k = 0; k <= N; ++k) {
+    const int count = row_counts[static_cast<std::size_t>(k)];
+    if (count == 0) continue;
+    const double* low = problem.row_lower(k);
+    const double* high = problem.row_upper(k);
+    for (int r = 0; r < count; ++r)
+      visit(k, r, static_cast<std::size_t>(k * rows_max + r), low[r], high[r]);
+  }
+}
+
+void DdpSolver::Impl::allocate_rows() {
+  rows_max = problem.max_rows();
+  if (rows_max == 0) return;
+  for (int k = 0; k <= N; ++k)
+    if (problem.rows(k) > 0 &&
+        (problem.row_lower(k) == nullptr || problem.row_upper(k) == nullptr ||
+         problem.row_scale(k) == nullptr || problem.row_price(k) == nullptr ||
+         problem.row_square(k) == nullptr))
+      throw Error(problem.knot_name(k) +
+                  " has rows without limits, scales, prices or squares; wanted all of them");
+  limited = std::make_unique<LimitedLq>(state, N, nu_max, rows_max);
+  row_counts.assign(static_cast<std::size_t>(N) + 1, 0);
+  const auto all = static_cast<std::size_t>(N + 1) * static_cast<std::size_t>(rows_max);
+  merit_prices.assign(all, 0.0);
+  start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
+  for (Iterate* it : {&current, &trial, &best}) it->rows.assign(all, 0.0);
+  const int stride = recursion.layout().expansion_stride;
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    row_memory.emplace_back(static_cast<std::size_t>(rows_max + dense::lanes) *
+                            static_cast<std::size_t>(stride));
+    expansions[i].rows = row_memory.back().data();
+    value_list.push_back(value(k));
+    policy_list.push_back(policy(k));
+  }
+}
+
+void DdpSolver::Impl::start_rows() {
+  if (!limited) return;
+  for (int k = 0; k <= N; ++k) row_counts[static_cast<std::size_t>(k)] = problem.rows(k);
+  std::fill(merit_prices.begin(), merit_prices.end(), 0.0);
+  merit_change = limit_resolution = row_unit = 0.0;
+  elastic = {.weight = options.limits.price};
+  hard_price = options.limits.price;
+  std::fill(start_is_fixed.begin(), start_is_fixed.end(), 0);
+}
+
+double DdpSolver::Impl::square_of(int knot, int row) const {
+  if (!is_hard(problem.row_price(knot)[row])) return problem.row_square(knot)[row];
+  const double scale = problem.row_scale(knot)[row];
+  return (elastic.on ? elastic.weight : options.limits.weight) * row_unit / (scale * scale);
+}
+
+/// Violations of an iterate whose rows are known.
+void DdpSolver::Impl::take_rows(Iterate& at) {
+  at.outside = at.outside_cost = 0.0;
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    const double v = outside_of(at.rows[i], low, high);
+    if (v == 0.0 || is_fixed(k, r)) return;
+    if (is_hard(problem.row_price(k)[r]))
+      at.outside = std::max(at.outside, v / problem.row_scale(k)[r]);
+    at.outside_cost += merit_prices[i] * v + 0.5 * square_of(k, r) * v * v;
+  });
+}
+
+/// Limits of the steps of controls and rows, about the current iterate.
+void DdpSolver::Impl::set_row_limits() {
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const LimitedLq::Rows rows = limited->rows(k);
+    const int nu = controls[i];
+    const bool bounded = k < N && lower[i] != nullptr && upper[i] != nullptr;
+    std::fill_n(rows.weight, limited->first_row() + row_counts[i], 0.0);
+    const double* u = k < N ? current.us.data() + k * nu_max : nullptr;
+    for (int c = 0; bounded && c < nu; ++c) {
+      const double low = std::max(lower[i][c], -beyond_all);
+      const double high = std::min(upper[i][c], beyond_all);
+      if (low <= -beyond_all && high >= beyond_all) continue;
+      rows.lower[c] = low - u[c];
+      rows.upper[c] = high - u[c];
+      const double half = 0.5 * (high - low);
+      rows.scale[c] = half > 0.0 && half < 0.5 * beyond_all
+                          ? half
+                          : std::max(1.0, std::min(std::abs(low), std::abs(high)));
+      rows.weight[c] = 1.0 / (rows.scale[c] * rows.scale[c]);
+      rows.price[c] = beyond_all;
+      rows.beyond[c] = 0.0;
+    }
+  }
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    const LimitedLq::Rows rows = limited->rows(k);
+    const int at = limited->first_row() + r;
+    rows.lower[at] = std::max(low, -beyond_all) - current.rows[i];
+    rows.upper[at] = std::min(high, beyond_all) - current.rows[i];
+    rows.scale[at] = problem.row_scale(k)[r];
+    rows.weight[at] = 1.0 / (rows.scale[at] * rows.scale[at]);
+  });
+}
+
+/// Weights are in units of the cost's curvature, which is that of the controls: the mean of
+/// Huu scale^2.
+double DdpSolver::Impl::curvature_unit() {
+  double sum = 0.0;
+  int count = 0;
+  for (int k = 0; k < N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const LimitedLq::Rows rows = limited->rows(k);
+    const double* unbounded = problem.control_scale(k);
+    for (int c = 0; c < controls[i]; ++c) {
+      const double other = unbounded != nullptr ? unbounded[c] : 1.0;
+      const double scale = rows.weight[c] > 0.0 ? rows.scale[c] : other;
+      sum += expansions[i].hessian[c * expansions[i].stride + c] * scale * scale;
+      ++count;
+    }
+  }
+  return count > 0 && sum > 0.0 ? sum / count : 1.0;
+}
+
+/// Weights, prices and squares; where a row has no multiplier its price is zero.
+void DdpSolver::Impl::set_row_weights() {
+  const double unit = curvature_unit();
+  if (row_unit == 0.0) row_unit = unit;
+  // Bounds on controls hold against squares: they push as hard.
+  const double weight =
+      elastic.on ? std::max(options.limits.weight, elastic.weight) : options.limits.weight;
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const LimitedLq::Rows rows = limited->rows(k);
+    for (int r = 0; r < limited->first_row(); ++r) rows.weight[r] *= weight * unit;
+    for (int r = 0; r < row_counts[i]; ++r)
+      rows.weight[limited->first_row() + r] *= options.limits.weight * unit;
+  }
+  for_each_row([&](int k, int r, std::size_t, double, double) {
+    const LimitedLq::Rows rows = limited->rows(k);
+    const int at = limited->first_row() + r;
+    const double price = problem.row_price(k)[r], square = square_of(k, r);
+    if (is_fixed(k, r)) {
+      rows.weight[at] = rows.multiplier[at] = 0.0;
+    } else if (price == 0.0 || (elastic.on && is_hard(price))) {
+      rows.weight[at] = square;
+      rows.beyond[at] = 1.0;
+      rows.price[at] = rows.multiplier[at] = 0.0;
+    } else {
+      rows.beyond[at] = square / (rows.weight[at] + square);
+      rows.price[at] = std::min(price, hard_price * row_unit / rows.scale[at]);
+      rows.multiplier[at] = std::clamp(rows.multiplier[at], -rows.price[at], rows.price[at]);
+    }
+  });
+}
+
+/// Rows of the first knot that no control moves, which the initial state decides.
+void DdpSolver::Impl::find_fixed_rows() {
+  const KnotExpansion& e = expansions[0];
+  bool found = false;
+  for (int r = 0; r < row_counts[0]; ++r) {
+    const double* row = e.rows + r * e.stride;
+    start_is_fixed[static_cast<std::size_t>(r)] =
+        std::all_of(row, row + controls[0], [](double entry) { return entry == 0.0; });
+    found = found || start_is_fixed[static_cast<std::size_t>(r)] != 0;
+  }
+  if (!found) return;
+  take_rows(current);
+  if (!best_is_current) take_rows(best);
+}
+
+bool DdpSolver::Impl::is_fixed(int knot, int row) const {
+  return knot == 0 && start_is_fixed[static_cast<std::size_t>(row)] != 0;
+}
+
+/// The direction, with policies and value functions of the rows that push.
+bool DdpSolver::Impl::limited_backward() {
+  find_fixed_rows();
+  if (!solve_limited()) return false;
+  const bool open = !limited_result.converged && limited_result.open > wide_open;
+  elastic.lost = open ? elastic.lost + 1 : 0;
+  if (elastic.lost >= lost_patience && become_elastic() && !solve_limited()) return false;
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int nu = controls[i];
+    const double* step = limited->z(k);
+    std::copy_n(step + nu, ndx, dx(k));
+    if (k == N) break;
+    std::copy_n(step, nu, du(k));
+    // The policy goes through the direction, which may be shorter than its own.
+    const PolicyStorage p = policy(k);
+    for (int c = 0; c < nu; ++c)
+      p.feedforward[c] = step[c] - dense::dot(p.gain + c * gain_stride, dx(k), ndx);
+  }
+  return true;
+}
+
+bool DdpSolver::Impl::solve_limited() {
+  set_row_limits();
+  set_row_weights();
+  for (int k = 0; limited_before && k < N; ++k)
+    std::fill_n(policy(k).feedforward, controls[static_cast<std::size_t>(k)], 0.0);
+  const LqHorizon horizon{expansions,          controls,     row_counts, current.gaps.data(),
+                          hessian_gaps.data(), value_stride, value_list, policy_list,
+                          regularization};
+  limited_result = limited->solve(horizon, recursion,
+                                  {.factors = options.limits.max_factors,
+                                   .sweeps = options.limits.max_sweeps,
+                                   .tolerance = 0.1 * options.limits.tolerance},
+                                  limited_before);
+  if (limited_result.failed_knot >= 0) {
+    summary.knot = limited_result.failed_knot;
+    summary.control = limited_result.failed_control;
+    limited_before = false;
+    return false;
+  }
+  limited_before = true;
+  return true;
+}
+
+/// Hard rows lose their multipliers. False where they have, or where there are none.
+bool DdpSolver::Impl::become_elastic() {
+  if (elastic.on || elastic.weight > options.limits.largest_price) return false;
+  bool any = false;
+  for_each_row([&](int k, int r, std::size_t, double, double) {
+    any = any || (is_hard(problem.row_price(k)[r]) && !is_fixed(k, r));
+  });
+  if (!any) return false;
+  elastic.on = true;
+  limited_before = false;
+  // Bounds' multipliers held against those that are gone.
+  for (int k = 0; k <= N; ++k) std::fill_n(limited->rows(k).multiplier, limited->first_row(), 0.0);
+  return true;
+}
+
+/// Near a minimum of the squares: limits are hard again, or the weight is larger. False where
+/// neither helps or it is not near.
+bool DdpSolver::Impl::after_elastic() {
+  const double near = std::max(options.stop_tolerance, 1e-3 * current.outside_cost);
+  if (elastic.stays || summary.expected_improvement >= near) return false;
+  const double before = elastic.violation, now = current.outside;
+  const bool kept = keeps_limits(current), falls = before > 0.0 && now < fall * before;
+  elastic.violation = now;
+  elastic.stays = !kept && !falls && elastic.weight * raise > options.limits.largest_price;
+  if (elastic.stays) return false;
+  if (kept || falls) {
+    for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+      if (!is_hard(problem.row_price(k)[r]) || is_fixed(k, r)) return;
+      limited->rows(k).multiplier[limited->first_row() + r] =
+          square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+    });
+    elastic.on = false;
+    elastic.lost = elastic.stood = 0;
+    hard_price *= raise;
+  }
+  elastic.weight *= raise;
+  return true;
+}
+
+/// Prices of the merit follow the multipliers up.
+void DdpSolver::Impl::raise_prices() {
+  limit_resolution = 0.0;
+  for_each_row([&](int k, int r, std::size_t i, double, double) {
+    const double multiplier = std::abs(limited->rows(k).multiplier[limited->first_row() + r]);
+    limit_resolution += multiplier * problem.row_scale(k)[r] * options.limits.tolerance;
+    const double price = problem.row_price(k)[r];
+    const double most = hard_price * row_unit / problem.row_scale(k)[r];
+    merit_prices[i] = !is_hard(price) ? price
+                      : elastic.on    ? 0.0
+                                      : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
+  });
+  take_rows(current);
+  if (!best_is_current) take_rows(best);
+}
+
+/// What the model says of the whole step.
+void DdpSolver::Impl::model_of_limited() {
+  raise_prices();
+  direction.cost_slope = 0.0;
+  double curvature = 0.0;
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const KnotExpansion& e = expansions[i];
+    const int nz = controls[i] + ndx;
+    const double* zk = limited->z(k);
+    direction.cost_slope += dense::dot(e.gradient, zk, nz);
+    for (int r = 0; r < nz; ++r) {
+      const double* row = e.hessian + r * e.stride;
+      curvature += zk[r] * (2.0 * dense::dot(row, zk, r) + row[r] * zk[r]);
+    }
+  }
+  double change = 0.0;
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    const double before = outside_of(current.rows[i], low, high);
+    const double after =
+        outside_of(current.rows[i] + limited->values(k)[limited->first_row() + r], low, high);
+    change += merit_prices[i] * (after - before) +
+              0.5 * square_of(k, r) * (after * after - before * before);
+  });
+  direction.model_change = direction.cost_slope + 0.5 * curvature;
+  direction.curvature = curvature;
+  direction.slope = direction.cost_slope + change;
+  if (current.gap_sum > 0.0) {
+    const double share = 1.0 - options.line_search.merit_share;
+    const double needed =
+        (direction.slope + 0.5 * std::max(0.0, curvature)) / (share * current.gap_sum);
+    if (needed > penalty) penalty = needed;
+  }
+  direction.slope -= penalty * current.gap_sum;
+  merit_change = direction.slope + 0.5 * curvature;
+}
+
+/// Whether squares of violations have their minimum, and no larger weight would make them less.
+bool DdpSolver::Impl::is_least_violation() const {
+  return elastic.stays &&
+         summary.expected_improvement < options.stop_tolerance + 1e-9 * current.outside_cost;
+}
+
+/// Where the trajectory that is returned breaks a hard limit most, and which rows push as hard as
+/// those that are broken.
+void DdpSolver::Impl::note_outside() {
+  summary.outside = 0.0;
+  summary.outside_knot = summary.outside_row = -1;
+  summary.conflict.clear();
+  const auto violation = [&](int k, int r, std::size_t i, double low, double high) {
+    return is_hard(problem.row_price(k)[r])
+               ? outside_of(current.rows[i], low, high) / problem.row_scale(k)[r]
+               : 0.0;
+  };
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    const double v = violation(k, r, i, low, high);
+    if (v <= std::max(summary.outside, options.limits.tolerance)) return;
+    summary.outside = v;
+    summary.outside_knot = k;
+    summary.outside_row = r;
+  });
+  // What pushes without a multiplier is a square.
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    const int at = limited->first_row() + r;
+    const LimitedLq::Rows rows = limited->rows(k);
+    if (rows.price[at] != 0.0 || rows.weight[at] == 0.0) return;
+    rows.multiplier[at] = square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+  });
+  if (summary.reason != StopReason::Infeasible) return;
+  const double least = std::max(0.01 * current.outside, options.limits.tolerance);
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    if (violation(k, r, i, low, high) > least) summary.conflict.push_back({k, r});
+  });
+}
+
+/// Whether the initial state alone breaks a hard limit.
+bool DdpSolver::Impl::starts_outside() const {
+  bool found = false;
+  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    found = found || (is_fixed(k, r) && is_hard(problem.row_price(k)[r]) &&
+                      outside_of(current.rows[i], low, high) >
+                          options.limits.tolerance * problem.row_scale(k)[r]);
+  });
+  return found;
+}
+
+bool DdpSolver::Impl::accept_limited(double length) const {
+  const LineSearch& rule = options.line_search;
+  const double before = merit(current);
+  return merit(trial) <= before + rule.merit_decrease * length * std::min(0.0, direction.slope) +
+                             rule.rounding * std::abs(before);
+}
+
+}  // namespace burnish

@@ -1,0 +1,435 @@
+#include "solver/limited_lq.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/dense.hpp"
+#include "solver/linear_dynamics.hpp"
+
+namespace burnish {
+
+using dense::Lane;
+using dense::lanes;
+using dense::load;
+using dense::store;
+using dense::Update;
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr double no_price = 1e100;  // of what can always be kept: bounds on controls
+
+/// out += x^T B, B: count x n. The sums stay in registers.
+void add_product(const double* x, dense::Rows b, int count, int n, double* out) {
+  dense::product<Update::Add>({x, 1, 1}, b, count, 1, n, out, 0);
+}
+
+}  // namespace
+
+LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int max_rows)
+    : state_(state),
+      N_(knots),
+      max_controls_(max_controls),
+      max_rows_(max_rows),
+      first_row_(dense::round_up(max_controls)),
+      row_count_(first_row_ + dense::round_up(max_rows)),
+      stride_(RiccatiLayout(state, max_controls).expansion_stride),
+      row_stride_(dense::round_up(std::max(1, max_rows))),
+      control_stride_(dense::round_up(std::max(1, max_controls))),
+      velocity_stride_(dense::round_up(std::max(1, state.nv))) {
+  const int nz = max_controls + state.ndx;
+  const int padded = dense::round_up(nz);
+  const int row_vectors = 11;
+  const int of_knot = 2 * padded + row_vectors * row_count_ + control_stride_ * control_stride_ +
+                      control_stride_ + padded * row_stride_ + padded * velocity_stride_ +
+                      dense::round_up(state.ndx) * control_stride_;
+  memory_ =
+      Buffer(static_cast<std::size_t>(of_knot + 2 * lanes) * static_cast<std::size_t>(N_ + 1));
+  double* next = memory_.data();
+  const auto take = [&](int size) { return std::exchange(next, next + size); };
+  for (int k = 0; k <= N_; ++k) {
+    Knot knot;
+    knot.z = take(padded);
+    knot.z_before = take(padded);
+    for (double** row :
+         {&knot.y, &knot.y_before, &knot.multiplier, &knot.lower, &knot.upper, &knot.scale,
+          &knot.weight, &knot.price, &knot.beyond, &knot.slope, &knot.offset})
+      *row = take(row_count_);
+    knot.factor = take(control_stride_ * control_stride_);
+    knot.inverse_diagonal = take(control_stride_);
+    knot.transposed_rows = take(padded * row_stride_);
+    knot.transposed_dynamics = take(padded * velocity_stride_);
+    knot.transposed_gain = take(dense::round_up(state.ndx) * control_stride_);
+    take(lanes);  // what a read past a row's end meets
+    knots_.push_back(knot);
+  }
+  chosen_ = Buffer(dense::block_size(std::max(1, max_rows), stride_));
+  weighted_ = Buffer(dense::block_size(std::max(1, max_rows), stride_));
+  gradient_ = Buffer(dense::block_size(2, stride_));
+  scratch_ = Buffer(dense::block_size(4, stride_));
+  pieces_.assign(static_cast<std::size_t>((N_ + 1) * row_count_), RowPiece::Inside);
+  found_ = pieces_;
+}
+
+LimitedLq::Rows LimitedLq::rows(int knot) {
+  const Knot& k = knot_at(knot);
+  return {k.lower, k.upper, k.scale, k.weight, k.price, k.beyond, k.multiplier};
+}
+
+RowPiece LimitedLq::piece(int knot, int row) const {
+  return pieces_[static_cast<std::size_t>(knot * row_count_ + row)];
+}
+
+/// Rows of coefficients and dynamics with a column per row and velocity: what follows a policy
+/// wants whole vectors of results.
+void LimitedLq::transpose(const LqHorizon& h) {
+  for (int k = 0; k <= N_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const KnotExpansion& e = h.expansions[i];
+    const int nz = h.controls[i] + state_.ndx;
+    const Knot& mine = knot_at(k);
+    if (h.rows[i] > 0)
+      dense::transpose_copy({e.rows, e.stride}, h.rows[i], nz, mine.transposed_rows, row_stride_);
+    if (k < N_ && e.form == DynamicsForm::SecondOrder)
+      dense::transpose_copy({e.dynamics, e.stride}, state_.nv, nz, mine.transposed_dynamics,
+                            velocity_stride_);
+  }
+}
+
+void LimitedLq::keep() {
+  for (const Knot& k : knots_) {
+    dense::copy(k.z, stride_, k.z_before);
+    dense::copy(k.y, row_count_, k.y_before);
+  }
+}
+
+void LimitedLq::row_values(const LqHorizon& h, int knot) {
+  const auto i = static_cast<std::size_t>(knot);
+  const Knot& mine = knot_at(knot);
+  std::copy_n(mine.z, h.controls[i], mine.y);
+  if (h.rows[i] == 0) return;
+  double* y = mine.y + first_row_;
+  std::fill_n(y, row_stride_, 0.0);
+  add_product(mine.z, {mine.transposed_rows, row_stride_}, h.controls[i] + state_.ndx, h.rows[i],
+              y);
+}
+
+/// z of the policies, through the linear dynamics with the gaps, and the rows' values.
+void LimitedLq::follow_policy(const LqHorizon& h) {
+  const int ndx = state_.ndx;
+  std::copy_n(h.gaps, ndx, knot_at(0).z + h.controls[0]);
+  for (int k = 0; k <= N_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int nu = h.controls[i];
+    const Knot& mine = knot_at(k);
+    if (k < N_ && nu > 0) {
+      double* du = scratch_.data();
+      std::copy_n(h.policies[i].feedforward, nu, du);
+      add_product(mine.z + nu, {mine.transposed_gain, control_stride_}, ndx, nu, du);
+      std::copy_n(du, nu, mine.z);
+    }
+    row_values(h, k);
+    if (k == N_) break;
+    const KnotExpansion& e = h.expansions[i];
+    double* next = knot_at(k + 1).z + h.controls[i + 1];
+    if (e.form == DynamicsForm::SecondOrder) {
+      double* dv = scratch_.data();
+      std::fill_n(dv, velocity_stride_, 0.0);
+      add_product(mine.z, {mine.transposed_dynamics, velocity_stride_}, nu + ndx, state_.nv, dv);
+      std::copy_n(dv, state_.nv, next + state_.nv);
+      complete_next(state_, e, nu, mine.z, scratch_.data(), next);
+    } else {
+      multiply(state_, e, nu, mine.z, scratch_.data(), next);
+    }
+    const double* gap = h.gaps + (k + 1) * h.gap_stride;
+    for (int c = 0; c < ndx; ++c) next[c] += gap[c];
+  }
+}
+
+int LimitedLq::vectors_end(const LqHorizon& h, int knot) const {
+  const int rows = h.rows[static_cast<std::size_t>(knot)];
+  return rows > 0 ? first_row_ + rows : max_controls_;
+}
+
+/// The pieces that values lie on; returns the last knot where one is another than before, or -1.
+int LimitedLq::find_pieces(const LqHorizon& h) {
+  int last = -1;
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    const RowArrays arrays = mine.arrays();
+    const std::size_t begin = static_cast<std::size_t>(k * row_count_);
+    for (int r = 0; r < vectors_end(h, k); ++r) {
+      const RowPiece piece =
+          mine.weight[r] > 0.0 ? row_piece(arrays, r, mine.y[r]) : RowPiece::Inside;
+      found_[begin + static_cast<std::size_t>(r)] = piece;
+      if (piece != pieces_[begin + static_cast<std::size_t>(r)]) last = k;
+    }
+  }
+  return last;
+}
+
+/// Lines of the pieces, for the present multipliers.
+void LimitedLq::take_pieces(const LqHorizon& h) {
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    const RowArrays arrays = mine.arrays();
+    for (int r = 0; r < vectors_end(h, k); ++r) {
+      const RowLine line = row_line(arrays, r, piece(k, r));
+      mine.slope[r] = line.slope;
+      mine.offset[r] = line.offset;
+    }
+  }
+}
+
+/// g + C^T offset.
+void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
+  const auto i = static_cast<std::size_t>(knot);
+  const KnotExpansion& e = h.expansions[i];
+  const Knot& mine = knot_at(knot);
+  const int nu = h.controls[i];
+  dense::copy(e.gradient, nu + state_.ndx, out);
+  for (int c = 0; c < nu; ++c) out[c] += mine.offset[c];
+  if (h.rows[i] > 0)
+    add_product(mine.offset + first_row_, {e.rows, e.stride}, h.rows[i], nu + state_.ndx, out);
+}
+
+/// The rows of a knot that push.
+WeightedRows LimitedLq::weigh(const LqHorizon& h, int knot) {
+  const auto i = static_cast<std::size_t>(knot);
+  const KnotExpansion& e = h.expansions[i];
+  const Knot& mine = knot_at(knot);
+  const int nz = h.controls[i] + state_.ndx;
+  WeightedRows rows{chosen_.data(), weighted_.data(), stride_, 0, mine.slope, gradient_.data()};
+  for (int r = 0; r < h.rows[i]; ++r) {
+    const Lane weight(mine.slope[first_row_ + r]);
+    if (mine.slope[first_row_ + r] == 0.0) continue;
+    const double* from = e.rows + r * e.stride;
+    double* chosen = chosen_.data() + rows.count * stride_;
+    double* weighted = weighted_.data() + rows.count * stride_;
+    for (int c = 0; c < nz; c += lanes) {
+      const Lane entry = load(from + c);
+      store(chosen + c, entry);
+      store(weighted + c, weight * entry);
+    }
+    ++rows.count;
+  }
+  return rows;
+}
+
+/// The recursion from knot `from` to the begin; what it left after that is kept.
+bool LimitedLq::factor(const LqHorizon& h, RiccatiRecursion& recursion, int from,
+                       LimitedLqResult& result) {
+  ++result.factors;
+  for (int k = from; k >= 0; --k) {
+    const auto i = static_cast<std::size_t>(k);
+    gradient(h, k, gradient_.data());
+    const WeightedRows rows = weigh(h, k);
+    if (k == N_) {
+      recursion.terminal(h.expansions[i], rows, h.values[i]);
+      continue;
+    }
+    const int nu = h.controls[i];
+    const RiccatiStep step = recursion.step(
+        h.expansions[i], nu, h.gaps + (k + 1) * h.gap_stride, h.values[i + 1], h.regularization, {},
+        h.policies[i], h.values[i], h.hessian_gaps + (k + 1) * h.gap_stride, {}, &rows);
+    if (step.failed_control >= 0) {
+      result.failed_knot = k;
+      result.failed_control = step.failed_control;
+      return false;
+    }
+    const Knot& mine = knot_at(k);
+    const RiccatiFactor factor = recursion.factor();
+    for (int c = 0; c < nu; ++c)
+      dense::copy(factor.r + c * factor.stride, nu, mine.factor + c * control_stride_);
+    std::copy_n(factor.inverse_diagonal, nu, mine.inverse_diagonal);
+    dense::transpose_copy({h.policies[i].gain, RiccatiLayout(state_, max_controls_).gain_stride},
+                          nu, state_.ndx, mine.transposed_gain, control_stride_);
+  }
+  return true;
+}
+
+/// The recursion for new multipliers, with the factors of the last one.
+void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
+  for (int k = N_; k >= 0; --k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (k == N_) {
+      gradient(h, k, gradient_.data());
+      std::copy_n(gradient_.data(), state_.ndx, h.values[i].gradient);
+      continue;
+    }
+    const Knot& mine = knot_at(k);
+    gradient(h, k, gradient_.data());
+    recursion.resolve(h.expansions[i], h.controls[i],
+                      {mine.factor, control_stride_, mine.inverse_diagonal},
+                      h.values[i + 1].gradient, h.hessian_gaps + (k + 1) * h.gap_stride,
+                      gradient_.data(), h.policies[i], h.values[i].gradient);
+  }
+}
+
+/// Sum of e times the change of the rows' values, at a length between the last trajectory (0) and
+/// this one (1).
+double LimitedLq::force_along(const LqHorizon& h, double length) const {
+  const Lane share(length);
+  Lane sum(0.0);
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    const RowArrays arrays = mine.arrays();
+    for (int r = 0; r < vectors_end(h, k); r += lanes) {
+      const Lane before = load(mine.y_before + r);
+      const Lane change = load(mine.y + r) - before;
+      sum += row_force(arrays, r, before + share * change) * change;
+    }
+  }
+  double total = 0.0;
+  for (int l = 0; l < lanes; ++l) total += sum.lane(l);
+  return total;
+}
+
+/// The objective along a step that a recursion made: its slope at 0, and what the cost alone
+/// curves it by.
+struct LimitedLq::Line {
+  double slope = 0.0, cost_curvature = 0.0;
+};
+
+/// This trajectory is where the pieces' objective has no slope: with d the step, h its Hessian,
+///   slope of it at 0 = -d^T h d = -sum |R (du - K dx)|^2,
+/// and the objective differs from it at 0 by the rows that lie on other pieces there.
+LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
+  double curvature = 0.0, of_rows = 0.0, elsewhere = 0.0;
+  const int ndx = state_.ndx;
+  double* dx = scratch_.data();
+  double* off = dx + stride_;
+  for (int k = 0; k <= N_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int nu = h.controls[i];
+    const Knot& mine = knot_at(k);
+    if (nu > 0) {
+      for (int c = 0; c < ndx; ++c) dx[c] = mine.z_before[nu + c] - mine.z[nu + c];
+      std::fill_n(off, control_stride_, 0.0);
+      add_product(dx, {mine.transposed_gain, control_stride_}, ndx, nu, off);
+      for (int c = 0; c < nu; ++c) off[c] = mine.z[c] - mine.z_before[c] + off[c];
+      for (int c = 0; c < nu; ++c) {
+        const double entry = dense::dot(mine.factor + c * control_stride_ + c, off + c, nu - c);
+        curvature += entry * entry;
+      }
+    }
+    for (int r = 0; r < vectors_end(h, k); ++r) {
+      const double change = mine.y[r] - mine.y_before[r];
+      of_rows += mine.slope[r] * change * change;
+      elsewhere -= (mine.slope[r] * mine.y_before[r] + mine.offset[r]) * change;
+    }
+  }
+  elsewhere += force_along(h, 0.0);
+  return {elsewhere - curvature, curvature - of_rows};
+}
+
+/// Moves the trajectory to the minimum between the last one and this one.
+void LimitedLq::shorten(const LqHorizon& h) {
+  const Line line = this->line(h);
+  const double at_begin = force_along(h, 0.0);
+  const auto slope = [&](double length) {
+    return line.slope + length * line.cost_curvature + force_along(h, length) - at_begin;
+  };
+  double length = 1.0;
+  if (!(line.slope < 0.0)) {
+    length = 0.0;
+  } else if (double above = slope(1.0); above > 1e-9 * -line.slope) {
+    double low = 0.0, high = 1.0, below = line.slope;
+    for (int i = 0; i < 30; ++i) {
+      length = i % 3 == 2 ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
+      const double here = slope(length);
+      if (std::abs(here) < 1e-6 * -line.slope) break;
+      (here < 0.0 ? low : high) = length;
+      (here < 0.0 ? below : above) = here;
+    }
+  } else {
+    return;
+  }
+  const Lane share(length);
+  for (const Knot& k : knots_) {
+    for (int c = 0; c < stride_; c += lanes) {
+      const Lane before = load(k.z_before + c);
+      store(k.z + c, before + share * (load(k.z + c) - before));
+    }
+    for (int r = 0; r < row_count_; r += lanes) {
+      const Lane before = load(k.y_before + r);
+      store(k.y + r, before + share * (load(k.y + r) - before));
+    }
+  }
+}
+
+/// The largest change of one, over its weight and the row's scale. Those of rows that change by
+/// more than `to_price` go to their price at once.
+double LimitedLq::update_multipliers(const LqHorizon& h, double to_price) {
+  double largest = 0.0;
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    for (int r = 0; r < vectors_end(h, k); ++r) {
+      if (mine.weight[r] == 0.0 || mine.price[r] == 0.0) continue;
+      const double next = mine.slope[r] * mine.y[r] + mine.offset[r];
+      const double change = std::abs(next - mine.multiplier[r]) / (mine.weight[r] * mine.scale[r]);
+      largest = std::max(largest, change);
+      mine.multiplier[r] =
+          change > to_price && mine.price[r] < no_price ? std::copysign(mine.price[r], next) : next;
+    }
+  }
+  return largest;
+}
+
+LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion,
+                                 const LimitedLqBudget& budget, bool warm) {
+  LimitedLqResult result;
+  transpose(h);
+  if (warm) {
+    follow_policy(h);
+    keep();
+  } else {
+    // The rows that push where nothing moves.
+    for (int k = 0; k <= N_; ++k) std::fill_n(knot_at(k).y, row_count_, 0.0);
+    find_pieces(h);
+    std::swap(pieces_, found_);
+  }
+  take_pieces(h);
+  if (!factor(h, recursion, N_, result)) return result;
+  follow_policy(h);
+  bool whole = !warm;  // the first step of a start from nothing comes from nowhere
+  // Where multipliers go on growing, rows cannot all be kept, and it is their prices that decide.
+  constexpr int patience = 20;
+  double open_before = std::numeric_limits<double>::infinity();
+  int slow = 0;
+  for (;;) {
+    int from = find_pieces(h);
+    if (from >= 0 && !whole) {
+      shorten(h);
+      from = find_pieces(h);
+    }
+    whole = false;
+    if (from < 0) {
+      slow = result.sweeps > 0 && result.open > 0.99 * open_before ? slow + 1 : 0;
+      open_before = result.open;
+      const bool grows = slow >= patience;
+      if (grows) slow = 0;
+      result.open = update_multipliers(h, grows ? 0.5 * result.open : no_limit);
+      if (result.open <= budget.tolerance) {
+        result.converged = true;
+        return result;
+      }
+      if (result.sweeps >= budget.sweeps) return result;
+      keep();
+      take_pieces(h);
+      sweep(h, recursion);
+      ++result.sweeps;
+    } else {
+      if (result.factors >= budget.factors) return result;
+      slow = 0;
+      std::swap(pieces_, found_);
+      keep();
+      take_pieces(h);
+      if (!factor(h, recursion, from, result)) return result;
+    }
+    follow_policy(h);
+  }
+}
+
+}  // namespace burnish

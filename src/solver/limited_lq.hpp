@@ -1,0 +1,111 @@
+// A linear-quadratic problem over a horizon whose rows have limits:
+//   minimise sum 1/2 z^T H z + g^T z,  dx' = F z + gap,  lower <= C z <= upper,  z = (du, dx),
+// by semismooth Newton steps on an augmented Lagrangian (row_force.hpp). A step is one Riccati
+// recursion with the rows that push added to the cost; its length is the minimum along it, which
+// is exact since what is minimised is convex and piecewise quadratic. Where a step of length one
+// leaves every row on its piece, the multipliers follow, and the next step needs no new factors but
+// a sweep with those there are.
+//
+// A knot's first rows are its controls themselves; those with coefficients follow from first_row().
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/buffer.hpp"
+#include "solver/riccati.hpp"
+#include "solver/row_force.hpp"
+
+namespace burnish {
+
+/// What is solved, and where policy and value function go; knots 0 to N.
+struct LqHorizon {
+  std::span<const KnotExpansion> expansions;
+  std::span<const int> controls;  ///< 0 at N
+  std::span<const int> rows;      ///< with coefficients
+  const double* gaps = nullptr;   ///< that of knot k + 1 leads to dx of k + 1; gap_stride apart
+  double* hessian_gaps = nullptr;
+  int gap_stride = 0;
+  std::span<const ValueStorage> values;
+  std::span<const PolicyStorage> policies;
+  double regularization = 0.0;
+};
+
+struct LimitedLqBudget {
+  int factors = 100;  ///< recursions with new factors, of the whole horizon or its first part
+  int sweeps = 200;   ///< with kept factors
+  /// Of what limits are exceeded by, and multipliers change by over their weight, in a row's scale.
+  double tolerance = 1e-9;
+};
+
+struct LimitedLqResult {
+  int factors = 0, sweeps = 0;
+  bool converged = false;
+  double open = 0.0;  ///< what the tolerance is held against, at the last minimum
+  /// Where Quu is not positive definite; -1: nowhere.
+  int failed_knot = -1, failed_control = -1;
+};
+
+class LimitedLq {
+ public:
+  LimitedLq(const StateShape& state, int knots, int max_controls, int max_rows);
+
+  /// A knot's rows, first_row() + max_rows of them. A solve reads all and writes multipliers.
+  struct Rows {
+    double* lower;  ///< of C z: the limit less the row's present value
+    double* upper;
+    double* scale;   ///< in the row's unit: a tolerance of 1 would be that much
+    double* weight;  ///< 0: no limits
+    double* price;   ///< 0: there is no multiplier
+    double* beyond;
+    double* multiplier;
+  };
+  Rows rows(int knot);
+  int first_row() const { return first_row_; }
+
+  /// `warm`: begins with the policies in the horizon and the pieces that rows lay on. Allocates
+  /// nothing.
+  LimitedLqResult solve(const LqHorizon& horizon, RiccatiRecursion& recursion,
+                        const LimitedLqBudget& budget, bool warm);
+
+  const double* z(int knot) const { return knot_at(knot).z; }
+  /// Of all rows, C z.
+  const double* values(int knot) const { return knot_at(knot).y; }
+  RowPiece piece(int knot, int row) const;
+
+ private:
+  /// Places of a knot's vectors in memory_.
+  struct Knot {
+    double *z, *z_before, *y, *y_before, *multiplier, *lower, *upper, *scale, *weight, *price,
+        *beyond, *slope, *offset, *factor, *inverse_diagonal, *transposed_rows,
+        *transposed_dynamics, *transposed_gain;
+    RowArrays arrays() const { return {lower, upper, weight, price, beyond, multiplier}; }
+  };
+
+  const Knot& knot_at(int knot) const { return knots_[static_cast<std::size_t>(knot)]; }
+  int vectors_end(const LqHorizon& h, int knot) const;
+  void transpose(const LqHorizon& h);
+  void keep();
+  void follow_policy(const LqHorizon& h);
+  void row_values(const LqHorizon& h, int knot);
+  int find_pieces(const LqHorizon& h);
+  void take_pieces(const LqHorizon& h);
+  void gradient(const LqHorizon& h, int knot, double* out) const;
+  WeightedRows weigh(const LqHorizon& h, int knot);
+  bool factor(const LqHorizon& h, RiccatiRecursion& recursion, int from, LimitedLqResult& result);
+  void sweep(const LqHorizon& h, RiccatiRecursion& recursion);
+  struct Line;
+  Line line(const LqHorizon& h);
+  double force_along(const LqHorizon& h, double length) const;
+  void shorten(const LqHorizon& h);
+  double update_multipliers(const LqHorizon& h, double to_price);
+
+  StateShape state_;
+  int N_, max_controls_, max_rows_, first_row_, row_count_, stride_, row_stride_, control_stride_,
+      velocity_stride_;
+  Buffer memory_, chosen_, weighted_, gradient_, scratch_;
+  std::vector<Knot> knots_;
+  std::vector<RowPiece> pieces_, found_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,153 @@
+// Problems whose rows have limits: kept at the solution, by both updates.
+#include <gtest/gtest.h>
+
+#include "burnish/solver/ddp.hpp"
+#include "solver/nonlinear_problems.hpp"
+
+namespace burnish::testing {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void limit_states(TestProblem& p, std::vector<double> lower, std::vector<double> upper) {
+  p.row_scales.assign(lower.size(), 1.0);
+  p.row_prices.assign(lower.size(), infinity);
+  p.row_squares.assign(lower.size(), 0.0);
+  p.row_limits_below = std::move(lower);
+  p.row_limits_above = std::move(upper);
+}
+
+/// Where a limit pushes the row is at it, and on the side that the sign says.
+void expect_multipliers_of_limits(TestProblem& p, const DdpSolver& solver) {
+  double largest = 0.0;
+  for (int k = 0; k <= p.knots(); ++k) {
+    const VectorView multipliers = solver.multipliers(k);
+    ASSERT_EQ(multipliers.size(), p.rows(k));
+    for (int r = 0; r < p.rows(k); ++r) {
+      const double value = solver.xs()(k, r), m = multipliers[r];
+      const auto at = static_cast<std::size_t>(r);
+      if (std::abs(m) > 1e-6) {
+        EXPECT_NEAR(value, m > 0.0 ? p.row_limits_above[at] : p.row_limits_below[at], 1e-6) << k;
+      }
+      largest = std::max(largest, std::abs(m));
+    }
+  }
+  EXPECT_GT(largest, 1e-3) << "no limit pushes";
+  int active = 0;
+  for (const CostReport::Row& row : solver.cost_report().rows) active += row.active;
+  EXPECT_GT(active, 0);
+  EXPECT_NE(solver.cost_report().text().find("limits that push: "), std::string::npos);
+}
+
+class Limits : public ::testing::TestWithParam<StepUpdate> {};
+
+DdpOptions to_convergence(StepUpdate update) {
+  return {.update = update, .max_iterations = 200, .stop_tolerance = 1e-11};
+}
+
+TEST_P(Limits, of_speed_and_torque_are_kept_by_a_pendulum_that_swings_up) {
+  for (const double speed : {6.0, 4.0, 3.0}) {
+    TestProblem p = pendulum_swing_up(80);
+    set_bounds(p, -4.0, 4.5);
+    limit_states(p, {-infinity, -speed}, {infinity, speed});
+    DdpSolver solver(p, to_convergence(GetParam()));
+    const DdpSummary& s = solver.solve();
+    EXPECT_EQ(s.reason, StopReason::Converged) << solver.text();
+    EXPECT_TRUE(s.feasible);
+    EXPECT_EQ(s.outside_knot, -1);
+    EXPECT_LE(solver.xs().col(1).cwiseAbs().maxCoeff(), speed + 1e-7);
+    if (speed < 5.0) expect_multipliers_of_limits(p, solver);
+    EXPECT_LT(solver.optimality_error(), 1e-3);
+    EXPECT_LE(solver.us().maxCoeff(), 4.5);
+    EXPECT_GE(solver.us().minCoeff(), -4.0);
+  }
+}
+
+TEST_P(Limits, of_the_place_are_kept_by_a_unicycle) {
+  TestProblem p = unicycle();
+  limit_states(p, {-infinity, -1.05, -infinity}, {infinity, 0.0, 1.2});
+  DdpSolver solver(p, to_convergence(GetParam()));
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+  EXPECT_LE(solver.xs().col(2).maxCoeff(), 1.2 + 1e-7);
+  EXPECT_GE(solver.xs().col(1).minCoeff(), -1.05 - 1e-7);
+}
+
+TEST_P(Limits, that_nothing_reaches_leave_the_solution_as_it_is) {
+  TestProblem p = unicycle();
+  DdpSolver free(p, to_convergence(GetParam()));
+  free.solve();
+  const RowMatrix xs = free.xs();
+  limit_states(p, {-50.0, -50.0, -50.0}, {50.0, 50.0, 50.0});
+  DdpSolver solver(p, to_convergence(GetParam()));
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+  EXPECT_LE((solver.xs() - xs).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST_P(Limits, are_kept_from_a_start_that_breaks_them) {
+  TestProblem p = unicycle();
+  limit_states(p, {-infinity, -1.05, -infinity}, {infinity, 0.0, 1.2});
+  DdpSolver solver(p, to_convergence(GetParam()));
+  solver.solve();
+  const RowMatrix xs = solver.xs();
+  RowMatrix far_xs = xs, far_us = solver.us();
+  far_xs.col(1).array() += 3.0;
+  far_us.array() += 0.5;
+  for (int i = 0; i < 3; ++i) far_xs(0, i) = p.start[static_cast<std::size_t>(i)];
+  solver.set_guess(far_xs, far_us);
+  EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+  EXPECT_LE((solver.xs() - xs).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST_P(Limits, with_a_price_above_their_multipliers_are_kept_and_broken_below) {
+  TestProblem p = unicycle();
+  limit_states(p, {-infinity, -infinity, -infinity}, {infinity, infinity, 0.8});
+  DdpSolver hard(p, to_convergence(GetParam()));
+  hard.solve();
+  p.row_prices.assign(3, 1e3);
+  DdpSolver dear(p, to_convergence(GetParam()));
+  EXPECT_EQ(dear.solve().reason, StopReason::Converged) << dear.text();
+  EXPECT_LE((dear.xs() - hard.xs()).cwiseAbs().maxCoeff(), 1e-4);
+  p.row_prices.assign(3, 1e-3);
+  DdpSolver cheap(p, to_convergence(GetParam()));
+  EXPECT_EQ(cheap.solve().reason, StopReason::Converged) << cheap.text();
+  EXPECT_GT(cheap.xs().col(2).maxCoeff(), 0.8 + 1e-3);
+  EXPECT_EQ(cheap.summary().outside_knot, -1) << "only hard limits count as broken";
+  // Nothing else is gained by breaking it: the price is paid for what the cost saves.
+  EXPECT_LT(cheap.summary().cost, hard.summary().cost);
+}
+
+TEST_P(Limits, that_cannot_hold_together_end_with_the_least_violation_and_their_names) {
+  // The start has no speed: the first row is broken by a half whatever is done.
+  TestProblem p = pendulum_swing_up(80);
+  set_bounds(p, -4.0, 4.5);
+  limit_states(p, {-infinity, 0.5}, {infinity, infinity});
+  DdpSolver solver(p, to_convergence(GetParam()));
+  const DdpSummary& s = solver.solve();
+  EXPECT_EQ(s.reason, StopReason::Infeasible) << solver.text();
+  EXPECT_EQ(s.outside_knot, 0);
+  EXPECT_EQ(s.outside_row, 1);
+  EXPECT_NEAR(s.outside, 0.5, 1e-9);
+  ASSERT_FALSE(s.conflict.empty());
+  EXPECT_EQ(s.conflict[0].row, 1);
+  EXPECT_NE(solver.text().find("no trajectory near this one keeps all limits: 'limit/x1'"),
+            std::string::npos)
+      << solver.text();
+  // A place that is out of reach: as near as the speed goes.
+  TestProblem far = unicycle();
+  set_bounds(far, -1.0, 1.0);
+  limit_states(far, {-infinity, -infinity, 1.0}, {infinity, infinity, -1.0 + 2.5});
+  far.start[2] = 0.0;
+  DdpSolver turning(far, to_convergence(GetParam()));
+  EXPECT_EQ(turning.solve().reason, StopReason::Infeasible) << turning.text();
+  // It turns as fast as it may: 10 knots at a tenth of a radian.
+  for (int k = 0; k < 10; ++k) EXPECT_NEAR(turning.us()(k, 1), 1.0, 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Updates, Limits,
+                         ::testing::Values(StepUpdate::Rollout, StepUpdate::MultipleShooting),
+                         [](const auto& law) {
+                           return law.param == StepUpdate::Rollout ? "rollout" : "shooting";
+                         });
+
+}  // namespace
+}  // namespace burnish::testing
