@@ -106,7 +106,7 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
 namespace {
 /// The rows of a knot, each where it is worst so far.
 void add_rows(ShootingProblem& problem, int knot, const double* x, const double* u,
-              VectorView multipliers, std::vector<CostReport::Row>& rows) {
+              const VectorView& multipliers, std::vector<CostReport::Row>& rows) {
   if (problem.rows(knot) == 0) return;
   const std::vector<std::string> names = problem.row_names(knot);
   const std::vector<double> values = problem.row_values(knot, x, u);
