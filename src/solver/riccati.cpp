@@ -480,27 +480,28 @@ RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const d
   return result;
 }
 
-void RiccatiRecursion::resolve(const KnotExpansion& e, int nu, const RiccatiFactor& factor,
-                               const double* next_gradient, const double* hessian_gap,
-                               double* gradient, PolicyStorage policy, double* value_gradient) {
+void RiccatiRecursion::resolve(const KnotExpansion& expansion, int controls,
+                               const RiccatiFactor& factor, const double* next_gradient,
+                               const double* hessian_gap, double* gradient, PolicyStorage policy,
+                               double* value_gradient) {
   const int ndx = state_.ndx;
   dense::sum_scaled(next_gradient, 1.0, hessian_gap, ndx, w_next_.data());
-  add_transposed(state_, e, nu, w_next_.data(), own_[0].passed.data(), gradient);
+  add_transposed(state_, expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
   double* k = policy.feedforward;
-  for (int i = 0; i < nu; ++i) {  // R^T l = qu
+  for (int i = 0; i < controls; ++i) {  // R^T l = qu
     double sum = gradient[i];
     for (int j = 0; j < i; ++j) sum -= factor.r[j * factor.stride + i] * k[j];
     k[i] = sum * factor.inverse_diagonal[i];
   }
-  for (int i = nu; i-- > 0;) {  // R k = -l
+  for (int i = controls; i-- > 0;) {  // R k = -l
     double sum = -k[i];
-    for (int j = i + 1; j < nu; ++j) sum -= factor.r[i * factor.stride + j] * k[j];
+    for (int j = i + 1; j < controls; ++j) sum -= factor.r[i * factor.stride + j] * k[j];
     k[i] = sum * factor.inverse_diagonal[i];
   }
   // vx = qx + K^T qu
-  std::copy_n(gradient + nu, ndx, value_gradient);
-  dense::product<Update::Add>({gradient, 1, 1}, {policy.gain, layout_.gain_stride}, nu, 1, ndx,
-                              value_gradient, 0);
+  std::copy_n(gradient + controls, ndx, value_gradient);
+  dense::product<Update::Add>({gradient, 1, 1}, {policy.gain, layout_.gain_stride}, controls, 1,
+                              ndx, value_gradient, 0);
 }
 
 }  // namespace burnish
