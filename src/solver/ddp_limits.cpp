@@ -297,12 +297,15 @@ void DdpSolver::Impl::raise_prices() {
   limit_resolution = 0.0;
   for_each_row([&](int k, int r, std::size_t i, double, double) {
     const double multiplier = std::abs(limited->rows(k).multiplier[limited->first_row() + r]);
-    limit_resolution += multiplier * problem.row_scale(k)[r] * options.limits.tolerance;
     const double price = problem.row_price(k)[r];
     const double most = hard_price * row_unit / problem.row_scale(k)[r];
     merit_prices[i] = !is_hard(price) ? price
                       : elastic.on    ? 0.0
                                       : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
+    // What pushes is kept to the tolerance, and the merit has that at its price.
+    if (multiplier > 0.0)
+      limit_resolution += std::max(multiplier, merit_prices[i]) * problem.row_scale(k)[r] *
+                          options.limits.tolerance;
   });
   take_rows(current);
   if (!best_is_current) take_rows(best);
