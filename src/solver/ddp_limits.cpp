@@ -292,20 +292,18 @@ bool DdpSolver::Impl::after_elastic() {
   return true;
 }
 
-/// Prices of the merit follow the multipliers up.
+/// Prices of the merit follow the multipliers up, to those of the rows: what lies far above a
+/// multiplier would weigh what is left of a violation, to the tolerance, as if it were one.
 void DdpSolver::Impl::raise_prices() {
   limit_resolution = 0.0;
   for_each_row([&](int k, int r, std::size_t i, double, double) {
     const double multiplier = std::abs(limited->rows(k).multiplier[limited->first_row() + r]);
+    limit_resolution += multiplier * problem.row_scale(k)[r] * options.limits.tolerance;
     const double price = problem.row_price(k)[r];
-    const double most = hard_price * row_unit / problem.row_scale(k)[r];
-    merit_prices[i] = !is_hard(price) ? price
-                      : elastic.on    ? 0.0
-                                      : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
-    // What pushes is kept to the tolerance, and the merit has that at its price.
-    if (multiplier > 0.0)
-      limit_resolution += std::max(multiplier, merit_prices[i]) * problem.row_scale(k)[r] *
-                          options.limits.tolerance;
+    const double most = is_hard(price) ? hard_price * row_unit / problem.row_scale(k)[r] : price;
+    merit_prices[i] = elastic.on && is_hard(price)
+                          ? 0.0
+                          : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
   });
   take_rows(current);
   if (!best_is_current) take_rows(best);
