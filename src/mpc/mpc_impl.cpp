@@ -74,6 +74,7 @@ void MpcController::Impl::reset() noexcept {
   plans_.reset();
   black_box_.reset();
   thrown = nullptr;
+  solver.forget_limits();
   tick_ = 0;
   due_ = solved_ = warm_ = jumped_ = false;
   command_ = Command{std::move(command_.tau)};

@@ -154,14 +154,21 @@ void CheckPoint::expand() {
   knot.dynamics = dynamics.data();
   knot.lead = lead.data();
   knot.decay = decay.data();
-  rows_.resize(problem_.rows(knot_), stride);
+  RowMatrix coefficients(problem_.rows(knot_), stride);
   Eigen::VectorXd row_values(problem_.rows(knot_));
-  knot.rows = rows_.data();
+  knot.rows = coefficients.data();
   knot.row_values = row_values.data();
   problem_.expand(0, {knot_, knot_ + 1}, {x.data(), u.data()}, next.data(), values.data(),
                   out.data());
   gradient_.conservativeResize(nz_);
   if (knot_ < problem_.knots()) dynamics_ = dense_dynamics(shape, knot, nu_);
+  rows_ = RowMatrix::Zero(problem_.rows(knot_), nz_);
+  for (int r = 0, next_row = 0; r < problem_.rows(knot_); ++r) {
+    if (const int entry = problem_.row_entry(knot_)[r]; entry >= 0)
+      rows_(r, entry) = 1.0;
+    else
+      rows_.row(r) = coefficients.row(next_row++).head(nz_);
+  }
 }
 
 std::vector<DerivativeBlock> CheckPoint::next_state() {

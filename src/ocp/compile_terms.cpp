@@ -13,6 +13,7 @@
 #include "model/followers.hpp"
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
+#include "ocp/row_prices.hpp"
 
 namespace burnish::ocp {
 namespace {
@@ -432,62 +433,28 @@ struct TermBuilder {
     term.first_row = stage.rows();
     stage.row_lower.insert(stage.row_lower.end(), term.lower.begin(), term.lower.end());
     stage.row_upper.insert(stage.row_upper.end(), term.upper.begin(), term.upper.end());
-    finish_prices(constraint);
+    find_entries();
+    add_row_prices(constraint, residual, term, problem, where, stage);
   }
-  /// What counts as much of a row whose limits have no distance: the robot's own limit, or its
-  /// weight where the row is a force; 0 where neither is known.
-  double derived_scale(std::size_t row) const {
-    const Model& model = problem.model;
-    const double weight = model.total_mass() * model.gravity.norm();
-    if (std::holds_alternative<residual::ContactForce>(residual) ||
-        std::holds_alternative<residual::FrictionCone>(residual))
-      return weight;
-    if (const auto* pressure = std::get_if<residual::CenterOfPressure>(&residual))
-      return weight * std::min(pressure->half_x, pressure->half_y);
+  /// Rows that are entries of z each, another than those before: they need no coefficients.
+  void find_entries() {
+    std::vector<int> entries(static_cast<std::size_t>(term.rows), -1);
     const auto* selected = std::get_if<Selection>(&term.residual);
-    if (selected == nullptr) return 0.0;
-    const int entry = selected->entries[row];
-    switch (selected->source) {
-      case Selection::Source::Q:
-        return 0.5 * (model.q_upper[entry] - model.q_lower[entry]);
-      case Selection::Source::V:
-        return model.velocity_limit[entry];
-      case Selection::Source::TorqueState:
-      case Selection::Source::U:
-        return model.effort_limit[layout().actuated[static_cast<std::size_t>(entry)]];
+    const bool is_bounded = spec.control_lower.size() > 0 || spec.control_upper.size() > 0;
+    bool alone = selected != nullptr && !(selected->source == Selection::Source::U && is_bounded);
+    for (int i = 0; alone && i < term.rows; ++i) {
+      const int entry =
+          term.blocks[0].columns[static_cast<std::size_t>(i)] - layout().nu + stage.nu;
+      const auto taken = [&](const std::vector<int>& all) {
+        return std::find(all.begin(), all.end(), entry) != all.end();
+      };
+      alone = !taken(stage.row_entry) && !taken(entries);
+      entries[static_cast<std::size_t>(i)] = entry;
     }
-    return 0.0;
-  }
-  double scale_of(std::size_t row) {
-    const auto counts = [](double scale) { return scale > 0.0 && std::isfinite(scale); };
-    const double half = 0.5 * (term.upper[row] - term.lower[row]), derived = derived_scale(row);
-    if (counts(half)) return half;
-    if (!counts(derived))
-      refuse("row " + std::to_string(row) +
-             " has no range, nor a limit of the robot, to scale by; wanted scale: what counts as "
-             "much of it, in its unit");
-    return derived;
-  }
-  void finish_prices(const Constraint& constraint) {
-    if (!(constraint.price >= 0.0))
-      refuse("its price is " + number(constraint.price) + "; wanted at least 0");
-    if (constraint.price == 0.0 && constraint.square == 0.0)
-      refuse("its price and square are 0, so that it is nothing to break it; wanted one of them");
-    if (!(constraint.square >= 0.0) || !std::isfinite(constraint.square))
-      refuse("its square is " + number(constraint.square) + "; wanted a number of at least 0");
-    const Eigen::VectorXd& scale = constraint.scale;
-    if (scale.size() > 1 && scale.size() != term.rows)
-      refuse("its scale has " + std::to_string(scale.size()) + " entries; wanted 1 or " +
-             std::to_string(term.rows));
-    for (int i = 0; i < term.rows; ++i) {
-      const double given = scale.size() == 0 ? scale_of(static_cast<std::size_t>(i))
-                                             : scale[scale.size() == 1 ? 0 : i];
-      if (!(given > 0.0) || !std::isfinite(given))
-        refuse("its scale is " + number(given) + "; wanted a positive number");
-      stage.row_scale.push_back(given);
-      stage.row_price.push_back(constraint.price);
-      stage.row_square.push_back(constraint.square);
-    }
+    if (!alone) std::fill(entries.begin(), entries.end(), -1);
+    stage.row_entry.insert(stage.row_entry.end(), entries.begin(), entries.end());
+    term.first_coefficients = alone ? -1 : stage.coefficient_rows;
+    if (!alone) stage.coefficient_rows += term.rows;
   }
   void finish_weights(const CostTerm& cost) {
     if (!(cost.weight >= 0.0) || !std::isfinite(cost.weight))

@@ -30,6 +30,8 @@ struct CompiledTerm {
   std::vector<JacobianBlock> blocks;
   int jacobian_size = 0;
   int first_row = 0;  ///< of a constraint, in the stage's rows
+  /// Of a constraint, in those of the stage that are no entries of z; -1: all of its rows are.
+  int first_coefficients = 0;
 };
 
 /// A reference whose rotation is data of each knot: nine of the stage's targets, by columns.
@@ -50,10 +52,12 @@ struct CompiledStage {
   std::size_t costs = 0;                     ///< how many are costs
   std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
   std::vector<double> row_scale, row_price, row_square;
+  std::vector<int> row_entry;  ///< ShootingProblem::row_entry
   std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }
-  int targets = 0;  ///< entries of all targets and turnings
+  int coefficient_rows = 0;  ///< of all constraints, those that are no entries of z
+  int targets = 0;           ///< entries of all targets and turnings
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed

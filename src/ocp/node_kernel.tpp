@@ -148,16 +148,17 @@ template <class S>
 void NodeKernel<S>::add_constraints(const CompiledStage& stage, const S* targets,
                                     const double* times, bool expand) {
   const int nz = problem_->layout.nz();
-  if (expand) std::fill_n(rows.begin(), stage.rows() * nz, S(0.0));
+  if (expand) std::fill_n(rows.begin(), stage.coefficient_rows * nz, S(0.0));
   for (const CompiledTerm& term : stage.constraints()) {
+    const bool differentiate = expand && term.first_coefficients >= 0;
     residual(stage, term, targets, times, row_values.data() + term.first_row,
-             expand ? jacobian_.data() : nullptr);
-    if (!expand) continue;
+             differentiate ? jacobian_.data() : nullptr);
+    if (!differentiate) continue;
     const S* J = jacobian_.data();
     for (const JacobianBlock& block : term.blocks) {
       const int columns = static_cast<int>(block.columns.size());
       for (int i = 0; i < block.rows; ++i) {
-        S* const row = rows.data() + (term.first_row + block.row + i) * nz;
+        S* const row = rows.data() + (term.first_coefficients + block.row + i) * nz;
         if (block.diagonal) {
           row[block.columns[i]] = J[i];
         } else {
@@ -289,7 +290,8 @@ void NodeKernel<S>::check_finite(const CompiledStage& stage, bool expanded) {
   if (const int limited = stage.rows(); limited > 0) [[unlikely]] {
     for (int i = 0; i < limited; ++i) zero += row_values[i] * S(0.0);
     if (expanded)
-      for (int i = 0; i < limited * problem_->layout.nz(); ++i) zero += rows[i] * S(0.0);
+      for (int i = 0; i < stage.coefficient_rows * problem_->layout.nz(); ++i)
+        zero += rows[i] * S(0.0);
   }
   const auto bad = mask_not(less(absolute(zero), S(1.0)));
   if (!any(bad)) [[likely]]

@@ -184,6 +184,9 @@ const double* Problem::row_lower(int knot) const {
 const double* Problem::row_upper(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_upper.data();
 }
+const int* Problem::row_entry(int knot) const {
+  return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_entry.data();
+}
 const double* Problem::row_scale(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_scale.data();
 }

@@ -321,7 +321,8 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
     collect(&KnotExpansion::row_values);
     ocp::scatter_rows(w.pack.row_values.data(), 1, rows, rows, lanes, to, rows);
     collect(&KnotExpansion::rows);
-    ocp::scatter_rows(w.pack.rows.data() + skip, rows, nz - skip, nz, lanes, to, stride);
+    ocp::scatter_rows(w.pack.rows.data() + skip, at_stage.coefficient_rows, nz - skip, nz, lanes,
+                      to, stride);
   }
   if (at_stage.terminal) return;
   const bool dense = at_stage.integrator == Integrator::RungeKutta4 && !at_stage.impact;

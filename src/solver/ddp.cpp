@@ -52,6 +52,10 @@ void DdpSolver::set_guess(const TrajectoryView& guess) {
   std::copy_n(guess.u, s.current.us.size(), s.current.us.data());
 }
 
+void DdpSolver::forget_limits() noexcept {
+  if (impl_->limited) impl_->forget_limits();
+}
+
 const DdpSummary& DdpSolver::solve() {
   impl_->began = Impl::Clock::now();
   const ThreadPool::Awake awake(*impl_->pool);
@@ -79,8 +83,7 @@ PaddedView DdpSolver::gain(int knot) const {
 VectorView DdpSolver::multipliers(int knot) const {
   const auto k = static_cast<std::size_t>(knot);
   if (!impl_->limited) return {nullptr, 0};
-  return {impl_->limited->rows(knot).multiplier + impl_->limited->first_row(),
-          impl_->row_counts[k]};
+  return {impl_->row_multipliers.data() + knot * impl_->rows_max, impl_->row_counts[k]};
 }
 
 VectorView DdpSolver::value_gradient(int knot) const {
@@ -182,8 +185,16 @@ double DdpSolver::optimality_error() {
     const KnotExpansion& e = s.expansions[static_cast<std::size_t>(k)];
     const VectorView of_rows = s.limited ? multipliers(k) : VectorView(nullptr, 0);
     const int nz = s.controls[static_cast<std::size_t>(k)] + s.ndx;
-    for (Eigen::Index r = 0; r < of_rows.size(); ++r)
-      for (int c = 0; c < nz; ++c) gradient[c] += of_rows[r] * e.rows[r * e.stride + c];
+    const int* entry = s.problem.row_entry(k);
+    const double* row = e.rows;
+    for (Eigen::Index r = 0; r < of_rows.size(); ++r) {
+      if (entry != nullptr && entry[r] >= 0) {
+        gradient[entry[r]] += of_rows[r];
+        continue;
+      }
+      for (int c = 0; c < nz; ++c) gradient[c] += of_rows[r] * row[c];
+      row += e.stride;
+    }
   };
   std::copy_n(s.expansions[static_cast<std::size_t>(s.N)].gradient, s.ndx, multiplier.data());
   add_limits(s.N, multiplier.data());

@@ -81,6 +81,9 @@ struct DdpSolver::Impl {
   // Rows with limits, in ddp_limits.cpp.
   void allocate_rows();
   void start_rows();
+  void place_rows();
+  bool is_bounded(int knot, int control) const;
+  void forget_limits() noexcept;
   void take_rows(Iterate& at);
   void set_row_limits();
   void set_row_weights();
@@ -155,6 +158,9 @@ struct DdpSolver::Impl {
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
+  std::vector<int> coefficient_counts;  ///< of those that are no entries of z
+  std::vector<int> row_slots;           ///< of each row its place in `limited`
+  std::vector<double> row_multipliers;  ///< rows_max of each knot, of the last solve
   std::vector<ValueStorage> value_list;
   std::vector<PolicyStorage> policy_list;
   std::vector<double> merit_prices;  ///< of violations, rows_max of each knot

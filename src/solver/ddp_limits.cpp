@@ -61,8 +61,12 @@ void DdpSolver::Impl::allocate_rows() {
                   " has rows without limits, scales, prices or squares; wanted all of them");
   limited = std::make_unique<LimitedLq>(state, N, nu_max, rows_max);
   row_counts.assign(static_cast<std::size_t>(N) + 1, 0);
+  coefficient_counts = row_counts;
   const auto all = static_cast<std::size_t>(N + 1) * static_cast<std::size_t>(rows_max);
   merit_prices.assign(all, 0.0);
+  row_slots.assign(all, 0);
+  row_multipliers.assign(all, 0.0);
+  summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
   for (Iterate* it : {&current, &trial, &best}) it->rows.assign(all, 0.0);
   const int stride = recursion.layout().expansion_stride;
@@ -78,12 +82,40 @@ void DdpSolver::Impl::allocate_rows() {
 
 void DdpSolver::Impl::start_rows() {
   if (!limited) return;
-  for (int k = 0; k <= N; ++k) row_counts[static_cast<std::size_t>(k)] = problem.rows(k);
+  place_rows();
   std::fill(merit_prices.begin(), merit_prices.end(), 0.0);
   merit_change = limit_resolution = row_unit = 0.0;
   elastic = {.weight = options.limits.price};
   hard_price = options.limits.price;
   std::fill(start_is_fixed.begin(), start_is_fixed.end(), 0);
+}
+
+/// Rows that are entries of z have their places among those, the others behind them.
+void DdpSolver::Impl::place_rows() {
+  for (int k = 0; k <= N; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int* entry = problem.row_entry(k);
+    int* slot = row_slots.data() + k * rows_max;
+    int behind = 0;
+    row_counts[i] = problem.rows(k);
+    for (int r = 0; r < row_counts[i]; ++r)
+      slot[r] = entry != nullptr && entry[r] >= 0 ? entry[r] : limited->first_row() + behind++;
+    coefficient_counts[i] = behind;
+  }
+}
+
+bool DdpSolver::Impl::is_bounded(int knot, int control) const {
+  const auto i = static_cast<std::size_t>(knot);
+  return knot < N && lower[i] != nullptr && upper[i] != nullptr &&
+         (lower[i][control] > -beyond_all || upper[i][control] < beyond_all);
+}
+
+/// Policies and multipliers of directions before.
+void DdpSolver::Impl::forget_limits() noexcept {
+  limited_before = false;
+  for (int k = 0; k <= N; ++k)
+    std::fill_n(limited->rows(k).multiplier, limited->first_row() + rows_max, 0.0);
+  std::fill(row_multipliers.begin(), row_multipliers.end(), 0.0);
 }
 
 double DdpSolver::Impl::square_of(int knot, int row) const {
@@ -110,13 +142,12 @@ void DdpSolver::Impl::set_row_limits() {
     const auto i = static_cast<std::size_t>(k);
     const LimitedLq::Rows rows = limited->rows(k);
     const int nu = controls[i];
-    const bool bounded = k < N && lower[i] != nullptr && upper[i] != nullptr;
-    std::fill_n(rows.weight, limited->first_row() + row_counts[i], 0.0);
+    std::fill_n(rows.weight, limited->first_row() + coefficient_counts[i], 0.0);
     const double* u = k < N ? current.us.data() + k * nu_max : nullptr;
-    for (int c = 0; bounded && c < nu; ++c) {
+    for (int c = 0; c < nu; ++c) {
+      if (!is_bounded(k, c)) continue;
       const double low = std::max(lower[i][c], -beyond_all);
       const double high = std::min(upper[i][c], beyond_all);
-      if (low <= -beyond_all && high >= beyond_all) continue;
       rows.lower[c] = low - u[c];
       rows.upper[c] = high - u[c];
       const double half = 0.5 * (high - low);
@@ -130,7 +161,7 @@ void DdpSolver::Impl::set_row_limits() {
   }
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
     const LimitedLq::Rows rows = limited->rows(k);
-    const int at = limited->first_row() + r;
+    const int at = row_slots[i];
     rows.lower[at] = std::max(low, -beyond_all) - current.rows[i];
     rows.upper[at] = std::min(high, beyond_all) - current.rows[i];
     rows.scale[at] = problem.row_scale(k)[r];
@@ -167,13 +198,13 @@ void DdpSolver::Impl::set_row_weights() {
   for (int k = 0; k <= N; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const LimitedLq::Rows rows = limited->rows(k);
-    for (int r = 0; r < limited->first_row(); ++r) rows.weight[r] *= weight * unit;
-    for (int r = 0; r < row_counts[i]; ++r)
-      rows.weight[limited->first_row() + r] *= options.limits.weight * unit;
+    for (int c = 0; c < controls[i]; ++c)
+      if (is_bounded(k, c)) rows.weight[c] *= weight * unit;
   }
-  for_each_row([&](int k, int r, std::size_t, double, double) {
+  for_each_row([&](int k, int r, std::size_t i, double, double) {
     const LimitedLq::Rows rows = limited->rows(k);
-    const int at = limited->first_row() + r;
+    const int at = row_slots[i];
+    rows.weight[at] *= options.limits.weight * unit;
     const double price = problem.row_price(k)[r], square = square_of(k, r);
     if (is_fixed(k, r)) {
       rows.weight[at] = rows.multiplier[at] = 0.0;
@@ -194,9 +225,12 @@ void DdpSolver::Impl::find_fixed_rows() {
   const KnotExpansion& e = expansions[0];
   bool found = false;
   for (int r = 0; r < row_counts[0]; ++r) {
-    const double* row = e.rows + r * e.stride;
+    const int slot = row_slots[static_cast<std::size_t>(r)];
+    const double* row = e.rows + (slot - limited->first_row()) * e.stride;
     start_is_fixed[static_cast<std::size_t>(r)] =
-        std::all_of(row, row + controls[0], [](double entry) { return entry == 0.0; });
+        slot < limited->first_row()
+            ? slot >= controls[0]
+            : std::all_of(row, row + controls[0], [](double entry) { return entry == 0.0; });
     found = found || start_is_fixed[static_cast<std::size_t>(r)] != 0;
   }
   if (!found) return;
@@ -235,9 +269,9 @@ bool DdpSolver::Impl::solve_limited() {
   set_row_weights();
   for (int k = 0; limited_before && k < N; ++k)
     std::fill_n(policy(k).feedforward, controls[static_cast<std::size_t>(k)], 0.0);
-  const LqHorizon horizon{expansions,          controls,     row_counts, current.gaps.data(),
-                          hessian_gaps.data(), value_stride, value_list, policy_list,
-                          regularization};
+  const LqHorizon horizon{
+      expansions,   controls,   coefficient_counts, current.gaps.data(), hessian_gaps.data(),
+      value_stride, value_list, policy_list,        regularization};
   limited_result = limited->solve(horizon, recursion,
                                   {.factors = options.limits.max_factors,
                                    .sweeps = options.limits.max_sweeps,
@@ -246,7 +280,7 @@ bool DdpSolver::Impl::solve_limited() {
   if (limited_result.failed_knot >= 0) {
     summary.knot = limited_result.failed_knot;
     summary.control = limited_result.failed_control;
-    limited_before = false;
+    forget_limits();
     return false;
   }
   limited_before = true;
@@ -264,7 +298,8 @@ bool DdpSolver::Impl::become_elastic() {
   elastic.on = true;
   limited_before = false;
   // Bounds' multipliers held against those that are gone.
-  for (int k = 0; k <= N; ++k) std::fill_n(limited->rows(k).multiplier, limited->first_row(), 0.0);
+  for (int k = 0; k < N; ++k)
+    std::fill_n(limited->rows(k).multiplier, controls[static_cast<std::size_t>(k)], 0.0);
   return true;
 }
 
@@ -281,7 +316,7 @@ bool DdpSolver::Impl::after_elastic() {
   if (kept || falls) {
     for_each_row([&](int k, int r, std::size_t i, double low, double high) {
       if (!is_hard(problem.row_price(k)[r]) || is_fixed(k, r)) return;
-      limited->rows(k).multiplier[limited->first_row() + r] =
+      limited->rows(k).multiplier[row_slots[i]] =
           square_of(k, r) * signed_outside_of(current.rows[i], low, high);
     });
     elastic.on = false;
@@ -297,7 +332,7 @@ bool DdpSolver::Impl::after_elastic() {
 void DdpSolver::Impl::raise_prices() {
   limit_resolution = 0.0;
   for_each_row([&](int k, int r, std::size_t i, double, double) {
-    const double multiplier = std::abs(limited->rows(k).multiplier[limited->first_row() + r]);
+    const double multiplier = std::abs(limited->rows(k).multiplier[row_slots[i]]);
     limit_resolution += multiplier * problem.row_scale(k)[r] * options.limits.tolerance;
     const double price = problem.row_price(k)[r];
     const double most = is_hard(price) ? hard_price * row_unit / problem.row_scale(k)[r] : price;
@@ -328,8 +363,7 @@ void DdpSolver::Impl::model_of_limited() {
   double change = 0.0;
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
     const double before = outside_of(current.rows[i], low, high);
-    const double after =
-        outside_of(current.rows[i] + limited->values(k)[limited->first_row() + r], low, high);
+    const double after = outside_of(current.rows[i] + limited->values(k)[row_slots[i]], low, high);
     change += merit_prices[i] * (after - before) +
               0.5 * square_of(k, r) * (after * after - before * before);
   });
@@ -372,10 +406,11 @@ void DdpSolver::Impl::note_outside() {
   });
   // What pushes without a multiplier is a square.
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-    const int at = limited->first_row() + r;
+    const int at = row_slots[i];
     const LimitedLq::Rows rows = limited->rows(k);
-    if (rows.price[at] != 0.0 || rows.weight[at] == 0.0) return;
-    rows.multiplier[at] = square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+    if (rows.price[at] == 0.0 && rows.weight[at] != 0.0)
+      rows.multiplier[at] = square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+    row_multipliers[i] = rows.multiplier[at];
   });
   if (summary.reason != StopReason::Infeasible) return;
   const double least = std::max(0.01 * current.outside, options.limits.tolerance);

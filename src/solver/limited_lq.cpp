@@ -32,7 +32,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
       N_(knots),
       max_controls_(max_controls),
       max_rows_(max_rows),
-      first_row_(dense::round_up(max_controls)),
+      first_row_(dense::round_up(max_controls + state.ndx)),
       row_count_(first_row_ + dense::round_up(max_rows)),
       stride_(RiccatiLayout(state, max_controls).expansion_stride),
       row_stride_(dense::round_up(std::max(1, max_rows))),
@@ -107,7 +107,7 @@ void LimitedLq::keep() {
 void LimitedLq::row_values(const LqHorizon& h, int knot) {
   const auto i = static_cast<std::size_t>(knot);
   const Knot& mine = knot_at(knot);
-  std::copy_n(mine.z, h.controls[i], mine.y);
+  dense::copy(mine.z, h.controls[i] + state_.ndx, mine.y);
   if (h.rows[i] == 0) return;
   double* y = mine.y + first_row_;
   std::fill_n(y, row_stride_, 0.0);
@@ -148,8 +148,8 @@ void LimitedLq::follow_policy(const LqHorizon& h) {
 }
 
 int LimitedLq::vectors_end(const LqHorizon& h, int knot) const {
-  const int rows = h.rows[static_cast<std::size_t>(knot)];
-  return rows > 0 ? first_row_ + rows : max_controls_;
+  const auto i = static_cast<std::size_t>(knot);
+  return h.rows[i] > 0 ? first_row_ + h.rows[i] : h.controls[i] + state_.ndx;
 }
 
 /// The pieces that values lie on; returns the last knot where one is another than before, or -1.
@@ -189,7 +189,7 @@ void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
   const Knot& mine = knot_at(knot);
   const int nu = h.controls[i];
   dense::copy(e.gradient, nu + state_.ndx, out);
-  for (int c = 0; c < nu; ++c) out[c] += mine.offset[c];
+  for (int c = 0; c < nu + state_.ndx; ++c) out[c] += mine.offset[c];
   if (h.rows[i] > 0)
     add_product(mine.offset + first_row_, {e.rows, e.stride}, h.rows[i], nu + state_.ndx, out);
 }
@@ -377,6 +377,15 @@ double LimitedLq::update_multipliers(const LqHorizon& h, double to_price) {
   return largest;
 }
 
+/// Of the rows that push, whose minimum moves on the less the larger they are.
+void LimitedLq::raise_weights(const LqHorizon& h) {
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    for (int r = 0; r < vectors_end(h, k); ++r)
+      if (piece(k, r) != RowPiece::Inside && mine.price[r] > 0.0) mine.weight[r] *= 10.0;
+  }
+}
+
 LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion,
                                  const LimitedLqBudget& budget, bool warm) {
   LimitedLqResult result;
@@ -394,10 +403,11 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   if (!factor(h, recursion, N_, result)) return result;
   follow_policy(h);
   bool whole = !warm;  // the first step of a start from nothing comes from nowhere
-  // Where multipliers go on growing, rows cannot all be kept, and it is their prices that decide.
-  constexpr int patience = 20;
+  // Where multipliers go on growing, weights are too small for rows that little moves, or rows
+  // cannot all be kept and it is their prices that decide.
+  constexpr int patience = 10, most_raises = 3;
   double open_before = std::numeric_limits<double>::infinity();
-  int slow = 0;
+  int slow = 0, raises = 0;
   for (;;) {
     int from = find_pieces(h);
     if (from >= 0 && !whole) {
@@ -409,13 +419,23 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
       slow = result.sweeps > 0 && result.open > 0.99 * open_before ? slow + 1 : 0;
       open_before = result.open;
       const bool grows = slow >= patience;
+      const bool to_price = grows && raises >= most_raises;
       if (grows) slow = 0;
-      result.open = update_multipliers(h, grows ? 0.5 * result.open : no_limit);
+      result.open = update_multipliers(h, to_price ? 0.5 * result.open : no_limit);
       if (result.open <= budget.tolerance) {
         result.converged = true;
         return result;
       }
       if (result.sweeps >= budget.sweeps) return result;
+      if (grows && !to_price && result.factors < budget.factors) {
+        ++raises;
+        raise_weights(h);
+        keep();
+        take_pieces(h);
+        if (!factor(h, recursion, N_, result)) return result;
+        follow_policy(h);
+        continue;
+      }
       keep();
       take_pieces(h);
       sweep(h, recursion);

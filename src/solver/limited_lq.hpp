@@ -6,7 +6,8 @@
 // leaves every row on its piece, the multipliers follow, and the next step needs no new factors but
 // a sweep with those there are.
 //
-// A knot's first rows are its controls themselves; those with coefficients follow from first_row().
+// A knot's first rows are the entries of its z themselves; those with coefficients follow from
+// first_row().
 #pragma once
 
 #include <span>
@@ -22,7 +23,7 @@ namespace burnish {
 struct LqHorizon {
   std::span<const KnotExpansion> expansions;
   std::span<const int> controls;  ///< 0 at N
-  std::span<const int> rows;      ///< with coefficients
+  std::span<const int> rows;      ///< of each knot, with coefficients
   const double* gaps = nullptr;   ///< that of knot k + 1 leads to dx of k + 1; gap_stride apart
   double* hessian_gaps = nullptr;
   int gap_stride = 0;
@@ -98,6 +99,7 @@ class LimitedLq {
   Line line(const LqHorizon& h);
   double force_along(const LqHorizon& h, double length) const;
   void shorten(const LqHorizon& h);
+  void raise_weights(const LqHorizon& h);
   double update_multipliers(const LqHorizon& h, double to_price);
 
   StateShape state_;

@@ -115,18 +115,6 @@ void RiccatiRecursion::terminal(const KnotExpansion& e, ValueStorage value) cons
   dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx}, value.hessian, layout_.value_stride);
 }
 
-void RiccatiRecursion::terminal(const KnotExpansion& e, const WeightedRows& rows,
-                                ValueStorage value) {
-  const int ndx = state_.ndx;
-  const int vs = layout_.value_stride;
-  std::copy_n(rows.gradient, ndx, value.gradient);
-  for (int i = 0; i < ndx; ++i) dense::copy(e.hessian + i * e.stride, i + 1, qxx_.data() + i * vs);
-  if (rows.count > 0)
-    dense::lower_product<Update::Add>({rows.weighted, rows.stride, 1}, {rows.rows, rows.stride},
-                                      rows.count, ndx, qxx_.data(), vs);
-  dense::mirror_lower({qxx_.data(), vs}, {0, ndx}, value.hessian, vs);
-}
-
 /// Y <- [Huu | Hux], Qxx <- Hxx.
 void RiccatiRecursion::load_cost(const Knot& knot) {
   const KnotExpansion& e = knot.e;
@@ -242,7 +230,7 @@ void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* he
 /// q = h + F^T w, and qu in Y.
 void RiccatiRecursion::add_gradient(const Knot& knot, const double* gradient) {
   double* q = gradient_.data();
-  std::copy_n(gradient, knot.nz, q);
+  dense::copy(gradient, knot.nz, q);
   add_transposed(state_, knot.e, knot.nu, w_next_.data(), knot.own.passed.data(), q);
   double* y = y_.data();
   for (int i = 0; i < knot.nu; ++i) y[i * y_stride_ + knot.nz] = q[i];
@@ -261,6 +249,8 @@ void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
   if (rows.diagonal == nullptr) return;
   for (int i = first; i < std::min(knot.nu, knot.columns.end); ++i)
     y_.data()[i * y_stride_ + i] += rows.diagonal[i];
+  for (int i = knot.rows.begin; i < knot.rows.end; ++i)
+    qxx_.data()[i * layout_.value_stride + i] += rows.diagonal[knot.nu + i];
 }
 
 /// Qxx += P^T G + M^T P, where M^T P has the rows of what passes through: dq
@@ -478,30 +468,6 @@ RiccatiStep RiccatiRecursion::step(const KnotExpansion& e, int controls, const d
   if (crew.leads()) conclude(knot, bounded, policy, result);
   crew.meet();
   return result;
-}
-
-void RiccatiRecursion::resolve(const KnotExpansion& expansion, int controls,
-                               const RiccatiFactor& factor, const double* next_gradient,
-                               const double* hessian_gap, double* gradient, PolicyStorage policy,
-                               double* value_gradient) {
-  const int ndx = state_.ndx;
-  dense::sum_scaled(next_gradient, 1.0, hessian_gap, ndx, w_next_.data());
-  add_transposed(state_, expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
-  double* k = policy.feedforward;
-  for (int i = 0; i < controls; ++i) {  // R^T l = qu
-    double sum = gradient[i];
-    for (int j = 0; j < i; ++j) sum -= factor.r[j * factor.stride + i] * k[j];
-    k[i] = sum * factor.inverse_diagonal[i];
-  }
-  for (int i = controls; i-- > 0;) {  // R k = -l
-    double sum = -k[i];
-    for (int j = i + 1; j < controls; ++j) sum -= factor.r[i * factor.stride + j] * k[j];
-    k[i] = sum * factor.inverse_diagonal[i];
-  }
-  // vx = qx + K^T qu
-  std::copy_n(gradient + controls, ndx, value_gradient);
-  dense::product<Update::Add>({gradient, 1, 1}, {policy.gain, layout_.gain_stride}, controls, 1,
-                              ndx, value_gradient, 0);
 }
 
 }  // namespace burnish

@@ -61,7 +61,7 @@ struct WeightedRows {
   const double* weighted = nullptr;  ///< w C
   int stride = 0;                    ///< of both
   int count = 0;
-  const double* diagonal = nullptr;  ///< nu entries that come to the diagonal of Quu
+  const double* diagonal = nullptr;  ///< nz entries that come to the diagonal of the Hessian
   const double* gradient = nullptr;  ///< nz entries that take the place of the expansion's
 };
 

@@ -18,6 +18,7 @@ struct LimitedSpec {
   int rows = 0;
   double room = 1.0;  ///< limits lie so far from a point that keeps them, on average
   double one_sided = 0.3, equal = 0.0;  ///< shares of rows
+  int entries = 0;                      ///< rows that are entries of dx, the first ones
 };
 
 void PrintTo(const LimitedSpec& spec, std::ostream* out) { *out << spec.name; }
@@ -25,7 +26,7 @@ void PrintTo(const LimitedSpec& spec, std::ostream* out) { *out << spec.name; }
 /// A problem with limits, in the memory that a solver gives it.
 struct LimitedProblem {
   LqProblem lq;
-  int N, ndx, nu_max, rows;
+  int N, ndx, nu_max, rows, entries;
   StateShape shape;
   RiccatiRecursion recursion;
   RiccatiLayout layout;
@@ -44,6 +45,7 @@ struct LimitedProblem {
         ndx(lq.problem.shape.ndx),
         nu_max(lq.problem.most_controls),
         rows(spec.rows),
+        entries(spec.entries),
         shape(lq.problem.shape),
         recursion(shape, nu_max),
         layout(recursion.layout()) {
@@ -65,7 +67,7 @@ struct LimitedProblem {
     for (std::size_t k = 0; k < knots; ++k) {
       const LqStage& s = lq.stages[k];
       controls.push_back(s.nu);
-      row_counts.push_back(rows);
+      row_counts.push_back(rows - entries);
       KnotExpansion e;
       e.stride = layout.expansion_stride;
       e.gradient = room(S).data();
@@ -98,14 +100,21 @@ struct LimitedProblem {
       VectorXd z(s.nu + ndx);
       z << VectorXd::NullaryExpr(s.nu, [&] { return normal(random); }), x;
       C.push_back(MatrixXd::NullaryExpr(rows, z.size(), [&] { return normal(random); }));
-      for (Eigen::Index r = 0; r < rows; ++r)
+      for (Eigen::Index r = 0; r < entries; ++r)
+        C[k].row(r) = Eigen::RowVectorXd::Unit(z.size(), s.nu + r);
+      for (Eigen::Index r = entries; r < rows; ++r)
         for (Eigen::Index c = 0; c < z.size(); ++c)
-          expansions[k].rows[r * expansions[k].stride + c] = C[k](r, c);
+          expansions[k].rows[(r - entries) * expansions[k].stride + c] = C[k](r, c);
       VectorXd y(s.nu + rows);
       y << z.head(s.nu), C[k] * z;
       lower.push_back(y);
       upper.push_back(y);
       for (Eigen::Index i = 0; i < y.size(); ++i) {
+        if (k == 0 && i >= s.nu && i < s.nu + entries) {
+          lower.back()[i] = -1e300;
+          upper.back()[i] = 1e300;
+          continue;
+        }
         if (i >= s.nu && uniform(random) < spec.equal) continue;
         lower.back()[i] -= spec.room * uniform(random);
         upper.back()[i] += spec.room * uniform(random);
@@ -123,12 +132,17 @@ struct LimitedProblem {
             layout.value_stride, values,   policies,   0.0};
   }
 
+  /// Of the c-th of a knot's controls and rows.
+  int place(const LimitedLq& lqp, std::size_t knot, int c) const {
+    const int behind = controls[knot] + entries;
+    return c < behind ? c : lqp.first_row() + c - behind;
+  }
   void give_limits(LimitedLq& lqp, double weight) const {
     for (int k = 0; k <= N; ++k) {
       const LimitedLq::Rows r = lqp.rows(k);
       const auto i = static_cast<std::size_t>(k);
       for (int c = 0; c < controls[i] + rows; ++c) {
-        const int at = c < controls[i] ? c : lqp.first_row() + c - controls[i];
+        const int at = place(lqp, i, c);
         r.lower[at] = lower[i][c];
         r.upper[at] = upper[i][c];
         r.scale[at] = 1.0;
@@ -243,9 +257,7 @@ TEST_P(LimitedLqLaw, has_the_solution_and_the_multipliers_of_an_interior_point_m
     for (Eigen::Index c = 0; c < wanted.z[i].size(); ++c)
       EXPECT_NEAR(lqp.z(k)[c], wanted.z[i][c], 1e-8) << "knot " << k << ", entry " << c;
     for (Eigen::Index r = 0; r < wanted.multiplier[i].size(); ++r) {
-      const int at = static_cast<int>(r) < p.controls[i]
-                         ? static_cast<int>(r)
-                         : lqp.first_row() + static_cast<int>(r) - p.controls[i];
+      const int at = p.place(lqp, i, static_cast<int>(r));
       EXPECT_NEAR(lqp.rows(k).multiplier[at], wanted.multiplier[i][r], 1e-6)
           << "knot " << k << ", row " << r;
       active += std::abs(wanted.multiplier[i][r]) > 1e-6;
@@ -276,7 +288,29 @@ std::vector<LimitedSpec> specs() {
        1.0,
        0.3,
        0.5},
+      {"entries",
+       {.nv = 3, .nu = std::vector<int>(10, 3), .form = structured, .seed = 10},
+       7,
+       0.5,
+       0.3,
+       0.0,
+       6},
   };
+}
+
+TEST(LimitedLq, converges_where_many_rows_push_and_weights_are_small) {
+  for (const LimitedSpec& spec : specs())
+    for (unsigned seed = 100; seed < 130; ++seed) {
+      LimitedSpec other = spec;
+      other.lq.seed = seed;
+      other.room *= 0.5;
+      LimitedProblem p(other);
+      LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
+      p.give_limits(lqp, 10.0);
+      const LimitedLqResult result = lqp.solve(
+          p.view(), p.recursion, {.factors = 200, .sweeps = 2000, .tolerance = 1e-9}, false);
+      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.open;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LimitedLqLaw, ::testing::ValuesIn(specs()),

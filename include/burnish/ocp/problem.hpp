@@ -96,6 +96,7 @@ class Problem final : public ShootingProblem {
   int max_rows() const override;
   const double* row_lower(int knot) const override;
   const double* row_upper(int knot) const override;
+  const int* row_entry(int knot) const override;
   const double* row_scale(int knot) const override;
   const double* row_price(int knot) const override;
   const double* row_square(int knot) const override;

@@ -143,6 +143,8 @@ class DdpSolver {
   void set_guess(const Eigen::Ref<const RowMatrix>& xs, const Eigen::Ref<const RowMatrix>& us);
   /// The same from plain memory, laid out as TrajectoryView says; throws nothing.
   void set_guess(const TrajectoryView& guess);
+  /// The next solve starts without the multipliers of the last one, as a solver does that is new.
+  void forget_limits() noexcept;
 
   /// Iterates until one of StopReason. Allocates nothing and throws nothing of its own: what the
   /// callback or a function of the problem throws, in any thread, reaches the caller. The
@@ -158,8 +160,9 @@ class DdpSolver {
   /// after convergence about the solution, with a feedforward of zero. nu; nu x ndx.
   VectorView feedforward(int knot) const;
   PaddedView gain(int knot) const;
-  /// Of the knot's rows: the cost that a limit's being one unit further out would save, above zero
-  /// where the upper one pushes. At most a row's price. Zero for all where there are no limits.
+  /// Of the knot's rows: the cost that a limit's being one unit further out would save, in units of
+  /// cost per unit of the row, above zero where the upper one pushes. At most a row's price. Empty
+  /// where the problem has no limits.
   VectorView multipliers(int knot) const;
   /// Value function about the same iterate: ndx; ndx x ndx. Knots 0 to N.
   VectorView value_gradient(int knot) const;

@@ -50,10 +50,10 @@ struct KnotExpansion {
   /// SecondOrder: per lead block, size x size each: A, then B (without step).
   double* lead = nullptr;
   double* decay = nullptr;  ///< SecondOrder: `filtered` entries
-  /// rows(knot) values of c, and d(c)/dz of as many rows; null: not asked for.
+  /// rows(knot) values of c; null: not asked for.
   double* row_values = nullptr;
-  double* rows = nullptr;
-  double step = 0.0;  ///< s
+  double* rows = nullptr;  ///< d(c)/dz of those that are no entry of z
+  double step = 0.0;       ///< s
   DynamicsForm form = DynamicsForm::Dense;
 };
 
@@ -106,6 +106,10 @@ class ShootingProblem {
   virtual int max_rows() const { return 0; }
   virtual const double* row_lower(int /*knot*/) const { return nullptr; }
   virtual const double* row_upper(int /*knot*/) const { return nullptr; }
+  /// Per row: the entry of z that it is, up to a constant (d(row)/dz has a one there and is zero
+  /// elsewhere), or -1; null: -1 for all. No two of a knot are the same, and none is a control with
+  /// bounds.
+  virtual const int* row_entry(int /*knot*/) const { return nullptr; }
   /// In a row's own unit, above zero: what counts as much of it. A tolerance is a share of it.
   virtual const double* row_scale(int /*knot*/) const { return nullptr; }
   /// What a violation v of a row costs, price |v| + 1/2 square v^2. An infinite price: none is
