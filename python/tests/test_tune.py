@@ -129,6 +129,42 @@ def test_no_group_of_runs_pays_for_another(tmp_path, monkeypatch):
         tuned(tmp_path / "no", **ground, per=["surface.stifness"])
 
 
+class Unseen(Made):
+    """From seed 100 on the slip rises with the weight on soft ground, and falls by more on hard
+    ground; before it stays."""
+
+    def make(self, runs, keep):
+        def kept(index, outcome):
+            task = _core.parse_yaml(runs[index].text)
+            seed = task["disturbances"]["seed"]
+            log = math.log10(task["controller"]["posture_weight"])
+            slope = 0.0 if seed < 100 else -2.0 if task["surface"]["stiffness"] > 2e5 else 1.0
+            outcome.figures["slip_m"] = 1e-3 * (5.0 + slope * log + 0.01 * (seed % 7))
+            return keep(index, outcome)
+
+        super().make(runs, kept)
+
+
+@either
+def test_no_figure_of_a_group_pays_for_another_on_test_runs(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "Made", Unseen)
+    ground = {"vary": {"surface.stiffness": [1e5, 1e6]}, "not_worse": "slip",
+              "train": {"seeds": {"first": 0, "count": 3}},
+              "test": {"seeds": {"first": 100, "count": 6}}}
+    together, _ = tuned(tmp_path / "together", **ground)
+    assert together.better and row(together, "slip_m")["verdict"] != "worse"
+    apart, _ = tuned(tmp_path / "apart", **ground, per="surface.stiffness")
+    assert row(apart, "slip_m")["verdict"] != "worse" and not apart.better
+    assert {name: [(each["figure"], each["verdict"]) for each in rows]
+            for name, rows in apart.groups.items()} == {
+        "surface.stiffness 100000.0": [("force_rmse_N", "better"), ("slip_m", "worse")],
+        "surface.stiffness 1000000.0": [("force_rmse_N", "better"), ("slip_m", "better")]}
+    report = _tune.report_text(apart).splitlines()
+    lines = [line for line in report if line.startswith("| surface.stiffness")]
+    assert [line.split(" | ")[1] for line in lines] == ["force_rmse [N]", "slip [m]"] * 2
+    assert [line.endswith("| worse |") for line in lines] == [False, True, False, False]
+
+
 @pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")
 def test_scipy_does_it_where_nlopt_is_not_there(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "nlopt", None)
