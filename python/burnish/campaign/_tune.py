@@ -187,7 +187,7 @@ class Tuned:
     text: str
     """of the tuned task"""
     kernels: str
-    """where they are of several kinds, how many of the last runs are of which"""
+    """where they are of several kinds, how many runs are of which"""
 
     @property
     def better(self) -> bool:
@@ -214,6 +214,8 @@ class Tuner:
         self.tuning, self.machine, self.folder, self.mixed = tuning, machine, folder, mixed
         self.kernels = ""
         """where they are of several kinds, how many runs are of which"""
+        self.seen: Dict[TaskRun, Outcome] = {}
+        """all runs of the tuning so far"""
         self.start = {key.name: key.start for key in tuning.keys}
         self.evaluated: Dict[Tuple[float, ...], Tuple[float, List[float]]] = {}
         first = self.outcomes(self.start, tuning.train)
@@ -245,17 +247,23 @@ class Tuner:
             found = find_outcome([self.folder.path], run)
             if found is not None:
                 made[index] = found
+                self._take(run, found)
         left = [index for index in range(len(runs)) if index not in made]
 
         def keep(at: int, outcome: Outcome) -> bool:
             made[left[at]] = outcome
+            self._take(runs[left[at]], outcome)
             keep_outcome(self.folder, runs[left[at]], outcome)
             return True
 
         if left:
             self.machine.make([runs[index] for index in left], keep)
-        self.kernels = kernels_of(made.values(), self.mixed) or self.kernels
         return [made[index] for index in range(len(runs))]
+
+    def _take(self, run: TaskRun, outcome: Outcome) -> None:
+        """Raises CampaignError for kernels that do not go with those of the runs before."""
+        self.seen[run] = outcome
+        self.kernels = kernels_of(self.seen.values(), self.mixed)
 
     def values(self, shares: Vector) -> Dict[str, float]:
         return {key.name: key.value(float(u)) for key, u in zip(self.tuning.keys, shares)}
