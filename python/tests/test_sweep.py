@@ -247,7 +247,10 @@ class TestRuns:
 
     def test_a_run_beyond_its_limit_is_ended_and_said(self):
         text = (TASKS / "press_hold" / "arm7.yaml").read_text()
-        outcome = outcome_of(make_task_run(campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01)[""])
+        words = [campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01]
+        with pytest.raises(TypeError, match="'name'"):
+            make_task_run(*words)  # nothing would find the result
+        outcome = outcome_of(make_task_run(*words, "late")["late"])
         assert (outcome.late, outcome.done, outcome.outcome) == (True, False, "ended by its time limit")
         assert not outcome.figures
 
