@@ -20,9 +20,9 @@ import sys
 from pathlib import Path
 from typing import Any, List, Mapping, Optional, Sequence, Union
 
+from . import _parts
 from ._bar import Bar
 from ._dask import TOGETHER, Job, dask, hand_over, make_runs
-from . import _parts
 from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
 from ._sweep import Row, Shard, SweepResult, make_sweep, read_sweep
