@@ -74,7 +74,8 @@ void add_sweep(CLI::App& app) {
                   "Campaign: a task, and what its keys take", arguments);
   command
       ->add_option("--shard", arguments->shard,
-                   "Make every Nth run alone, from the Ith on, and no table: burnish merge does")
+                   "Make every Nth run alone, from the Ith on, and no table: burnish merge does; "
+                   "several: 1,3/4")
       ->type_name("I/N");
   command->footer(
       "Examples:\n"

@@ -1,5 +1,6 @@
 """The package as a whole: its version, and the wheel that `pip install .` makes."""
 
+import ast
 import importlib.util
 import os
 import re
@@ -23,6 +24,16 @@ def said(*command, **environment):
 def test_version_is_the_projects():
     project = (SOURCE / "CMakeLists.txt").read_text()
     assert burnish.__version__ == re.search(r"project\(burnish VERSION ([0-9.]+)", project).group(1)
+
+
+def test_imports_are_those_of_others_and_then_its_own_in_order():
+    for file in sorted((SOURCE / "python/burnish").rglob("*.py")):
+        statements = ast.parse(file.read_text()).body
+        imports = [each for each in statements if isinstance(each, (ast.Import, ast.ImportFrom))]
+        own = [(-each.level, each.module or "") for each in imports if getattr(each, "level", 0)]
+        others = [each for each in imports if not getattr(each, "level", 0)]
+        assert imports[:len(others)] == others, file
+        assert own == sorted(own), file
 
 
 def files_below(folder):

@@ -247,7 +247,10 @@ class TestRuns:
 
     def test_a_run_beyond_its_limit_is_ended_and_said(self):
         text = (TASKS / "press_hold" / "arm7.yaml").read_text()
-        outcome = outcome_of(make_task_run(campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01)[""])
+        words = [campaign.program(), ["run", "--plant", "ideal"], text, ".", 0.01]
+        with pytest.raises(TypeError, match="'name'"):
+            make_task_run(*words)  # nothing would find the result
+        outcome = outcome_of(make_task_run(*words, "late")["late"])
         assert (outcome.late, outcome.done, outcome.outcome) == (True, False, "ended by its time limit")
         assert not outcome.figures
 
@@ -287,6 +290,27 @@ class TestShards:
         assert campaign.merge(parts, out=parts[0], quiet=True).rows[4].number == 5
         assert (parts[0] / "results.csv").read_bytes() == (one / "results.csv").read_bytes()
 
+    def test_several_shards_in_one_folder_merge_to_the_same(self, tmp_path, file, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        campaign.sweep(file, out="one", quiet=True)
+        result = campaign.sweep(file, shard="3,1/3", threads=1, quiet=True)
+        some = Path("friction_campaign_1_3_of_3")
+        assert [row.number for row in result.rows] == [1, 3, 4]
+        assert json.loads((some / "campaign.json").read_text())["shard"] == "3,1/3"
+        lacking = r"2 of 5 runs are not there, .* \(no folder is of 2/3\)"
+        with pytest.raises(campaign.CampaignError, match=lacking):
+            campaign.merge([some], out="no", quiet=True)
+        words = ["sweep", str(file), "--shard", "2/3", "--out", "other", "--quiet"]
+        done = subprocess.run([sys.executable, "-m", "burnish.campaign", *words])
+        assert done.returncode == 0
+        campaign.merge([some, "other"], out="merged", quiet=True)
+        for name in ("results.csv", "results.html", "campaign.yaml", "campaign.json"):
+            assert Path("merged", name).read_bytes() == Path("one", name).read_bytes()
+        # What a folder has goes on as more shards, and all of them are the whole.
+        campaign.sweep(file, out=some, shard="1,2,3/3", resume=True, threads=1, quiet=True)
+        campaign.merge([some], out="all", quiet=True)
+        assert Path("all", "results.csv").read_bytes() == Path("one", "results.csv").read_bytes()
+
     def test_what_does_not_go_together_is_one_sentence(self, tmp_path, file):
         part = tmp_path / "part"
         campaign.sweep(file, out=part, shard="2/3", quiet=True)
@@ -310,8 +334,10 @@ class TestShards:
             tree = json.loads((part / "campaign.json").read_text())
             (other / "campaign.json").write_text(json.dumps({**tree, key: value}))
             assert words in refused(part, other)
-        for shard in ("0/2", "3/2", "2", "a/b", "1/2/3", ""):
-            with pytest.raises(campaign.CampaignError, match="wanted I/N with I from 1 to N"):
+        for shard in ("0/2", "3/2", "2", "a/b", "1/2/3", "", "1,3/2", "0,1/2", "1,/2", ",1/2",
+                      "1,2", "1,2/", "/2", "-1/2"):
+            with pytest.raises(campaign.CampaignError,
+                               match="wanted I/N with I from 1 to N, .* or several, 1,3/4"):
                 campaign.sweep(file, out=tmp_path / "no", shard=shard, quiet=True)
         there = subprocess.run([campaign.program(), "experiment", "seeds", "--quick", "--resume", "--out", str(part)],
                                capture_output=True, text=True)

@@ -27,6 +27,8 @@ class Made(Machine):
     """Runs whose figures are a formula: best at a weight of 10, whatever the speed, more slip the more
     weight; rough ground is noise."""
 
+    kernels = ""
+
     def __init__(self):
         super().__init__("nothing")
         self.tasks = []
@@ -39,7 +41,8 @@ class Made(Machine):
             figures = {"force_rmse_N": 1.0 + (math.log10(weight) - 1.0) ** 2 + 0.01 * friction,
                        "slip_m": 1e-3 * (2.0 + math.log10(weight)), "moved_aside": weight}
             done = weight < 60
-            keep(index, Outcome(done, "held" if done else "fault", figures if done else {}, {"computing_s": 0.1}))
+            keep(index, Outcome(done, "held" if done else "fault", figures if done else {},
+                                {"computing_s": 0.1}, kernels=self.kernels))
 
 
 def plan(**more):
@@ -50,10 +53,10 @@ def plan(**more):
             "train": {"samples": 3}, "test": {"samples": 6}, "evaluations": 40, **more}
 
 
-def tuned(tmp_path, **more):
+def tuned(tmp_path, mixed=False, **more):
     machine = Made()
     with RunFolder(tmp_path / "out", "", (tmp_path / "out").exists()) as folder:
-        result = _tune.tune(_tune.Tuner(_tune.read_tuning(plan(**more)), machine, folder))
+        result = _tune.tune(_tune.Tuner(_tune.read_tuning(plan(**more)), machine, folder, mixed))
         _tune.write_tuned(result, folder)
     return result, machine
 
@@ -127,6 +130,84 @@ def test_no_group_of_runs_pays_for_another(tmp_path, monkeypatch):
     assert "on test runs, by group" in report and "| surface.stiffness 1000000.0 |" in report
     with pytest.raises(campaign.CampaignError, match="per names 'surface.stifness', which is not in vary; did you mean"):
         tuned(tmp_path / "no", **ground, per=["surface.stifness"])
+
+
+class Unseen(Made):
+    """From seed 100 on the slip rises with the weight on soft ground, and falls by more on hard
+    ground; before it stays."""
+
+    def make(self, runs, keep):
+        def kept(index, outcome):
+            task = _core.parse_yaml(runs[index].text)
+            seed = task["disturbances"]["seed"]
+            log = math.log10(task["controller"]["posture_weight"])
+            slope = 0.0 if seed < 100 else -2.0 if task["surface"]["stiffness"] > 2e5 else 1.0
+            outcome.figures["slip_m"] = 1e-3 * (5.0 + slope * log + 0.01 * (seed % 7))
+            return keep(index, outcome)
+
+        super().make(runs, kept)
+
+
+@either
+def test_no_figure_of_a_group_pays_for_another_on_test_runs(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "Made", Unseen)
+    ground = {"vary": {"surface.stiffness": [1e5, 1e6]}, "not_worse": "slip",
+              "train": {"seeds": {"first": 0, "count": 3}},
+              "test": {"seeds": {"first": 100, "count": 6}}}
+    together, _ = tuned(tmp_path / "together", **ground)
+    assert together.better and row(together, "slip_m")["verdict"] != "worse"
+    apart, _ = tuned(tmp_path / "apart", **ground, per="surface.stiffness")
+    assert row(apart, "slip_m")["verdict"] != "worse" and not apart.better
+    assert {name: [(each["figure"], each["verdict"]) for each in rows]
+            for name, rows in apart.groups.items()} == {
+        "surface.stiffness 100000.0": [("force_rmse_N", "better"), ("slip_m", "worse")],
+        "surface.stiffness 1000000.0": [("force_rmse_N", "better"), ("slip_m", "better")]}
+    report = _tune.report_text(apart).splitlines()
+    lines = [line for line in report if line.startswith("| surface.stiffness")]
+    assert [line.split(" | ")[1] for line in lines] == ["force_rmse [N]", "slip [m]"] * 2
+    assert [line.endswith("| worse |") for line in lines] == [False, True, False, False]
+
+
+class Changing(Made):
+    """Each set of runs by kernels of one kind, the first by others than the rest."""
+
+    @property
+    def kernels(self):
+        return "AVX2" if len(self.tasks) <= 3 else "AVX-512"
+
+
+def results(tmp_path):
+    files = (tmp_path / "out" / "runs").iterdir()
+    return [file for file in files if not file.name.endswith(".times.json")]
+
+
+@either
+def test_kernels_are_of_one_kind_over_the_whole_tuning(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "Made", Changing)
+    words = "different processors .1 with AVX-512, 3 with AVX2.*or --mixed"
+    with pytest.raises(campaign.CampaignError, match=words):
+        tuned(tmp_path)
+    assert len(results(tmp_path)) == 3  # what does not go with them is not kept
+    result, _ = tuned(tmp_path / "mixed", mixed=True)
+    assert result.kernels == f"{len(results(tmp_path / 'mixed')) - 3} with AVX-512, 3 with AVX2"
+    assert f"Kernels of several kinds, which differ in their last digits: {result.kernels}." in (
+        tmp_path / "mixed" / "out" / "tuning.md").read_text()
+
+
+@either
+def test_kernels_are_of_one_kind_after_going_on_too(tmp_path, monkeypatch):
+    monkeypatch.setattr(Made, "kernels", "AVX2")
+    first, _ = tuned(tmp_path, evaluations=8)
+    made = len(results(tmp_path))
+    assert first.kernels == ""
+    monkeypatch.setattr(Made, "kernels", "AVX-512")
+    with pytest.raises(campaign.CampaignError, match="1 with AVX-512, [0-9]+ with AVX2"):
+        tuned(tmp_path)
+    assert len(results(tmp_path)) == made
+    mixed, machine = tuned(tmp_path, mixed=True)
+    assert mixed.kernels.startswith(f"{len(machine.tasks)} with AVX-512, ") and machine.tasks
+    with pytest.raises(campaign.CampaignError, match="different processors"):
+        tuned(tmp_path)
 
 
 @pytest.mark.skipif(not has_scipy, reason="SciPy is not installed (python3-scipy)")

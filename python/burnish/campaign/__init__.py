@@ -20,9 +20,9 @@ import sys
 from pathlib import Path
 from typing import Any, List, Mapping, Optional, Sequence, Union
 
+from . import _parts
 from ._bar import Bar
 from ._dask import TOGETHER, Job, dask, hand_over, make_runs
-from . import _parts
 from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
 from ._sweep import Row, Shard, SweepResult, make_sweep, read_sweep
@@ -128,9 +128,9 @@ def sweep(
     """Makes the runs of a campaign, a YAML file or the same as a dictionary, and leaves its table and page
     in a folder. docs/campaigns.md says what a campaign states.
 
-    shard: "I/N", every Nth run alone, from the Ith on, and no table, which merge() makes. threads: runs at
-    once where there is no scheduler; 0: one per core. The others are experiment()'s. Raises CampaignError for
-    what is refused; runs that failed are in the table."""
+    shard: "I/N", every Nth run alone, from the Ith on, and no table, which merge() makes; several:
+    "1,3/4". threads: runs at once where there is no scheduler; 0: one per core. The others are
+    experiment()'s. Raises CampaignError for what is refused; runs that failed are in the table."""
     plan = read_sweep(campaign)
     plan.points()
     which = Shard() if shard is None else Shard.parse(shard)
@@ -141,7 +141,9 @@ def sweep(
     bar = Bar(plan.name, 1, 0, quiet)
     machine = Machine(program(), scheduler, threads, time_limit, patience, bar.say)
     command = f"burnish sweep {campaign if isinstance(campaign, (str, Path)) else 'FILE'}"
-    name = f"{plan.name}_campaign" + (f"_{which.number}_of_{which.count}" if shard is not None else "")
+    name = f"{plan.name}_campaign"
+    if shard is not None:
+        name += f"_{'_'.join(map(str, which.numbers))}_of_{which.count}"
     with RunFolder(None if out is None else Path(out), name, resume) as folder:
         _parts.part_of(plan, command, shard or "").write(folder.path)
         result = make_sweep(plan, machine, folder, lambda done, all: bar.part(done, all), which, mixed)

@@ -31,7 +31,8 @@ def _parser() -> argparse.ArgumentParser:
                      help="name and options of burnish experiment")
     many = commands.add_parser("sweep", help="the runs of a campaign's file, and their table")
     _add_file(many)
-    many.add_argument("--shard", metavar="I/N", help="every Nth run alone, from the Ith on, and no table")
+    many.add_argument("--shard", metavar="I/N",
+                      help="every Nth run alone, from the Ith on, and no table; several: 1,3/4")
     parts = commands.add_parser("merge", help="the table of a campaign whose runs were made in shards")
     parts.add_argument("folders", nargs="+", type=Path, metavar="DIR", help="that sweep --shard left")
     parts.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")

@@ -29,7 +29,7 @@ class Part:
     """the text of its task's file"""
     version: str
     shard: str
-    """"2/4", or nothing: all of it"""
+    """"2/4", several, "1,3/4", or nothing: all of it"""
 
     def write(self, folder: Path) -> None:
         tree = {"experiment": "sweep", "name": self.name, "command": self.command, "version": self.version,
@@ -77,7 +77,7 @@ def _lacking(plan: SweepRuns, folders: Sequence[Path]) -> str:
     shards = [Part.read(folder).shard for folder in folders]
     if all(shards):
         read = [Shard.parse(shard) for shard in shards]
-        numbers, count = {shard.number for shard in read}, read[0].count
+        numbers, count = {number for shard in read for number in shard.numbers}, read[0].count
         absent = [f"{number}/{count}" for number in range(1, count + 1) if number not in numbers]
         if absent and all(shard.count == count for shard in read):
             text += f" (no folder is of {', '.join(absent)})"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from .. import _core
 from ._points import Point, Values, count, most_runs, nearest, number, only, read_values
@@ -178,7 +178,7 @@ class Row:
 
 @dataclass
 class SweepResult:
-    """Runs in order, up to the one that ended the campaign early; of a shard, those that it has."""
+    """Runs in order, up to the one that ended the campaign early; of shards, their own."""
 
     sweep: Sweep
     rows: List[Row]
@@ -212,25 +212,30 @@ def known_figures(rows: List[Row]) -> List[str]:
 
 @dataclass(frozen=True)
 class Shard:
-    """Every count-th run, from number on."""
+    """Every count-th run, from each of the numbers on."""
 
-    number: int = 1
+    numbers: Tuple[int, ...] = (1,)
+    """ascending"""
     count: int = 1
 
     @staticmethod
     def parse(text: str) -> Shard:
-        """Of "2/4". Raises CampaignError for another text."""
-        number, slash, count_of = text.partition("/")
-        if slash and number.isdecimal() and count_of.isdecimal() and 1 <= int(number) <= int(count_of):
-            return Shard(int(number), int(count_of))
-        raise CampaignError(f"shard is '{text}'; wanted I/N with I from 1 to N")
+        """Of "2/4", or several, "1,3/4". Raises CampaignError for another text."""
+        before, _, after = text.partition("/")
+        words = [*before.split(","), after]
+        if all(word.isdecimal() for word in words):
+            *numbers, count_of = map(int, words)
+            if 1 <= min(numbers) and max(numbers) <= count_of:
+                return Shard(tuple(sorted(numbers)), count_of)
+        raise CampaignError(f"shard is '{text}'; wanted I/N with I from 1 to N, such as 2/4, or "
+                            f"several, 1,3/4")
 
     def has(self, index: int) -> bool:
-        return index % self.count == self.number - 1
+        return index % self.count + 1 in self.numbers
 
 
 class SweepRuns:
-    """The runs of a campaign, those of a shard, and what came out of them so far."""
+    """The runs of a campaign, those of some shards, and what came out of them so far."""
 
     def __init__(self, sweep: Sweep, shard: Shard, mixed: bool) -> None:
         self.sweep, self.mixed = sweep, mixed

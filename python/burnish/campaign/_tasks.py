@@ -86,7 +86,7 @@ class TaskRun:
 
 
 def make_task_run(program: str, words: List[str], text: str, folder: str, clock: float,
-                  name: str = "") -> Dict[str, Result]:
+                  name: str) -> Dict[str, Result]:
     """What a worker does; the result by the name. A run that was refused, or killed by its limit, has no figures."""
     import json
     import os
