@@ -15,7 +15,7 @@ from ._spec import Spec
 from .base import Status
 from .ocp import ProblemSpec
 from .pressing import PressingTask
-from .solver import DdpOptions, StepUpdate
+from .solver import DdpOptions, LimitOptions, StepUpdate
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",

@@ -48,6 +48,7 @@ from .mpc import Fallback, ModelErrorOptions, SafetyLimits
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,
+    PlanLimits,
     PlanRecord,
     PlantKind,
     PostureLimits,
@@ -64,7 +65,7 @@ from .solver import StepUpdate
 
 __all__ = [
     "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes",
-    "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanRecord",
+    "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanLimits", "PlanRecord",
     "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions", "ReachProblem",
     "ReachReport",
     "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",

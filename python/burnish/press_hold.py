@@ -23,7 +23,7 @@ from ._core import hold_task_text as task_text
 from ._core import hold_task_units as task_units
 from .model import Robot
 from .mpc import SafetyLimits
-from .pressing import PlantKind, PostureLimits, ToolLimits
+from .pressing import PlanLimits, PlantKind, PostureLimits, ToolLimits
 from .sim import Disturbances, SceneSpec
 
 __all__ = [

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from ._spec import Spec
 
 __all__ = [
-    "FoundPosture", "Phase", "PlanRecord", "PlantKind", "PostureLimits", "PostureOptions",
+    "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
+    "PostureOptions",
     "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE", "TaskTarget",
     "TickTimes", "ToolLimits", "Touch",
 ]

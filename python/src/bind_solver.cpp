@@ -61,6 +61,14 @@ void bind_setting_up(SolverClass& c) {
           py::arg("iterations"),
           "At most what the options said when the solver was made or given options.")
       .def(
+          "set_limit_budget",
+          [](SolverMachine& self, int max_factors, int max_sweeps) {
+            const Busy::Lock lock(self.busy, "DdpSolver.set_limit_budget");
+            self.solver.set_limit_budget(max_factors, max_sweeps);
+          },
+          py::arg("max_factors"), py::arg("max_sweeps"),
+          "LimitOptions.max_factors and max_sweeps, at least 1 and 0.")
+      .def(
           "set_guess",
           [](SolverMachine& self, const Eigen::Ref<const RowMatrix>& xs,
              const Eigen::Ref<const RowMatrix>& us) {

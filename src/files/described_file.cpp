@@ -83,6 +83,12 @@ DescribedFile& DescribedFile::word(const std::string& section, const std::string
   return *this;
 }
 
+DescribedFile& DescribedFile::gone(const std::string& section, const std::string& name,
+                                   const std::string& instead) {
+  section_named(section).gone[name] = instead;
+  return *this;
+}
+
 DescribedFile& DescribedFile::first(const std::string& section,
                                     const std::vector<std::string>& names) {
   std::vector<Key>& keys = section_named(section).keys;
@@ -127,6 +133,9 @@ void DescribedFile::read_section(void* spec, const Section& section, const Reade
     })->reading(spec, reader);
     return;
   }
+  for (const auto& [name, instead] : section.gone)
+    if (const auto value = reader.find(name))
+      value->refuse("key " + in_quotes(name) + " is gone; wanted " + instead);
   std::vector<std::string> names;
   for (const Key& key : section.keys) names.push_back(key.name);
   reader.allow_only(names);

@@ -37,6 +37,9 @@ class DescribedFile {
   }
   /// One word in place of the section's keys is the value of this one.
   DescribedFile& word(const std::string& section, const std::string& name);
+  /// A key that there was: refused with what is in its place.
+  DescribedFile& gone(const std::string& section, const std::string& name,
+                      const std::string& instead);
   /// These keys of the section go before its others.
   DescribedFile& first(const std::string& section, const std::vector<std::string>& names);
 
@@ -61,6 +64,7 @@ class DescribedFile {
   struct Section {
     std::string name, meaning, word = {};
     std::vector<Key> keys = {};
+    std::map<std::string, std::string> gone = {};
   };
   DescribedFile& set(const std::string& section, const std::string& name, Read reading);
   Section& section_named(const std::string& name);

@@ -130,7 +130,16 @@ const Description& description_of(const Command* /*of*/) {
           .field("solve_time", &C::solve_time,
                  "{s} of wall clock, where an optimal control problem was solved")
           .field("iterations", &C::iterations, "of its solver")
-          .field("missed_deadline", &C::missed_deadline, "its solution came later than it was due");
+          .field("missed_deadline", &C::missed_deadline, "its solution came later than it was due")
+          .field("limits_outside", &C::limits_outside,
+                 "Of the last plan of a controller that keeps limits: the largest violation of a "
+                 "hard one along it, and what was left open when its budget was spent, as shares "
+                 "of a limit's scale.")
+          .field("limits_open", &C::limits_open)
+          .field("limits_pushing", &C::limits_pushing, "limits that push, over all knots")
+          .field("limits_infeasible", &C::limits_infeasible, "they cannot all be kept from here on")
+          .field("clipped_torques", &C::clipped_torques,
+                 "joints whose torque was cut to what may be sent, at this tick");
   return all;
 }
 
@@ -210,6 +219,11 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("first_iterations", &M::first_iterations, "of the first solve")
           .field("jump_iterations", &M::jump_iterations,
                  "of one after the schedule's clock jumped or stood still")
+          .field("first_factors", &M::first_factors,
+                 "recursions per iteration of those two, where the problem has limits; of others "
+                 "solver.limits.max_factors")
+          .field("torque_limit", &M::torque_limit,
+                 "{Nm} (N), nv: what is sent stays within; empty: the robot's effort limits")
           .field("model_error", &M::model_error)
           .field("limits", &M::limits)
           .field("fallback", &M::fallback)

@@ -17,14 +17,21 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
       guess_u_(RowMatrix::Zero(problem.knots(), problem.layout().nu)) {
   for (const SchedulePhase& phase : schedule.phases())
     stage_of_phase_.push_back(problem.stage_index(phase.stage));
-  for (std::size_t s = 0; s < spec.problem.stages.size(); ++s)
-    for (std::size_t t = 0; t < spec.problem.stages[s].costs.size(); ++t) {
-      const auto* force =
-          std::get_if<residual::ContactForce>(&spec.problem.stages[s].costs[t].residual);
-      if (force == nullptr || force->target.size() != 1) continue;
-      force_terms_[s].push_back(static_cast<int>(t));
-      force_targets_[s].push_back(force->target);
-    }
+  for (std::size_t s = 0; s < spec.problem.stages.size(); ++s) {
+    int term = 0;
+    const auto note = [&](const auto& terms) {
+      for (const auto& given : terms) {
+        const auto* force = std::get_if<residual::ContactForce>(&given.residual);
+        if (force != nullptr && force->target.size() == 1) {
+          force_terms_[s].push_back(term);
+          force_targets_[s].push_back(force->target);
+        }
+        ++term;
+      }
+    };
+    note(spec.problem.stages[s].costs);
+    note(spec.problem.stages[s].constraints);
+  }
 }
 
 int Horizon::stage_at(double schedule_time) const noexcept {

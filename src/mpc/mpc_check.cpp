@@ -48,6 +48,19 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
                 " s; wanted longer than the tick of " + number(tick_period) + " s");
 }
 
+void check_torque_limit(const MpcSpec& spec) {
+  const Eigen::VectorXd& limit = spec.torque_limit;
+  if (limit.size() == 0) return;
+  if (limit.size() != spec.problem.model.nv)
+    throw Error("MPC: torque_limit has " + std::to_string(limit.size()) + " entries; wanted " +
+                std::to_string(spec.problem.model.nv) + ", or none");
+  for (Eigen::Index k = 0; k < limit.size(); ++k)
+    if (!(limit[k] >= 0.0))
+      throw Error("MPC: torque_limit of " +
+                  in_quotes(spec.problem.model.v_name(static_cast<int>(k))) + " is " +
+                  number(limit[k]) + "; wanted a number of at least 0");
+}
+
 }  // namespace
 
 int checked_ticks_per_update(const MpcSpec& spec) {
@@ -67,6 +80,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
                 std::to_string(std::min(
                     {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
                 " iterations; wanted at least 1");
+  if (spec.first_factors < 1)
+    throw Error("MPC: first_factors is " + std::to_string(spec.first_factors) +
+                "; wanted at least 1");
+  check_torque_limit(spec);
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);

@@ -85,16 +85,18 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.solve_time = 0.0;
   command_.iterations = 0;
   command_.missed_deadline = false;
+  command_.clipped_torques = 0;
   command_.status = Status::Ok;
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
   if (gate.is_fresh() && !fault.is_set()) see();
-  if (!fault.is_set() && solved_) {
+  const bool controls = !fault.is_set() && solved_;
+  if (controls) {
     control();
   } else {
     fall_back();
   }
-  limit_torque();
+  limit_torque(controls);
   aim();
   black_box_.record(gate.now(), schedule.time(), gate.last(), command_, fault);
   ++tick_;
@@ -164,8 +166,8 @@ bool MpcController::Impl::solve(double schedule_time) {
   horizon.place(schedule_time);
   if (problem.set_initial_state(x_) != Status::Ok) return false;
   int iterations = spec.solver.max_iterations;
-  if (jumped_ || !warm_) iterations = spec.jump_iterations;
-  if (!solved_) iterations = spec.first_iterations;
+  const bool plain = solved_ && !jumped_ && warm_;
+  if (!plain) iterations = solved_ ? spec.jump_iterations : spec.first_iterations;
   if (warm_) {
     horizon.guess_shifted(x_, solver, schedule_time);
   } else {
@@ -178,13 +180,22 @@ bool MpcController::Impl::solve(double schedule_time) {
   }
   warm_ = false;
   solver.set_max_iterations(iterations);
+  const LimitOptions& budget = spec.solver.limits;
+  solver.set_limit_budget(plain ? budget.max_factors : spec.first_factors,
+                          plain ? budget.max_sweeps : 2 * spec.first_factors);
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   const DdpSummary& summary = solver.solve();
   command_.iterations = summary.iterations;
+  command_.limits_outside = summary.outside;
+  command_.limits_open = summary.limits_open;
+  command_.limits_pushing = summary.pushing;
+  command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
   if (!solver.us().allFinite() || !solver.xs().allFinite()) return false;
   warm_ = true;
   horizon.solved_from(schedule_time);
-  return summary.reason == StopReason::Converged || summary.reason == StopReason::MaxIterations ||
+  return summary.reason == StopReason::Converged || summary.reason == StopReason::Infeasible ||
+         summary.reason == StopReason::MaxIterations ||
+         (summary.reason == StopReason::NoStep && summary.given_way > 0 && summary.feasible) ||
          (summary.reason == StopReason::TimeBudget && summary.iterations > 0);
 }
 
@@ -221,11 +232,15 @@ void MpcController::Impl::fall_back() noexcept {
   holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), command_.tau);
 }
 
-void MpcController::Impl::limit_torque() noexcept {
+/// The fallback has all that the robot has.
+void MpcController::Impl::limit_torque(bool controls) noexcept {
   const Eigen::VectorXd& effort = spec.problem.model.effort_limit;
+  const Eigen::VectorXd& most =
+      controls && spec.torque_limit.size() > 0 ? spec.torque_limit : effort;
   for (Eigen::Index k = 0; k < command_.tau.size(); ++k) {
-    if (!std::isfinite(command_.tau[k])) command_.tau[k] = 0.0;
-    command_.tau[k] = std::clamp(command_.tau[k], -effort[k], effort[k]);
+    const double wanted = std::isfinite(command_.tau[k]) ? command_.tau[k] : 0.0;
+    command_.tau[k] = std::clamp(wanted, -most[k], most[k]);
+    command_.clipped_torques += command_.tau[k] != wanted;
   }
 }
 

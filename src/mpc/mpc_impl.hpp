@@ -32,7 +32,7 @@ struct MpcController::Impl {
   bool solve(double schedule_time);
   void control() noexcept;
   void fall_back() noexcept;
-  void limit_torque() noexcept;
+  void limit_torque(bool controls) noexcept;
   void aim() noexcept;
   void keep_exception() noexcept;
   const Eigen::VectorXd& measured_state() noexcept;

@@ -122,6 +122,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
           {"feasible", s.feasible},
           {"largest_gap", number_json(s.largest_gap)},
           {"outside", number_json(s.outside)},
+          {"pushing", s.pushing},
           {"expected_improvement", number_json(s.expected_improvement)},
           {"stop_tolerance", s.options.stop_tolerance},
           {"gap_tolerance", s.options.gap_tolerance},

@@ -134,6 +134,21 @@ void each_solver_figure(const See& see) {
   see(FigureEntry{"missed_deadlines", none, "plans that came later than they were due",
                   "deadlines missed", 0},
       &S::missed_deadlines);
+  see(FigureEntry{"at_limits", none, "plans with limits that push", "plans at limits", 0},
+      &S::at_limits);
+  see(FigureEntry{"infeasible", none, "plans that cannot keep all limits", "plans infeasible", 0},
+      &S::infeasible);
+  see(FigureEntry{"limits_p99", share,
+                  "largest violation of a hard limit along a plan, of its scale, that 99 % of the "
+                  "plans stay below"},
+      &S::limits_p99);
+  see(FigureEntry{"limits_outside", share,
+                  "largest violation of a hard limit along any plan, of its scale",
+                  "limits broken in plans"},
+      &S::limits_outside);
+  see(FigureEntry{"clipped", none, "ticks with a torque that was cut to what may be sent",
+                  "torques cut", 0},
+      &S::clipped);
 }
 
 /// A figure as a number: NaN where there is none.

@@ -150,19 +150,29 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
   const Trace::Column tick = trace.column("tick"), solve_time = trace.column("solve_time");
   const Trace::Column iterations = trace.column("iterations");
   const Trace::Column missed = trace.column("missed_deadline");
-  std::vector<double> times;
+  const Trace::Column pushing = trace.column("limits_pushing");
+  const Trace::Column outside = trace.column("limits_outside");
+  const Trace::Column infeasible = trace.column("limits_infeasible");
+  const Trace::Column clipped = trace.column("clipped_torques");
+  std::vector<double> times, broken;
   SolverFigures figures;
   for (int row = window.first; row < window.last; ++row) {
+    figures.clipped += tick[row] != 0.0 && clipped[row] != 0.0 ? 1 : 0;
     if (tick[row] == 0.0 || solve_time[row] <= 0.0) continue;
     times.push_back(solve_time[row]);
     figures.mean_iterations += iterations[row];
     figures.missed_deadlines += missed[row] != 0.0 ? 1 : 0;
+    figures.at_limits += pushing[row] != 0.0 ? 1 : 0;
+    figures.infeasible += infeasible[row] != 0.0 ? 1 : 0;
+    broken.push_back(outside[row]);
   }
   if (times.empty()) return;
   figures.updates = static_cast<int>(times.size());
   figures.mean_iterations /= static_cast<double>(times.size());
   figures.median = percentile(times, 0.5);
   figures.p99 = percentile(times, 0.99);
+  figures.limits_p99 = percentile(broken, 0.99);
+  figures.limits_outside = *std::max_element(broken.begin(), broken.end());
   figures.maximum = *std::max_element(times.begin(), times.end());
   metrics.solver = figures;
 }

@@ -65,7 +65,9 @@ std::vector<TraceColumn> columns_of(const Model& model) {
   for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
     columns.push_back({what, "-"});
   columns.push_back({"solve_time", "s"});
-  for (const char* what : {"iterations", "missed_deadline", "tick"}) columns.push_back({what, "-"});
+  for (const char* what : {"iterations", "missed_deadline", "tick", "limits_outside", "limits_open",
+                           "limits_pushing", "limits_infeasible", "clipped_torques"})
+    columns.push_back({what, "-"});
   return columns;
 }
 
@@ -240,6 +242,11 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.iterations));
   row.put(command.missed_deadline);
   row.put(ticked);
+  row.put(command.limits_outside);
+  row.put(command.limits_open);
+  row.put(static_cast<double>(command.limits_pushing));
+  row.put(command.limits_infeasible);
+  row.put(static_cast<double>(command.clipped_torques));
 }
 
 const Trace& ClosedLoop::trace() const { return impl_->trace; }

@@ -30,6 +30,12 @@ void DdpSolver::set_max_iterations(int iterations) {
   impl_->summary.options.max_iterations = impl_->options.max_iterations;
 }
 
+void DdpSolver::set_limit_budget(int max_factors, int max_sweeps) noexcept {
+  LimitOptions& limits = impl_->options.limits;
+  limits.max_factors = impl_->summary.options.limits.max_factors = std::max(1, max_factors);
+  limits.max_sweeps = impl_->summary.options.limits.max_sweeps = std::max(0, max_sweeps);
+}
+
 void DdpSolver::set_guess(const Eigen::Ref<const RowMatrix>& xs,
                           const Eigen::Ref<const RowMatrix>& us) {
   const Impl& s = *impl_;

@@ -113,8 +113,7 @@ bool DdpSolver::Impl::is_bounded(int knot, int control) const {
 /// Policies and multipliers of directions before.
 void DdpSolver::Impl::forget_limits() noexcept {
   limited_before = false;
-  for (int k = 0; k <= N; ++k)
-    std::fill_n(limited->rows(k).multiplier, limited->first_row() + rows_max, 0.0);
+  limited->forget();
   std::fill(row_multipliers.begin(), row_multipliers.end(), 0.0);
 }
 
@@ -142,7 +141,7 @@ void DdpSolver::Impl::set_row_limits() {
     const auto i = static_cast<std::size_t>(k);
     const LimitedLq::Rows rows = limited->rows(k);
     const int nu = controls[i];
-    std::fill_n(rows.weight, limited->first_row() + coefficient_counts[i], 0.0);
+    std::fill_n(rows.weight, limited->places(), 0.0);
     const double* u = k < N ? current.us.data() + k * nu_max : nullptr;
     for (int c = 0; c < nu; ++c) {
       if (!is_bounded(k, c)) continue;
@@ -391,6 +390,7 @@ bool DdpSolver::Impl::is_least_violation() const {
 void DdpSolver::Impl::note_outside() {
   summary.outside = 0.0;
   summary.outside_knot = summary.outside_row = -1;
+  summary.pushing = summary.given_way = 0;
   summary.conflict.clear();
   const auto violation = [&](int k, int r, std::size_t i, double low, double high) {
     return is_hard(problem.row_price(k)[r])
@@ -410,8 +410,12 @@ void DdpSolver::Impl::note_outside() {
     const LimitedLq::Rows rows = limited->rows(k);
     if (rows.price[at] == 0.0 && rows.weight[at] != 0.0)
       rows.multiplier[at] = square_of(k, r) * signed_outside_of(current.rows[i], low, high);
-    row_multipliers[i] = rows.multiplier[at];
+    const double push = std::abs(row_multipliers[i] = rows.multiplier[at]);
+    summary.pushing += push != 0.0;
+    summary.given_way += is_hard(problem.row_price(k)[r]) && rows.price[at] != 0.0 &&
+                         push >= (1.0 - 1e-9) * rows.price[at];
   });
+  summary.limits_open = limited_result.open;
   if (summary.reason != StopReason::Infeasible) return;
   const double least = std::max(0.01 * current.outside, options.limits.tolerance);
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {

@@ -212,6 +212,11 @@ const Description& description_of(const DdpSummary* /*of*/) {
                  "returned")
           .field("outside_knot", &D::outside_knot, "where; -1: every row is within its limits")
           .field("outside_row", &D::outside_row)
+          .field("limits_open", &D::limits_open,
+                 "what the last iteration's steps left of limits, in their scale")
+          .field("pushing", &D::pushing, "rows that push")
+          .field("given_way", &D::given_way,
+                 "hard rows that push with all that their price allows, since they cannot be kept")
           .field("conflict", &D::conflict, "Infeasible: rows that cannot hold together")
           .field("status", &D::status,
                  "NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be "

@@ -77,6 +77,12 @@ LimitedLq::Rows LimitedLq::rows(int knot) {
   return {k.lower, k.upper, k.scale, k.weight, k.price, k.beyond, k.multiplier};
 }
 
+void LimitedLq::forget() noexcept {
+  for (const Knot& k : knots_) std::fill_n(k.multiplier, row_count_, 0.0);
+  std::fill(pieces_.begin(), pieces_.end(), RowPiece::Inside);
+  found_ = pieces_;
+}
+
 RowPiece LimitedLq::piece(int knot, int row) const {
   return pieces_[static_cast<std::size_t>(knot * row_count_ + row)];
 }
@@ -377,6 +383,23 @@ double LimitedLq::update_multipliers(const LqHorizon& h, double to_price) {
   return largest;
 }
 
+/// What multipliers would change by, as update_multipliers() says it.
+double LimitedLq::left_open(const LqHorizon& h) const {
+  double largest = 0.0;
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    const RowArrays arrays = mine.arrays();
+    for (int r = 0; r < vectors_end(h, k); ++r) {
+      if (mine.weight[r] == 0.0 || mine.price[r] == 0.0) continue;
+      const RowLine line = row_line(arrays, r, row_piece(arrays, r, mine.y[r]));
+      const double next = line.slope * mine.y[r] + line.offset;
+      largest =
+          std::max(largest, std::abs(next - mine.multiplier[r]) / (mine.weight[r] * mine.scale[r]));
+    }
+  }
+  return largest;
+}
+
 /// Of the rows that push, whose minimum moves on the less the larger they are.
 void LimitedLq::raise_weights(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
@@ -441,7 +464,10 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
       sweep(h, recursion);
       ++result.sweeps;
     } else {
-      if (result.factors >= budget.factors) return result;
+      if (result.factors >= budget.factors) {
+        result.open = left_open(h);
+        return result;
+      }
       slow = 0;
       std::swap(pieces_, found_);
       keep();

@@ -62,7 +62,10 @@ class LimitedLq {
     double* multiplier;
   };
   Rows rows(int knot);
+  /// Multipliers, and the pieces that rows lay on.
+  void forget() noexcept;
   int first_row() const { return first_row_; }
+  int places() const { return row_count_; }  ///< of a knot's rows, with those that are none
 
   /// `warm`: begins with the policies in the horizon and the pieces that rows lay on. Allocates
   /// nothing.
@@ -99,6 +102,7 @@ class LimitedLq {
   Line line(const LqHorizon& h);
   double force_along(const LqHorizon& h, double length) const;
   void shorten(const LqHorizon& h);
+  double left_open(const LqHorizon& h) const;
   void raise_weights(const LqHorizon& h);
   double update_multipliers(const LqHorizon& h, double to_price);
 

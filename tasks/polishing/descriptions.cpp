@@ -89,12 +89,6 @@ const Description& description_of(const Weights* /*of*/) {
           .field("velocity", &W::velocity,
                  "{s^2/rad^2}: joint speeds; more damps, and lags on fast paths", weight)
           .field("torque", &W::torque, "{1/Nm^2}: torques to those that hold the start", weight)
-          .field("position_limits", &W::position_limits,
-                 "{1/rad^2} beyond 0.05 rad inside a joint's limits", weight)
-          .field("velocity_limits", &W::velocity_limits,
-                 "{s^2/rad^2} beyond a joint's velocity limit", weight)
-          .field("torque_limits", &W::torque_limits, "{1/Nm^2} beyond a joint's effort limit",
-                 weight)
           .field("terminal", &W::terminal,
                  "{s}: what the end of the horizon costs, as a time at its running cost", weight);
   return all;
@@ -211,6 +205,8 @@ Describe<T>& describe_controller(Describe<T>& task) {
           "weights", &T::weights,
           "Cost per second of squared error. What counts is how they compare: raise one, and its "
           "error\nshrinks at the expense of the others.")
+      .field("constraints", &T::constraints,
+             "What plans keep, whatever it costs. Each may be never.")
       .field("model_error", &T::model_error,
              "What measurements say that the model gets wrong, given back to it before each plan.");
   pressing::describe_limits(task).group("").field(

@@ -62,9 +62,6 @@ struct Builder {
          .residual =
              residual::FrameRotation{task.tool, Eigen::Quaterniond(start.linear()).coeffs()},
          .weight = w.rotation}};
-    for (const CostTerm& term :
-         pressing::joint_limit_costs(model, w.velocity_limits, w.position_limits))
-      terms.push_back(term);
     return terms;
   }
   CostTerm place(double normal_weight) const {
@@ -89,12 +86,15 @@ struct Builder {
 
   Stage stage(const std::string& name, const std::vector<CostTerm>& extra, bool contact) const {
     Stage result{.name = name, .costs = everywhere(), .step = task.step};
-    const Weights& w = task.weights;
-    for (const CostTerm& term :
-         pressing::torque_costs(model, rest_torque(), w.torque, w.torque_limits))
-      result.costs.push_back(term);
+    result.costs.push_back(pressing::torque_cost(rest_torque(), task.weights.torque));
     for (const CostTerm& term : extra) result.costs.push_back(term);
-    if (contact) result.contacts = {"surface"};
+    result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
+    for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
+      result.constraints.push_back(rows);
+    if (!contact) return result;
+    result.contacts = {"surface"};
+    result.constraints.push_back(pressing::force_limit(
+        force(), std::min(task.touch_force, task.force), task.force, task.constraints));
     return result;
   }
 };
@@ -229,6 +229,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   problem.terminal = build.everywhere();
   problem.terminal.push_back(build.place(0.0));
   for (CostTerm& term : problem.terminal) term.weight *= task.weights.terminal;
+  problem.terminal_constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
   const int knots = static_cast<int>(std::lround(task.horizon / task.step));
   problem.horizon = {{"reach", knots}};
 
@@ -256,6 +257,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.solver_delay = task.solver_delay;
   mpc.solver.update = task.solver;
   mpc.solver.max_iterations = task.iterations;
+  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
   mpc.limits = task.limits;
   mpc.fallback = task.fallback;

@@ -114,6 +114,9 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
                      [](Task& task, const Reader& reader) { read_points(task.path, reader); })
         .word("path", "kind");
     pressing::read_presets<Task>(form);
+    form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
+        .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")
+        .gone("weights", "torque_limits", "constraints.torque, which plans keep");
     // Limits are of the tool, the controller and the task; what a file says first is most asked
     // for.
     form.first("limits",

@@ -49,7 +49,9 @@ Describe<T>& describe_rest(Describe<T>& task) {
       .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands and of new plans",
              range::from(100.0, 1e4))
       .field("posture_weight", &T::posture_weight,
-             "{1/rad^2}: joints to where they shall be, beside 1e4 1/m^2 of the point", positive);
+             "{1/rad^2}: joints to where they shall be, beside 1e4 1/m^2 of the point", positive)
+      .field("constraints", &T::constraints,
+             "What plans keep, whatever it costs. Each may be never.");
   pressing::describe_limits(task)
       .field("slip", &T::slip, "{m} that the tool may be off its point, along the surface",
              range::positive_or_infinite)

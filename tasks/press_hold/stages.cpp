@@ -74,13 +74,12 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   std::vector<CostTerm> common{
       {.name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows},
       pressing::place_cost("point", task.tool, setting.p_hold, setting.surface_axes, 1e4, 0.0)};
-  for (CostTerm& term : pressing::joint_limit_costs(model, 1e2, 1e3))
-    common.push_back(std::move(term));
-  for (CostTerm& term :
-       pressing::torque_costs(model, pressing::rest_torque(model, setting.q_start), 1e-4, 1.0))
-    common.push_back(std::move(term));
+  common.push_back(pressing::torque_cost(pressing::rest_torque(model, setting.q_start), 1e-4));
+  std::vector<Constraint> kept = pressing::joint_limits(model, task.constraints, setting.q_start);
+  for (Constraint& most : pressing::torque_limits(model, task.constraints))
+    kept.push_back(std::move(most));
   const auto stage = [&](const char* name, CostTerm own) {
-    Stage result{.name = name, .costs = common, .step = 0.01};
+    Stage result{.name = name, .costs = common, .constraints = kept, .step = 0.01};
     result.costs.push_back(std::move(own));
     return result;
   };
@@ -94,6 +93,8 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
                          stage("press", pressing::force_cost(force, 1.0)),
                          stage("retreat", move(task.clearance / task.retreat_duration))};
   all[1].contacts = {"surface"};
+  all[1].constraints.push_back(pressing::force_limit(force, std::min(task.touch_force, task.force),
+                                                     task.force, task.constraints));
   return all;
 }
 
@@ -193,6 +194,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const auto& costs = mpc.problem.stages.front().costs;
   mpc.problem.terminal = {costs[0], costs[1]};
   for (CostTerm& term : mpc.problem.terminal) term.weight *= 0.1;
+  mpc.problem.terminal_constraints =
+      pressing::joint_limits(model, task.constraints, setting.q_start);
   mpc.problem.horizon = {{"approach", 50}};
   mpc.schedule = {{.stage = "approach", .duration = setting.touch, .until = "contact"},
                   {.stage = "press", .duration = task.ramp_duration},
@@ -215,6 +218,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
   mpc.limits = task.limits;
+  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error.bandwidth = 150.0;
   return mpc;
 }

@@ -39,6 +39,23 @@ const Description& description_of(const ToolLimits* /*of*/) {
   return all;
 }
 
+const Description& description_of(const PlanLimits* /*of*/) {
+  using P = PlanLimits;
+  static const Description all =
+      Describe<P>("pressing", "PlanLimits",
+                  "What plans keep, as hard constraints. Infinite: not kept.")
+          .field("joint_margin", &P::joint_margin, "{rad (m)} that joints keep from their limits",
+                 range::not_negative_or_infinite)
+          .field("joint_speed", &P::joint_speed, "of the robot's velocity limits",
+                 range::positive_or_infinite)
+          .field("torque", &P::torque, "of the robot's effort limits; nor is more than that sent",
+                 range::positive_or_infinite)
+          .field("force_band", &P::force_band,
+                 "{N} that the force may be off its target while pressing; it is never below zero",
+                 range::positive_or_infinite);
+  return all;
+}
+
 const Description& description_of(const PostureLimits* /*of*/) {
   using P = PostureLimits;
   constexpr Range limit = range::not_negative;

@@ -10,6 +10,7 @@
 namespace burnish {
 
 const Description& description_of(const ToolLimits*);
+const Description& description_of(const PlanLimits*);
 const Description& description_of(const PostureLimits*);
 const Words& words_of(Touch);
 const Description& description_of(const TaskTarget*);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "ocp/position_limits.hpp"
@@ -15,32 +17,77 @@ Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q) {
   return body.gravity_torque();
 }
 
-std::vector<CostTerm> joint_limit_costs(const Model& model, double velocity, double position) {
-  std::vector<CostTerm> terms{
-      {.name = "velocity limits",
-       .residual = residual::JointVelocity{},
-       .weight = velocity,
-       .penalty = Penalty::barrier(-model.velocity_limit, model.velocity_limit)}};
-  const ocp::PositionLimits limits = ocp::position_limits(model);
-  if (limits.lower.size() > 0)
-    terms.push_back(
-        {.name = "position limits",
-         .residual = residual::JointPosition{},
-         .weight = position,
-         .penalty = Penalty::barrier(limits.lower.array() + 0.05, limits.upper.array() - 0.05)});
-  return terms;
+namespace {
+/// What counts as much of rows within +- limit: the limit, or one where there is none.
+Eigen::VectorXd scale_of(const Eigen::VectorXd& limit) {
+  return limit.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; });
+}
+void check_start(const Model& model, double margin, const Eigen::VectorXd& q) {
+  constexpr double rounding = 1e-9;
+  for (const Joint& joint : model.joints) {
+    if (!ocp::has_position_limit(model, joint)) continue;
+    const int k = joint.q_index;
+    const double room = std::min(q[k] - model.q_lower[k], model.q_upper[k] - q[k]);
+    if (room < margin - rounding)
+      throw EntryError("constraints.joint_margin",
+                       "joint " + in_quotes(joint.name) + " starts " + number(room) +
+                           " from its limit; wanted at least " + number(margin) +
+                           ", another start, or constraints.joint_margin of less");
+  }
+}
+}  // namespace
+
+std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limits,
+                                     const Eigen::VectorXd& q_start) {
+  if (std::isfinite(limits.joint_margin)) check_start(model, limits.joint_margin, q_start);
+  std::vector<Constraint> rows;
+  const ocp::PositionLimits range = ocp::position_limits(model);
+  if (std::isfinite(limits.joint_margin) && range.lower.size() > 0)
+    rows.push_back({.name = "joint range",
+                    .residual = residual::JointPosition{},
+                    .lower = range.lower.array() + limits.joint_margin,
+                    .upper = range.upper.array() - limits.joint_margin,
+                    .scale = scale_of(0.5 * (range.upper - range.lower))});
+  const Eigen::VectorXd fastest = limits.joint_speed * model.velocity_limit;
+  if (std::isfinite(fastest.minCoeff()))
+    rows.push_back({.name = "joint speed",
+                    .residual = residual::JointVelocity{},
+                    .lower = -fastest,
+                    .upper = fastest,
+                    .scale = scale_of(fastest)});
+  return rows;
 }
 
-std::vector<CostTerm> torque_costs(const Model& model, const Eigen::VectorXd& rest, double torque,
-                                   double limits) {
-  std::vector<CostTerm> terms{
-      {.name = "torque", .residual = residual::Control{rest}, .weight = torque}};
-  if (std::isfinite(model.effort_limit.maxCoeff()))
-    terms.push_back({.name = "torque limits",
-                     .residual = residual::Control{},
-                     .weight = limits,
-                     .penalty = Penalty::barrier(-model.effort_limit, model.effort_limit)});
-  return terms;
+Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits) {
+  return std::isfinite(limits.torque) ? Eigen::VectorXd(limits.torque * model.effort_limit)
+                                      : model.effort_limit;
+}
+
+std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits) {
+  const Eigen::VectorXd most = limits.torque * model.effort_limit;
+  if (!std::isfinite(most.minCoeff())) return {};
+  return {{.name = "torque limits",
+           .residual = residual::Control{},
+           .lower = -most,
+           .upper = most,
+           .scale = scale_of(most)}};
+}
+
+Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits) {
+  Constraint row{.name = "force band",
+                 .residual = residual::ContactForce{"surface", {}, force},
+                 .lower = Eigen::VectorXd::Constant(1, -std::min(limits.force_band, least)),
+                 .upper = Eigen::VectorXd::Constant(1, limits.force_band),
+                 .scale = Eigen::VectorXd::Constant(1, scale)};
+  if (std::isfinite(limits.force_band)) return row;
+  row.name = "pull";
+  row.residual = residual::ContactForce{"surface"};
+  row.lower.setZero();
+  return row;
+}
+
+CostTerm torque_cost(const Eigen::VectorXd& rest, double weight) {
+  return {.name = "torque", .residual = residual::Control{rest}, .weight = weight};
 }
 
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,

@@ -1,4 +1,4 @@
-// Costs that stages of tasks which press are made of.
+// Costs and constraints that stages of tasks which press are made of.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/ocp/problem.hpp"
+#include "burnish/tasks/pressing/pressing_task.hpp"
 
 namespace burnish::pressing {
 
@@ -23,12 +24,19 @@ inline double smooth_rate(double s) {
 /// nv, that holds q against gravity.
 Eigen::VectorXd rest_torque(const Model& model, const Eigen::VectorXd& q);
 
-/// Barriers at the joints' velocity limits and 0.05 rad (m) inside their position limits, where
-/// they have some.
-std::vector<CostTerm> joint_limit_costs(const Model& model, double velocity, double position);
-/// Torques to `rest`, and a barrier at the effort limits, where there are some.
-std::vector<CostTerm> torque_costs(const Model& model, const Eigen::VectorXd& rest, double torque,
-                                   double limits);
+/// Range and speed of the joints, where they have limits. Throws EntryError for a start outside the
+/// range: a plan would do all to get inside.
+std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limits,
+                                     const Eigen::VectorXd& q_start);
+/// Of the controls, where there are effort limits.
+std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits);
+/// nv, Nm (N): what may be sent.
+Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits);
+/// Of the force along the normal of the contact "surface", at least `least` N while pressing;
+/// `scale`: N that count as much.
+Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits);
+/// Torques to `rest`.
+CostTerm torque_cost(const Eigen::VectorXd& rest, double weight);
 /// Of the tool's position, m in the world, along the surface and with a weight of its own along the
 /// normal, the third of the axes.
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,

@@ -68,7 +68,11 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
                            "solve_time",
                            "iterations",
                            "missed_deadline",
-                           "tick"})
+                           "tick",
+                           "limits_pushing",
+                           "limits_outside",
+                           "limits_infeasible",
+                           "clipped_torques"})
     columns.push_back({name, "-"});
   Trace trace(columns, 1000);
   for (int row = 0; row < 1000; ++row) {
@@ -181,6 +185,10 @@ TEST(Metrics, report_the_solver_over_its_ticks) {
                               values[trace.index("solve_time")] = row == 990 ? 5e-3 : 1e-3;
                               values[trace.index("iterations")] = 2.0;
                               values[trace.index("missed_deadline")] = row == 990 ? 1.0 : 0.0;
+                              values[trace.index("limits_pushing")] = row >= 900 ? 3.0 : 0.0;
+                              values[trace.index("limits_outside")] = row == 990 ? 0.2 : 0.1;
+                              values[trace.index("limits_infeasible")] = row == 990 ? 1.0 : 0.0;
+                              values[trace.index("clipped_torques")] = row == 800 ? 2.0 : 0.0;
                             }),
                             one_joint(), from_half());
   ASSERT_TRUE(m.solver.has_value());
@@ -189,6 +197,10 @@ TEST(Metrics, report_the_solver_over_its_ticks) {
   EXPECT_EQ(m.solver->maximum, 5e-3);
   EXPECT_EQ(m.solver->mean_iterations, 2.0);
   EXPECT_EQ(m.solver->missed_deadlines, 1);
+  EXPECT_EQ(m.solver->at_limits, 10);
+  EXPECT_EQ(m.solver->infeasible, 1);
+  EXPECT_EQ(m.solver->limits_outside, 0.2);
+  EXPECT_EQ(m.solver->clipped, 1);
   const std::string text = metrics_text(m);
   EXPECT_NE(text.find(" 50 "), std::string::npos) << "a count has no decimals\n" << text;
 }

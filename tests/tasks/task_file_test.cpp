@@ -221,6 +221,8 @@ TEST_P(TaskFileRefuses, WithThePlace) {
 INSTANTIATE_TEST_SUITE_P(
     Files, TaskFileRefuses,
     ::testing::Values(
+        Refused{"weights:\n  position_limits: 3\n",
+                {"line 2", "weights.position_limits", "is gone", "constraints.joint_margin"}},
         Refused{"forse: 3\n", {"line 1", "key 'forse' is unknown", "did you mean 'force'?"}},
         Refused{"path:\n  radus: 0.1\n", {"line 2: path: key 'radus'", "did you mean 'radius'?"}},
         Refused{"force: 1\nforce: 2\n", {"'force' is stated twice"}},

@@ -31,6 +31,12 @@ struct Command {
   double solve_time = 0.0;       ///< s of wall clock, where an optimal control problem was solved
   int iterations = 0;            ///< of its solver
   bool missed_deadline = false;  ///< its solution came later than it was due
+  /// Of the last plan of a controller that keeps limits: the largest violation of a hard one along
+  /// it, and what was left open when its budget was spent, as shares of a limit's scale.
+  double limits_outside = 0.0, limits_open = 0.0;
+  int limits_pushing = 0;          ///< limits that push, over all knots
+  bool limits_infeasible = false;  ///< they cannot all be kept from here on
+  int clipped_torques = 0;  ///< joints whose torque was cut to what may be sent, at this tick
 };
 
 /// Runs at a fixed period. Ticks allocate nothing and throw nothing.

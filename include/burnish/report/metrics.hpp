@@ -26,6 +26,12 @@ struct SolverFigures {
   double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< s
   double mean_iterations = 0.0;                   ///< solver iterations per plan, mean
   int missed_deadlines = 0;                       ///< plans that came later than they were due
+  int at_limits = 0;                              ///< plans with limits that push
+  int infeasible = 0;                             ///< plans that cannot keep all limits
+  /// largest violation of a hard limit along a plan, as a share of its scale: of 99 of 100 plans,
+  /// and of all
+  double limits_p99 = 0.0, limits_outside = 0.0;
+  int clipped = 0;  ///< ticks with a torque that was cut to what may be sent
 };
 
 /// All of the window unless it says otherwise, on true forces and positions, SI units.

@@ -60,6 +60,10 @@ struct DdpSummary {
   double outside = 0.0;
   int outside_knot = -1;  ///< where; -1: every row is within its limits
   int outside_row = -1;
+  double limits_open = 0.0;  ///< what the last iteration's steps left of limits, in their scale
+  int pushing = 0;           ///< rows that push
+  /// hard rows that push with all that their price allows, since they cannot be kept
+  int given_way = 0;
   std::vector<RowPlace> conflict = {};  ///< Infeasible: rows that cannot hold together
   /// NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be evaluated:
   /// where and what.
@@ -137,6 +141,8 @@ class DdpSolver {
   void set_time_budget(double seconds);
   /// Allocates nothing; at most what the options said when the solver was made or given options.
   void set_max_iterations(int iterations);
+  /// LimitOptions::max_factors and max_sweeps, at least 1 and 0.
+  void set_limit_budget(int max_factors, int max_sweeps) noexcept;
 
   /// Where the next solve starts: xs (N + 1) x nx, us N x max_controls, a row per knot. Without a
   /// call it starts where the last one ended. Throws Error for other sizes.

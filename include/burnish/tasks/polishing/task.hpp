@@ -34,10 +34,7 @@ struct Weights {
   double approach = 1e2;  ///< s^2/m^2: speed along the normal to that of approach and retreat
   /// 1/rad^2: tool to its orientation at the start; less lets the wrist follow
   double rotation = 1.0;
-  double force = 1.0;            ///< 1/N^2: force along the normal to its target
-  double position_limits = 1e3;  ///< 1/rad^2 beyond 0.05 rad inside a joint's limits
-  double velocity_limits = 1e2;  ///< s^2/rad^2 beyond a joint's velocity limit
-  double torque_limits = 1.0;    ///< 1/Nm^2 beyond a joint's effort limit
+  double force = 1.0;     ///< 1/N^2: force along the normal to its target
   double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
@@ -107,6 +104,7 @@ struct Task {
   double contact_threshold = 2.0;
   Fallback fallback = {};
   Weights weights = {};
+  PlanLimits constraints = {};
 
   Disturbances disturbances = {};
 };

@@ -51,6 +51,8 @@ struct Task {
   /// 1/rad^2: joints to where they shall be, beside 1e4 1/m^2 of the point
   double posture_weight = 1.0;
 
+  PlanLimits constraints = {};
+
   double slip = 0.01;  ///< m that the tool may be off its point, along the surface
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,15 @@ struct ToolLimits {
   /// `release` s are over. More where noise reaches further: six deviations of that mean.
   double unexpected_force = 15.0;
   double release = 0.5;  ///< s into the retreat after which it is free space at the latest
+};
+
+/// What plans keep, as hard constraints. Infinite: not kept.
+struct PlanLimits {
+  double joint_margin = 0.0;  ///< rad (m) that joints keep from their limits
+  double joint_speed = 1.0;   ///< of the robot's velocity limits
+  double torque = 1.0;        ///< of the robot's effort limits; nor is more than that sent
+  /// N that the force may be off its target while pressing; it is never below zero
+  double force_band = std::numeric_limits<double>::infinity();
 };
 
 /// What the task asks of the tool at a time of the schedule. What the controller aims at is what
