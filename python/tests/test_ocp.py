@@ -75,6 +75,11 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
         problem.advance("moving")
 
 
+def test_a_position_is_in_the_world_unless_said():
+    assert residual.FramePosition().reference.name == "world"
+    assert residual.FrameVelocity().reference.name == "centered"
+
+
 def test_places_that_there_are_not_are_refused(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     x, u = problem.initial_state, np.zeros(7)

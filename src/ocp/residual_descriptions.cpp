@@ -52,6 +52,20 @@ const Description& description_of(const JointTorque* /*of*/) {
   return all;
 }
 
+const Description& description_of(const FramePosition* /*of*/) {
+  using F = FramePosition;
+  static const Description all =
+      Describe<F>("residual", "FramePosition",
+                  "Origin of a frame minus the target, 3 rows, m, written in the axes of the "
+                  "reference, whose base is the world. Its origin must not be the frame itself.")
+          .field("frame", &F::frame)
+          .field("target", &F::target,
+                 "3, {m}: from the reference's origin, in the axes that its rotation is fixed in; "
+                 "of Reference::world(...) a point of the world")
+          .field("reference", &F::reference);
+  return all;
+}
+
 const Description& description_of(const FrameRotation* /*of*/) {
   using F = FrameRotation;
   static const Description all =
