@@ -15,7 +15,7 @@ from ._spec import Spec, items
 from .contact import Reference
 
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "Control",
-           "Custom", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
+           "Custom", "FrameDistance", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
            "FrictionCone", "JointPosition", "JointTorque", "JointVelocity", "Residual", "State",
            "UserResidual", "custom"]
 
@@ -63,7 +63,7 @@ def custom(user: UserResidual) -> Custom:
 
 
 Residual = Union[
-    State, Control, JointPosition, JointVelocity, JointTorque, FramePosition, FrameRotation,
-    FramePlacement, FrameVelocity, ContactForce, FrictionCone, CenterOfPressure, CenterOfMass,
-    CentroidalMomentum, Custom,
+    State, Control, JointPosition, JointVelocity, JointTorque, FramePosition, FrameDistance,
+    FrameRotation, FramePlacement, FrameVelocity, ContactForce, FrictionCone, CenterOfPressure,
+    CenterOfMass, CentroidalMomentum, Custom,
 ]

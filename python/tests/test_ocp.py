@@ -76,8 +76,20 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
 
 
 def test_a_position_is_in_the_world_unless_said():
-    assert residual.FramePosition().reference.name == "world"
+    assert residual.FramePosition().reference.name == residual.FrameDistance().reference.name == "world"
     assert residual.FrameVelocity().reference.name == "centered"
+
+
+def test_a_distance_is_what_numpy_makes_of_it(robot):
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    point = np.array([0.1, -0.2, 0.3])
+
+    def distance(**entries):
+        problem = one_term(robot, residual.FrameDistance("tool", point, **entries))
+        return problem.residual(0, 0, at_rest(robot), np.zeros(7))[0]
+
+    assert distance() == pytest.approx(np.linalg.norm(tool - point))
+    assert distance(directions="x,z") == pytest.approx(np.hypot(*(tool - point)[[0, 2]]))
 
 
 def test_places_that_there_are_not_are_refused(robot):

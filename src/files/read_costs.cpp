@@ -64,6 +64,18 @@ struct CostReader {
     return residual;
   }
 
+  /// Frame, reference and target of what a frame's position in a reference is asked for.
+  template <class Frame>
+  Frame seen_from() const {
+    Frame result{.frame = frame()};
+    if (const auto axes = reader.find("axes"))
+      result.reference = Reference::world(read_axes(*axes));
+    result = in_reference(result, "axes");
+    result.target = target(reader.named(
+        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
+    return result;
+  }
+
   /// The joints that are named, or those that `otherwise` accepts.
   std::vector<const Joint*> joints(const std::function<bool(const Joint&)>& otherwise) const {
     std::vector<const Joint*> result;
@@ -174,12 +186,15 @@ struct CostReader {
   Residual frame_position() {
     keys({"frame", "target", "axes", "reference"});
     rows.rows = direction_rows(Directions::linear());
-    residual::FramePosition result{frame(), {}};
-    if (const auto axes = reader.find("axes"))
-      result.reference = Reference::world(read_axes(*axes));
-    result = in_reference(result, "axes");
-    result.target = target(reader.named(
-        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
+    return seen_from<residual::FramePosition>();
+  }
+  Residual frame_distance() {
+    keys({"frame", "target", "axes", "reference", "directions"});
+    rows.rows = direction_rows(Directions::linear());  // of the target
+    auto result = seen_from<residual::FrameDistance>();
+    rows.rows = {{"distance", 1}};
+    if (const auto directions = reader.find("directions"))
+      result.directions = read_directions(*directions);
     return result;
   }
   Residual frame_rotation() {
@@ -285,6 +300,7 @@ constexpr CostType types[] = {
     {"joint_velocity", &CostReader::joint_velocity},
     {"joint_torque", &CostReader::joint_torque},
     {"frame_position", &CostReader::frame_position},
+    {"frame_distance", &CostReader::frame_distance},
     {"frame_rotation", &CostReader::frame_rotation},
     {"frame_placement", &CostReader::frame_placement},
     {"frame_velocity", &CostReader::frame_velocity},

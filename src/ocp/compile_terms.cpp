@@ -277,17 +277,34 @@ struct TermBuilder {
            in_state ? layout().column_tau() : 0, entries, r.target);
   }
 
-  void operator()(const residual::FramePosition& r) {
-    term.rows = 3;
-    target(r.target, 3, {});
-    const int f = frame(r.frame);
-    const FramePositionError error{f, view(f, r.reference)};
-    if (error.view.reference.at_tool)
+  /// Of a frame in a reference with another origin.
+  FramePositionError position(const std::string& name, const Reference& reference) {
+    const int f = frame(name);
+    FramePositionError result{f, view(f, reference)};
+    if (result.view.reference.at_tool)
       refuse(
           "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
           "another frame");
+    return result;
+  }
+  void operator()(const residual::FramePosition& r) {
+    term.rows = 3;
+    target(r.target, 3, {});
+    const FramePositionError error = position(r.frame, r.reference);
     term.residual = error;
     dense_block(3, columns(layout().column_q(), error.view.entries));
+  }
+  void operator()(const residual::FrameDistance& r) {
+    if (r.directions.bits == 0 || (r.directions.bits & Directions::angular().bits) != 0)
+      refuse("directions are '" + r.directions.text() + "'; wanted one or more of x, y and z");
+    term.rows = 1;
+    const FrameDistance distance{position(r.frame, r.reference), r.directions};
+    if (distance.position.view.reference.at_world)
+      target(r.target, 3, {});
+    else
+      zero_target(r.target, 3);
+    term.residual = distance;
+    dense_block(1, columns(layout().column_q(), distance.position.view.entries));
   }
   void operator()(const residual::FrameRotation& r) {
     term.rows = 3;

@@ -69,6 +69,13 @@ struct FramePositionError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Length of the entries of `position` along the directions.
+struct FrameDistance {
+  FramePositionError position;
+  Directions directions;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
 /// Targets are nine entries of a rotation by columns; with placement three of a position before.
 struct FrameRotationError {
   int frame;
@@ -138,7 +145,7 @@ struct CustomResidual {
 };
 
 using CompiledResidual =
-    std::variant<StateDifference, Selection, FramePositionError, FrameRotationError,
+    std::variant<StateDifference, Selection, FramePositionError, FrameDistance, FrameRotationError,
                  FramePlacementError, FrameVelocityError, OwnForceError, WrenchError, ConeMargin,
                  PressureMargin, ComError, MomentumError, CustomResidual>;
 

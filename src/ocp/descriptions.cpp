@@ -73,7 +73,8 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("scale", &C::scale,
                  "What counts as much of a row, in its unit: per row, one for all, or empty: half "
                  "the distance of its limits, without one the robot's own limit, of forces its "
-                 "weight. Where there is none of these it has to be said.")
+                 "weight, of distances the limit itself where it is above zero. Where there is "
+                 "none of these it has to be said.")
           .number_too()
           .field("price", &C::price,
                  "A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied "

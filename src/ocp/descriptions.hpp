@@ -14,6 +14,7 @@ const Description& description_of(const JointPosition*);
 const Description& description_of(const JointVelocity*);
 const Description& description_of(const JointTorque*);
 const Description& description_of(const FramePosition*);
+const Description& description_of(const FrameDistance*);
 const Description& description_of(const FrameRotation*);
 const Description& description_of(const FramePlacement*);
 const Description& description_of(const FrameVelocity*);

@@ -66,6 +66,24 @@ const Description& description_of(const FramePosition* /*of*/) {
   return all;
 }
 
+const Description& description_of(const FrameDistance* /*of*/) {
+  using F = FrameDistance;
+  static const Description all =
+      Describe<F>("residual", "FrameDistance",
+                  "Distance of a frame's origin from the target, 1 row, m, measured along "
+                  "`directions` of the reference, whose base is the world and whose origin must "
+                  "not be the frame itself: along all three from a point, along two from a line, "
+                  "along one from a plane. It is sqrt(d^2 + (1e-6 m)^2), so that it has a "
+                  "derivative everywhere; at d = 0 that is zero, as no direction leads away.")
+          .field("frame", &F::frame)
+          .field("target", &F::target,
+                 "3, {m}, as of FramePosition. None: the reference's origin, unless that is the "
+                 "world's")
+          .field("directions", &F::directions, "one or more of x, y and z")
+          .field("reference", &F::reference);
+  return all;
+}
+
 const Description& description_of(const FrameRotation* /*of*/) {
   using F = FrameRotation;
   static const Description all =

@@ -24,6 +24,7 @@ struct RowNames {
     return names;
   }
   Names operator()(const FramePositionError&) const { return directions(0, 3); }
+  Names operator()(const FrameDistance&) const { return {"distance"}; }
   Names operator()(const FrameRotationError&) const { return directions(3, 3); }
   Names operator()(const OwnForceError& r) const {
     Names names;

@@ -128,6 +128,9 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      n: {type: frame_velocity, frame: tool, reference: {axes: link_3, rpy: [0, 0, 1]}}\n"
       "      o: {type: frame_position, frame: tool, target: here,\n"
       "          reference: {origin: link_3, axes: link_3}}\n"
+      "      q: {type: frame_distance, frame: tool, directions: [x, z], target: [1, 2, 3],\n"
+      "          penalty: {barrier: {lower: 0.2}}}\n"
+      "      r: {type: frame_distance, frame: tool, reference: {origin: link_3}}\n"
       "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
       "      m: {type: contact_force, contact: pad,\n"
       "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
@@ -174,10 +177,18 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   seen.target.at(0.0, p);  // here
   EXPECT_LT((placement("link_3") * Eigen::Vector3d(p) - placement("tool").translation()).norm(),
             1e-12);
-  const auto& leaning = *std::get<residual::ContactForce>(go.costs[14].residual).reference;
+  const auto& apart = std::get<residual::FrameDistance>(go.costs[14].residual);
+  EXPECT_EQ(apart.directions, Directions::x() | Directions::z());
+  apart.target.at(0.0, p);
+  EXPECT_EQ(p, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(go.costs[14].penalty->lower, Eigen::VectorXd::Constant(1, 0.2));
+  const auto& from_link = std::get<residual::FrameDistance>(go.costs[15].residual);
+  EXPECT_TRUE(from_link.target.empty());
+  EXPECT_EQ(from_link.reference.origin, Anchor("link_3"));
+  const auto& leaning = *std::get<residual::ContactForce>(go.costs[16].residual).reference;
   EXPECT_EQ(leaning.axes, Anchor("link_2"));
   EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
-  std::get<residual::ContactForce>(go.costs[15].residual).target.at(0.2, f);
+  std::get<residual::ContactForce>(go.costs[17].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
@@ -358,6 +369,10 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
        "",
        {"points.file:", "no.csv", "cannot be opened"}},
       {"target: here", "target: {circle: {radius: 1, rate: 1}}", "", {"'center' or 'start'"}},
+      {"frame_position, frame: tool",
+       "frame_distance, frame: tool, directions: xw",
+       "",
+       {"point.directions:", "'xw'"}},
       {"target: here", "target: nan", "", {"point.target: nan is not finite"}},
       {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},
       {"contacts: [pad]", "contacts: [pod]", "", {"stages.press.contacts", "'pad'?"}},

@@ -193,6 +193,16 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::FramePosition{s.tool, s.random(3), turning_reference(Anchor::World, s.other())};
        }},
+      {"distance",
+       [](Setup s) {
+         return R::FrameDistance{s.tool, s.random(3)};
+       },
+       inside},
+      {"distance from a line that turns with another frame",
+       [](Setup s) {
+         return R::FrameDistance{s.tool, s.random(3), Directions::x() | Directions::z(),
+                                 turning_reference(Anchor::World, s.other())};
+       }},
       {"force",
        [](Setup s) {
          return R::ContactForce{"pad", {}, s.random(6)};

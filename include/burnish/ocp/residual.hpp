@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "burnish/base/signal.hpp"
+#include "burnish/contact/contact.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/ocp/node_view.hpp"
 
@@ -56,6 +57,18 @@ struct FramePosition {
   /// 3 entries, m: from the reference's origin, in the axes that its rotation is fixed in; of
   /// Reference::world(...) a point of the world.
   Signal target = {};
+  Reference reference = Reference::world();
+};
+
+/// Distance of a frame's origin from the target, 1 row, m, measured along `directions` of the
+/// reference, whose base is the world and whose origin must not be the frame itself: along all
+/// three from a point, along two from a line, along one from a plane. It is sqrt(d^2 + (1e-6 m)^2),
+/// so that it has a derivative everywhere; at d = 0 that is zero, as no direction leads away.
+struct FrameDistance {
+  std::string frame = {};
+  /// 3 entries, m, as of FramePosition. Empty: the reference's origin, unless that is the world's.
+  Signal target = {};
+  Directions directions = Directions::linear();  ///< one or more of x, y and z
   Reference reference = Reference::world();
 };
 
@@ -154,9 +167,10 @@ namespace burnish {
 using Residual =
     std::variant<residual::State, residual::Control, residual::JointPosition,
                  residual::JointVelocity, residual::JointTorque, residual::FramePosition,
-                 residual::FrameRotation, residual::FramePlacement, residual::FrameVelocity,
-                 residual::ContactForce, residual::FrictionCone, residual::CenterOfPressure,
-                 residual::CenterOfMass, residual::CentroidalMomentum, residual::Custom>;
+                 residual::FrameDistance, residual::FrameRotation, residual::FramePlacement,
+                 residual::FrameVelocity, residual::ContactForce, residual::FrictionCone,
+                 residual::CenterOfPressure, residual::CenterOfMass, residual::CentroidalMomentum,
+                 residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);

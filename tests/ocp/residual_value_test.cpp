@@ -1,0 +1,63 @@
+// Values of residuals that are known otherwise, and what they do at their edges.
+#include <gtest/gtest.h>
+
+#include "burnish/dynamics/placement.hpp"
+#include "support/ocp_cases.hpp"
+
+namespace burnish::test {
+namespace {
+
+/// One term on a resting arm without contacts.
+class ResidualValue : public ::testing::Test {
+ protected:
+  Problem with(const Residual& residual) {
+    ProblemSpec spec{.model = model};
+    spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+    spec.initial_state.head(model.nq) = q;
+    spec.stages = {{.name = "go", .costs = {{.residual = residual}}}};
+    spec.horizon = {{"go", 1}};
+    return Problem(spec);
+  }
+  double value(const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual(0, 0, problem.spec().initial_state, Eigen::VectorXd::Zero(model.nv))[0];
+  }
+  RowMatrix derivative(const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual_derivative(0, 0, problem.spec().initial_state,
+                                       Eigen::VectorXd::Zero(model.nv));
+  }
+
+  Model model = arm.robot.model();
+  std::mt19937_64 generator{3};
+  Eigen::VectorXd q = random_state(model, generator).q;
+  Eigen::Vector3d tool = frame_placement(model, q, "tool").translation();
+};
+
+TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
+  using residual::FrameDistance;
+  const Eigen::Vector3d away(0.3, -0.4, 1.2), point = tool - away;
+  EXPECT_NEAR(value(FrameDistance{"tool", point}), 1.3, 1e-9);
+  EXPECT_NEAR(value(FrameDistance{"tool", point, Directions::x() | Directions::y()}), 0.5, 1e-9);
+  EXPECT_NEAR(value(FrameDistance{"tool", point, Directions::y()}), 0.4, 1e-9);
+  const Eigen::Matrix3d R = tilt();
+  const Eigen::Vector2d across(R.col(1).dot(away), R.col(2).dot(away));
+  EXPECT_NEAR(
+      value(FrameDistance{"tool", point, Directions::y() | Directions::z(), Reference::world(R)}),
+      across.norm(), 1e-9);
+}
+
+TEST_F(ResidualValue, DistanceWithoutATargetIsFromTheReferencesOrigin) {
+  const Eigen::Vector3d other = frame_placement(model, q, "link_3").translation();
+  EXPECT_NEAR(value(residual::FrameDistance{"tool", {}, Directions::linear(), {"link_3"}}),
+              (tool - other).norm(), 1e-9);
+}
+
+TEST_F(ResidualValue, DistanceOfZeroHasADerivativeOfZero) {
+  const residual::FrameDistance here{"tool", tool};
+  EXPECT_NEAR(value(here), 1e-6, 1e-9);
+  EXPECT_LT(derivative(here).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+}  // namespace
+}  // namespace burnish::test
