@@ -16,8 +16,8 @@ from .contact import Reference
 
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "Control",
            "Custom", "FrameDistance", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
-           "FrictionCone", "JointPosition", "JointTorque", "JointVelocity", "Residual", "State",
-           "UserResidual", "custom"]
+           "FrictionCone", "JointPosition", "JointTorque", "JointTorqueRate", "JointVelocity", "Residual",
+           "State", "UserResidual", "custom"]
 
 
 # Described classes stand here (scripts/describe).
@@ -63,7 +63,7 @@ def custom(user: UserResidual) -> Custom:
 
 
 Residual = Union[
-    State, Control, JointPosition, JointVelocity, JointTorque, FramePosition, FrameDistance,
-    FrameRotation, FramePlacement, FrameVelocity, ContactForce, FrictionCone, CenterOfPressure,
-    CenterOfMass, CentroidalMomentum, Custom,
+    State, Control, JointPosition, JointVelocity, JointTorque, JointTorqueRate, FramePosition,
+    FrameDistance, FrameRotation, FramePlacement, FrameVelocity, ContactForce, FrictionCone,
+    CenterOfPressure, CenterOfMass, CentroidalMomentum, Custom,
 ]

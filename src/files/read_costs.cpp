@@ -182,6 +182,12 @@ struct CostReader {
     }
     return residual::JointTorque{joint_names(), torque};
   }
+  Residual joint_torque_rate() {
+    keys({"joints", "target"});
+    for (const Joint* joint : reader.has("joints") ? joints({}) : scope.driven())
+      rows.rows.push_back({joint->name, joint->nv});
+    return residual::JointTorqueRate{joint_names(), target({})};
+  }
 
   Residual frame_position() {
     keys({"frame", "target", "axes", "reference"});
@@ -299,6 +305,7 @@ constexpr CostType types[] = {
     {"joint_position", &CostReader::joint_position},
     {"joint_velocity", &CostReader::joint_velocity},
     {"joint_torque", &CostReader::joint_torque},
+    {"joint_torque_rate", &CostReader::joint_torque_rate},
     {"frame_position", &CostReader::frame_position},
     {"frame_distance", &CostReader::frame_distance},
     {"frame_rotation", &CostReader::frame_rotation},

@@ -261,20 +261,40 @@ struct TermBuilder {
     const std::vector<int> entries = velocity_entries(r.joints);
     select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
   }
-  void operator()(const residual::JointTorque& r) {
+  /// Of these joints, or of all that have one.
+  std::vector<int> actuators(const std::vector<std::string>& joints) const {
     std::vector<int> entries;
-    for (const int k : velocity_entries(r.joints)) {
+    for (const int k : velocity_entries(joints)) {
       const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
       if (found != layout().actuated.end()) {
         entries.push_back(static_cast<int>(found - layout().actuated.begin()));
-      } else if (!r.joints.empty()) {
+      } else if (!joints.empty()) {
         refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
       }
     }
+    return entries;
+  }
+  void operator()(const residual::JointTorque& r) {
+    const std::vector<int> entries = actuators(r.joints);
     const bool in_state = layout().filtered > 0;
     if (!in_state && stage.nu == 0) refuse("there is no control here");
     select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
            in_state ? layout().column_tau() : 0, entries, r.target);
+  }
+  void operator()(const residual::JointTorqueRate& r) {
+    if (!spec.torque_model)
+      refuse(
+          "torques that are the control have no rate; wanted a torque model in the problem, which "
+          "puts them into the state, one more entry per driven joint");
+    if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
+    TorqueRate rate{spec.torque_model->cutoff, actuators(r.joints)};
+    term.rows = static_cast<int>(rate.entries.size());
+    if (term.rows == 0) refuse("has no rows");
+    zero_target(r.target, term.rows);
+    for (int i = 0; i < term.rows; ++i)
+      term.blocks.push_back(
+          {i, 1, {rate.entries[i], layout().column_tau() + rate.entries[i]}, false});
+    term.residual = std::move(rate);
   }
 
   /// Of a frame in a reference with another origin.

@@ -42,6 +42,14 @@ struct Selection {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
+/// cutoff (u - tau) of actuators: with a torque model.
+struct TorqueRate {
+  double cutoff;  ///< rad/s
+  std::vector<int> entries;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
+
 /// A reference that may turn from knot to knot.
 struct TurningReference : CompiledReference {
   int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
@@ -145,8 +153,8 @@ struct CustomResidual {
 };
 
 using CompiledResidual =
-    std::variant<StateDifference, Selection, FramePositionError, FrameDistance, FrameRotationError,
-                 FramePlacementError, FrameVelocityError, OwnForceError, WrenchError, ConeMargin,
-                 PressureMargin, ComError, MomentumError, CustomResidual>;
+    std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
+                 FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
+                 WrenchError, ConeMargin, PressureMargin, ComError, MomentumError, CustomResidual>;
 
 }  // namespace burnish::ocp

@@ -73,7 +73,8 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("scale", &C::scale,
                  "What counts as much of a row, in its unit: per row, one for all, or empty: half "
                  "the distance of its limits, without one the robot's own limit, of forces its "
-                 "weight, of distances the limit itself where it is above zero. Where there is "
+                 "weight, of torque rates its torque times the cut-off, of distances the limit "
+                 "itself where it is above zero. Where there is "
                  "none of these it has to be said.")
           .number_too()
           .field("price", &C::price,

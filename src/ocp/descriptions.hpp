@@ -13,6 +13,7 @@ const Description& description_of(const Control*);
 const Description& description_of(const JointPosition*);
 const Description& description_of(const JointVelocity*);
 const Description& description_of(const JointTorque*);
+const Description& description_of(const JointTorqueRate*);
 const Description& description_of(const FramePosition*);
 const Description& description_of(const FrameDistance*);
 const Description& description_of(const FrameRotation*);

@@ -52,6 +52,19 @@ const Description& description_of(const JointTorque* /*of*/) {
   return all;
 }
 
+const Description& description_of(const JointTorqueRate* /*of*/) {
+  using J = JointTorqueRate;
+  static const Description all =
+      Describe<J>("residual", "JointTorqueRate",
+                  "How fast the torques of the named joints follow the control, minus the target: "
+                  "cutoff (u - tau), Nm/s or N/s, at the begin of the step, over which it decays. "
+                  "With a torque model alone, where there is a control. No joints: all actuated "
+                  "ones.")
+          .field("joints", &J::joints)
+          .field("target", &J::target, "None: zero");
+  return all;
+}
+
 const Description& description_of(const FramePosition* /*of*/) {
   using F = FramePosition;
   static const Description all =

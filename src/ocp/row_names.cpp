@@ -23,6 +23,12 @@ struct RowNames {
     }
     return names;
   }
+  Names operator()(const TorqueRate& r) const {
+    Names names;
+    for (const int entry : r.entries)
+      names.push_back(problem.control_names()[static_cast<std::size_t>(entry)]);
+    return names;
+  }
   Names operator()(const FramePositionError&) const { return directions(0, 3); }
   Names operator()(const FrameDistance&) const { return {"distance"}; }
   Names operator()(const FrameRotationError&) const { return directions(3, 3); }

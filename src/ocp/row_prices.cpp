@@ -9,8 +9,8 @@
 namespace burnish::ocp {
 namespace {
 
-/// The robot's own limit of what the row is, its weight where that is a force, or the limit itself
-/// of a distance; 0 where nothing is known.
+/// The robot's own limit of what the row is, its weight where that is a force, the limit itself of
+/// a distance; 0 where nothing is known.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
   const Model& model = problem.model;
@@ -22,6 +22,10 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
     return weight * std::min(pressure->half_x, pressure->half_y);
   if (std::holds_alternative<FrameDistance>(term.residual))
     return std::isfinite(term.upper[row]) ? term.upper[row] : term.lower[row];
+  if (const auto* rate = std::get_if<TorqueRate>(&term.residual))
+    return rate->cutoff *
+           model
+               .effort_limit[problem.layout.actuated[static_cast<std::size_t>(rate->entries[row])]];
   const auto* selected = std::get_if<Selection>(&term.residual);
   if (selected == nullptr) return 0.0;
   const int entry = selected->entries[row];

@@ -131,6 +131,8 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      q: {type: frame_distance, frame: tool, directions: [x, z], target: [1, 2, 3],\n"
       "          penalty: {barrier: {lower: 0.2}}}\n"
       "      r: {type: frame_distance, frame: tool, reference: {origin: link_3}}\n"
+      "      s: {type: joint_torque_rate, joints: [joint_4, joint_2],\n"
+      "          penalty: {barrier: {lower: -200, upper: {joint_2: 100, other: 200}}}}\n"
       "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
       "      m: {type: contact_force, contact: pad,\n"
       "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
@@ -185,10 +187,12 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   const auto& from_link = std::get<residual::FrameDistance>(go.costs[15].residual);
   EXPECT_TRUE(from_link.target.empty());
   EXPECT_EQ(from_link.reference.origin, Anchor("link_3"));
-  const auto& leaning = *std::get<residual::ContactForce>(go.costs[16].residual).reference;
+  EXPECT_EQ(std::get<residual::JointTorqueRate>(go.costs[16].residual).joints.size(), 2U);
+  EXPECT_EQ(go.costs[16].penalty->upper, Eigen::Vector2d(200, 100));
+  const auto& leaning = *std::get<residual::ContactForce>(go.costs[17].residual).reference;
   EXPECT_EQ(leaning.axes, Anchor("link_2"));
   EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
-  std::get<residual::ContactForce>(go.costs[17].residual).target.at(0.2, f);
+  std::get<residual::ContactForce>(go.costs[18].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);

@@ -150,6 +150,16 @@ std::vector<BadSpec> bad_residuals() {
       {"control_at_the_end", at_the_end(R::Control{}), {"terminal", "'last'", "no control"}},
       {"force_at_the_end", at_the_end(R::ContactForce{"pad"}), {"terminal", "'last'"}},
       {"torque_at_the_end", at_the_end(R::JointTorque{}), {"terminal", "no control"}},
+      {"torque_rate_without_a_torque_model",
+       with(R::JointTorqueRate{}),
+       {"'position'", "no rate", "wanted a torque model", "per driven joint"}},
+      {"torque_rate_at_the_end",
+       [](ProblemSpec& spec) {
+         spec.torque_model = TorqueModel{.cutoff = 30.0};
+         spec.initial_state = Eigen::VectorXd::Zero(21);
+         spec.terminal = {{.name = "last", .residual = R::JointTorqueRate{}}};
+       },
+       {"terminal", "no control", "no rate"}},
       {"control_at_an_impact", at_an_impact(R::Control{}), {"no control"}},
       {"force_at_an_impact", at_an_impact(R::ContactForce{"pad"}), {"impact", "impulses"}},
   };

@@ -34,6 +34,26 @@ class ResidualValue : public ::testing::Test {
   Eigen::Vector3d tool = frame_placement(model, q, "tool").translation();
 };
 
+TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
+  const double step = 1e-7;
+  ProblemSpec spec{.model = model};
+  spec.torque_model = TorqueModel{.cutoff = 40.0};
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + 2 * model.nv);
+  spec.initial_state.head(model.nq) = q;
+  spec.initial_state.tail(model.nv) = uniform(model.nv, 5.0, generator);
+  spec.stages = {{.name = "go",
+                  .costs = {{.residual = residual::JointTorqueRate{{"joint_3", "joint_1"}}}},
+                  .step = step}};
+  spec.horizon = {{"go", 1}};
+  Problem problem(spec);
+  const Eigen::VectorXd x = spec.initial_state, u = uniform(model.nv, 5.0, generator);
+  Eigen::VectorXd next(x.size());
+  problem.roll(0, 0, x.data(), u.data(), next.data());
+  const Eigen::VectorXd rate = (next - x).tail(model.nv) / step, r = problem.residual(0, 0, x, u);
+  EXPECT_NEAR(r[0], rate[2], 1e-4 * std::abs(rate[2]));
+  EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
+}
+
 TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
   using residual::FrameDistance;
   const Eigen::Vector3d away(0.3, -0.4, 1.2), point = tool - away;

@@ -134,7 +134,7 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
       Penalty::barrier(Eigen::VectorXd::Constant(1, -0.2), Eigen::VectorXd::Constant(1, 0.3));
   const Penalty logarithm = Penalty::log_barrier(Eigen::VectorXd::Constant(1, -0.5),
                                                  Eigen::VectorXd::Constant(1, 1.5), 0.4);
-  return {
+  std::vector<ResidualCase> cases{
       {"state", [](Setup) { return R::State{}; }},
       {"state to target", [=](Setup s) { return R::State{s.state(torque_model)}; }, abs},
       {"control", [](Setup) { return R::Control{0.5}; }, square, false},
@@ -251,6 +251,13 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        },
        square, torque_model},
   };
+  if (torque_model)
+    cases.push_back({"joint torque rate",
+                     [](Setup) {
+                       return R::JointTorqueRate{{}, 3.0};
+                     },
+                     inside, false});
+  return cases;
 }
 
 /// Frame on a body in the middle of the way to the tool.

@@ -50,6 +50,14 @@ struct JointTorque {
   Signal target = {};
 };
 
+/// How fast the torques of the named joints follow the control, minus the target: cutoff (u - tau),
+/// Nm/s or N/s, at the begin of the step, over which it decays. With a torque model alone, where
+/// there is a control. No joints named: all actuated ones. Empty target: zero.
+struct JointTorqueRate {
+  std::vector<std::string> joints = {};
+  Signal target = {};
+};
+
 /// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
 /// is the world. Its origin must not be the frame itself.
 struct FramePosition {
@@ -166,11 +174,11 @@ namespace burnish {
 
 using Residual =
     std::variant<residual::State, residual::Control, residual::JointPosition,
-                 residual::JointVelocity, residual::JointTorque, residual::FramePosition,
-                 residual::FrameDistance, residual::FrameRotation, residual::FramePlacement,
-                 residual::FrameVelocity, residual::ContactForce, residual::FrictionCone,
-                 residual::CenterOfPressure, residual::CenterOfMass, residual::CentroidalMomentum,
-                 residual::Custom>;
+                 residual::JointVelocity, residual::JointTorque, residual::JointTorqueRate,
+                 residual::FramePosition, residual::FrameDistance, residual::FrameRotation,
+                 residual::FramePlacement, residual::FrameVelocity, residual::ContactForce,
+                 residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
+                 residual::CentroidalMomentum, residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);
