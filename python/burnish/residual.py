@@ -17,7 +17,7 @@ from .contact import Reference
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "Control",
            "Custom", "FrameDistance", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
            "FrictionCone", "JointPosition", "JointTorque", "JointTorqueRate", "JointVelocity", "Residual",
-           "State", "UserResidual", "custom"]
+           "State", "SupportMargin", "UserResidual", "custom"]
 
 
 # Described classes stand here (scripts/describe).
@@ -65,5 +65,5 @@ def custom(user: UserResidual) -> Custom:
 Residual = Union[
     State, Control, JointPosition, JointVelocity, JointTorque, JointTorqueRate, FramePosition,
     FrameDistance, FrameRotation, FramePlacement, FrameVelocity, ContactForce, FrictionCone,
-    CenterOfPressure, CenterOfMass, CentroidalMomentum, Custom,
+    CenterOfPressure, CenterOfMass, SupportMargin, CentroidalMomentum, Custom,
 ]

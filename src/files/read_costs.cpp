@@ -269,6 +269,15 @@ struct CostReader {
     rows.rows = direction_rows(Directions::linear());
     return residual::CenterOfMass{target(center_of_mass(model(), scope.q))};
   }
+  Residual support_margin() {
+    keys({"points"});
+    residual::SupportMargin result;
+    for (const Reader& point : reader["points"].entries()) {
+      rows.rows.push_back({"edge_" + std::to_string(result.points.size()), 1});
+      result.points.emplace_back(point.numbers(2));
+    }
+    return result;
+  }
   Residual momentum() {
     keys({"target"});
     rows.rows = direction_rows(Directions::all());
@@ -315,6 +324,7 @@ constexpr CostType types[] = {
     {"friction_cone", &CostReader::friction_cone},
     {"center_of_pressure", &CostReader::center_of_pressure},
     {"center_of_mass", &CostReader::com},
+    {"support_margin", &CostReader::support_margin},
     {"centroidal_momentum", &CostReader::momentum},
 };
 

@@ -14,6 +14,7 @@
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
 #include "ocp/row_prices.hpp"
+#include "ocp/support_polygon.hpp"
 
 namespace burnish::ocp {
 namespace {
@@ -402,6 +403,20 @@ struct TermBuilder {
     std::iota(columns.begin(), columns.end(), layout().column_q());
     dense_block(3, columns);
   }
+  void operator()(const residual::SupportMargin& r) {
+    SupportMargin margin;
+    try {
+      margin.edges = support_edges(r.points);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    term.rows = static_cast<int>(margin.edges.size());
+    stage.has_momentum = true;
+    term.residual = std::move(margin);
+    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(term.rows, columns);
+  }
   void operator()(const residual::CentroidalMomentum& r) {
     term.rows = 6;
     zero_target(r.target, 6);
@@ -424,7 +439,8 @@ struct TermBuilder {
 
   bool is_margin() const {
     return std::holds_alternative<residual::FrictionCone>(residual) ||
-           std::holds_alternative<residual::CenterOfPressure>(residual);
+           std::holds_alternative<residual::CenterOfPressure>(residual) ||
+           std::holds_alternative<residual::SupportMargin>(residual);
   }
   void finish_penalty(const CostTerm& cost) {
     const Penalty penalty =

@@ -141,6 +141,16 @@ struct ComError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+struct SupportMargin {
+  /// x c_x + y c_y - offset is the margin, m; (x, y) is of unit length and points inwards.
+  struct Edge {
+    double x, y, offset;
+    double half_width;  ///< of the polygon, across the edge, m
+  };
+  std::vector<Edge> edges;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
 struct MomentumError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
@@ -155,6 +165,7 @@ struct CustomResidual {
 using CompiledResidual =
     std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
                  FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
-                 WrenchError, ConeMargin, PressureMargin, ComError, MomentumError, CustomResidual>;
+                 WrenchError, ConeMargin, PressureMargin, ComError, SupportMargin, MomentumError,
+                 CustomResidual>;
 
 }  // namespace burnish::ocp

@@ -23,6 +23,7 @@ const Description& description_of(const ContactForce*);
 const Description& description_of(const FrictionCone*);
 const Description& description_of(const CenterOfPressure*);
 const Description& description_of(const CenterOfMass*);
+const Description& description_of(const SupportMargin*);
 const Description& description_of(const CentroidalMomentum*);
 }  // namespace residual
 

@@ -176,6 +176,21 @@ const Description& description_of(const CenterOfMass* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SupportMargin* /*of*/) {
+  using S = SupportMargin;
+  static const Description all =
+      Describe<S>(
+          "residual", "SupportMargin",
+          "How far the centre of mass, seen from above, is inside of each edge of a support "
+          "polygon: a row per edge, m, all to be kept above a limit: the default penalty is "
+          "a barrier at 0. Row i is of the edge from point i to the next one, the last back "
+          "to the first.")
+          .field("points", &S::points,
+                 "3 or more, x and y in the world, {m}: the corners of a convex polygon, "
+                 "counter-clockwise as seen from above. Others are refused.");
+  return all;
+}
+
 const Description& description_of(const CentroidalMomentum* /*of*/) {
   using C = CentroidalMomentum;
   static const Description all = Describe<C>("residual", "CentroidalMomentum",

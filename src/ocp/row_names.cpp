@@ -42,6 +42,11 @@ struct RowNames {
   Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
   Names operator()(const PressureMargin&) const { return {"-x", "+x", "+y", "-y"}; }
   Names operator()(const ComError&) const { return directions(0, 3); }
+  Names operator()(const SupportMargin& r) const {
+    Names names;
+    for (std::size_t i = 0; i < r.edges.size(); ++i) names.push_back("edge_" + std::to_string(i));
+    return names;
+  }
   Names operator()(const CustomResidual&) const {
     Names names;
     for (int i = 0; i < term.rows; ++i) names.push_back("row " + std::to_string(i));

@@ -10,7 +10,7 @@ namespace burnish::ocp {
 namespace {
 
 /// The robot's own limit of what the row is, its weight where that is a force, the limit itself of
-/// a distance; 0 where nothing is known.
+/// a distance, half the width of a support polygon; 0 where nothing is known.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
   const Model& model = problem.model;
@@ -26,6 +26,8 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
     return rate->cutoff *
            model
                .effort_limit[problem.layout.actuated[static_cast<std::size_t>(rate->entries[row])]];
+  if (const auto* margin = std::get_if<SupportMargin>(&term.residual))
+    return margin->edges[row].half_width;
   const auto* selected = std::get_if<Selection>(&term.residual);
   if (selected == nullptr) return 0.0;
   const int entry = selected->entries[row];

@@ -133,6 +133,7 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      r: {type: frame_distance, frame: tool, reference: {origin: link_3}}\n"
       "      s: {type: joint_torque_rate, joints: [joint_4, joint_2],\n"
       "          penalty: {barrier: {lower: -200, upper: {joint_2: 100, other: 200}}}}\n"
+      "      t: {type: support_margin, points: [[0, 0], [1, 0], [0, 1]], weights: {edge_1: 2}}\n"
       "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
       "      m: {type: contact_force, contact: pad,\n"
       "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
@@ -189,10 +190,13 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(from_link.reference.origin, Anchor("link_3"));
   EXPECT_EQ(std::get<residual::JointTorqueRate>(go.costs[16].residual).joints.size(), 2U);
   EXPECT_EQ(go.costs[16].penalty->upper, Eigen::Vector2d(200, 100));
-  const auto& leaning = *std::get<residual::ContactForce>(go.costs[17].residual).reference;
+  EXPECT_EQ(std::get<residual::SupportMargin>(go.costs[17].residual).points[1],
+            Eigen::Vector2d(1, 0));
+  EXPECT_EQ(go.costs[17].weights, Eigen::Vector3d(1, 2, 1));
+  const auto& leaning = *std::get<residual::ContactForce>(go.costs[18].residual).reference;
   EXPECT_EQ(leaning.axes, Anchor("link_2"));
   EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
-  std::get<residual::ContactForce>(go.costs[18].residual).target.at(0.2, f);
+  std::get<residual::ContactForce>(go.costs[19].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);

@@ -54,6 +54,38 @@ TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
   EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
 }
 
+TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
+  const auto at = [&](const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual(0, 0, problem.spec().initial_state, Eigen::VectorXd::Zero(model.nv));
+  };
+  const Eigen::Vector2d c = at(residual::CenterOfMass{Eigen::Vector3d(0.0, 0.0, 0.0)}).head<2>();
+  const auto corner = [&](double x, double y) { return Eigen::Vector2d(c.x() + x, c.y() + y); };
+  const residual::SupportMargin around{
+      {corner(-0.1, -0.2), corner(0.3, -0.2), corner(0.3, 0.4), corner(-0.1, 0.4)}};
+  EXPECT_LT((at(around) - Eigen::Vector4d(0.2, 0.3, 0.4, 0.1)).norm(), 1e-12);
+  const residual::SupportMargin beside{{corner(0.1, 0.0), corner(1.1, 0.0), corner(0.1, 1.0)}};
+  EXPECT_LT((at(beside) - Eigen::Vector3d(0.0, 1.1 * M_SQRT1_2, -0.1)).norm(), 1e-12);
+}
+
+TEST_F(ResidualValue, SupportMarginsArePositiveUnlessLimitsAreSaid) {
+  ProblemSpec spec{.model = model};
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+  spec.stages = {{.name = "go", .costs = {{.residual = residual::Control{}}}}};
+  spec.stages[0].constraints = {
+      {"balance", residual::SupportMargin{{{0.0, 0.0}, {0.4, 0.0}, {0.4, 0.6}, {0.0, 0.6}}}}};
+  spec.horizon = {{"go", 1}};
+  const Problem problem(spec);
+  const std::vector<std::string> names{"balance/edge_0", "balance/edge_1", "balance/edge_2",
+                                       "balance/edge_3"};
+  EXPECT_EQ(problem.row_names(0), names);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(problem.row_lower(0)[i], 0.0);
+    EXPECT_TRUE(std::isinf(problem.row_upper(0)[i]));
+    EXPECT_NEAR(problem.row_scale(0)[i], i % 2 == 0 ? 0.3 : 0.2, 1e-12) << "half the width";
+  }
+}
+
 TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
   using residual::FrameDistance;
   const Eigen::Vector3d away(0.3, -0.4, 1.2), point = tool - away;

@@ -241,6 +241,11 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        square, torque_model},
       {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, torque_model},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
+      {"support",
+       [](Setup) {
+         return R::SupportMargin{{{-0.1, -0.2}, {0.3, -0.1}, {0.2, 0.3}, {-0.2, 0.1}}};
+       },
+       Penalty::at_least(0.3)},
       {"momentum", [](Setup) { return R::CentroidalMomentum{}; }, abs},
       {"own",
        [](Setup s) { return R::custom(WithoutJacobian{.frames = {s.tool}, .contacts = {"pad"}}); },

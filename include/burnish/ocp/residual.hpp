@@ -131,6 +131,15 @@ struct CenterOfMass {
   Signal target = {};
 };
 
+/// How far the centre of mass, seen from above, is inside of each edge of a support polygon: a row
+/// per edge, m, all to be kept above a limit: the default penalty is a barrier at 0. Row i is of
+/// the edge from point i to the next one, the last back to the first.
+struct SupportMargin {
+  /// 3 or more, x and y in the world, m: the corners of a convex polygon, counter-clockwise as seen
+  /// from above. Others are refused.
+  std::vector<Eigen::Vector2d> points = {};
+};
+
 /// Momentum about the centre of mass minus the target, 6 rows: kg m/s, kg m^2/s, world axes. Empty
 /// target: zero.
 struct CentroidalMomentum {
@@ -178,7 +187,7 @@ using Residual =
                  residual::FramePosition, residual::FrameDistance, residual::FrameRotation,
                  residual::FramePlacement, residual::FrameVelocity, residual::ContactForce,
                  residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
-                 residual::CentroidalMomentum, residual::Custom>;
+                 residual::SupportMargin, residual::CentroidalMomentum, residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);
