@@ -259,7 +259,7 @@ struct CostReader {
   }
   Residual center_of_pressure() {
     keys({"contact", "half_x", "half_y"});
-    rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_above", 1}, {"y_below", 1}};
+    rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_below", 1}, {"y_above", 1}};
     contact();
     return residual::CenterOfPressure{reader["contact"].text(), reader["half_x"].positive(),
                                       reader["half_y"].positive()};

@@ -158,10 +158,13 @@ const Description& description_of(const FrictionCone* /*of*/) {
 const Description& description_of(const CenterOfPressure* /*of*/) {
   using C = CenterOfPressure;
   static const Description all =
-      Describe<C>("residual", "CenterOfPressure",
-                  "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
-                  "tool's axes, times the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ "
-                  "m_x, both halves in m. Default penalty: a barrier at 0.")
+      Describe<C>(
+          "residual", "CenterOfPressure",
+          "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
+          "tool's axes, times the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x, both "
+          "halves in m; zero where the centre, which is (-m_y, m_x) / f_z, is at the edge "
+          "above in x, below in x, below in y, above in y. Default penalty: a barrier at "
+          "0.")
           .field("contact", &C::contact)
           .field("half_x", &C::half_x, "{m}")
           .field("half_y", &C::half_y);

@@ -40,7 +40,9 @@ struct RowNames {
     return names;
   }
   Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
-  Names operator()(const PressureMargin&) const { return {"-x", "+x", "+y", "-y"}; }
+  Names operator()(const PressureMargin&) const {
+    return {"x_above", "x_below", "y_below", "y_above"};
+  }
   Names operator()(const ComError&) const { return directions(0, 3); }
   Names operator()(const SupportMargin& r) const {
     Names names;

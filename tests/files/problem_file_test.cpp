@@ -293,6 +293,31 @@ TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
   EXPECT_EQ(problem.rows(problem.knots()), spec.model.nv);
 }
 
+TEST_F(ProblemFiles, EdgesOfAPressureAreNamedAsTheyAreReported) {
+  std::string text =
+      small("    costs:\n",
+            "    constraints:\n"
+            "      foot: {type: center_of_pressure, contact: pad, half_x: 0.1, half_y: 0.05,\n"
+            "             lower: {x_above: 1, x_below: 2, y_below: 3, y_above: 4}}\n"
+            "    costs:\n");
+  for (const auto& [from, to] : {std::pair{"directions: z", "directions: pad_z, reference: local"},
+                                 {"pad, target: 30", "pad, target: [30, 0, 0]"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  Problem problem(read(text).spec);
+  const std::vector<std::string> names{"foot/x_above", "foot/x_below", "foot/y_below",
+                                       "foot/y_above"};
+  EXPECT_EQ(problem.row_names(0), names);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(problem.row_lower(0)[i], i + 1.0);
+  const Eigen::VectorXd x = problem.spec().initial_state, u = Eigen::VectorXd::Constant(7, 2.0);
+  const Eigen::Vector3d force = problem.forces(0, x, u);  // z, rx, ry
+  const Eigen::Vector2d centre(-force[2] / force[0], force[1] / force[0]);
+  const std::vector<double> rows = problem.row_values(0, x.data(), u.data());
+  EXPECT_NEAR(rows[0], force[0] * (0.1 - centre.x()), 1e-9);
+  EXPECT_NEAR(rows[1], force[0] * (0.1 + centre.x()), 1e-9);
+  EXPECT_NEAR(rows[2], force[0] * (0.05 + centre.y()), 1e-9);
+  EXPECT_NEAR(rows[3], force[0] * (0.05 - centre.y()), 1e-9);
+}
+
 TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
   write("time [s],x [m],y [m],z [m]\n0,0,0,0\n1,1,0,2\n2,1,1,2\n", "path.csv");
   const ProblemFile file =

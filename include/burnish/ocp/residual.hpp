@@ -119,7 +119,9 @@ struct FrictionCone {
 };
 
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
-/// the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ m_x. Default penalty: a barrier at 0.
+/// the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x; zero where the centre, which is
+/// (-m_y, m_x) / f_z, is at the edge above in x, below in x, below in y, above in y. Default
+/// penalty: a barrier at 0.
 struct CenterOfPressure {
   std::string contact = {};
   double half_x = 0.1;  ///< m
