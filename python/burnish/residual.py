@@ -4,7 +4,7 @@ A target may be left None where that is said; its size is the residual's unless 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Callable, List, Optional, Protocol, Union
 
 from numpy.typing import ArrayLike
@@ -15,24 +15,12 @@ from ._spec import Spec, items
 from .contact import Reference
 
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "Control",
-           "Custom", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
-           "FrictionCone", "JointPosition", "JointTorque", "JointVelocity", "Residual", "State",
-           "UserResidual", "custom"]
+           "Custom", "FrameDistance", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
+           "FrictionCone", "JointPosition", "JointTorque", "JointTorqueRate", "JointVelocity", "Residual",
+           "State", "SupportMargin", "UserResidual", "custom"]
 
 
 # Described classes stand here (scripts/describe).
-
-
-@dataclass(eq=False, repr=False)
-class FramePosition(Spec):
-    """Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose
-    base is the world. Its origin must not be the frame itself."""
-
-    frame: str = ""
-    target: Signal = None
-    """3, m: from the reference's origin, in the axes that its rotation is fixed in; of
-    Reference.world(...) a point of the world"""
-    reference: Reference = field(default_factory=Reference.world)
 
 
 @dataclass(eq=False, repr=False)
@@ -75,7 +63,7 @@ def custom(user: UserResidual) -> Custom:
 
 
 Residual = Union[
-    State, Control, JointPosition, JointVelocity, JointTorque, FramePosition, FrameRotation,
-    FramePlacement, FrameVelocity, ContactForce, FrictionCone, CenterOfPressure, CenterOfMass,
-    CentroidalMomentum, Custom,
+    State, Control, JointPosition, JointVelocity, JointTorque, JointTorqueRate, FramePosition,
+    FrameDistance, FrameRotation, FramePlacement, FrameVelocity, ContactForce, FrictionCone,
+    CenterOfPressure, CenterOfMass, SupportMargin, CentroidalMomentum, Custom,
 ]

@@ -9,6 +9,15 @@ namespace {
 template <class Answer, class... Given>
 using Function = std::function<Answer(Given...)>;
 
+/// Such as Reference.world(): of the references that have a name.
+std::string named_reference(const void* at) {
+  return "field(default_factory=lambda: Reference." + static_cast<const Reference*>(at)->name() +
+         "())";
+}
+std::string directions_text(const void* at) {
+  return "\"" + static_cast<const Directions*>(at)->text() + "\"";
+}
+
 [[maybe_unused]] const bool all_are_carried = [] {
   const bool all[] = {
       carry<Eigen::Isometry3d>("ArrayLike", "identity(4)"),
@@ -16,8 +25,8 @@ using Function = std::function<Answer(Given...)>;
       carry<Shape>("Shape"),
       carry<Model>("Model"),
       carry<Robot>("Robot"),
-      carry<Reference>("Reference", "field(default_factory=lambda: Reference())"),
-      carry<Directions>("str", "\"x,y,z,rx,ry,rz\""),
+      carry<Reference>("Reference", "field(default_factory=lambda: Reference())", named_reference),
+      carry<Directions>("str", "\"x,y,z,rx,ry,rz\"", directions_text),
       carry<Signal>("Signal", "None"),
       carry<Residual>("Residual"),
       carry<std::filesystem::path>("Union[str, Path]", "Path()"),

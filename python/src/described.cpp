@@ -224,6 +224,7 @@ py::object plain(const ValueType& type, void* at) {
     case Kind::Struct:
       return plain_entries(type.description(), at);
     case Kind::Other:
+      if (const auto text = carried_as(type).default_of) return py::str(text(at));
       return py::none();
     default:
       return get_value(type, at);

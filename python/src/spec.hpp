@@ -144,8 +144,9 @@ std::map<std::string, const Words*> described_enums();
 
 /// How an entry crosses that descriptions know nothing of.
 struct Carried {
-  const char* annotation;     ///< in Python
-  const char* default_value;  ///< there; "": none
+  const char* annotation;                  ///< in Python
+  const char* default_value;               ///< there; "": none
+  std::string (*default_of)(const void*);  ///< of a value that is one; null: they are all the same
   std::string (*wanted)();
   py::object (*get)(const void*);
   bool (*set)(void*, py::handle);
@@ -253,11 +254,12 @@ inline const bool is_known_enum = [] {
 }();
 /// To be said once of every kind of entry that descriptions know nothing of.
 template <class Value>
-bool carry(const char* annotation, const char* default_value = "") {
+bool carry(const char* annotation, const char* default_value = "",
+           std::string (*default_of)(const void*) = nullptr) {
   return carried()
       .insert({typeid(Value),
-               {annotation, default_value, [] { return wanted<Value>(); }, value_get<Value>,
-                value_set<Value>}})
+               {annotation, default_value, default_of, [] { return wanted<Value>(); },
+                value_get<Value>, value_set<Value>}})
       .second;
 }
 

@@ -115,14 +115,6 @@ const SpecTable& AsDataclass<residual::Custom>::table() {
   return fields;
 }
 template <>
-const SpecTable& AsDataclass<residual::FramePosition>::table() {
-  static const SpecTable fields = SpecTable("burnish.residual", "FramePosition")
-                                      .field("frame", &residual::FramePosition::frame)
-                                      .field("target", &residual::FramePosition::target)
-                                      .field("reference", &residual::FramePosition::reference);
-  return fields;
-}
-template <>
 const SpecTable& AsDataclass<TrajectoryValues>::table() {
   static const SpecTable fields = SpecTable("burnish.ocp", "TrajectoryValues")
                                       .field("costs", &TrajectoryValues::costs)

@@ -32,8 +32,6 @@ struct SpecOf<TrajectoryValues> : AsDataclass<TrajectoryValues> {};
 template <>
 struct SpecOf<TrajectoryExpansion> : AsDataclass<TrajectoryExpansion> {};
 template <>
-struct SpecOf<residual::FramePosition> : AsDataclass<residual::FramePosition> {};
-template <>
 struct SpecOf<residual::Custom> : AsDataclass<residual::Custom> {};
 
 }  // namespace burnish::python

@@ -75,6 +75,33 @@ def test_names_that_there_are_not_are_answered_with_the_nearest(robot):
         problem.advance("moving")
 
 
+def test_a_position_is_in_the_world_unless_said():
+    assert residual.FramePosition().reference.name == residual.FrameDistance().reference.name == "world"
+    assert residual.FrameVelocity().reference.name == "centered"
+
+
+def test_a_distance_is_what_numpy_makes_of_it(robot):
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    point = np.array([0.1, -0.2, 0.3])
+
+    def distance(**entries):
+        problem = one_term(robot, residual.FrameDistance("tool", point, **entries))
+        return problem.residual(0, 0, at_rest(robot), np.zeros(7))[0]
+
+    assert distance() == pytest.approx(np.linalg.norm(tool - point))
+    assert distance(directions="x,z") == pytest.approx(np.hypot(*(tool - point)[[0, 2]]))
+
+
+def test_support_polygons_are_lists_of_points(robot):
+    points = [[-1.0, -1.0], [1.0, -1.0], [0.0, 2.0]]
+    spec = spec_of(robot, [*base_costs(), bn.CostTerm(residual.SupportMargin(np.array(points)), name="balance")])
+    problem = bn.Problem(spec)
+    np.testing.assert_array_equal(problem.spec.stages[0].costs[2].residual.points, points)
+    assert problem.residual(0, "balance", at_rest(robot), np.zeros(7)).shape == (3,)
+    with pytest.raises(bn.Error, match="SupportMargin.points: got .*wanted a list"):
+        one_term(robot, residual.SupportMargin([1.0, 2.0, 3.0]))
+
+
 def test_places_that_there_are_not_are_refused(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     x, u = problem.initial_state, np.zeros(7)

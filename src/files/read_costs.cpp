@@ -64,6 +64,18 @@ struct CostReader {
     return residual;
   }
 
+  /// Frame, reference and target of what a frame's position in a reference is asked for.
+  template <class Frame>
+  Frame seen_from() const {
+    Frame result{.frame = frame()};
+    if (const auto axes = reader.find("axes"))
+      result.reference = Reference::world(read_axes(*axes));
+    result = in_reference(result, "axes");
+    result.target = target(reader.named(
+        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
+    return result;
+  }
+
   /// The joints that are named, or those that `otherwise` accepts.
   std::vector<const Joint*> joints(const std::function<bool(const Joint&)>& otherwise) const {
     std::vector<const Joint*> result;
@@ -170,16 +182,25 @@ struct CostReader {
     }
     return residual::JointTorque{joint_names(), torque};
   }
+  Residual joint_torque_rate() {
+    keys({"joints", "target"});
+    for (const Joint* joint : reader.has("joints") ? joints({}) : scope.driven())
+      rows.rows.push_back({joint->name, joint->nv});
+    return residual::JointTorqueRate{joint_names(), target({})};
+  }
 
   Residual frame_position() {
     keys({"frame", "target", "axes", "reference"});
     rows.rows = direction_rows(Directions::linear());
-    residual::FramePosition result{frame(), {}};
-    if (const auto axes = reader.find("axes"))
-      result.reference = Reference::world(read_axes(*axes));
-    result = in_reference(result, "axes");
-    result.target = target(reader.named(
-        [&] { return position_here(model(), scope.q, result.frame, result.reference); }));
+    return seen_from<residual::FramePosition>();
+  }
+  Residual frame_distance() {
+    keys({"frame", "target", "axes", "reference", "directions"});
+    rows.rows = direction_rows(Directions::linear());  // of the target
+    auto result = seen_from<residual::FrameDistance>();
+    rows.rows = {{"distance", 1}};
+    if (const auto directions = reader.find("directions"))
+      result.directions = read_directions(*directions);
     return result;
   }
   Residual frame_rotation() {
@@ -238,7 +259,7 @@ struct CostReader {
   }
   Residual center_of_pressure() {
     keys({"contact", "half_x", "half_y"});
-    rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_above", 1}, {"y_below", 1}};
+    rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_below", 1}, {"y_above", 1}};
     contact();
     return residual::CenterOfPressure{reader["contact"].text(), reader["half_x"].positive(),
                                       reader["half_y"].positive()};
@@ -247,6 +268,15 @@ struct CostReader {
     keys({"target"});
     rows.rows = direction_rows(Directions::linear());
     return residual::CenterOfMass{target(center_of_mass(model(), scope.q))};
+  }
+  Residual support_margin() {
+    keys({"points"});
+    residual::SupportMargin result;
+    for (const Reader& point : reader["points"].entries()) {
+      rows.rows.push_back({"edge_" + std::to_string(result.points.size()), 1});
+      result.points.emplace_back(point.numbers(2));
+    }
+    return result;
   }
   Residual momentum() {
     keys({"target"});
@@ -284,7 +314,9 @@ constexpr CostType types[] = {
     {"joint_position", &CostReader::joint_position},
     {"joint_velocity", &CostReader::joint_velocity},
     {"joint_torque", &CostReader::joint_torque},
+    {"joint_torque_rate", &CostReader::joint_torque_rate},
     {"frame_position", &CostReader::frame_position},
+    {"frame_distance", &CostReader::frame_distance},
     {"frame_rotation", &CostReader::frame_rotation},
     {"frame_placement", &CostReader::frame_placement},
     {"frame_velocity", &CostReader::frame_velocity},
@@ -292,6 +324,7 @@ constexpr CostType types[] = {
     {"friction_cone", &CostReader::friction_cone},
     {"center_of_pressure", &CostReader::center_of_pressure},
     {"center_of_mass", &CostReader::com},
+    {"support_margin", &CostReader::support_margin},
     {"centroidal_momentum", &CostReader::momentum},
 };
 

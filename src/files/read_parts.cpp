@@ -73,11 +73,8 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
   }
   if (const auto reference = reader.find("reference"))
     spec.reference = read_reference(*reference, Reference::centered(), tables);
-  if (const auto directions = reader.find("directions")) {
-    std::string words;
-    for (const std::string& word : directions->texts()) words += (words.empty() ? "" : ",") + word;
-    spec.directions = directions->named([&] { return Directions::parse(words); });
-  }
+  if (const auto directions = reader.find("directions"))
+    spec.directions = read_directions(*directions);
   if (const auto kind = reader.find("acceleration"))
     spec.acceleration = kind->named([&] { return parse_acceleration(kind->text()); });
   if (const auto kind = reader.find("error"))

@@ -86,6 +86,12 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
 
 Eigen::Matrix3d read_axes(const Reader& reader) { return columns_of(reader, {}); }
 
+Directions read_directions(const Reader& reader) {
+  std::string words;
+  for (const std::string& word : reader.texts()) words += (words.empty() ? "" : ",") + word;
+  return reader.named([&] { return Directions::parse(words); });
+}
+
 Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others) {
   if (reader.is_list()) {

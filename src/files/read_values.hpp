@@ -16,6 +16,8 @@ Reference read_reference(const Reader& reader, const Reference& otherwise = Refe
                          const std::filesystem::path* tables = nullptr);
 /// Columns of axes: {normal: [...]}, {rpy: [...]}, {quaternion: [...]} or {matrix: [...]}.
 Eigen::Matrix3d read_axes(const Reader& reader);
+/// A word or a list of them, as Directions::parse has them: linear, pad_z, [x, y].
+Directions read_directions(const Reader& reader);
 /// A posture's name, or {from: name, joint: value or values, ...}, or nq numbers. Joints that are
 /// not stated are as in `others`, or as in the default posture.
 Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,

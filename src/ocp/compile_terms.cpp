@@ -14,6 +14,7 @@
 #include "ocp/compiled_problem.hpp"
 #include "ocp/position_limits.hpp"
 #include "ocp/row_prices.hpp"
+#include "ocp/support_polygon.hpp"
 
 namespace burnish::ocp {
 namespace {
@@ -261,33 +262,70 @@ struct TermBuilder {
     const std::vector<int> entries = velocity_entries(r.joints);
     select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
   }
-  void operator()(const residual::JointTorque& r) {
+  /// Of these joints, or of all that have one.
+  std::vector<int> actuators(const std::vector<std::string>& joints) const {
     std::vector<int> entries;
-    for (const int k : velocity_entries(r.joints)) {
+    for (const int k : velocity_entries(joints)) {
       const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
       if (found != layout().actuated.end()) {
         entries.push_back(static_cast<int>(found - layout().actuated.begin()));
-      } else if (!r.joints.empty()) {
+      } else if (!joints.empty()) {
         refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
       }
     }
+    return entries;
+  }
+  void operator()(const residual::JointTorque& r) {
+    const std::vector<int> entries = actuators(r.joints);
     const bool in_state = layout().filtered > 0;
     if (!in_state && stage.nu == 0) refuse("there is no control here");
     select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
            in_state ? layout().column_tau() : 0, entries, r.target);
   }
+  void operator()(const residual::JointTorqueRate& r) {
+    if (!spec.torque_model)
+      refuse(
+          "torques that are the control have no rate; wanted a torque model in the problem, which "
+          "puts them into the state, one more entry per driven joint");
+    if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
+    TorqueRate rate{spec.torque_model->cutoff, actuators(r.joints)};
+    term.rows = static_cast<int>(rate.entries.size());
+    if (term.rows == 0) refuse("has no rows");
+    zero_target(r.target, term.rows);
+    for (int i = 0; i < term.rows; ++i)
+      term.blocks.push_back(
+          {i, 1, {rate.entries[i], layout().column_tau() + rate.entries[i]}, false});
+    term.residual = std::move(rate);
+  }
 
-  void operator()(const residual::FramePosition& r) {
-    term.rows = 3;
-    target(r.target, 3, {});
-    const int f = frame(r.frame);
-    const FramePositionError error{f, view(f, r.reference)};
-    if (error.view.reference.at_tool)
+  /// Of a frame in a reference with another origin.
+  FramePositionError position(const std::string& name, const Reference& reference) {
+    const int f = frame(name);
+    FramePositionError result{f, view(f, reference)};
+    if (result.view.reference.at_tool)
       refuse(
           "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
           "another frame");
+    return result;
+  }
+  void operator()(const residual::FramePosition& r) {
+    term.rows = 3;
+    target(r.target, 3, {});
+    const FramePositionError error = position(r.frame, r.reference);
     term.residual = error;
     dense_block(3, columns(layout().column_q(), error.view.entries));
+  }
+  void operator()(const residual::FrameDistance& r) {
+    if (r.directions.bits == 0 || (r.directions.bits & Directions::angular().bits) != 0)
+      refuse("directions are '" + r.directions.text() + "'; wanted one or more of x, y and z");
+    term.rows = 1;
+    const FrameDistance distance{position(r.frame, r.reference), r.directions};
+    if (distance.position.view.reference.at_world)
+      target(r.target, 3, {});
+    else
+      zero_target(r.target, 3);
+    term.residual = distance;
+    dense_block(1, columns(layout().column_q(), distance.position.view.entries));
   }
   void operator()(const residual::FrameRotation& r) {
     term.rows = 3;
@@ -365,6 +403,20 @@ struct TermBuilder {
     std::iota(columns.begin(), columns.end(), layout().column_q());
     dense_block(3, columns);
   }
+  void operator()(const residual::SupportMargin& r) {
+    SupportMargin margin;
+    try {
+      margin.edges = support_edges(r.points);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    term.rows = static_cast<int>(margin.edges.size());
+    stage.has_momentum = true;
+    term.residual = std::move(margin);
+    std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+    std::iota(columns.begin(), columns.end(), layout().column_q());
+    dense_block(term.rows, columns);
+  }
   void operator()(const residual::CentroidalMomentum& r) {
     term.rows = 6;
     zero_target(r.target, 6);
@@ -387,7 +439,8 @@ struct TermBuilder {
 
   bool is_margin() const {
     return std::holds_alternative<residual::FrictionCone>(residual) ||
-           std::holds_alternative<residual::CenterOfPressure>(residual);
+           std::holds_alternative<residual::CenterOfPressure>(residual) ||
+           std::holds_alternative<residual::SupportMargin>(residual);
   }
   void finish_penalty(const CostTerm& cost) {
     const Penalty penalty =

@@ -42,6 +42,14 @@ struct Selection {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
+/// cutoff (u - tau) of actuators: with a torque model.
+struct TorqueRate {
+  double cutoff;  ///< rad/s
+  std::vector<int> entries;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
+
 /// A reference that may turn from knot to knot.
 struct TurningReference : CompiledReference {
   int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
@@ -66,6 +74,13 @@ struct FrameView {
 struct FramePositionError {
   int frame;
   FrameView view;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
+/// Length of the entries of `position` along the directions.
+struct FrameDistance {
+  FramePositionError position;
+  Directions directions;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
@@ -126,6 +141,16 @@ struct ComError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+struct SupportMargin {
+  /// x c_x + y c_y - offset is the margin, m; (x, y) is of unit length and points inwards.
+  struct Edge {
+    double x, y, offset;
+    double half_width;  ///< of the polygon, across the edge, m
+  };
+  std::vector<Edge> edges;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
 struct MomentumError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
@@ -138,8 +163,9 @@ struct CustomResidual {
 };
 
 using CompiledResidual =
-    std::variant<StateDifference, Selection, FramePositionError, FrameRotationError,
-                 FramePlacementError, FrameVelocityError, OwnForceError, WrenchError, ConeMargin,
-                 PressureMargin, ComError, MomentumError, CustomResidual>;
+    std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
+                 FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
+                 WrenchError, ConeMargin, PressureMargin, ComError, SupportMargin, MomentumError,
+                 CustomResidual>;
 
 }  // namespace burnish::ocp

@@ -65,15 +65,17 @@ const Description& description_of(const Constraint* /*of*/) {
                  "unique among the terms of its stage; the residual's name if left empty")
           .field("lower", &C::lower,
                  "In the residual's unit: per row, one for all, or empty: none. At least one of "
-                 "the two, but for the margins (friction cone, center of pressure), whose rows are "
-                 "at least zero unless said.")
+                 "the two, but for the margins (friction cone, center of pressure, support), whose "
+                 "rows are at least zero unless said.")
           .number_too()
           .field("upper", &C::upper, "likewise")
           .number_too()
           .field("scale", &C::scale,
                  "What counts as much of a row, in its unit: per row, one for all, or empty: half "
                  "the distance of its limits, without one the robot's own limit, of forces its "
-                 "weight. Where there is none of these it has to be said.")
+                 "weight, of torque rates its torque times the cut-off, of distances the limit "
+                 "itself where it is above zero, of support margins half the polygon's width. "
+                 "Where there is none of these it has to be said.")
           .number_too()
           .field("price", &C::price,
                  "A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied "

@@ -13,6 +13,9 @@ const Description& description_of(const Control*);
 const Description& description_of(const JointPosition*);
 const Description& description_of(const JointVelocity*);
 const Description& description_of(const JointTorque*);
+const Description& description_of(const JointTorqueRate*);
+const Description& description_of(const FramePosition*);
+const Description& description_of(const FrameDistance*);
 const Description& description_of(const FrameRotation*);
 const Description& description_of(const FramePlacement*);
 const Description& description_of(const FrameVelocity*);
@@ -20,6 +23,7 @@ const Description& description_of(const ContactForce*);
 const Description& description_of(const FrictionCone*);
 const Description& description_of(const CenterOfPressure*);
 const Description& description_of(const CenterOfMass*);
+const Description& description_of(const SupportMargin*);
 const Description& description_of(const CentroidalMomentum*);
 }  // namespace residual
 

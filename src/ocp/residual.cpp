@@ -10,7 +10,6 @@ struct NameOf {
   std::string operator()(const Described auto& residual) const {
     return in_words(description_of(&residual).name);
   }
-  std::string operator()(const residual::FramePosition&) const { return "frame position"; }
   std::string operator()(const residual::Custom& r) const {
     return r.name.empty() ? "custom" : r.name;
   }

@@ -52,6 +52,51 @@ const Description& description_of(const JointTorque* /*of*/) {
   return all;
 }
 
+const Description& description_of(const JointTorqueRate* /*of*/) {
+  using J = JointTorqueRate;
+  static const Description all =
+      Describe<J>("residual", "JointTorqueRate",
+                  "How fast the torques of the named joints follow the control, minus the target: "
+                  "cutoff (u - tau), Nm/s or N/s, at the begin of the step, over which it decays. "
+                  "With a torque model alone, where there is a control. No joints: all actuated "
+                  "ones.")
+          .field("joints", &J::joints)
+          .field("target", &J::target, "None: zero");
+  return all;
+}
+
+const Description& description_of(const FramePosition* /*of*/) {
+  using F = FramePosition;
+  static const Description all =
+      Describe<F>("residual", "FramePosition",
+                  "Origin of a frame minus the target, 3 rows, m, written in the axes of the "
+                  "reference, whose base is the world. Its origin must not be the frame itself.")
+          .field("frame", &F::frame)
+          .field("target", &F::target,
+                 "3, {m}: from the reference's origin, in the axes that its rotation is fixed in; "
+                 "of Reference::world(...) a point of the world")
+          .field("reference", &F::reference);
+  return all;
+}
+
+const Description& description_of(const FrameDistance* /*of*/) {
+  using F = FrameDistance;
+  static const Description all =
+      Describe<F>("residual", "FrameDistance",
+                  "Distance of a frame's origin from the target, 1 row, m, measured along "
+                  "`directions` of the reference, whose base is the world and whose origin must "
+                  "not be the frame itself: along all three from a point, along two from a line, "
+                  "along one from a plane. It is sqrt(d^2 + (1e-6 m)^2), so that it has a "
+                  "derivative everywhere; at d = 0 that is zero, as no direction leads away.")
+          .field("frame", &F::frame)
+          .field("target", &F::target,
+                 "3, {m}, as of FramePosition. None: the reference's origin, unless that is the "
+                 "world's")
+          .field("directions", &F::directions, "one or more of x, y and z")
+          .field("reference", &F::reference);
+  return all;
+}
+
 const Description& description_of(const FrameRotation* /*of*/) {
   using F = FrameRotation;
   static const Description all =
@@ -113,10 +158,13 @@ const Description& description_of(const FrictionCone* /*of*/) {
 const Description& description_of(const CenterOfPressure* /*of*/) {
   using C = CenterOfPressure;
   static const Description all =
-      Describe<C>("residual", "CenterOfPressure",
-                  "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
-                  "tool's axes, times the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ "
-                  "m_x, both halves in m. Default penalty: a barrier at 0.")
+      Describe<C>(
+          "residual", "CenterOfPressure",
+          "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
+          "tool's axes, times the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x, both "
+          "halves in m; zero where the centre, which is (-m_y, m_x) / f_z, is at the edge "
+          "above in x, below in x, below in y, above in y. Default penalty: a barrier at "
+          "0.")
           .field("contact", &C::contact)
           .field("half_x", &C::half_x, "{m}")
           .field("half_y", &C::half_y);
@@ -128,6 +176,21 @@ const Description& description_of(const CenterOfMass* /*of*/) {
   static const Description all =
       Describe<C>("residual", "CenterOfMass", "Centre of mass minus the target, 3 rows, m, world.")
           .field("target", &C::target);
+  return all;
+}
+
+const Description& description_of(const SupportMargin* /*of*/) {
+  using S = SupportMargin;
+  static const Description all =
+      Describe<S>(
+          "residual", "SupportMargin",
+          "How far the centre of mass, seen from above, is inside of each edge of a support "
+          "polygon: a row per edge, m, all to be kept above a limit: the default penalty is "
+          "a barrier at 0. Row i is of the edge from point i to the next one, the last back "
+          "to the first.")
+          .field("points", &S::points,
+                 "3 or more, x and y in the world, {m}: the corners of a convex polygon, "
+                 "counter-clockwise as seen from above. Others are refused.");
   return all;
 }
 

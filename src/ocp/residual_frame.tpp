@@ -75,6 +75,25 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
 }
 
 template <class S>
+void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  S e[3];
+  S* const by_q = J == nullptr ? nullptr : knot.scratch;
+  position.evaluate(knot, target, e, by_q);
+  S squared(1e-12);  // (1e-6 m)^2: at a distance of zero there is a derivative too
+  for (int i = 0; i < 3; ++i)
+    if (directions.has(i)) squared += e[i] * e[i];
+  r[0] = square_root(squared);
+  if (J == nullptr) return;
+  const int columns = static_cast<int>(position.view.entries.size());
+  for (int k = 0; k < columns; ++k) {
+    S sum(0.0);
+    for (int i = 0; i < 3; ++i)
+      if (directions.has(i)) sum += e[i] * by_q[i * columns + k];
+    J[k] = sum / r[0];
+  }
+}
+
+template <class S>
 void FrameRotationError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const FrameState<S>& state = knot.frames[frame];
   const FrameError<S> error = frame_error(state, rotation_of(target), Vec3<S>::zero());

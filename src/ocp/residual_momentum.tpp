@@ -17,6 +17,17 @@ void ComError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) c
 }
 
 template <class S>
+void SupportMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
+  const Vec3<S>& c = knot.momentum->com;
+  for (const Edge& edge : edges) *r++ = S(edge.x) * c.x + S(edge.y) * c.y - S(edge.offset);
+  if (J == nullptr) return;
+  const int nv = knot.layout->nv;
+  const S* const by_q = knot.momentum_derivatives->com_dq.data();
+  for (const Edge& edge : edges)
+    for (int k = 0; k < nv; ++k) *J++ = S(edge.x) * by_q[k] + S(edge.y) * by_q[nv + k];
+}
+
+template <class S>
 void MomentumError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const Force<S>& h = knot.momentum->centroidal;
   const S values[6] = {h.linear.x, h.linear.y, h.linear.z, h.angular.x, h.angular.y, h.angular.z};

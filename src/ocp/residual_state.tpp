@@ -32,4 +32,16 @@ void Selection::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) 
   if (J != nullptr) std::fill_n(J, entries.size(), S(1.0));
 }
 
+template <class S>
+void TorqueRate::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const S rate(cutoff);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    r[i] = rate * (knot.u[entries[i]] - knot.torque_state[entries[i]]) - target[i];
+  if (J == nullptr) return;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    J[2 * i] = rate;
+    J[2 * i + 1] = -rate;
+  }
+}
+
 }  // namespace burnish::ocp

@@ -23,7 +23,14 @@ struct RowNames {
     }
     return names;
   }
+  Names operator()(const TorqueRate& r) const {
+    Names names;
+    for (const int entry : r.entries)
+      names.push_back(problem.control_names()[static_cast<std::size_t>(entry)]);
+    return names;
+  }
   Names operator()(const FramePositionError&) const { return directions(0, 3); }
+  Names operator()(const FrameDistance&) const { return {"distance"}; }
   Names operator()(const FrameRotationError&) const { return directions(3, 3); }
   Names operator()(const OwnForceError& r) const {
     Names names;
@@ -33,8 +40,15 @@ struct RowNames {
     return names;
   }
   Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
-  Names operator()(const PressureMargin&) const { return {"-x", "+x", "+y", "-y"}; }
+  Names operator()(const PressureMargin&) const {
+    return {"x_above", "x_below", "y_below", "y_above"};
+  }
   Names operator()(const ComError&) const { return directions(0, 3); }
+  Names operator()(const SupportMargin& r) const {
+    Names names;
+    for (std::size_t i = 0; i < r.edges.size(); ++i) names.push_back("edge_" + std::to_string(i));
+    return names;
+  }
   Names operator()(const CustomResidual&) const {
     Names names;
     for (int i = 0; i < term.rows; ++i) names.push_back("row " + std::to_string(i));

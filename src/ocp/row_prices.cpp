@@ -9,8 +9,8 @@
 namespace burnish::ocp {
 namespace {
 
-/// The robot's own limit of what the row is, or its weight where that is a force; 0 where neither
-/// is known.
+/// The robot's own limit of what the row is, its weight where that is a force, the limit itself of
+/// a distance, half the width of a support polygon; 0 where nothing is known.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
   const Model& model = problem.model;
@@ -20,6 +20,14 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
     return weight;
   if (const auto* pressure = std::get_if<residual::CenterOfPressure>(&residual))
     return weight * std::min(pressure->half_x, pressure->half_y);
+  if (std::holds_alternative<FrameDistance>(term.residual))
+    return std::isfinite(term.upper[row]) ? term.upper[row] : term.lower[row];
+  if (const auto* rate = std::get_if<TorqueRate>(&term.residual))
+    return rate->cutoff *
+           model
+               .effort_limit[problem.layout.actuated[static_cast<std::size_t>(rate->entries[row])]];
+  if (const auto* margin = std::get_if<SupportMargin>(&term.residual))
+    return margin->edges[row].half_width;
   const auto* selected = std::get_if<Selection>(&term.residual);
   if (selected == nullptr) return 0.0;
   const int entry = selected->entries[row];

@@ -128,6 +128,12 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      n: {type: frame_velocity, frame: tool, reference: {axes: link_3, rpy: [0, 0, 1]}}\n"
       "      o: {type: frame_position, frame: tool, target: here,\n"
       "          reference: {origin: link_3, axes: link_3}}\n"
+      "      q: {type: frame_distance, frame: tool, directions: [x, z], target: [1, 2, 3],\n"
+      "          penalty: {barrier: {lower: 0.2}}}\n"
+      "      r: {type: frame_distance, frame: tool, reference: {origin: link_3}}\n"
+      "      s: {type: joint_torque_rate, joints: [joint_4, joint_2],\n"
+      "          penalty: {barrier: {lower: -200, upper: {joint_2: 100, other: 200}}}}\n"
+      "      t: {type: support_margin, points: [[0, 0], [1, 0], [0, 1]], weights: {edge_1: 2}}\n"
       "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
       "      m: {type: contact_force, contact: pad,\n"
       "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
@@ -174,10 +180,23 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   seen.target.at(0.0, p);  // here
   EXPECT_LT((placement("link_3") * Eigen::Vector3d(p) - placement("tool").translation()).norm(),
             1e-12);
-  const auto& leaning = *std::get<residual::ContactForce>(go.costs[14].residual).reference;
+  const auto& apart = std::get<residual::FrameDistance>(go.costs[14].residual);
+  EXPECT_EQ(apart.directions, Directions::x() | Directions::z());
+  apart.target.at(0.0, p);
+  EXPECT_EQ(p, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(go.costs[14].penalty->lower, Eigen::VectorXd::Constant(1, 0.2));
+  const auto& from_link = std::get<residual::FrameDistance>(go.costs[15].residual);
+  EXPECT_TRUE(from_link.target.empty());
+  EXPECT_EQ(from_link.reference.origin, Anchor("link_3"));
+  EXPECT_EQ(std::get<residual::JointTorqueRate>(go.costs[16].residual).joints.size(), 2U);
+  EXPECT_EQ(go.costs[16].penalty->upper, Eigen::Vector2d(200, 100));
+  EXPECT_EQ(std::get<residual::SupportMargin>(go.costs[17].residual).points[1],
+            Eigen::Vector2d(1, 0));
+  EXPECT_EQ(go.costs[17].weights, Eigen::Vector3d(1, 2, 1));
+  const auto& leaning = *std::get<residual::ContactForce>(go.costs[18].residual).reference;
   EXPECT_EQ(leaning.axes, Anchor("link_2"));
   EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
-  std::get<residual::ContactForce>(go.costs[15].residual).target.at(0.2, f);
+  std::get<residual::ContactForce>(go.costs[19].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
@@ -274,6 +293,31 @@ TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
   EXPECT_EQ(problem.rows(problem.knots()), spec.model.nv);
 }
 
+TEST_F(ProblemFiles, EdgesOfAPressureAreNamedAsTheyAreReported) {
+  std::string text =
+      small("    costs:\n",
+            "    constraints:\n"
+            "      foot: {type: center_of_pressure, contact: pad, half_x: 0.1, half_y: 0.05,\n"
+            "             lower: {x_above: 1, x_below: 2, y_below: 3, y_above: 4}}\n"
+            "    costs:\n");
+  for (const auto& [from, to] : {std::pair{"directions: z", "directions: pad_z, reference: local"},
+                                 {"pad, target: 30", "pad, target: [30, 0, 0]"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  Problem problem(read(text).spec);
+  const std::vector<std::string> names{"foot/x_above", "foot/x_below", "foot/y_below",
+                                       "foot/y_above"};
+  EXPECT_EQ(problem.row_names(0), names);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(problem.row_lower(0)[i], i + 1.0);
+  const Eigen::VectorXd x = problem.spec().initial_state, u = Eigen::VectorXd::Constant(7, 2.0);
+  const Eigen::Vector3d force = problem.forces(0, x, u);  // z, rx, ry
+  const Eigen::Vector2d centre(-force[2] / force[0], force[1] / force[0]);
+  const std::vector<double> rows = problem.row_values(0, x.data(), u.data());
+  EXPECT_NEAR(rows[0], force[0] * (0.1 - centre.x()), 1e-9);
+  EXPECT_NEAR(rows[1], force[0] * (0.1 + centre.x()), 1e-9);
+  EXPECT_NEAR(rows[2], force[0] * (0.05 + centre.y()), 1e-9);
+  EXPECT_NEAR(rows[3], force[0] * (0.05 - centre.y()), 1e-9);
+}
+
 TEST_F(ProblemFiles, PointsFromATableAreInterpolatedAndHeld) {
   write("time [s],x [m],y [m],z [m]\n0,0,0,0\n1,1,0,2\n2,1,1,2\n", "path.csv");
   const ProblemFile file =
@@ -358,6 +402,10 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
        "",
        {"points.file:", "no.csv", "cannot be opened"}},
       {"target: here", "target: {circle: {radius: 1, rate: 1}}", "", {"'center' or 'start'"}},
+      {"frame_position, frame: tool",
+       "frame_distance, frame: tool, directions: xw",
+       "",
+       {"point.directions:", "'xw'"}},
       {"target: here", "target: nan", "", {"point.target: nan is not finite"}},
       {"frame: tool", "frame: tol", "", {"frame: ", "did you mean 'tool'?"}},
       {"contacts: [pad]", "contacts: [pod]", "", {"stages.press.contacts", "'pad'?"}},

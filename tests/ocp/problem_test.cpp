@@ -334,6 +334,8 @@ TEST(Problem, RowsWithoutARangeAreScaledByTheRobot) {
       {"low", residual::JointPosition{{"joint_2"}}, {}, most},
       {"pressed", residual::ContactForce{"pad"}, zero, {}},
       {"near", residual::FramePosition{"tool", Eigen::Vector3d::Zero()}, -most, most},
+      {"clear", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, most, {}},
+      {"tube", residual::FrameDistance{"tool", Eigen::Vector3d::Zero()}, {}, 2.0 * most},
       {"still", residual::JointVelocity{{"joint_2"}}, zero, zero, Eigen::VectorXd::Constant(1, 3.0),
        7.0, 2.0}};
   Problem problem(spec);
@@ -345,11 +347,29 @@ TEST(Problem, RowsWithoutARangeAreScaledByTheRobot) {
   EXPECT_EQ(scale[2], 0.5 * (m.q_upper[q] - m.q_lower[q]));
   EXPECT_EQ(scale[3], m.total_mass() * m.gravity.norm());
   const int rows = problem.rows(0);
-  EXPECT_EQ(scale[rows - 2], 0.4);
+  EXPECT_EQ(scale[rows - 4], 0.4);
+  EXPECT_EQ(scale[rows - 3], 0.4) << "distance";
+  EXPECT_EQ(scale[rows - 2], 0.8);
   EXPECT_EQ(scale[rows - 1], 3.0);
   EXPECT_EQ(problem.row_price(0)[rows - 1], 7.0);
   EXPECT_EQ(problem.row_square(0)[rows - 1], 2.0);
   EXPECT_TRUE(std::isinf(problem.row_price(0)[0]));
+}
+
+TEST(Problem, TorqueRatesWithoutARangeAreScaledByWhatAWholeTorqueMakes) {
+  const OcpCase arm{{"arm7", Base::Fixed, "tool"}, true};
+  ProblemSpec spec = bare_problem(arm, arm.robot.model());
+  spec.stages = {{.name = "go",
+                  .costs = {{.residual = residual::Control{}}},
+                  .constraints = {{"rate",
+                                   residual::JointTorqueRate{{"joint_3", "joint_2"}},
+                                   {},
+                                   Eigen::VectorXd::Constant(1, 50.0)}}}};
+  spec.horizon = {{"go", 3}};
+  const Problem problem(spec);
+  const Model& m = problem.model();
+  EXPECT_EQ(problem.row_scale(0)[0], spec.torque_model->cutoff * m.effort_limit[2]);
+  EXPECT_EQ(problem.row_scale(0)[1], spec.torque_model->cutoff * m.effort_limit[1]);
 }
 
 }  // namespace

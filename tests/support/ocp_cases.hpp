@@ -134,7 +134,7 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
       Penalty::barrier(Eigen::VectorXd::Constant(1, -0.2), Eigen::VectorXd::Constant(1, 0.3));
   const Penalty logarithm = Penalty::log_barrier(Eigen::VectorXd::Constant(1, -0.5),
                                                  Eigen::VectorXd::Constant(1, 1.5), 0.4);
-  return {
+  std::vector<ResidualCase> cases{
       {"state", [](Setup) { return R::State{}; }},
       {"state to target", [=](Setup s) { return R::State{s.state(torque_model)}; }, abs},
       {"control", [](Setup) { return R::Control{0.5}; }, square, false},
@@ -193,6 +193,16 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::FramePosition{s.tool, s.random(3), turning_reference(Anchor::World, s.other())};
        }},
+      {"distance",
+       [](Setup s) {
+         return R::FrameDistance{s.tool, s.random(3)};
+       },
+       inside},
+      {"distance from a line that turns with another frame",
+       [](Setup s) {
+         return R::FrameDistance{s.tool, s.random(3), Directions::x() | Directions::z(),
+                                 turning_reference(Anchor::World, s.other())};
+       }},
       {"force",
        [](Setup s) {
          return R::ContactForce{"pad", {}, s.random(6)};
@@ -231,6 +241,11 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        square, torque_model},
       {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, torque_model},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
+      {"support",
+       [](Setup) {
+         return R::SupportMargin{{{-0.1, -0.2}, {0.3, -0.1}, {0.2, 0.3}, {-0.2, 0.1}}};
+       },
+       Penalty::at_least(0.3)},
       {"momentum", [](Setup) { return R::CentroidalMomentum{}; }, abs},
       {"own",
        [](Setup s) { return R::custom(WithoutJacobian{.frames = {s.tool}, .contacts = {"pad"}}); },
@@ -241,6 +256,13 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        },
        square, torque_model},
   };
+  if (torque_model)
+    cases.push_back({"joint torque rate",
+                     [](Setup) {
+                       return R::JointTorqueRate{{}, 3.0};
+                     },
+                     inside, false});
+  return cases;
 }
 
 /// Frame on a body in the middle of the way to the tool.

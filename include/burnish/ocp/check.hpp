@@ -72,7 +72,6 @@ ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options
 ///  - targets that are not finite, quaternions over time that are not of unit length;
 ///  - positions that a frame cannot reach: further from the first joint than the joints' origins
 ///    are apart (never said of robots that fly, drive or slide without limit);
-///  - constraints, which the solver reports and does not keep;
 ///  - an initial state outside the limits of joints: position, velocity, torque;
 ///  - control bounds that cannot hold the initial posture at rest;
 ///  - joints that move no mass at the initial posture;

@@ -64,11 +64,13 @@ struct Constraint {
       {};  ///< unique among the terms of its stage; the residual's name if left empty
   Residual residual;
   /// In the residual's unit: per row, one for all, or empty: none. At least one of the two, but for
-  /// the margins (friction cone, center of pressure), whose rows are at least zero unless said.
+  /// the margins (friction cone, center of pressure, support), whose rows are at least zero unless
+  /// said.
   Eigen::VectorXd lower = {}, upper = {};
   /// What counts as much of a row, in its unit: per row, one for all, or empty: half the distance
-  /// of its limits, without one the robot's own limit, of forces its weight. Where there is none of
-  /// these it has to be said.
+  /// of its limits, without one the robot's own limit, of forces its weight, of torque rates its
+  /// torque times the cut-off, of distances the limit itself where it is above zero, of support
+  /// margins half the polygon's width. Where there is none of these it has to be said.
   Eigen::VectorXd scale = {};
   /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step);
   /// infinite: hard.

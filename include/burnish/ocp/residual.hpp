@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "burnish/base/signal.hpp"
+#include "burnish/contact/contact.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/ocp/node_view.hpp"
 
@@ -49,6 +50,14 @@ struct JointTorque {
   Signal target = {};
 };
 
+/// How fast the torques of the named joints follow the control, minus the target: cutoff (u - tau),
+/// Nm/s or N/s, at the begin of the step, over which it decays. With a torque model alone, where
+/// there is a control. No joints named: all actuated ones. Empty target: zero.
+struct JointTorqueRate {
+  std::vector<std::string> joints = {};
+  Signal target = {};
+};
+
 /// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
 /// is the world. Its origin must not be the frame itself.
 struct FramePosition {
@@ -56,6 +65,18 @@ struct FramePosition {
   /// 3 entries, m: from the reference's origin, in the axes that its rotation is fixed in; of
   /// Reference::world(...) a point of the world.
   Signal target = {};
+  Reference reference = Reference::world();
+};
+
+/// Distance of a frame's origin from the target, 1 row, m, measured along `directions` of the
+/// reference, whose base is the world and whose origin must not be the frame itself: along all
+/// three from a point, along two from a line, along one from a plane. It is sqrt(d^2 + (1e-6 m)^2),
+/// so that it has a derivative everywhere; at d = 0 that is zero, as no direction leads away.
+struct FrameDistance {
+  std::string frame = {};
+  /// 3 entries, m, as of FramePosition. Empty: the reference's origin, unless that is the world's.
+  Signal target = {};
+  Directions directions = Directions::linear();  ///< one or more of x, y and z
   Reference reference = Reference::world();
 };
 
@@ -98,7 +119,9 @@ struct FrictionCone {
 };
 
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
-/// the normal force f_z: half_x f_z -+ (-m_y), half_y f_z -+ m_x. Default penalty: a barrier at 0.
+/// the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x; zero where the centre, which is
+/// (-m_y, m_x) / f_z, is at the edge above in x, below in x, below in y, above in y. Default
+/// penalty: a barrier at 0.
 struct CenterOfPressure {
   std::string contact = {};
   double half_x = 0.1;  ///< m
@@ -108,6 +131,15 @@ struct CenterOfPressure {
 /// Centre of mass minus the target, 3 rows, m, world.
 struct CenterOfMass {
   Signal target = {};
+};
+
+/// How far the centre of mass, seen from above, is inside of each edge of a support polygon: a row
+/// per edge, m, all to be kept above a limit: the default penalty is a barrier at 0. Row i is of
+/// the edge from point i to the next one, the last back to the first.
+struct SupportMargin {
+  /// 3 or more, x and y in the world, m: the corners of a convex polygon, counter-clockwise as seen
+  /// from above. Others are refused.
+  std::vector<Eigen::Vector2d> points = {};
 };
 
 /// Momentum about the centre of mass minus the target, 6 rows: kg m/s, kg m^2/s, world axes. Empty
@@ -153,10 +185,11 @@ namespace burnish {
 
 using Residual =
     std::variant<residual::State, residual::Control, residual::JointPosition,
-                 residual::JointVelocity, residual::JointTorque, residual::FramePosition,
-                 residual::FrameRotation, residual::FramePlacement, residual::FrameVelocity,
-                 residual::ContactForce, residual::FrictionCone, residual::CenterOfPressure,
-                 residual::CenterOfMass, residual::CentroidalMomentum, residual::Custom>;
+                 residual::JointVelocity, residual::JointTorque, residual::JointTorqueRate,
+                 residual::FramePosition, residual::FrameDistance, residual::FrameRotation,
+                 residual::FramePlacement, residual::FrameVelocity, residual::ContactForce,
+                 residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
+                 residual::SupportMargin, residual::CentroidalMomentum, residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);

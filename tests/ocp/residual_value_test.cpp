@@ -1,0 +1,115 @@
+// Values of residuals that are known otherwise, and what they do at their edges.
+#include <gtest/gtest.h>
+
+#include "burnish/dynamics/placement.hpp"
+#include "support/ocp_cases.hpp"
+
+namespace burnish::test {
+namespace {
+
+/// One term on a resting arm without contacts.
+class ResidualValue : public ::testing::Test {
+ protected:
+  Problem with(const Residual& residual) {
+    ProblemSpec spec{.model = model};
+    spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+    spec.initial_state.head(model.nq) = q;
+    spec.stages = {{.name = "go", .costs = {{.residual = residual}}}};
+    spec.horizon = {{"go", 1}};
+    return Problem(spec);
+  }
+  double value(const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual(0, 0, problem.spec().initial_state, Eigen::VectorXd::Zero(model.nv))[0];
+  }
+  RowMatrix derivative(const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual_derivative(0, 0, problem.spec().initial_state,
+                                       Eigen::VectorXd::Zero(model.nv));
+  }
+
+  Model model = arm.robot.model();
+  std::mt19937_64 generator{3};
+  Eigen::VectorXd q = random_state(model, generator).q;
+  Eigen::Vector3d tool = frame_placement(model, q, "tool").translation();
+};
+
+TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
+  const double step = 1e-7;
+  ProblemSpec spec{.model = model};
+  spec.torque_model = TorqueModel{.cutoff = 40.0};
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + 2 * model.nv);
+  spec.initial_state.head(model.nq) = q;
+  spec.initial_state.tail(model.nv) = uniform(model.nv, 5.0, generator);
+  spec.stages = {{.name = "go",
+                  .costs = {{.residual = residual::JointTorqueRate{{"joint_3", "joint_1"}}}},
+                  .step = step}};
+  spec.horizon = {{"go", 1}};
+  Problem problem(spec);
+  const Eigen::VectorXd x = spec.initial_state, u = uniform(model.nv, 5.0, generator);
+  Eigen::VectorXd next(x.size());
+  problem.roll(0, 0, x.data(), u.data(), next.data());
+  const Eigen::VectorXd rate = (next - x).tail(model.nv) / step, r = problem.residual(0, 0, x, u);
+  EXPECT_NEAR(r[0], rate[2], 1e-4 * std::abs(rate[2]));
+  EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
+}
+
+TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
+  const auto at = [&](const Residual& residual) {
+    Problem problem = with(residual);
+    return problem.residual(0, 0, problem.spec().initial_state, Eigen::VectorXd::Zero(model.nv));
+  };
+  const Eigen::Vector2d c = at(residual::CenterOfMass{Eigen::Vector3d(0.0, 0.0, 0.0)}).head<2>();
+  const auto corner = [&](double x, double y) { return Eigen::Vector2d(c.x() + x, c.y() + y); };
+  const residual::SupportMargin around{
+      {corner(-0.1, -0.2), corner(0.3, -0.2), corner(0.3, 0.4), corner(-0.1, 0.4)}};
+  EXPECT_LT((at(around) - Eigen::Vector4d(0.2, 0.3, 0.4, 0.1)).norm(), 1e-12);
+  const residual::SupportMargin beside{{corner(0.1, 0.0), corner(1.1, 0.0), corner(0.1, 1.0)}};
+  EXPECT_LT((at(beside) - Eigen::Vector3d(0.0, 1.1 * M_SQRT1_2, -0.1)).norm(), 1e-12);
+}
+
+TEST_F(ResidualValue, SupportMarginsArePositiveUnlessLimitsAreSaid) {
+  ProblemSpec spec{.model = model};
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
+  spec.stages = {{.name = "go", .costs = {{.residual = residual::Control{}}}}};
+  spec.stages[0].constraints = {
+      {"balance", residual::SupportMargin{{{0.0, 0.0}, {0.4, 0.0}, {0.4, 0.6}, {0.0, 0.6}}}}};
+  spec.horizon = {{"go", 1}};
+  const Problem problem(spec);
+  const std::vector<std::string> names{"balance/edge_0", "balance/edge_1", "balance/edge_2",
+                                       "balance/edge_3"};
+  EXPECT_EQ(problem.row_names(0), names);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(problem.row_lower(0)[i], 0.0);
+    EXPECT_TRUE(std::isinf(problem.row_upper(0)[i]));
+    EXPECT_NEAR(problem.row_scale(0)[i], i % 2 == 0 ? 0.3 : 0.2, 1e-12) << "half the width";
+  }
+}
+
+TEST_F(ResidualValue, DistanceIsFromAPointALineOrAPlane) {
+  using residual::FrameDistance;
+  const Eigen::Vector3d away(0.3, -0.4, 1.2), point = tool - away;
+  EXPECT_NEAR(value(FrameDistance{"tool", point}), 1.3, 1e-9);
+  EXPECT_NEAR(value(FrameDistance{"tool", point, Directions::x() | Directions::y()}), 0.5, 1e-9);
+  EXPECT_NEAR(value(FrameDistance{"tool", point, Directions::y()}), 0.4, 1e-9);
+  const Eigen::Matrix3d R = tilt();
+  const Eigen::Vector2d across(R.col(1).dot(away), R.col(2).dot(away));
+  EXPECT_NEAR(
+      value(FrameDistance{"tool", point, Directions::y() | Directions::z(), Reference::world(R)}),
+      across.norm(), 1e-9);
+}
+
+TEST_F(ResidualValue, DistanceWithoutATargetIsFromTheReferencesOrigin) {
+  const Eigen::Vector3d other = frame_placement(model, q, "link_3").translation();
+  EXPECT_NEAR(value(residual::FrameDistance{"tool", {}, Directions::linear(), {"link_3"}}),
+              (tool - other).norm(), 1e-9);
+}
+
+TEST_F(ResidualValue, DistanceOfZeroHasADerivativeOfZero) {
+  const residual::FrameDistance here{"tool", tool};
+  EXPECT_NEAR(value(here), 1e-6, 1e-9);
+  EXPECT_LT(derivative(here).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+}  // namespace
+}  // namespace burnish::test
