@@ -90,7 +90,7 @@ struct DdpSolver::Impl {
   bool limited_backward();
   void raise_prices();
   void model_of_limited();
-  double square_of(int knot, int row) const;
+  double square_of(std::size_t row) const;
   double curvature_unit();
   void find_fixed_rows();
   bool is_fixed(int knot, int row) const;
@@ -158,8 +158,9 @@ struct DdpSolver::Impl {
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
-  std::vector<int> coefficient_counts;  ///< of those that are no entries of z
-  std::vector<int> row_slots;           ///< of each row its place in `limited`
+  std::vector<int> coefficient_counts;                      ///< of those that are no entries of z
+  std::vector<int> row_slots;                               ///< of each row its place in `limited`
+  std::vector<double> row_scales, row_prices, row_squares;  ///< rows_max of each knot
   std::vector<double> row_multipliers;  ///< rows_max of each knot, of the last solve
   std::vector<ValueStorage> value_list;
   std::vector<PolicyStorage> policy_list;

@@ -65,6 +65,7 @@ void DdpSolver::Impl::allocate_rows() {
   const auto all = static_cast<std::size_t>(N + 1) * static_cast<std::size_t>(rows_max);
   merit_prices.assign(all, 0.0);
   row_slots.assign(all, 0);
+  for (auto* of_rows : {&row_scales, &row_prices, &row_squares}) of_rows->assign(all, 0.0);
   row_multipliers.assign(all, 0.0);
   summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
@@ -101,6 +102,11 @@ void DdpSolver::Impl::place_rows() {
     for (int r = 0; r < row_counts[i]; ++r)
       slot[r] = entry != nullptr && entry[r] >= 0 ? entry[r] : limited->first_row() + behind++;
     coefficient_counts[i] = behind;
+    if (row_counts[i] == 0) continue;
+    const auto first = static_cast<std::ptrdiff_t>(k) * rows_max;
+    std::copy_n(problem.row_scale(k), row_counts[i], row_scales.begin() + first);
+    std::copy_n(problem.row_price(k), row_counts[i], row_prices.begin() + first);
+    std::copy_n(problem.row_square(k), row_counts[i], row_squares.begin() + first);
   }
 }
 
@@ -117,10 +123,11 @@ void DdpSolver::Impl::forget_limits() noexcept {
   std::fill(row_multipliers.begin(), row_multipliers.end(), 0.0);
 }
 
-double DdpSolver::Impl::square_of(int knot, int row) const {
-  if (!is_hard(problem.row_price(knot)[row])) return problem.row_square(knot)[row];
-  const double scale = problem.row_scale(knot)[row];
-  return (elastic.on ? elastic.weight : options.limits.weight) * row_unit / (scale * scale);
+/// Of the i-th of all rows.
+double DdpSolver::Impl::square_of(std::size_t i) const {
+  if (!is_hard(row_prices[i])) return row_squares[i];
+  return (elastic.on ? elastic.weight : options.limits.weight) * row_unit /
+         (row_scales[i] * row_scales[i]);
 }
 
 /// Violations of an iterate whose rows are known.
@@ -129,9 +136,8 @@ void DdpSolver::Impl::take_rows(Iterate& at) {
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
     const double v = outside_of(at.rows[i], low, high);
     if (v == 0.0 || is_fixed(k, r)) return;
-    if (is_hard(problem.row_price(k)[r]))
-      at.outside = std::max(at.outside, v / problem.row_scale(k)[r]);
-    at.outside_cost += merit_prices[i] * v + 0.5 * square_of(k, r) * v * v;
+    if (is_hard(row_prices[i])) at.outside = std::max(at.outside, v / row_scales[i]);
+    at.outside_cost += merit_prices[i] * v + 0.5 * square_of(i) * v * v;
   });
 }
 
@@ -158,12 +164,12 @@ void DdpSolver::Impl::set_row_limits() {
       rows.beyond[c] = 0.0;
     }
   }
-  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+  for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
     const LimitedLq::Rows rows = limited->rows(k);
     const int at = row_slots[i];
     rows.lower[at] = std::max(low, -beyond_all) - current.rows[i];
     rows.upper[at] = std::min(high, beyond_all) - current.rows[i];
-    rows.scale[at] = problem.row_scale(k)[r];
+    rows.scale[at] = row_scales[i];
     rows.weight[at] = 1.0 / (rows.scale[at] * rows.scale[at]);
   });
 }
@@ -204,7 +210,7 @@ void DdpSolver::Impl::set_row_weights() {
     const LimitedLq::Rows rows = limited->rows(k);
     const int at = row_slots[i];
     rows.weight[at] *= options.limits.weight * unit;
-    const double price = problem.row_price(k)[r], square = square_of(k, r);
+    const double price = row_prices[i], square = square_of(i);
     if (is_fixed(k, r)) {
       rows.weight[at] = rows.multiplier[at] = 0.0;
     } else if (price == 0.0 || (elastic.on && is_hard(price))) {
@@ -290,8 +296,8 @@ bool DdpSolver::Impl::solve_limited() {
 bool DdpSolver::Impl::become_elastic() {
   if (elastic.on || elastic.weight > options.limits.largest_price) return false;
   bool any = false;
-  for_each_row([&](int k, int r, std::size_t, double, double) {
-    any = any || (is_hard(problem.row_price(k)[r]) && !is_fixed(k, r));
+  for_each_row([&](int k, int r, std::size_t i, double, double) {
+    any = any || (is_hard(row_prices[i]) && !is_fixed(k, r));
   });
   if (!any) return false;
   elastic.on = true;
@@ -314,9 +320,9 @@ bool DdpSolver::Impl::after_elastic() {
   if (elastic.stays) return false;
   if (kept || falls) {
     for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-      if (!is_hard(problem.row_price(k)[r]) || is_fixed(k, r)) return;
+      if (!is_hard(row_prices[i]) || is_fixed(k, r)) return;
       limited->rows(k).multiplier[row_slots[i]] =
-          square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+          square_of(i) * signed_outside_of(current.rows[i], low, high);
     });
     elastic.on = false;
     elastic.lost = elastic.stood = 0;
@@ -330,11 +336,11 @@ bool DdpSolver::Impl::after_elastic() {
 /// multiplier would weigh what is left of a violation, to the tolerance, as if it were one.
 void DdpSolver::Impl::raise_prices() {
   limit_resolution = 0.0;
-  for_each_row([&](int k, int r, std::size_t i, double, double) {
+  for_each_row([&](int k, int /*row*/, std::size_t i, double, double) {
     const double multiplier = std::abs(limited->rows(k).multiplier[row_slots[i]]);
-    limit_resolution += multiplier * problem.row_scale(k)[r] * options.limits.tolerance;
-    const double price = problem.row_price(k)[r];
-    const double most = is_hard(price) ? hard_price * row_unit / problem.row_scale(k)[r] : price;
+    limit_resolution += multiplier * row_scales[i] * options.limits.tolerance;
+    const double price = row_prices[i];
+    const double most = is_hard(price) ? hard_price * row_unit / row_scales[i] : price;
     merit_prices[i] = elastic.on && is_hard(price)
                           ? 0.0
                           : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
@@ -360,11 +366,11 @@ void DdpSolver::Impl::model_of_limited() {
     }
   }
   double change = 0.0;
-  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+  for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
     const double before = outside_of(current.rows[i], low, high);
     const double after = outside_of(current.rows[i] + limited->values(k)[row_slots[i]], low, high);
-    change += merit_prices[i] * (after - before) +
-              0.5 * square_of(k, r) * (after * after - before * before);
+    change +=
+        merit_prices[i] * (after - before) + 0.5 * square_of(i) * (after * after - before * before);
   });
   direction.model_change = direction.cost_slope + 0.5 * curvature;
   direction.curvature = curvature;
@@ -392,10 +398,8 @@ void DdpSolver::Impl::note_outside() {
   summary.outside_knot = summary.outside_row = -1;
   summary.pushing = summary.given_way = 0;
   summary.conflict.clear();
-  const auto violation = [&](int k, int r, std::size_t i, double low, double high) {
-    return is_hard(problem.row_price(k)[r])
-               ? outside_of(current.rows[i], low, high) / problem.row_scale(k)[r]
-               : 0.0;
+  const auto violation = [&](int /*knot*/, int /*row*/, std::size_t i, double low, double high) {
+    return is_hard(row_prices[i]) ? outside_of(current.rows[i], low, high) / row_scales[i] : 0.0;
   };
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
     const double v = violation(k, r, i, low, high);
@@ -405,15 +409,15 @@ void DdpSolver::Impl::note_outside() {
     summary.outside_row = r;
   });
   // What pushes without a multiplier is a square.
-  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+  for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
     const int at = row_slots[i];
     const LimitedLq::Rows rows = limited->rows(k);
     if (rows.price[at] == 0.0 && rows.weight[at] != 0.0)
-      rows.multiplier[at] = square_of(k, r) * signed_outside_of(current.rows[i], low, high);
+      rows.multiplier[at] = square_of(i) * signed_outside_of(current.rows[i], low, high);
     const double push = std::abs(row_multipliers[i] = rows.multiplier[at]);
     summary.pushing += push != 0.0;
-    summary.given_way += is_hard(problem.row_price(k)[r]) && rows.price[at] != 0.0 &&
-                         push >= (1.0 - 1e-9) * rows.price[at];
+    summary.given_way +=
+        is_hard(row_prices[i]) && rows.price[at] != 0.0 && push >= (1.0 - 1e-9) * rows.price[at];
   });
   summary.limits_open = limited_result.open;
   if (summary.reason != StopReason::Infeasible) return;
@@ -427,9 +431,9 @@ void DdpSolver::Impl::note_outside() {
 bool DdpSolver::Impl::starts_outside() const {
   bool found = false;
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-    found = found || (is_fixed(k, r) && is_hard(problem.row_price(k)[r]) &&
-                      outside_of(current.rows[i], low, high) >
-                          options.limits.tolerance * problem.row_scale(k)[r]);
+    found = found ||
+            (is_fixed(k, r) && is_hard(row_prices[i]) &&
+             outside_of(current.rows[i], low, high) > options.limits.tolerance * row_scales[i]);
   });
   return found;
 }

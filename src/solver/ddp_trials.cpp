@@ -32,9 +32,11 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
       u = trial.us.data() + k * nu_max;
       const double* u_before = current.us.data() + k * nu_max;
       const PolicyStorage p = policy(k);
-      std::copy_n(u_before, nu_max, u);
-      for (int c = 0; c < controls[static_cast<std::size_t>(k)]; ++c)
-        u[c] += length * p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx);
+      const int nu = controls[static_cast<std::size_t>(k)];
+      for (int c = 0; c < nu; ++c)
+        u[c] = u_before[c] +
+               (length * p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx));
+      std::copy(u_before + nu, u_before + nu_max, u + nu);
       clamp(k, u);
     }
     double* after = k < N ? next.data() + k * nx : nullptr;

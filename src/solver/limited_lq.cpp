@@ -20,6 +20,13 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double no_price = 1e100;  // of what can always be kept: bounds on controls
 
+Lane larger(const Lane& a, const Lane& b) { return select(less(a, b), b, a); }
+double largest_lane(const Lane& of) {
+  double largest = of.lane(0);
+  for (int l = 1; l < lanes; ++l) largest = std::max(largest, of.lane(l));
+  return largest;
+}
+
 /// out += x^T B, B: count x n. The sums stay in registers.
 void add_product(const double* x, dense::Rows b, int count, int n, double* out) {
   dense::product<Update::Add>({x, 1, 1}, b, count, 1, n, out, 0);
@@ -40,7 +47,7 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
       velocity_stride_(dense::round_up(std::max(1, state.nv))) {
   const int nz = max_controls + state.ndx;
   const int padded = dense::round_up(nz);
-  const int row_vectors = 11;
+  const int row_vectors = 13;
   const int of_knot = 2 * padded + row_vectors * row_count_ + control_stride_ * control_stride_ +
                       control_stride_ + padded * row_stride_ + padded * velocity_stride_ +
                       dense::round_up(state.ndx) * control_stride_;
@@ -52,9 +59,9 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
     Knot knot;
     knot.z = take(padded);
     knot.z_before = take(padded);
-    for (double** row :
-         {&knot.y, &knot.y_before, &knot.multiplier, &knot.lower, &knot.upper, &knot.scale,
-          &knot.weight, &knot.price, &knot.beyond, &knot.slope, &knot.offset})
+    for (double** row : {&knot.y, &knot.y_before, &knot.multiplier, &knot.lower, &knot.upper,
+                         &knot.scale, &knot.weight, &knot.price, &knot.beyond, &knot.slope,
+                         &knot.offset, &knot.piece, &knot.found})
       *row = take(row_count_);
     knot.factor = take(control_stride_ * control_stride_);
     knot.inverse_diagonal = take(control_stride_);
@@ -68,8 +75,6 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
   weighted_ = Buffer(dense::block_size(std::max(1, max_rows), stride_));
   gradient_ = Buffer(dense::block_size(2, stride_));
   scratch_ = Buffer(dense::block_size(4, stride_));
-  pieces_.assign(static_cast<std::size_t>((N_ + 1) * row_count_), RowPiece::Inside);
-  found_ = pieces_;
 }
 
 LimitedLq::Rows LimitedLq::rows(int knot) {
@@ -78,13 +83,8 @@ LimitedLq::Rows LimitedLq::rows(int knot) {
 }
 
 void LimitedLq::forget() noexcept {
-  for (const Knot& k : knots_) std::fill_n(k.multiplier, row_count_, 0.0);
-  std::fill(pieces_.begin(), pieces_.end(), RowPiece::Inside);
-  found_ = pieces_;
-}
-
-RowPiece LimitedLq::piece(int knot, int row) const {
-  return pieces_[static_cast<std::size_t>(knot * row_count_ + row)];
+  for (const Knot& k : knots_)
+    for (double* of_rows : {k.multiplier, k.piece, k.found}) std::fill_n(of_rows, row_count_, 0.0);
 }
 
 /// Rows of coefficients and dynamics with a column per row and velocity: what follows a policy
@@ -164,15 +164,19 @@ int LimitedLq::find_pieces(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     const RowArrays arrays = mine.arrays();
-    const std::size_t begin = static_cast<std::size_t>(k * row_count_);
-    for (int r = 0; r < vectors_end(h, k); ++r) {
-      const RowPiece piece =
-          mine.weight[r] > 0.0 ? row_piece(arrays, r, mine.y[r]) : RowPiece::Inside;
-      found_[begin + static_cast<std::size_t>(r)] = piece;
-      if (piece != pieces_[begin + static_cast<std::size_t>(r)]) last = k;
+    Lane changed(0.0);
+    for (int r = 0; r < vectors_end(h, k); r += lanes) {
+      const Lane piece = row_piece(arrays, r, load(mine.y + r));
+      store(mine.found + r, piece);
+      changed += absolute(piece - load(mine.piece + r));
     }
+    if (any(less(Lane(0.0), changed))) last = k;
   }
   return last;
+}
+
+void LimitedLq::keep_pieces() {
+  for (Knot& k : knots_) std::swap(k.piece, k.found);
 }
 
 /// Lines of the pieces, for the present multipliers.
@@ -180,10 +184,10 @@ void LimitedLq::take_pieces(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     const RowArrays arrays = mine.arrays();
-    for (int r = 0; r < vectors_end(h, k); ++r) {
-      const RowLine line = row_line(arrays, r, piece(k, r));
-      mine.slope[r] = line.slope;
-      mine.offset[r] = line.offset;
+    for (int r = 0; r < vectors_end(h, k); r += lanes) {
+      const RowLines lines = row_lines(arrays, r, load(mine.piece + r));
+      store(mine.slope + r, lines.slope);
+      store(mine.offset + r, lines.offset);
     }
   }
 }
@@ -365,39 +369,46 @@ void LimitedLq::shorten(const LqHorizon& h) {
   }
 }
 
+/// By how much multipliers that are `next` have changed, over their weights and the rows' scales; 0
+/// of rows without multipliers.
+Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
+  const Lane weight = load(mine.weight + r), zero(0.0);
+  const auto has_one = mask_and(less(zero, weight), less(zero, load(mine.price + r)));
+  const Lane unit = select(has_one, weight * load(mine.scale + r), Lane(1.0));
+  return select(has_one, absolute(next - load(mine.multiplier + r)) / unit, zero);
+}
+
 /// The largest change of one, over its weight and the row's scale. Those of rows that change by
 /// more than `to_price` go to their price at once.
 double LimitedLq::update_multipliers(const LqHorizon& h, double to_price) {
-  double largest = 0.0;
+  Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
-    for (int r = 0; r < vectors_end(h, k); ++r) {
-      if (mine.weight[r] == 0.0 || mine.price[r] == 0.0) continue;
-      const double next = mine.slope[r] * mine.y[r] + mine.offset[r];
-      const double change = std::abs(next - mine.multiplier[r]) / (mine.weight[r] * mine.scale[r]);
-      largest = std::max(largest, change);
-      mine.multiplier[r] =
-          change > to_price && mine.price[r] < no_price ? std::copysign(mine.price[r], next) : next;
+    for (int r = 0; r < vectors_end(h, k); r += lanes) {
+      const Lane next = load(mine.slope + r) * load(mine.y + r) + load(mine.offset + r);
+      const Lane change = change_of(mine, r, next);
+      const Lane price = load(mine.price + r);
+      const auto goes = mask_and(less(Lane(to_price), change), less(price, Lane(no_price)));
+      const Lane at_price = select(less(next, Lane(0.0)), -price, price);
+      const auto has_one = mask_and(less(Lane(0.0), load(mine.weight + r)), less(Lane(0.0), price));
+      store(mine.multiplier + r,
+            select(has_one, select(goes, at_price, next), load(mine.multiplier + r)));
+      largest = larger(largest, change);
     }
   }
-  return largest;
+  return largest_lane(largest);
 }
 
 /// What multipliers would change by, as update_multipliers() says it.
 double LimitedLq::left_open(const LqHorizon& h) const {
-  double largest = 0.0;
+  Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     const RowArrays arrays = mine.arrays();
-    for (int r = 0; r < vectors_end(h, k); ++r) {
-      if (mine.weight[r] == 0.0 || mine.price[r] == 0.0) continue;
-      const RowLine line = row_line(arrays, r, row_piece(arrays, r, mine.y[r]));
-      const double next = line.slope * mine.y[r] + line.offset;
-      largest =
-          std::max(largest, std::abs(next - mine.multiplier[r]) / (mine.weight[r] * mine.scale[r]));
-    }
+    for (int r = 0; r < vectors_end(h, k); r += lanes)
+      largest = larger(largest, change_of(mine, r, row_force(arrays, r, load(mine.y + r))));
   }
-  return largest;
+  return largest_lane(largest);
 }
 
 /// Of the rows that push, whose minimum moves on the less the larger they are.
@@ -405,7 +416,7 @@ void LimitedLq::raise_weights(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
     for (int r = 0; r < vectors_end(h, k); ++r)
-      if (piece(k, r) != RowPiece::Inside && mine.price[r] > 0.0) mine.weight[r] *= 10.0;
+      if (mine.piece[r] != 0.0 && mine.price[r] > 0.0) mine.weight[r] *= 10.0;
   }
 }
 
@@ -420,7 +431,7 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
     // The rows that push where nothing moves.
     for (int k = 0; k <= N_; ++k) std::fill_n(knot_at(k).y, row_count_, 0.0);
     find_pieces(h);
-    std::swap(pieces_, found_);
+    keep_pieces();
   }
   take_pieces(h);
   if (!factor(h, recursion, N_, result)) return result;
@@ -469,7 +480,7 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
         return result;
       }
       slow = 0;
-      std::swap(pieces_, found_);
+      keep_pieces();
       keep();
       take_pieces(h);
       if (!factor(h, recursion, from, result)) return result;

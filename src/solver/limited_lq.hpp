@@ -75,13 +75,12 @@ class LimitedLq {
   const double* z(int knot) const { return knot_at(knot).z; }
   /// Of all rows, C z.
   const double* values(int knot) const { return knot_at(knot).y; }
-  RowPiece piece(int knot, int row) const;
 
  private:
   /// Places of a knot's vectors in memory_.
   struct Knot {
     double *z, *z_before, *y, *y_before, *multiplier, *lower, *upper, *scale, *weight, *price,
-        *beyond, *slope, *offset, *factor, *inverse_diagonal, *transposed_rows,
+        *beyond, *slope, *offset, *piece, *found, *factor, *inverse_diagonal, *transposed_rows,
         *transposed_dynamics, *transposed_gain;
     RowArrays arrays() const { return {lower, upper, weight, price, beyond, multiplier}; }
   };
@@ -93,7 +92,9 @@ class LimitedLq {
   void follow_policy(const LqHorizon& h);
   void row_values(const LqHorizon& h, int knot);
   int find_pieces(const LqHorizon& h);
+  void keep_pieces();
   void take_pieces(const LqHorizon& h);
+  static dense::Lane change_of(const Knot& mine, int r, const dense::Lane& next);
   void gradient(const LqHorizon& h, int knot, double* out) const;
   WeightedRows weigh(const LqHorizon& h, int knot);
   bool factor(const LqHorizon& h, RiccatiRecursion& recursion, int from, LimitedLqResult& result);
@@ -111,7 +112,6 @@ class LimitedLq {
       velocity_stride_;
   Buffer memory_, chosen_, weighted_, gradient_, scratch_;
   std::vector<Knot> knots_;
-  std::vector<RowPiece> pieces_, found_;
 };
 
 }  // namespace burnish

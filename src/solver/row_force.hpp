@@ -23,15 +23,6 @@ struct RowArrays {
   const double* multiplier;
 };
 
-/// Pieces of e, from the lower end to the upper one.
-enum class RowPiece : signed char {
-  BelowPrice = -2,
-  Below = -1,
-  Inside = 0,
-  Above = 1,
-  AbovePrice = 2
-};
-
 inline dense::Lane clip(const dense::Lane& x, const dense::Lane& lower, const dense::Lane& upper) {
   const dense::Lane at_most = select(less(x, upper), x, upper);
   return select(less(at_most, lower), lower, at_most);
@@ -48,30 +39,40 @@ inline dense::Lane row_force(const RowArrays& rows, int i, const dense::Lane& y)
   return within + load(rows.beyond + i) * (d - within);
 }
 
-/// The piece that a value of one row lies on.
-inline RowPiece row_piece(const RowArrays& rows, int i, double y) {
-  const double weight = rows.weight[i];
-  const double c = rows.multiplier[i] + weight * y;
-  const double above = c - weight * rows.upper[i];
-  const double below = c - weight * rows.lower[i];
-  if (above > 0.0) return above > rows.price[i] ? RowPiece::AbovePrice : RowPiece::Above;
-  if (below < 0.0) return below < -rows.price[i] ? RowPiece::BelowPrice : RowPiece::Below;
-  return RowPiece::Inside;
+/// The pieces that values lie on, from the lower end to the upper one: -2 to 2, 0 within the
+/// limits.
+inline dense::Lane row_piece(const RowArrays& rows, int i, const dense::Lane& y) {
+  using dense::Lane;
+  using dense::load;
+  const Lane zero(0.0), weight = load(rows.weight + i), price = load(rows.price + i);
+  const Lane c = load(rows.multiplier + i) + weight * y;
+  const Lane above = c - weight * load(rows.upper + i);
+  const Lane below = c - weight * load(rows.lower + i);
+  const Lane high =
+      select(less(zero, above), select(less(price, above), Lane(2.0), Lane(1.0)), zero);
+  const Lane low =
+      select(less(below, zero), select(less(below, -price), Lane(-2.0), Lane(-1.0)), high);
+  return select(less(zero, weight), select(less(zero, high), high, low), zero);
 }
 
-/// A piece: e = slope y + offset.
-struct RowLine {
-  double slope, offset;
+/// The lines of pieces: e = slope y + offset.
+struct RowLines {
+  dense::Lane slope, offset;
 };
-inline RowLine row_line(const RowArrays& rows, int i, RowPiece piece) {
-  if (piece == RowPiece::Inside) return {0.0, 0.0};
-  const bool above = piece > RowPiece::Inside;
-  const double limit = above ? rows.upper[i] : rows.lower[i];
-  const RowLine line{rows.weight[i], rows.multiplier[i] - rows.weight[i] * limit};
-  if (piece == RowPiece::Above || piece == RowPiece::Below) return line;
-  const double price = above ? rows.price[i] : -rows.price[i];
-  const double beyond = rows.beyond[i];
-  return {beyond * line.slope, price + beyond * (line.offset - price)};
+inline RowLines row_lines(const RowArrays& rows, int i, const dense::Lane& piece) {
+  using dense::Lane;
+  using dense::load;
+  const Lane zero(0.0), weight = load(rows.weight + i);
+  const auto above = less(zero, piece), below = less(piece, zero);
+  const Lane limit = select(above, load(rows.upper + i), load(rows.lower + i));
+  const Lane offset = load(rows.multiplier + i) - weight * limit;
+  const Lane most = load(rows.price + i), beyond = load(rows.beyond + i);
+  const Lane price = select(above, most, -most);
+  const auto at_price = less(Lane(1.0), absolute(piece));
+  const Lane slope = select(at_price, beyond * weight, weight);
+  const Lane start = select(at_price, price + beyond * (offset - price), offset);
+  const Lane one = select(above, Lane(1.0), select(below, Lane(1.0), zero));
+  return {select(less(zero, one), slope, zero), select(less(zero, one), start, zero)};
 }
 
 }  // namespace burnish
