@@ -1,0 +1,296 @@
+// Residuals compiled, kind by kind: rows, targets, columns, and what is refused.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/sentence.hpp"
+#include "model/followers.hpp"
+#include "ocp/position_limits.hpp"
+#include "ocp/support_polygon.hpp"
+#include "ocp/term_builder.hpp"
+
+namespace burnish::ocp {
+
+void TermBuilder::operator()(const residual::State& r) {
+  term.rows = layout().ndx();
+  target(r.target, layout().nx(), spec.initial_state);
+  unit_configuration();
+  StateDifference state{&problem.tree, layout().nq, layout().filtered, {}, problem.blocks};
+  std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
+  for (const TangentBlock& block : problem.blocks)
+    std::fill_n(in_block.begin() + block.first, block.size, char{1});
+  // One diagonal run between each two blocks, in the order that evaluate writes them.
+  int row = 0;
+  while (row < layout().ndx()) {
+    if (in_block[row] != 0) {
+      ++row;
+      continue;
+    }
+    JacobianBlock run{row, 0, {}, true};
+    for (; row < layout().ndx() && in_block[row] == 0; ++row, ++run.rows) {
+      run.columns.push_back(layout().nu + row);
+      state.diagonal_rows.push_back(row);
+    }
+    term.blocks.push_back(run);
+  }
+  for (const TangentBlock& block : problem.blocks) {
+    std::vector<int> columns(static_cast<std::size_t>(block.size));
+    std::iota(columns.begin(), columns.end(), layout().column_q() + block.first);
+    term.blocks.push_back({block.first, block.size, columns, false});
+  }
+  term.residual = state;
+}
+
+void TermBuilder::select(Selection::Source source, std::vector<int> entries, int first_column,
+                         const std::vector<int>& columns, const Signal& signal) {
+  term.rows = static_cast<int>(entries.size());
+  if (term.rows == 0) refuse("has no rows");
+  zero_target(signal, term.rows);
+  JacobianBlock block{0, term.rows, {}, true};
+  for (const int c : columns) block.columns.push_back(first_column + c);
+  term.blocks.push_back(block);
+  term.residual = Selection{source, std::move(entries)};
+}
+
+void TermBuilder::operator()(const residual::Control& r) {
+  if (stage.nu == 0) refuse("there is no control here");
+  std::vector<int> entries(static_cast<std::size_t>(layout().nu));
+  std::iota(entries.begin(), entries.end(), 0);
+  select(Selection::Source::U, entries, 0, entries, r.target);
+}
+
+const Joint& TermBuilder::joint(const std::string& name) const {
+  try {
+    const Model& model = problem.model;
+    const Joint& found = model.joints[static_cast<std::size_t>(model.joint_index(name))];
+    if (found.follows) refuse(that_it_follows(model, found));
+    return found;
+  } catch (const Error& error) {
+    refuse(error.what());
+  }
+}
+
+void TermBuilder::operator()(const residual::JointPosition& r) {
+  std::vector<int> entries, columns;
+  const auto add = [&](const Joint& j) {
+    entries.push_back(j.q_index);
+    columns.push_back(j.v_index);
+  };
+  const auto plain = [](const Joint& j) { return j.nq == 1; };
+  for (const std::string& name : r.joints) {
+    const Joint& j = joint(name);
+    if (!plain(j))
+      refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
+             "; wanted a revolute or prismatic one");
+    add(j);
+  }
+  if (r.joints.empty())
+    for (const Joint& j : problem.model.joints)
+      if (has_position_limit(problem.model, j)) add(j);
+  select(Selection::Source::Q, entries, layout().column_q(), columns, r.target);
+}
+
+std::vector<int> TermBuilder::velocity_entries(const std::vector<std::string>& joints) const {
+  std::vector<int> entries;
+  const auto add = [&](const Joint& j) {
+    for (int k = 0; k < j.nv; ++k) entries.push_back(j.v_index + k);
+  };
+  for (const std::string& name : joints) add(joint(name));
+  if (joints.empty())
+    for (const Joint& j : problem.model.joints)
+      if (j.kind != JointKind::FreeFlyer) add(j);
+  return entries;
+}
+
+void TermBuilder::operator()(const residual::JointVelocity& r) {
+  const std::vector<int> entries = velocity_entries(r.joints);
+  select(Selection::Source::V, entries, layout().column_v(), entries, r.target);
+}
+
+std::vector<int> TermBuilder::actuators(const std::vector<std::string>& joints) const {
+  std::vector<int> entries;
+  for (const int k : velocity_entries(joints)) {
+    const auto found = std::find(layout().actuated.begin(), layout().actuated.end(), k);
+    if (found != layout().actuated.end()) {
+      entries.push_back(static_cast<int>(found - layout().actuated.begin()));
+    } else if (!joints.empty()) {
+      refuse("joint entry " + in_quotes(problem.model.v_name(k)) + " is not driven");
+    }
+  }
+  return entries;
+}
+
+void TermBuilder::operator()(const residual::JointTorque& r) {
+  const std::vector<int> entries = actuators(r.joints);
+  const bool in_state = layout().filtered > 0;
+  if (!in_state && stage.nu == 0) refuse("there is no control here");
+  select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
+         in_state ? layout().column_tau() : 0, entries, r.target);
+}
+
+void TermBuilder::operator()(const residual::JointTorqueRate& r) {
+  if (!spec.torque_model)
+    refuse(
+        "torques that are the control have no rate; wanted a torque model in the problem, which "
+        "puts them into the state, one more entry per driven joint");
+  if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
+  TorqueRate rate{spec.torque_model->cutoff, actuators(r.joints)};
+  term.rows = static_cast<int>(rate.entries.size());
+  if (term.rows == 0) refuse("has no rows");
+  zero_target(r.target, term.rows);
+  for (int i = 0; i < term.rows; ++i)
+    term.blocks.push_back(
+        {i, 1, {rate.entries[i], layout().column_tau() + rate.entries[i]}, false});
+  term.residual = std::move(rate);
+}
+
+FramePositionError TermBuilder::position(const std::string& name, const Reference& reference) {
+  const int f = frame(name);
+  FramePositionError result{f, view(f, reference)};
+  if (result.view.reference.at_tool)
+    refuse(
+        "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
+        "another frame");
+  return result;
+}
+
+void TermBuilder::operator()(const residual::FramePosition& r) {
+  term.rows = 3;
+  target(r.target, 3, {});
+  const FramePositionError error = position(r.frame, r.reference);
+  term.residual = error;
+  dense_block(3, columns(layout().column_q(), error.view.entries));
+}
+
+void TermBuilder::operator()(const residual::FrameDistance& r) {
+  if (r.directions.bits == 0 || (r.directions.bits & Directions::angular().bits) != 0)
+    refuse("directions are '" + r.directions.text() + "'; wanted one or more of x, y and z");
+  term.rows = 1;
+  const FrameDistance distance{position(r.frame, r.reference), r.directions};
+  if (distance.position.view.reference.at_world)
+    target(r.target, 3, {});
+  else
+    zero_target(r.target, 3);
+  term.residual = distance;
+  dense_block(1, columns(layout().column_q(), distance.position.view.entries));
+}
+
+void TermBuilder::operator()(const residual::FrameRotation& r) {
+  term.rows = 3;
+  target(r.target, 4, {}, CompiledTerm::Load::Rotation);
+  unit_quaternion(0);
+  const int f = frame(r.frame);
+  term.residual = FrameRotationError{f};
+  dense_block(3, support_columns(f));
+}
+
+void TermBuilder::operator()(const residual::FramePlacement& r) {
+  term.rows = 6;
+  target(r.target, 7, {}, CompiledTerm::Load::Placement);
+  unit_quaternion(3);
+  const int f = frame(r.frame);
+  term.residual = FramePlacementError{f};
+  dense_block(6, support_columns(f));
+}
+
+void TermBuilder::operator()(const residual::FrameVelocity& r) {
+  term.rows = 6;
+  zero_target(r.target, 6);
+  const int f = frame(r.frame);
+  const FrameVelocityError error{f, view(f, r.reference)};
+  term.residual = error;
+  std::vector<int> all = columns(layout().column_q(), error.view.entries);
+  for (const MovingAxis& k : stage.frames[f].support) all.push_back(layout().column_v() + k.v);
+  dense_block(6, all);
+}
+
+void TermBuilder::operator()(const residual::ContactForce& r) {
+  const int c = contact(r.contact);
+  if (r.reference) {
+    term.rows = 6;
+    term.residual = WrenchError{wrench(c, r.reference)};
+  } else {
+    term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
+    term.residual = OwnForceError{c, term.rows};
+  }
+  zero_target(r.target, term.rows);
+  dense_block(term.rows, all_columns());
+}
+
+void TermBuilder::needs(int c, Directions wanted) const {
+  const Directions held = problem.contacts.contacts()[c].spec.directions;
+  if ((held.bits & wanted.bits) != wanted.bits)
+    refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
+           held.text() + "; wanted " + wanted.text() + " among them");
+}
+
+void TermBuilder::operator()(const residual::FrictionCone& r) {
+  const int c = contact(r.contact);
+  needs(c, Directions::linear());
+  if (!(r.friction > 0.0) || !std::isfinite(r.friction))
+    refuse("friction is " + number(r.friction) + "; wanted a number above 0");
+  if (r.normal < 0 || r.normal > 2)
+    refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
+  term.rows = 2;
+  term.residual = ConeMargin{wrench(c, r.reference), r.friction, r.normal};
+  dense_block(2, all_columns());
+}
+
+void TermBuilder::operator()(const residual::CenterOfPressure& r) {
+  const int c = contact(r.contact);
+  needs(c, Directions::pad_z());
+  if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
+    refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
+           " m; wanted positive numbers");
+  term.rows = 4;
+  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y};
+  dense_block(4, all_columns());
+}
+
+void TermBuilder::operator()(const residual::CenterOfMass& r) {
+  term.rows = 3;
+  target(r.target, 3, {});
+  stage.has_momentum = true;
+  term.residual = ComError{};
+  std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+  std::iota(columns.begin(), columns.end(), layout().column_q());
+  dense_block(3, columns);
+}
+
+void TermBuilder::operator()(const residual::SupportMargin& r) {
+  SupportMargin margin;
+  try {
+    margin.edges = support_edges(r.points);
+  } catch (const Error& error) {
+    refuse(error.what());
+  }
+  term.rows = static_cast<int>(margin.edges.size());
+  stage.has_momentum = true;
+  term.residual = std::move(margin);
+  std::vector<int> columns(static_cast<std::size_t>(layout().nv));
+  std::iota(columns.begin(), columns.end(), layout().column_q());
+  dense_block(term.rows, columns);
+}
+
+void TermBuilder::operator()(const residual::CentroidalMomentum& r) {
+  term.rows = 6;
+  zero_target(r.target, 6);
+  stage.has_momentum = true;
+  term.residual = MomentumError{};
+  std::vector<int> columns(static_cast<std::size_t>(2 * layout().nv));
+  std::iota(columns.begin(), columns.end(), layout().column_q());
+  dense_block(6, columns);
+}
+
+void TermBuilder::operator()(const residual::Custom& r) {
+  if (r.rows < 1) refuse("has " + std::to_string(r.rows) + " rows; wanted at least 1");
+  if (!r.value) refuse("has no value function");
+  CustomResidual compiled{r, {}, {}};
+  for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
+  for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));
+  term.rows = r.rows;
+  term.residual = compiled;
+  dense_block(r.rows, all_columns());
+}
+
+}  // namespace burnish::ocp
