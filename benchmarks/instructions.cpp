@@ -86,6 +86,33 @@ ProblemSpec polishing(bool filter) {
   return spec;
 }
 
+/// With range, speed and torque of every joint and the sign of the force as limits; `share` of the
+/// effort limits: less than what holds the posture makes many push.
+ProblemSpec limited_polishing(double share) {
+  ProblemSpec spec = polishing(false);
+  const auto is_barrier = [](const CostTerm& term) { return term.name.ends_with(" limits"); };
+  Stage& press = spec.stages.front();
+  std::erase_if(press.costs, is_barrier);
+  std::erase_if(spec.terminal, is_barrier);
+  const Model& model = spec.model;
+  const Eigen::VectorXd most = share * model.effort_limit;
+  spec.terminal_constraints = {{.name = "range",
+                                .residual = residual::JointPosition{},
+                                .lower = model.q_lower,
+                                .upper = model.q_upper},
+                               {.name = "speed",
+                                .residual = residual::JointVelocity{},
+                                .lower = -model.velocity_limit,
+                                .upper = model.velocity_limit}};
+  press.constraints = spec.terminal_constraints;
+  press.constraints.push_back(
+      {.name = "torque", .residual = residual::Control{}, .lower = -most, .upper = most});
+  press.constraints.push_back({.name = "pull",
+                               .residual = residual::ContactForce{"surface"},
+                               .lower = Eigen::VectorXd::Zero(1)});
+  return spec;
+}
+
 void count_all() {
   for (const Case& what : cases()) {
     const bool arm = what.label == "talos_right_arm" && what.contact == "1D";
@@ -95,6 +122,10 @@ void count_all() {
   count_chain(50);
   count_iteration("iteration/polishing/shooting", polishing(false), StepUpdate::MultipleShooting);
   count_iteration("iteration/polishing/rollout", polishing(false), StepUpdate::Rollout);
+  count_iteration("iteration/limits far away/shooting", limited_polishing(1.0),
+                  StepUpdate::MultipleShooting);
+  count_iteration("iteration/limits that push/shooting", limited_polishing(0.1),
+                  StepUpdate::MultipleShooting);
   count_iteration("iteration/torque filter/shooting", polishing(true),
                   StepUpdate::MultipleShooting);
   const Robot talos = load_robot("talos");

@@ -24,6 +24,7 @@ struct Iterate {
   std::vector<double> rows;   ///< values, max_rows of each knot
   double outside_cost = 0.0;  ///< of rows outside their limits, at the merit's prices
   double outside = 0.0;       ///< the largest violation of a hard row, in its scale
+  bool breaks = false;        ///< some row that a control moves is outside its limits
 };
 
 /// What the quadratic model says of the direction.
@@ -158,9 +159,12 @@ struct DdpSolver::Impl {
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
-  std::vector<int> coefficient_counts;                      ///< of those that are no entries of z
-  std::vector<int> row_slots;                               ///< of each row its place in `limited`
-  std::vector<double> row_scales, row_prices, row_squares;  ///< rows_max of each knot
+  std::vector<int> coefficient_counts;                ///< of those that are no entries of z
+  std::vector<int> row_slots;                         ///< of each row its place in `limited`
+  std::vector<const double*> row_lowers, row_uppers;  ///< of each knot
+  std::vector<LimitedLq::Rows> row_views;             ///< of each knot
+  /// rows_max of each knot; inverses of scales
+  std::vector<double> row_scales, row_inverses, row_prices, row_squares;
   std::vector<double> row_multipliers;  ///< rows_max of each knot, of the last solve
   std::vector<ValueStorage> value_list;
   std::vector<PolicyStorage> policy_list;

@@ -29,7 +29,7 @@ constexpr double fall = 0.1, raise = 100.0;
 bool is_hard(double price) { return price >= beyond_all; }
 
 double outside_of(double value, double lower, double upper) {
-  return std::max({lower - value, value - upper, 0.0});
+  return std::max(std::max(lower - value, value - upper), 0.0);
 }
 double signed_outside_of(double value, double lower, double upper) {
   return value > upper ? value - upper : std::min(value - lower, 0.0);
@@ -40,11 +40,10 @@ double signed_outside_of(double value, double lower, double upper) {
 template <class Visit>
 void DdpSolver::Impl::for_each_row(Visit&& visit) const {
   for (int k = 0; k <= N; ++k) {
-    const int count = row_counts[static_cast<std::size_t>(k)];
-    if (count == 0) continue;
-    const double* low = problem.row_lower(k);
-    const double* high = problem.row_upper(k);
-    for (int r = 0; r < count; ++r)
+    const auto at = static_cast<std::size_t>(k);
+    const double* low = row_lowers[at];
+    const double* high = row_uppers[at];
+    for (int r = 0; r < row_counts[at]; ++r)
       visit(k, r, static_cast<std::size_t>(k * rows_max + r), low[r], high[r]);
   }
 }
@@ -62,10 +61,14 @@ void DdpSolver::Impl::allocate_rows() {
   limited = std::make_unique<LimitedLq>(state, N, nu_max, rows_max);
   row_counts.assign(static_cast<std::size_t>(N) + 1, 0);
   coefficient_counts = row_counts;
+  row_lowers.assign(row_counts.size(), nullptr);
+  row_uppers = row_lowers;
+  for (int k = 0; k <= N; ++k) row_views.push_back(limited->rows(k));
   const auto all = static_cast<std::size_t>(N + 1) * static_cast<std::size_t>(rows_max);
   merit_prices.assign(all, 0.0);
   row_slots.assign(all, 0);
-  for (auto* of_rows : {&row_scales, &row_prices, &row_squares}) of_rows->assign(all, 0.0);
+  for (auto* of_rows : {&row_scales, &row_inverses, &row_prices, &row_squares})
+    of_rows->assign(all, 0.0);
   row_multipliers.assign(all, 0.0);
   summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
@@ -103,8 +106,12 @@ void DdpSolver::Impl::place_rows() {
       slot[r] = entry != nullptr && entry[r] >= 0 ? entry[r] : limited->first_row() + behind++;
     coefficient_counts[i] = behind;
     if (row_counts[i] == 0) continue;
+    row_lowers[i] = problem.row_lower(k);
+    row_uppers[i] = problem.row_upper(k);
     const auto first = static_cast<std::ptrdiff_t>(k) * rows_max;
     std::copy_n(problem.row_scale(k), row_counts[i], row_scales.begin() + first);
+    for (std::ptrdiff_t r = first; r < first + row_counts[i]; ++r)
+      row_inverses[static_cast<std::size_t>(r)] = 1.0 / row_scales[static_cast<std::size_t>(r)];
     std::copy_n(problem.row_price(k), row_counts[i], row_prices.begin() + first);
     std::copy_n(problem.row_square(k), row_counts[i], row_squares.begin() + first);
   }
@@ -133,9 +140,11 @@ double DdpSolver::Impl::square_of(std::size_t i) const {
 /// Violations of an iterate whose rows are known.
 void DdpSolver::Impl::take_rows(Iterate& at) {
   at.outside = at.outside_cost = 0.0;
+  at.breaks = false;
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
     const double v = outside_of(at.rows[i], low, high);
     if (v == 0.0 || is_fixed(k, r)) return;
+    at.breaks = true;
     if (is_hard(row_prices[i])) at.outside = std::max(at.outside, v / row_scales[i]);
     at.outside_cost += merit_prices[i] * v + 0.5 * square_of(i) * v * v;
   });
@@ -145,7 +154,7 @@ void DdpSolver::Impl::take_rows(Iterate& at) {
 void DdpSolver::Impl::set_row_limits() {
   for (int k = 0; k <= N; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     const int nu = controls[i];
     std::fill_n(rows.weight, limited->places(), 0.0);
     const double* u = k < N ? current.us.data() + k * nu_max : nullptr;
@@ -165,12 +174,12 @@ void DdpSolver::Impl::set_row_limits() {
     }
   }
   for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     const int at = row_slots[i];
     rows.lower[at] = std::max(low, -beyond_all) - current.rows[i];
     rows.upper[at] = std::min(high, beyond_all) - current.rows[i];
     rows.scale[at] = row_scales[i];
-    rows.weight[at] = 1.0 / (rows.scale[at] * rows.scale[at]);
+    rows.weight[at] = row_inverses[i] * row_inverses[i];
   });
 }
 
@@ -181,7 +190,7 @@ double DdpSolver::Impl::curvature_unit() {
   int count = 0;
   for (int k = 0; k < N; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     const double* unbounded = problem.control_scale(k);
     for (int c = 0; c < controls[i]; ++c) {
       const double other = unbounded != nullptr ? unbounded[c] : 1.0;
@@ -202,24 +211,33 @@ void DdpSolver::Impl::set_row_weights() {
       elastic.on ? std::max(options.limits.weight, elastic.weight) : options.limits.weight;
   for (int k = 0; k <= N; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     for (int c = 0; c < controls[i]; ++c)
       if (is_bounded(k, c)) rows.weight[c] *= weight * unit;
   }
   for_each_row([&](int k, int r, std::size_t i, double, double) {
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     const int at = row_slots[i];
     rows.weight[at] *= options.limits.weight * unit;
-    const double price = row_prices[i], square = square_of(i);
+    const double price = row_prices[i];
     if (is_fixed(k, r)) {
       rows.weight[at] = rows.multiplier[at] = 0.0;
-    } else if (price == 0.0 || (elastic.on && is_hard(price))) {
+      return;
+    }
+    if (is_hard(price) && !elastic.on) {
+      rows.beyond[at] = row_unit / (unit + row_unit);
+      rows.price[at] = hard_price * row_unit * row_inverses[i];
+      rows.multiplier[at] = std::clamp(rows.multiplier[at], -rows.price[at], rows.price[at]);
+      return;
+    }
+    const double square = square_of(i);
+    if (price == 0.0 || is_hard(price)) {
       rows.weight[at] = square;
       rows.beyond[at] = 1.0;
       rows.price[at] = rows.multiplier[at] = 0.0;
     } else {
       rows.beyond[at] = square / (rows.weight[at] + square);
-      rows.price[at] = std::min(price, hard_price * row_unit / rows.scale[at]);
+      rows.price[at] = std::min(price, hard_price * row_unit * row_inverses[i]);
       rows.multiplier[at] = std::clamp(rows.multiplier[at], -rows.price[at], rows.price[at]);
     }
   });
@@ -239,8 +257,8 @@ void DdpSolver::Impl::find_fixed_rows() {
     found = found || start_is_fixed[static_cast<std::size_t>(r)] != 0;
   }
   if (!found) return;
-  take_rows(current);
-  if (!best_is_current) take_rows(best);
+  if (current.breaks) take_rows(current);
+  if (!best_is_current && best.breaks) take_rows(best);
 }
 
 bool DdpSolver::Impl::is_fixed(int knot, int row) const {
@@ -304,7 +322,8 @@ bool DdpSolver::Impl::become_elastic() {
   limited_before = false;
   // Bounds' multipliers held against those that are gone.
   for (int k = 0; k < N; ++k)
-    std::fill_n(limited->rows(k).multiplier, controls[static_cast<std::size_t>(k)], 0.0);
+    std::fill_n(row_views[static_cast<std::size_t>(k)].multiplier,
+                controls[static_cast<std::size_t>(k)], 0.0);
   return true;
 }
 
@@ -321,7 +340,7 @@ bool DdpSolver::Impl::after_elastic() {
   if (kept || falls) {
     for_each_row([&](int k, int r, std::size_t i, double low, double high) {
       if (!is_hard(row_prices[i]) || is_fixed(k, r)) return;
-      limited->rows(k).multiplier[row_slots[i]] =
+      row_views[static_cast<std::size_t>(k)].multiplier[row_slots[i]] =
           square_of(i) * signed_outside_of(current.rows[i], low, high);
     });
     elastic.on = false;
@@ -337,16 +356,18 @@ bool DdpSolver::Impl::after_elastic() {
 void DdpSolver::Impl::raise_prices() {
   limit_resolution = 0.0;
   for_each_row([&](int k, int /*row*/, std::size_t i, double, double) {
-    const double multiplier = std::abs(limited->rows(k).multiplier[row_slots[i]]);
+    const double multiplier =
+        std::abs(row_views[static_cast<std::size_t>(k)].multiplier[row_slots[i]]);
+    if (multiplier == 0.0 && merit_prices[i] == 0.0) return;
     limit_resolution += multiplier * row_scales[i] * options.limits.tolerance;
     const double price = row_prices[i];
-    const double most = is_hard(price) ? hard_price * row_unit / row_scales[i] : price;
+    const double most = is_hard(price) ? hard_price * row_unit * row_inverses[i] : price;
     merit_prices[i] = elastic.on && is_hard(price)
                           ? 0.0
                           : std::min(std::max(merit_prices[i], 1.5 * multiplier), most);
   });
-  take_rows(current);
-  if (!best_is_current) take_rows(best);
+  if (current.breaks) take_rows(current);
+  if (!best_is_current && best.breaks) take_rows(best);
 }
 
 /// What the model says of the whole step.
@@ -369,6 +390,7 @@ void DdpSolver::Impl::model_of_limited() {
   for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
     const double before = outside_of(current.rows[i], low, high);
     const double after = outside_of(current.rows[i] + limited->values(k)[row_slots[i]], low, high);
+    if (before == 0.0 && after == 0.0) return;
     change +=
         merit_prices[i] * (after - before) + 0.5 * square_of(i) * (after * after - before * before);
   });
@@ -402,6 +424,7 @@ void DdpSolver::Impl::note_outside() {
     return is_hard(row_prices[i]) ? outside_of(current.rows[i], low, high) / row_scales[i] : 0.0;
   };
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
+    if (outside_of(current.rows[i], low, high) == 0.0) return;
     const double v = violation(k, r, i, low, high);
     if (v <= std::max(summary.outside, options.limits.tolerance)) return;
     summary.outside = v;
@@ -411,11 +434,12 @@ void DdpSolver::Impl::note_outside() {
   // What pushes without a multiplier is a square.
   for_each_row([&](int k, int /*row*/, std::size_t i, double low, double high) {
     const int at = row_slots[i];
-    const LimitedLq::Rows rows = limited->rows(k);
+    const LimitedLq::Rows& rows = row_views[static_cast<std::size_t>(k)];
     if (rows.price[at] == 0.0 && rows.weight[at] != 0.0)
       rows.multiplier[at] = square_of(i) * signed_outside_of(current.rows[i], low, high);
     const double push = std::abs(row_multipliers[i] = rows.multiplier[at]);
-    summary.pushing += push != 0.0;
+    if (push == 0.0) return;
+    ++summary.pushing;
     summary.given_way +=
         is_hard(row_prices[i]) && rows.price[at] != 0.0 && push >= (1.0 - 1e-9) * rows.price[at];
   });

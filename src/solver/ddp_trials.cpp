@@ -32,17 +32,14 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
       u = trial.us.data() + k * nu_max;
       const double* u_before = current.us.data() + k * nu_max;
       const PolicyStorage p = policy(k);
-      const int nu = controls[static_cast<std::size_t>(k)];
-      for (int c = 0; c < nu; ++c)
-        u[c] = u_before[c] +
-               (length * p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx));
-      std::copy(u_before + nu, u_before + nu_max, u + nu);
+      std::copy_n(u_before, nu_max, u);
+      for (int c = 0; c < controls[static_cast<std::size_t>(k)]; ++c)
+        u[c] += length * p.feedforward[c] + dense::dot(p.gain + c * gain_stride, dx(k), ndx);
       clamp(k, u);
     }
     double* after = k < N ? next.data() + k * nx : nullptr;
     double* rows = limited ? trial.rows.data() + k * rows_max : nullptr;
     const KnotValue v = problem.roll(0, k, x, u, after, rows);
-    values[static_cast<std::size_t>(k)] = v;
     if (v.status > Status::NotConverged || !std::isfinite(v.cost)) {
       trial_failure = v;
       trial_failure_knot = k;
