@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 /// Columns beside those of joints, and signals with envelopes beside torques.
-constexpr int plain_columns = 19, plain_envelopes = 5;
+constexpr int plain_columns = 23, plain_envelopes = 6;
 constexpr double mean_over = 0.010;  // s, of the force's mean
 
 /// Every `stride`th row and the last.
@@ -111,6 +111,18 @@ void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
     fill.copy("tau_command_" + model.v_name(k), "tau_command_" + model.v_name(k));
 }
 
+/// What became of limits, where plans came to any.
+void add_limits(PageFiller& fill, const Trace& trace) {
+  const char* const names[] = {"limits_pushing", "limits_outside", "limits_infeasible",
+                               "clipped_torques"};
+  if (std::all_of(std::begin(names), std::end(names),
+                  [&](const char* name) { return (trace.column(name).array() == 0.0).all(); }))
+    return;
+  fill.add_with_envelope("limits_pushing", "-", trace.column("limits_pushing"));
+  for (const char* name : {"limits_outside", "limits_infeasible", "clipped_torques"})
+    fill.copy(name, name);
+}
+
 std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::string>& names) {
   const auto name_of = [&](double phase) {
     const auto place = static_cast<std::size_t>(std::max(0.0, phase));
@@ -184,6 +196,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_forces(fill, page, trace);
   add_motion(fill, page, trace);
   add_joints(fill, model, trace);
+  add_limits(fill, trace);
   page.phases = phases_of(trace, page.phase_names);
   PageSolver solver = page.solver.value_or(PageSolver{});
   add_solver(solver, trace, size.most_plans);

@@ -62,7 +62,8 @@ inline Trace page_trace(const Model& model, int rows) {
       add(std::string(what) + axis, "N");
   for (const char* axis : {"tool_rx_start", "tool_ry_start", "tool_rz_start"}) add(axis, "rad");
   for (const char* name :
-       {"target_force", "in_contact", "tick", "solve_time", "iterations", "missed_deadline"})
+       {"target_force", "in_contact", "tick", "solve_time", "iterations", "missed_deadline",
+        "limits_pushing", "limits_outside", "limits_infeasible", "clipped_torques"})
     add(name, "-");
   for (int k = 0; k < model.nq; ++k) add("q_" + model.q_name(k), "rad");
   for (int k = 0; k < model.nv; ++k)
@@ -93,6 +94,10 @@ inline Trace page_trace(const Model& model, int rows) {
     set("solve_time", row == 205 ? 7e-3 : 1e-3);
     set("missed_deadline", row == 205 ? 1.0 : 0.0);
     set("iterations", 1.0);
+    set("limits_pushing", row == 205 ? 7.0 : 2.0);
+    set("limits_outside", row == 205 ? 1e-3 : 0.0);
+    set("limits_infeasible", row == 200 ? 1.0 : 0.0);
+    set("clipped_torques", row == 200 ? 1.0 : 0.0);
     set("q_hinge", 0.5 * t);
     set("q_" + model.q_name(1), 1.0);
     set("v_hinge", 0.5);

@@ -184,6 +184,30 @@ function iterations(runs: Run[]): PlotSpec {
   };
 }
 
+/** Limits that push, and in one run the plans that could not keep all and the torques that were cut. */
+function limits(runs: Run[]): PlotSpec {
+  const count = { unit: '', decimals: 0 };
+  const curves = perRun(runs, 'limits_pushing', { label: 'limits', stepped: true, ...count });
+  const [run] = runs;
+  const pushing = run && column(run, 'limits_pushing');
+  const mark = (name: string, label: string, tint: string) => {
+    const marked = run && column(run, name);
+    if (!run || !pushing || !marked || runs.length > 1 || !marked.some((m) => m > 0)) return;
+    const values = pushing.map((v, k) => (marked[k]! > 0 ? v : NaN));
+    curves.push({ label, colour: tint, time: run.time, values, points: true, ...count });
+  };
+  mark('limits_infeasible', 'cannot all be kept', 'alarm');
+  mark('clipped_torques', 'torque cut', 'estimated');
+  return {
+    id: 'limits',
+    title: 'Limits',
+    about: 'That push along each plan, over all its knots',
+    axis: 'limits [1]',
+    curves,
+    height: 130,
+  };
+}
+
 function costs(runs: Run[]): PlotSpec {
   const curves: Curve[] = [];
   runs.forEach((run, i) => {
@@ -343,4 +367,4 @@ export const contactSpecs = (runs: Run[]): PlotSpec[] =>
   withCurves([pathError(runs), contact(runs), tangentialForce(runs), toolTurned(runs)]);
 export const forceSpec = normalForce;
 export const controllerSpecs = (runs: Run[]): PlotSpec[] =>
-  withCurves([solverTime(runs), iterations(runs), costs(runs)]);
+  withCurves([solverTime(runs), iterations(runs), limits(runs), costs(runs)]);
