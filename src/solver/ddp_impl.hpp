@@ -96,6 +96,11 @@ struct DdpSolver::Impl {
   void find_fixed_rows();
   bool is_fixed(int knot, int row) const;
   bool solve_limited();
+  bool solve_limited_with(const double* gaps, int max_factors);
+  void take_limited_step();
+  void allocate_correction();
+  bool corrected_trial();
+  void swap_step();
   bool become_elastic();
   bool after_elastic();
   bool is_least_violation() const;
@@ -103,8 +108,17 @@ struct DdpSolver::Impl {
   bool keeps_limits(const Iterate& at) const { return at.outside <= options.limits.tolerance; }
   bool accept_limited(double length) const;
   void note_outside();
+  /// visit(knot, row of the knot, row of all, lower, upper)
   template <class Visit>
-  void for_each_row(Visit&& visit) const;
+  void for_each_row(Visit&& visit) const {
+    for (int k = 0; k <= N; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const double* low = row_lowers[at];
+      const double* high = row_uppers[at];
+      for (int r = 0; r < row_counts[at]; ++r)
+        visit(k, r, static_cast<std::size_t>(k * rows_max + r), low[r], high[r]);
+    }
+  }
 
   // Bookkeeping.
   bool increase_regularization();
@@ -173,6 +187,9 @@ struct DdpSolver::Impl {
   LimitedLqResult limited_result;
   /// What the tolerance of limits is worth, by their multipliers: the merit knows no better.
   double limit_resolution = 0.0;
+  bool at_resolution = false;                 ///< the last direction gained no more than that
+  Buffer corrected_gaps, kept_dxs, kept_dus;  ///< of a correction
+  bool refused = false;  ///< the last whole step: the next one is tried without its expansion
   /// Hard rows without multipliers, whose violations cost squares.
   struct Elastic {
     bool on = false;

@@ -1,6 +1,7 @@
 // The iterations of a solve.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/ddp_impl.hpp"
 
@@ -9,6 +10,9 @@ namespace burnish {
 /// So many iterations have nothing to gain with limits broken before it is doubted that they can be
 /// kept: the last digits of violations go by Newton's steps.
 static constexpr int patience_outside = 4;
+/// Steps are corrected where violations are below so much of their scale: far from limits what
+/// bends says little of where they are.
+static constexpr double near_limits = 0.1;
 
 bool DdpSolver::Impl::increase_regularization() {
   const Regularization& rule = options.regularization;
@@ -66,7 +70,12 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     return stop(StopReason::Infeasible);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
-  if (feasible && summary.expected_improvement < options.stop_tolerance + limit_resolution) {
+  // What the merit cannot resolve is left to another step of Newton's.
+  const bool gains = summary.expected_improvement >= options.stop_tolerance;
+  const bool unresolved = gains && !std::exchange(at_resolution, true);
+  if (!feasible || summary.expected_improvement >= options.stop_tolerance + limit_resolution)
+    at_resolution = false;
+  else if (!unresolved) {
     if (regularization <= std::max(regularization_floor, options.regularization.smallest))
       return stop(limited && starts_outside() ? StopReason::Infeasible : StopReason::Converged);
     if (searched_at_floor) return stop(StopReason::NoStep);
@@ -101,9 +110,15 @@ bool DdpSolver::Impl::line_search(double& length) {
       if (taken) expanded = false;
     } else {
       // The whole step is taken most of the time: expanded at once, it need not be evaluated again.
-      const bool ahead = halving == 0 && summary.iterations + 1 < options.max_iterations;
-      taken = shooting_trial(length, ahead) &&
-              (limited ? accept_limited(length) : accept_shooting(length));
+      const bool ahead =
+          halving == 0 && summary.iterations + 1 < options.max_iterations && !refused;
+      const bool evaluated = shooting_trial(length, ahead);
+      taken = evaluated && (limited ? accept_limited(length) : accept_shooting(length));
+      if (limited && halving == 0) {
+        refused = !taken;
+        if (evaluated && !taken && !ahead && !elastic.on && current.outside <= near_limits)
+          taken = corrected_trial();
+      }
       expanded = ahead && taken;
     }
     if (taken) {

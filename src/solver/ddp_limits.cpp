@@ -36,18 +36,6 @@ double signed_outside_of(double value, double lower, double upper) {
 }
 }  // namespace
 
-/// visit(knot, row of the knot, row of all, lower, upper)
-template <class Visit>
-void DdpSolver::Impl::for_each_row(Visit&& visit) const {
-  for (int k = 0; k <= N; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const double* low = row_lowers[at];
-    const double* high = row_uppers[at];
-    for (int r = 0; r < row_counts[at]; ++r)
-      visit(k, r, static_cast<std::size_t>(k * rows_max + r), low[r], high[r]);
-  }
-}
-
 void DdpSolver::Impl::allocate_rows() {
   rows_max = problem.max_rows();
   if (rows_max == 0) return;
@@ -72,6 +60,7 @@ void DdpSolver::Impl::allocate_rows() {
   row_multipliers.assign(all, 0.0);
   summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
+  allocate_correction();
   for (Iterate* it : {&current, &trial, &best}) it->rows.assign(all, 0.0);
   const int stride = recursion.layout().expansion_stride;
   for (int k = 0; k <= N; ++k) {
@@ -91,6 +80,7 @@ void DdpSolver::Impl::start_rows() {
   merit_change = limit_resolution = row_unit = 0.0;
   elastic = {.weight = options.limits.price};
   hard_price = options.limits.price;
+  refused = at_resolution = false;
   std::fill(start_is_fixed.begin(), start_is_fixed.end(), 0);
 }
 
@@ -130,11 +120,11 @@ void DdpSolver::Impl::forget_limits() noexcept {
   std::fill(row_multipliers.begin(), row_multipliers.end(), 0.0);
 }
 
-/// Of the i-th of all rows.
-double DdpSolver::Impl::square_of(std::size_t i) const {
-  if (!is_hard(row_prices[i])) return row_squares[i];
+/// Of a row of all.
+double DdpSolver::Impl::square_of(std::size_t row) const {
+  if (!is_hard(row_prices[row])) return row_squares[row];
   return (elastic.on ? elastic.weight : options.limits.weight) * row_unit /
-         (row_scales[i] * row_scales[i]);
+         (row_scales[row] * row_scales[row]);
 }
 
 /// Violations of an iterate whose rows are known.
@@ -272,6 +262,12 @@ bool DdpSolver::Impl::limited_backward() {
   const bool open = !limited_result.converged && limited_result.open > wide_open;
   elastic.lost = open ? elastic.lost + 1 : 0;
   if (elastic.lost >= lost_patience && become_elastic() && !solve_limited()) return false;
+  take_limited_step();
+  return true;
+}
+
+/// The direction, from the solution of the linear-quadratic problem.
+void DdpSolver::Impl::take_limited_step() {
   for (int k = 0; k <= N; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const int nu = controls[i];
@@ -284,19 +280,23 @@ bool DdpSolver::Impl::limited_backward() {
     for (int c = 0; c < nu; ++c)
       p.feedforward[c] = step[c] - dense::dot(p.gain + c * gain_stride, dx(k), ndx);
   }
-  return true;
 }
 
 bool DdpSolver::Impl::solve_limited() {
   set_row_limits();
   set_row_weights();
+  return solve_limited_with(current.gaps.data(), options.limits.max_factors);
+}
+
+/// With limits and weights as they are set.
+bool DdpSolver::Impl::solve_limited_with(const double* gaps, int max_factors) {
   for (int k = 0; limited_before && k < N; ++k)
     std::fill_n(policy(k).feedforward, controls[static_cast<std::size_t>(k)], 0.0);
-  const LqHorizon horizon{
-      expansions,   controls,   coefficient_counts, current.gaps.data(), hessian_gaps.data(),
-      value_stride, value_list, policy_list,        regularization};
+  const LqHorizon horizon{expansions,          controls,     coefficient_counts, gaps,
+                          hessian_gaps.data(), value_stride, value_list,         policy_list,
+                          regularization};
   limited_result = limited->solve(horizon, recursion,
-                                  {.factors = options.limits.max_factors,
+                                  {.factors = max_factors,
                                    .sweeps = options.limits.max_sweeps,
                                    .tolerance = 0.1 * options.limits.tolerance},
                                   limited_before);

@@ -420,29 +420,70 @@ void LimitedLq::raise_weights(const LqHorizon& h) {
   }
 }
 
-LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion,
-                                 const LimitedLqBudget& budget, bool warm) {
-  LimitedLqResult result;
+/// Where multipliers go on growing, weights are too small for rows that little moves, or rows
+/// cannot all be kept and it is their prices that decide.
+class LimitedLq::GrowthWatch {
+ public:
+  enum class Cure { None, Weights, Prices };
+  /// At a minimum of the pieces.
+  Cure look(const LimitedLqResult& result) {
+    constexpr int patience = 10, most_raises = 3;
+    slow_ = result.sweeps > 0 && result.open > 0.99 * open_before_ ? slow_ + 1 : 0;
+    open_before_ = result.open;
+    if (slow_ < patience) return Cure::None;
+    slow_ = 0;
+    return raises_++ < most_raises ? Cure::Weights : Cure::Prices;
+  }
+  void pieces_changed() { slow_ = 0; }
+
+ private:
+  double open_before_ = std::numeric_limits<double>::infinity();
+  int slow_ = 0, raises_ = 0;
+};
+
+/// The first factors; a start from nothing begins with the rows that push where nothing moves.
+bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm,
+                      LimitedLqResult& result) {
   transpose(h);
   if (warm) {
     follow_policy(h);
     keep();
   } else {
-    // The rows that push where nothing moves.
     for (int k = 0; k <= N_; ++k) std::fill_n(knot_at(k).y, row_count_, 0.0);
     find_pieces(h);
     keep_pieces();
   }
   take_pieces(h);
-  if (!factor(h, recursion, N_, result)) return result;
-  follow_policy(h);
+  return factor(h, recursion, N_, result);
+}
+
+/// At a minimum of the pieces: multipliers, and a step with them. False at the end.
+bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
+                       const LimitedLqBudget& budget, GrowthWatch& growth,
+                       LimitedLqResult& result) {
+  using Cure = GrowthWatch::Cure;
+  const Cure cure = growth.look(result);
+  result.open = update_multipliers(h, cure == Cure::Prices ? 0.5 * result.open : no_limit);
+  result.converged = result.open <= budget.tolerance;
+  if (result.converged || result.sweeps >= budget.sweeps) return false;
+  const bool heavier = cure == Cure::Weights && result.factors < budget.factors;
+  if (heavier) raise_weights(h);
+  keep();
+  take_pieces(h);
+  if (heavier) return factor(h, recursion, N_, result);
+  sweep(h, recursion);
+  ++result.sweeps;
+  return true;
+}
+
+LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion,
+                                 const LimitedLqBudget& budget, bool warm) {
+  LimitedLqResult result;
+  GrowthWatch growth;
+  if (!begin(h, recursion, warm, result)) return result;
   bool whole = !warm;  // the first step of a start from nothing comes from nowhere
-  // Where multipliers go on growing, weights are too small for rows that little moves, or rows
-  // cannot all be kept and it is their prices that decide.
-  constexpr int patience = 10, most_raises = 3;
-  double open_before = std::numeric_limits<double>::infinity();
-  int slow = 0, raises = 0;
   for (;;) {
+    follow_policy(h);
     int from = find_pieces(h);
     if (from >= 0 && !whole) {
       shorten(h);
@@ -450,42 +491,18 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
     }
     whole = false;
     if (from < 0) {
-      slow = result.sweeps > 0 && result.open > 0.99 * open_before ? slow + 1 : 0;
-      open_before = result.open;
-      const bool grows = slow >= patience;
-      const bool to_price = grows && raises >= most_raises;
-      if (grows) slow = 0;
-      result.open = update_multipliers(h, to_price ? 0.5 * result.open : no_limit);
-      if (result.open <= budget.tolerance) {
-        result.converged = true;
-        return result;
-      }
-      if (result.sweeps >= budget.sweeps) return result;
-      if (grows && !to_price && result.factors < budget.factors) {
-        ++raises;
-        raise_weights(h);
-        keep();
-        take_pieces(h);
-        if (!factor(h, recursion, N_, result)) return result;
-        follow_policy(h);
-        continue;
-      }
-      keep();
-      take_pieces(h);
-      sweep(h, recursion);
-      ++result.sweeps;
-    } else {
-      if (result.factors >= budget.factors) {
-        result.open = left_open(h);
-        return result;
-      }
-      slow = 0;
-      keep_pieces();
-      keep();
-      take_pieces(h);
-      if (!factor(h, recursion, from, result)) return result;
+      if (!update(h, recursion, budget, growth, result)) return result;
+      continue;
     }
-    follow_policy(h);
+    if (result.factors >= budget.factors) {
+      result.open = left_open(h);
+      return result;
+    }
+    growth.pieces_changed();
+    keep_pieces();
+    keep();
+    take_pieces(h);
+    if (!factor(h, recursion, from, result)) return result;
   }
 }
 

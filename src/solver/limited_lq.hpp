@@ -103,6 +103,10 @@ class LimitedLq {
   Line line(const LqHorizon& h);
   double force_along(const LqHorizon& h, double length) const;
   void shorten(const LqHorizon& h);
+  class GrowthWatch;
+  bool begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm, LimitedLqResult& result);
+  bool update(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
+              GrowthWatch& growth, LimitedLqResult& result);
   double left_open(const LqHorizon& h) const;
   void raise_weights(const LqHorizon& h);
   double update_multipliers(const LqHorizon& h, double to_price);
