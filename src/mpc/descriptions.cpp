@@ -223,7 +223,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "recursions per iteration of those two, where the problem has limits; of others "
                  "solver.limits.max_factors")
           .field("torque_limit", &M::torque_limit,
-                 "{Nm} (N), nv: what is sent stays within; empty: the robot's effort limits")
+                 "{Nm} (N), nv: what is sent stays within, and within the robot's effort limits; "
+                 "empty: those")
           .field("model_error", &M::model_error)
           .field("limits", &M::limits)
           .field("fallback", &M::fallback)

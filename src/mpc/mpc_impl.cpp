@@ -235,11 +235,11 @@ void MpcController::Impl::fall_back() noexcept {
 /// The fallback has all that the robot has.
 void MpcController::Impl::limit_torque(bool controls) noexcept {
   const Eigen::VectorXd& effort = spec.problem.model.effort_limit;
-  const Eigen::VectorXd& most =
-      controls && spec.torque_limit.size() > 0 ? spec.torque_limit : effort;
+  const bool is_cut = controls && spec.torque_limit.size() > 0;
   for (Eigen::Index k = 0; k < command_.tau.size(); ++k) {
     const double wanted = std::isfinite(command_.tau[k]) ? command_.tau[k] : 0.0;
-    command_.tau[k] = std::clamp(wanted, -most[k], most[k]);
+    const double most = is_cut ? std::min(effort[k], spec.torque_limit[k]) : effort[k];
+    command_.tau[k] = std::clamp(wanted, -most, most);
     command_.clipped_torques += command_.tau[k] != wanted;
   }
 }

@@ -181,6 +181,20 @@ TEST(PlanLimits, cut_what_is_sent_between_plans_too) {
   EXPECT_GT(run.loop().trace().column("clipped_torques").maxCoeff(), 0.0);
 }
 
+TEST(PlanLimits, that_are_wide_leave_the_robots_own) {
+  MpcCase wanted;
+  wanted.change = [](MpcSpec& spec) {
+    spec.torque_limit = 3.0 * spec.problem.model.effort_limit;
+    for (Stage& stage : spec.problem.stages) stage.constraints.clear();
+    spec.problem.model.effort_limit *= 0.205;
+  };
+  MpcRun run(wanted);
+  ASSERT_EQ(run.run(0.5), Status::Ok);
+  EXPECT_TRUE(
+      (run.watched().largest.array() <= 0.205 * run.setting().robot.model.effort_limit.array())
+          .all());
+}
+
 TEST(PlanLimits, are_refused_where_they_are_none) {
   const auto refused = [](const std::function<void(MpcSpec&)>& change) {
     MpcCase wanted;

@@ -77,7 +77,7 @@ struct MpcSpec {
   /// recursions per iteration of those two, where the problem has limits; of others
   /// solver.limits.max_factors
   int first_factors = 50;
-  /// Nm (N), nv: what is sent stays within; empty: the robot's effort limits
+  /// Nm (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
   SafetyLimits limits = {};
