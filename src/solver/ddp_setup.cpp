@@ -117,9 +117,12 @@ void DdpSolver::Impl::allocate() {
   int lead_size = 0;
   for (const LeadBlock& b : state.blocks) lead_size += 2 * b.size * b.size;
   lead_size = dense::round_up(lead_size);
+  // What is transposed is read in whole vectors of rows.
+  const int dynamics_rows = std::max(ndx, dense::round_up(state.nv));
+  const int gain_rows = dense::round_up(nu_max);
   for (std::size_t k = 0; k <= knots; ++k) {
     const int stride = layout.expansion_stride;
-    expansion_memory.emplace_back(size(1 + layout.expansion_rows + ndx, stride) +
+    expansion_memory.emplace_back(size(1 + layout.expansion_rows + dynamics_rows, stride) +
                                   size(1, lead_size) + size(1, dense::round_up(state.filtered)) +
                                   spare);
     KnotExpansion& e = expansions[k];
@@ -130,7 +133,7 @@ void DdpSolver::Impl::allocate() {
     e.lead = e.dynamics + size(ndx, stride);
     e.decay = e.lead + lead_size;
     value_memory.emplace_back(size(ndx + 1, value_stride) + spare);
-    policy_memory.emplace_back(size(1, control_stride) + size(nu_max, gain_stride) + spare);
+    policy_memory.emplace_back(size(1, control_stride) + size(gain_rows, gain_stride) + spare);
   }
   allocate_rows();
   hessian_gaps = Buffer(size(N + 2, value_stride));

@@ -72,7 +72,7 @@ struct LimitedProblem {
       e.stride = layout.expansion_stride;
       e.gradient = room(S).data();
       e.hessian = room(S * static_cast<std::size_t>(layout.expansion_rows)).data();
-      e.dynamics = room(S * static_cast<std::size_t>(ndx)).data();
+      e.dynamics = room(S * static_cast<std::size_t>(ndx + dense::lanes)).data();
       e.lead = room(512).data();
       e.decay = room(64).data();
       e.rows = room(S * static_cast<std::size_t>(rows + 8)).data();
@@ -81,7 +81,7 @@ struct LimitedProblem {
       double* value = room(vs * static_cast<std::size_t>(ndx + 1)).data();
       values.push_back({value, value + vs});
       const auto gs = static_cast<std::size_t>(layout.gain_stride);
-      double* policy = room(gs * static_cast<std::size_t>(nu_max + 2)).data();
+      double* policy = room(gs * static_cast<std::size_t>(nu_max + 2 + dense::lanes)).data();
       policies.push_back({policy, policy + gs});
       double* gap = gaps.data() + k * vs;
       for (int i = 0; i < ndx; ++i)
