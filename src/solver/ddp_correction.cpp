@@ -37,13 +37,20 @@ bool DdpSolver::Impl::corrected_trial() {
     rows.lower[at] -= bend;
     rows.upper[at] -= bend;
   });
-  if (!solve_limited_with(corrected_gaps.data(), options.limits.max_factors - factors))
-    return false;
+  const Clock::time_point from = Clock::now();
+  const bool solved =
+      solve_limited_with(corrected_gaps.data(), options.limits.max_factors - factors);
+  summary.seconds.backward += since(from);
   limited_result.factors += factors;
+  if (!solved) {
+    summary.knot = summary.control = -1;  // the step that there is goes on
+    return false;
+  }
   swap_step();
   take_limited_step();
   if (shooting_trial(1.0, false) && accept_limited(1.0)) return true;
   swap_step();
+  point_policies();
   return false;
 }
 

@@ -98,6 +98,7 @@ struct DdpSolver::Impl {
   bool solve_limited();
   bool solve_limited_with(const double* gaps, int max_factors);
   void take_limited_step();
+  void point_policies();
   void allocate_correction();
   bool corrected_trial();
   void swap_step();

@@ -269,16 +269,20 @@ bool DdpSolver::Impl::limited_backward() {
 /// The direction, from the solution of the linear-quadratic problem.
 void DdpSolver::Impl::take_limited_step() {
   for (int k = 0; k <= N; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const int nu = controls[i];
+    const int nu = controls[static_cast<std::size_t>(k)];
     const double* step = limited->z(k);
     std::copy_n(step + nu, ndx, dx(k));
-    if (k == N) break;
-    std::copy_n(step, nu, du(k));
-    // The policy goes through the direction, which may be shorter than its own.
+    if (k < N) std::copy_n(step, nu, du(k));
+  }
+  point_policies();
+}
+
+/// Policies go through the direction, which may be shorter than their own.
+void DdpSolver::Impl::point_policies() {
+  for (int k = 0; k < N; ++k) {
     const PolicyStorage p = policy(k);
-    for (int c = 0; c < nu; ++c)
-      p.feedforward[c] = step[c] - dense::dot(p.gain + c * gain_stride, dx(k), ndx);
+    for (int c = 0; c < controls[static_cast<std::size_t>(k)]; ++c)
+      p.feedforward[c] = du(k)[c] - dense::dot(p.gain + c * gain_stride, dx(k), ndx);
   }
 }
 

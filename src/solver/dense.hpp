@@ -130,6 +130,11 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
   }
 }
 
+/// out += x^T B, B: count x n. The sums stay in registers.
+inline void add_row_times(const double* x, Rows b, int count, int n, double* out) {
+  product<Update::Add>({x, 1, 1}, b, count, 1, n, out, 0);
+}
+
 /// Rows or columns that workers share come in groups of so many, which no tile or vector crosses.
 inline constexpr int group = std::max(lanes, detail::tile_rows);
 

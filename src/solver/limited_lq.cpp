@@ -27,11 +27,6 @@ double largest_lane(const Lane& of) {
   return largest;
 }
 
-/// out += x^T B, B: count x n. The sums stay in registers.
-void add_product(const double* x, dense::Rows b, int count, int n, double* out) {
-  dense::product<Update::Add>({x, 1, 1}, b, count, 1, n, out, 0);
-}
-
 }  // namespace
 
 LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int max_rows)
@@ -117,8 +112,8 @@ void LimitedLq::row_values(const LqHorizon& h, int knot) {
   if (h.rows[i] == 0) return;
   double* y = mine.y + first_row_;
   std::fill_n(y, row_stride_, 0.0);
-  add_product(mine.z, {mine.transposed_rows, row_stride_}, h.controls[i] + state_.ndx, h.rows[i],
-              y);
+  dense::add_row_times(mine.z, {mine.transposed_rows, row_stride_}, h.controls[i] + state_.ndx,
+                       h.rows[i], y);
 }
 
 /// z of the policies, through the linear dynamics with the gaps, and the rows' values.
@@ -132,7 +127,7 @@ void LimitedLq::follow_policy(const LqHorizon& h) {
     if (k < N_ && nu > 0) {
       double* du = scratch_.data();
       std::copy_n(h.policies[i].feedforward, nu, du);
-      add_product(mine.z + nu, {mine.transposed_gain, control_stride_}, ndx, nu, du);
+      dense::add_row_times(mine.z + nu, {mine.transposed_gain, control_stride_}, ndx, nu, du);
       std::copy_n(du, nu, mine.z);
     }
     row_values(h, k);
@@ -142,7 +137,8 @@ void LimitedLq::follow_policy(const LqHorizon& h) {
     if (e.form == DynamicsForm::SecondOrder) {
       double* dv = scratch_.data();
       std::fill_n(dv, velocity_stride_, 0.0);
-      add_product(mine.z, {mine.transposed_dynamics, velocity_stride_}, nu + ndx, state_.nv, dv);
+      dense::add_row_times(mine.z, {mine.transposed_dynamics, velocity_stride_}, nu + ndx,
+                           state_.nv, dv);
       std::copy_n(dv, state_.nv, next + state_.nv);
       complete_next(state_, e, nu, mine.z, scratch_.data(), next);
     } else {
@@ -201,7 +197,8 @@ void LimitedLq::gradient(const LqHorizon& h, int knot, double* out) const {
   dense::copy(e.gradient, nu + state_.ndx, out);
   for (int c = 0; c < nu + state_.ndx; ++c) out[c] += mine.offset[c];
   if (h.rows[i] > 0)
-    add_product(mine.offset + first_row_, {e.rows, e.stride}, h.rows[i], nu + state_.ndx, out);
+    dense::add_row_times(mine.offset + first_row_, {e.rows, e.stride}, h.rows[i], nu + state_.ndx,
+                         out);
 }
 
 /// The rows of a knot that push.
@@ -274,98 +271,6 @@ void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
                       {mine.factor, control_stride_, mine.inverse_diagonal},
                       h.values[i + 1].gradient, h.hessian_gaps + (k + 1) * h.gap_stride,
                       gradient_.data(), h.policies[i], h.values[i].gradient);
-  }
-}
-
-/// Sum of e times the change of the rows' values, at a length between the last trajectory (0) and
-/// this one (1).
-double LimitedLq::force_along(const LqHorizon& h, double length) const {
-  const Lane share(length);
-  Lane sum(0.0);
-  for (int k = 0; k <= N_; ++k) {
-    const Knot& mine = knot_at(k);
-    const RowArrays arrays = mine.arrays();
-    for (int r = 0; r < vectors_end(h, k); r += lanes) {
-      const Lane before = load(mine.y_before + r);
-      const Lane change = load(mine.y + r) - before;
-      sum += row_force(arrays, r, before + share * change) * change;
-    }
-  }
-  double total = 0.0;
-  for (int l = 0; l < lanes; ++l) total += sum.lane(l);
-  return total;
-}
-
-/// The objective along a step that a recursion made: its slope at 0, and what the cost alone
-/// curves it by.
-struct LimitedLq::Line {
-  double slope = 0.0, cost_curvature = 0.0;
-};
-
-/// This trajectory is where the pieces' objective has no slope: with d the step, h its Hessian,
-///   slope of it at 0 = -d^T h d = -sum |R (du - K dx)|^2,
-/// and the objective differs from it at 0 by the rows that lie on other pieces there.
-LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
-  double curvature = 0.0, of_rows = 0.0, elsewhere = 0.0;
-  const int ndx = state_.ndx;
-  double* dx = scratch_.data();
-  double* off = dx + stride_;
-  for (int k = 0; k <= N_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const int nu = h.controls[i];
-    const Knot& mine = knot_at(k);
-    if (nu > 0) {
-      for (int c = 0; c < ndx; ++c) dx[c] = mine.z_before[nu + c] - mine.z[nu + c];
-      std::fill_n(off, control_stride_, 0.0);
-      add_product(dx, {mine.transposed_gain, control_stride_}, ndx, nu, off);
-      for (int c = 0; c < nu; ++c) off[c] = mine.z[c] - mine.z_before[c] + off[c];
-      for (int c = 0; c < nu; ++c) {
-        const double entry = dense::dot(mine.factor + c * control_stride_ + c, off + c, nu - c);
-        curvature += entry * entry;
-      }
-    }
-    for (int r = 0; r < vectors_end(h, k); ++r) {
-      const double change = mine.y[r] - mine.y_before[r];
-      of_rows += mine.slope[r] * change * change;
-      elsewhere -= (mine.slope[r] * mine.y_before[r] + mine.offset[r]) * change;
-    }
-  }
-  elsewhere += force_along(h, 0.0);
-  return {elsewhere - curvature, curvature - of_rows};
-}
-
-/// Moves the trajectory to the minimum between the last one and this one.
-void LimitedLq::shorten(const LqHorizon& h) {
-  const Line line = this->line(h);
-  const double at_begin = force_along(h, 0.0);
-  const auto slope = [&](double length) {
-    return line.slope + length * line.cost_curvature + force_along(h, length) - at_begin;
-  };
-  double length = 1.0;
-  if (!(line.slope < 0.0)) {
-    length = 0.0;
-  } else if (double above = slope(1.0); above > 1e-9 * -line.slope) {
-    double low = 0.0, high = 1.0, below = line.slope;
-    for (int i = 0; i < 30; ++i) {
-      length = i % 3 == 2 ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
-      const double here = slope(length);
-      if (std::abs(here) < 1e-6 * -line.slope) break;
-      (here < 0.0 ? low : high) = length;
-      (here < 0.0 ? below : above) = here;
-    }
-  } else {
-    return;
-  }
-  const Lane share(length);
-  for (const Knot& k : knots_) {
-    for (int c = 0; c < stride_; c += lanes) {
-      const Lane before = load(k.z_before + c);
-      store(k.z + c, before + share * (load(k.z + c) - before));
-    }
-    for (int r = 0; r < row_count_; r += lanes) {
-      const Lane before = load(k.y_before + r);
-      store(k.y + r, before + share * (load(k.y + r) - before));
-    }
   }
 }
 
