@@ -219,9 +219,12 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("first_iterations", &M::first_iterations, "of the first solve")
           .field("jump_iterations", &M::jump_iterations,
                  "of one after the schedule's clock jumped or stood still")
+          .field("max_factors", &M::max_factors,
+                 "recursions per iteration where the problem has limits, and at most as many "
+                 "sweeps with kept factors; those of solver.limits, and its largest_price, mean "
+                 "nothing here")
           .field("first_factors", &M::first_factors,
-                 "recursions per iteration of those two, where the problem has limits; of others "
-                 "solver.limits.max_factors")
+                 "likewise of the first solve, and of one after a jump")
           .field("torque_limit", &M::torque_limit,
                  "{Nm} (N), nv: what is sent stays within, and within the robot's effort limits; "
                  "empty: those")

@@ -80,9 +80,11 @@ int checked_ticks_per_update(const MpcSpec& spec) {
                 std::to_string(std::min(
                     {spec.first_iterations, spec.jump_iterations, spec.solver.max_iterations})) +
                 " iterations; wanted at least 1");
-  if (spec.first_factors < 1)
-    throw Error("MPC: first_factors is " + std::to_string(spec.first_factors) +
-                "; wanted at least 1");
+  for (const auto& [name, factors] :
+       {std::pair("max_factors", spec.max_factors), {"first_factors", spec.first_factors}})
+    if (factors < 1)
+      throw Error("MPC: " + std::string(name) + " is " + std::to_string(factors) +
+                  "; wanted at least 1");
   check_torque_limit(spec);
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });

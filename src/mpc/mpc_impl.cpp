@@ -25,9 +25,11 @@ std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   return made;
 }
 
-/// Room for the longest solve.
+/// Room for the longest solve. Limits that cannot be kept give way at their price, and at that
+/// alone: there is no time to find out whether a larger one would do.
 DdpOptions roomy(const MpcSpec& spec) {
   DdpOptions options = spec.solver;
+  options.limits.largest_price = 0.0;
   options.max_iterations =
       std::max({options.max_iterations, spec.first_iterations, spec.jump_iterations});
   return options;
@@ -180,9 +182,8 @@ bool MpcController::Impl::solve(double schedule_time) {
   }
   warm_ = false;
   solver.set_max_iterations(iterations);
-  const LimitOptions& budget = spec.solver.limits;
-  solver.set_limit_budget(plain ? budget.max_factors : spec.first_factors,
-                          plain ? budget.max_sweeps : 2 * spec.first_factors);
+  const int factors = plain ? spec.max_factors : spec.first_factors;
+  solver.set_limit_budget(factors, factors);
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   const DdpSummary& summary = solver.solve();
   command_.iterations = summary.iterations;

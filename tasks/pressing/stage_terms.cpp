@@ -30,9 +30,10 @@ void check_start(const Model& model, double margin, const Eigen::VectorXd& q) {
     const double room = std::min(q[k] - model.q_lower[k], model.q_upper[k] - q[k]);
     if (room < margin - rounding)
       throw EntryError("constraints.joint_margin",
-                       "joint " + in_quotes(joint.name) + " starts " + number(room) +
-                           " from its limit; wanted at least " + number(margin) +
-                           ", another start, or constraints.joint_margin of less");
+                       "joint " + in_quotes(joint.name) + " starts " + number(std::abs(room)) +
+                           (room < 0.0 ? " beyond its limit" : " from its limit") +
+                           "; wanted at least " + number(margin) +
+                           " from it, another start, or constraints.joint_margin of less (never)");
   }
 }
 }  // namespace
@@ -49,7 +50,7 @@ std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limit
                     .upper = range.upper.array() - limits.joint_margin,
                     .scale = scale_of(0.5 * (range.upper - range.lower))});
   const Eigen::VectorXd fastest = limits.joint_speed * model.velocity_limit;
-  if (std::isfinite(fastest.minCoeff()))
+  if (std::isfinite(limits.joint_speed) && std::isfinite(model.velocity_limit.minCoeff()))
     rows.push_back({.name = "joint speed",
                     .residual = residual::JointVelocity{},
                     .lower = -fastest,
@@ -65,7 +66,7 @@ Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits) {
 
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits) {
   const Eigen::VectorXd most = limits.torque * model.effort_limit;
-  if (!std::isfinite(most.minCoeff())) return {};
+  if (!std::isfinite(limits.torque) || !std::isfinite(model.effort_limit.minCoeff())) return {};
   return {{.name = "torque limits",
            .residual = residual::Control{},
            .lower = -most,
@@ -80,7 +81,7 @@ Constraint force_limit(const Signal& force, double least, double scale, const Pl
                  .upper = Eigen::VectorXd::Constant(1, limits.force_band),
                  .scale = Eigen::VectorXd::Constant(1, scale)};
   if (std::isfinite(limits.force_band)) return row;
-  row.name = "pull";
+  row.name = "no pull";
   row.residual = residual::ContactForce{"surface"};
   row.lower.setZero();
   return row;

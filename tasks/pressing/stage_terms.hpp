@@ -32,7 +32,8 @@ std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limit
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits);
 /// nv, Nm (N): what may be sent.
 Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits);
-/// Of the force along the normal of the contact "surface", at least `least` N while pressing;
+/// Of the force along the normal of the contact "surface": a band about `force`, N over the
+/// schedule's time, whose smallest value while pressing is `least`, or without a band no pull.
 /// `scale`: N that count as much.
 Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits);
 /// Torques to `rest`.

@@ -206,6 +206,7 @@ TEST(PlanLimits, are_refused_where_they_are_none) {
   expect_words(refused([](MpcSpec& s) { s.torque_limit = Eigen::VectorXd::Constant(6, -1.0); }),
                {"torque_limit of", "is -1", "at least 0"});
   expect_words(refused([](MpcSpec& s) { s.first_factors = 0; }), {"first_factors is 0"});
+  expect_words(refused([](MpcSpec& s) { s.max_factors = 0; }), {"max_factors is 0"});
 }
 
 }  // namespace

@@ -69,14 +69,13 @@ struct MpcSpec {
   /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;
   DdpOptions solver = {
-      .update = StepUpdate::MultipleShooting,
-      .max_iterations = 1,
-      .limits = {.max_factors = 8, .max_sweeps = 8, .largest_price = 0.0, .tolerance = 1e-6}};
+      .update = StepUpdate::MultipleShooting, .max_iterations = 1, .limits = {.tolerance = 1e-6}};
   int first_iterations = 100;  ///< of the first solve
   int jump_iterations = 3;     ///< of one after the schedule's clock jumped or stood still
-  /// recursions per iteration of those two, where the problem has limits; of others
-  /// solver.limits.max_factors
-  int first_factors = 50;
+  /// recursions per iteration where the problem has limits, and at most as many sweeps with kept
+  /// factors; those of solver.limits, and its largest_price, mean nothing here
+  int max_factors = 8;
+  int first_factors = 50;  ///< likewise of the first solve, and of one after a jump
   /// Nm (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
@@ -100,12 +99,12 @@ struct MpcSpec {
 /// from the measured state, or from the one that the policy is predicted to lead to after
 /// `solver_delay`; (6) the policy gives the torque, within the effort limits.
 ///
-/// Constraints of the problem are kept by every plan, with as many recursions as
-/// `solver.limits.max_factors` says and no more: what that leaves open, and what the plan breaks,
-/// is in Command::limits_open and limits_outside, and the torque that is sent is cut to
-/// `torque_limit`. Where hard ones cannot all be kept from the measured state on, each gives way at
-/// the price of `solver.limits.price`: the plan is the one that breaks them least by that measure,
-/// it is followed, and Command::limits_infeasible says so.
+/// Constraints of the problem are kept by every plan, with as many recursions as `max_factors` says
+/// and no more: what that leaves open, and what the plan breaks, is in Command::limits_open and
+/// limits_outside, and the torque that is sent is cut to `torque_limit`. Where hard ones cannot all
+/// be kept from the measured state on, each gives way at the price of `solver.limits.price`: the
+/// plan is the one that breaks them least by that measure, it is followed, and
+/// Command::limits_infeasible says so.
 ///
 /// Measurements that are no state (NaN, wrong sizes, time that stands still) are bridged: the
 /// policy goes on from the last good one until the limits' `bad` or `stale` is over. An update that
