@@ -302,6 +302,7 @@ bool DdpSolver::Impl::solve_limited_with(const double* gaps, int max_factors) {
   limited_result = limited->solve(horizon, recursion,
                                   {.factors = max_factors,
                                    .sweeps = options.limits.max_sweeps,
+                                   .interior_after = options.limits.interior_after,
                                    .tolerance = 0.1 * options.limits.tolerance},
                                   limited_before);
   if (limited_result.failed_knot >= 0) {

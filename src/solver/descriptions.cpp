@@ -96,6 +96,11 @@ const Description& description_of(const LimitOptions* /*of*/) {
                  range::positive)
           .field("max_factors", &L::max_factors, "recursions per iteration", range::from(1))
           .field("max_sweeps", &L::max_sweeps, "with kept factors, per iteration", range::from(0))
+          .field("interior_after", &L::interior_after,
+                 "Recursions of an iteration after which an interior-point method finds out which "
+                 "rows push, where max_factors leaves it 20. 0: at once, where nothing is known of "
+                 "multipliers.",
+                 range::from(0))
           .field("price", &L::price,
                  "Of a violation of a hard row, and weight of its square where that price leaves "
                  "some broken, in units of the cost's curvature over its scale.",

@@ -18,9 +18,7 @@ using dense::Update;
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-constexpr double no_price = 1e100;  // of what can always be kept: bounds on controls
 
-Lane larger(const Lane& a, const Lane& b) { return select(less(a, b), b, a); }
 double largest_lane(const Lane& of) {
   double largest = of.lane(0);
   for (int l = 1; l < lanes; ++l) largest = std::max(largest, of.lane(l));
@@ -39,7 +37,8 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
       stride_(RiccatiLayout(state, max_controls).expansion_stride),
       row_stride_(dense::round_up(std::max(1, max_rows))),
       control_stride_(dense::round_up(std::max(1, max_controls))),
-      velocity_stride_(dense::round_up(std::max(1, state.nv))) {
+      velocity_stride_(dense::round_up(std::max(1, state.nv))),
+      interior_(row_count_ * (knots + 1)) {
   const int nz = max_controls + state.ndx;
   const int padded = dense::round_up(nz);
   const int row_vectors = 13;
@@ -329,7 +328,7 @@ void LimitedLq::raise_weights(const LqHorizon& h) {
 /// cannot all be kept and it is their prices that decide.
 class LimitedLq::GrowthWatch {
  public:
-  enum class Cure { None, Weights, Prices };
+  enum class Cure { None, Weights, Interior, Prices };
   /// At a minimum of the pieces.
   Cure look(const LimitedLqResult& result) {
     constexpr int patience = 10, most_raises = 3;
@@ -337,7 +336,8 @@ class LimitedLq::GrowthWatch {
     open_before_ = result.open;
     if (slow_ < patience) return Cure::None;
     slow_ = 0;
-    return raises_++ < most_raises ? Cure::Weights : Cure::Prices;
+    if (raises_++ < most_raises) return Cure::Weights;
+    return raises_ == most_raises + 1 ? Cure::Interior : Cure::Prices;
   }
   void pieces_changed() { slow_ = 0; }
 
@@ -371,6 +371,7 @@ bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
   result.open = update_multipliers(h, cure == Cure::Prices ? 0.5 * result.open : no_limit);
   result.converged = result.open <= budget.tolerance;
   if (result.converged || result.sweeps >= budget.sweeps) return false;
+  if (cure == Cure::Interior && pays(budget, result)) return restart(h, recursion, budget, result);
   const bool heavier = cure == Cure::Weights && result.factors < budget.factors;
   if (heavier) raise_weights(h);
   keep();
@@ -385,8 +386,14 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
                                  const LimitedLqBudget& budget, bool warm) {
   LimitedLqResult result;
   GrowthWatch growth;
-  if (!begin(h, recursion, warm, result)) return result;
-  bool whole = !warm;  // the first step of a start from nothing comes from nowhere
+  bool approached = !warm && budget.interior_after == 0 && pays(budget, result);
+  if (approached) {
+    transpose(h);
+    if (!restart(h, recursion, budget, result)) return result;
+  } else if (!begin(h, recursion, warm, result)) {
+    return result;
+  }
+  bool whole = !warm && !approached;  // the first step of a start from nothing comes from nowhere
   for (;;) {
     follow_policy(h);
     int from = find_pieces(h);
@@ -404,11 +411,33 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
       return result;
     }
     growth.pieces_changed();
+    if (!approached && result.factors >= budget.interior_after && pays(budget, result)) {
+      approached = true;
+      if (!restart(h, recursion, budget, result)) return result;
+      continue;
+    }
     keep_pieces();
     keep();
     take_pieces(h);
     if (!factor(h, recursion, from, result)) return result;
   }
+}
+
+/// Whether an interior-point method would have the recursions that it takes.
+bool LimitedLq::pays(const LimitedLqBudget& budget, const LimitedLqResult& result) {
+  constexpr int enough = 20;
+  return budget.factors - result.factors >= enough;
+}
+
+/// The pieces and multipliers that an interior-point method ends with.
+bool LimitedLq::restart(const LqHorizon& h, RiccatiRecursion& recursion,
+                        const LimitedLqBudget& budget, LimitedLqResult& result) {
+  if (!approach(h, recursion, budget, result)) return false;
+  find_pieces(h);
+  keep_pieces();
+  keep();
+  take_pieces(h);
+  return factor(h, recursion, N_, result);
 }
 
 }  // namespace burnish

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "solver/buffer.hpp"
+#include "solver/interior_rows.hpp"
 #include "solver/riccati.hpp"
 #include "solver/row_force.hpp"
 
@@ -35,6 +36,9 @@ struct LqHorizon {
 struct LimitedLqBudget {
   int factors = 100;  ///< recursions with new factors, of the whole horizon or its first part
   int sweeps = 200;   ///< with kept factors
+  /// Of these after which an interior-point method finds out which rows push, where it can still
+  /// have 20; 0: at once, where the start is from nothing.
+  int interior_after = 30;
   /// Of what limits are exceeded by, and multipliers change by over their weight, in a row's scale.
   double tolerance = 1e-9;
 };
@@ -103,6 +107,20 @@ class LimitedLq {
   Line line(const LqHorizon& h);
   double force_along(const LqHorizon& h, double length) const;
   void shorten(const LqHorizon& h);
+  void blend(double length);
+  template <class Function>
+  void for_each_vector(const LqHorizon& h, const Function& function) const;
+  bool begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, double& mu,
+                      LimitedLqResult& result);
+  bool interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
+                     const InteriorRows::Target& target, LimitedLqResult& result);
+  double interior_length(const LqHorizon& h) const;
+  double mean_product(const LqHorizon& h, double length) const;
+  static bool pays(const LimitedLqBudget& budget, const LimitedLqResult& result);
+  bool restart(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
+               LimitedLqResult& result);
+  bool approach(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
+                LimitedLqResult& result);
   class GrowthWatch;
   bool begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm, LimitedLqResult& result);
   bool update(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
@@ -116,6 +134,7 @@ class LimitedLq {
       velocity_stride_;
   Buffer memory_, chosen_, weighted_, gradient_, scratch_;
   std::vector<Knot> knots_;
+  InteriorRows interior_;
 };
 
 }  // namespace burnish

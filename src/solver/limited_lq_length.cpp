@@ -91,6 +91,11 @@ void LimitedLq::shorten(const LqHorizon& h) {
   } else {
     return;
   }
+  blend(length);
+}
+
+/// The trajectory between the last one (0) and this one (1).
+void LimitedLq::blend(double length) {
   const Lane share(length);
   for (const Knot& k : knots_) {
     for (int c = 0; c < stride_; c += lanes) {

@@ -23,6 +23,13 @@ struct RowArrays {
   const double* multiplier;
 };
 
+/// A price from here on is none: violations are not accepted. Of what can always be kept, bounds on
+/// controls.
+inline constexpr double no_price = 1e100;
+
+inline dense::Lane larger(const dense::Lane& a, const dense::Lane& b) {
+  return select(less(a, b), b, a);
+}
 inline dense::Lane clip(const dense::Lane& x, const dense::Lane& lower, const dense::Lane& upper) {
   const dense::Lane at_most = select(less(x, upper), x, upper);
   return select(less(at_most, lower), lower, at_most);

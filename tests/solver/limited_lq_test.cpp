@@ -240,14 +240,19 @@ Oracle oracle(const LimitedProblem& p) {
   return answer;
 }
 
+constexpr int never = 1000;
+
 class LimitedLqLaw : public ::testing::TestWithParam<LimitedSpec> {};
 
-TEST_P(LimitedLqLaw, has_the_solution_and_the_multipliers_of_an_interior_point_method) {
-  LimitedProblem p(GetParam());
+/// By semismooth steps alone, and with the interior-point method from the start.
+void expect_solution(const LimitedSpec& spec, int interior_after) {
+  LimitedProblem p(spec);
   LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
   p.give_limits(lqp, 10.0);
-  const LimitedLqResult result =
-      lqp.solve(p.view(), p.recursion, {.factors = 200, .sweeps = 2000, .tolerance = 1e-10}, false);
+  const LimitedLqResult result = lqp.solve(
+      p.view(), p.recursion,
+      {.factors = 200, .sweeps = 2000, .interior_after = interior_after, .tolerance = 1e-10},
+      false);
   const Oracle wanted = oracle(p);
   EXPECT_TRUE(wanted.converged);
   EXPECT_TRUE(result.converged) << result.open;
@@ -263,9 +268,16 @@ TEST_P(LimitedLqLaw, has_the_solution_and_the_multipliers_of_an_interior_point_m
       active += std::abs(wanted.multiplier[i][r]) > 1e-6;
     }
   }
-  RecordProperty("active", active);
-  std::printf("%-12s %d active, %d factors, %d sweeps\n", GetParam().name, active, result.factors,
+  std::printf("%-12s %d active, %d factors, %d sweeps\n", spec.name, active, result.factors,
               result.sweeps);
+}
+
+TEST_P(LimitedLqLaw, has_the_solution_and_the_multipliers_of_an_interior_point_method) {
+  expect_solution(GetParam(), never);
+}
+
+TEST_P(LimitedLqLaw, has_them_too_where_its_own_interior_point_method_begins) {
+  expect_solution(GetParam(), 0);
 }
 
 std::vector<LimitedSpec> specs() {
@@ -298,6 +310,23 @@ std::vector<LimitedSpec> specs() {
   };
 }
 
+TEST(LimitedLq, takes_few_recursions_where_the_interior_point_method_begins_and_many_rows_push) {
+  for (const LimitedSpec& spec : specs())
+    for (unsigned seed = 100; seed < 110; ++seed) {
+      LimitedSpec tight = spec;
+      tight.lq.seed = seed;
+      tight.room *= 0.05;
+      LimitedProblem p(tight);
+      LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
+      p.give_limits(lqp, 1000.0);
+      const LimitedLqResult result = lqp.solve(
+          p.view(), p.recursion,
+          {.factors = 200, .sweeps = 2000, .interior_after = 0, .tolerance = 1e-9}, false);
+      EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.open;
+      EXPECT_LE(result.factors, 30) << spec.name << ", seed " << seed;
+    }
+}
+
 TEST(LimitedLq, converges_where_many_rows_push_and_weights_are_small) {
   for (const LimitedSpec& spec : specs())
     for (unsigned seed = 100; seed < 130; ++seed) {
@@ -308,7 +337,8 @@ TEST(LimitedLq, converges_where_many_rows_push_and_weights_are_small) {
       LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
       p.give_limits(lqp, 10.0);
       const LimitedLqResult result = lqp.solve(
-          p.view(), p.recursion, {.factors = 200, .sweeps = 2000, .tolerance = 1e-9}, false);
+          p.view(), p.recursion,
+          {.factors = 200, .sweeps = 2000, .interior_after = never, .tolerance = 1e-9}, false);
       EXPECT_TRUE(result.converged) << spec.name << ", seed " << seed << ": " << result.open;
     }
 }
