@@ -133,7 +133,8 @@ void add_solve(CLI::App& app, int& exit_code) {
       "  burnish solve examples/problems/reaching.yaml\n"
       "  burnish solve examples/problems/polishing.yaml --out /tmp/polishing --threads 4\n"
       "\n"
-      "Writes trajectory.csv, gains.json, summary.json, limits.csv where there are constraints, and\n"
+      "Writes trajectory.csv, gains.json, summary.json, limits.csv where there are constraints, "
+      "and\n"
       "plots. Ctrl-C (or SIGTERM, or SIGHUP) stops after the iteration and writes what there is.\n"
       "docs/optimal_control.md describes problem files.\n"
       "Exit codes: 0 converged; 1 not converged; 2 bad input.");

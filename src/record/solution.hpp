@@ -42,8 +42,8 @@ std::map<std::string, nlohmann::ordered_json> active_times(const Problem& proble
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
                                     const DdpSolver& solver);
 
-/// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem has
-/// constraints limits.csv; their names. Throws Error if a file cannot be written.
+/// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem
+/// has constraints limits.csv; their names. Throws Error if a file cannot be written.
 std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
                                         const nlohmann::ordered_json& summary,
                                         const std::filesystem::path& folder);

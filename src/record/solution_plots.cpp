@@ -170,9 +170,8 @@ PlotSpec limits(const Problem& problem, const CostReport& report) {
   }
   const int knots = problem.knots();
   for (const CostReport::Row& row : rows) {
-    Curve push{.name = row.name,
-               .x = Eigen::VectorXd(knots + 1),
-               .y = Eigen::VectorXd::Zero(knots + 1)};
+    Curve push{
+        .name = row.name, .x = Eigen::VectorXd(knots + 1), .y = Eigen::VectorXd::Zero(knots + 1)};
     for (int k = 0; k <= knots; ++k) push.x[k] = problem.time_of(k);
     for (const CostReport::ActiveLimit& limit : report.limits)
       if (limit.row == row.name) push.y[limit.knot] = limit.multiplier * row.scale;

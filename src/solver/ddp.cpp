@@ -155,8 +155,7 @@ void add_rows(ShootingProblem& problem, int knot, const double* x, const double*
     row.pushed = row.multiplier != 0.0 ? row.knot : "";
     row.active = row.multiplier != 0.0 ? 1 : 0;
     if (row.active > 0 || row.broken())
-      report.limits.push_back(
-          {knot, row.name, row.value, row.lower, row.upper, row.multiplier});
+      report.limits.push_back({knot, row.name, row.value, row.lower, row.upper, row.multiplier});
     add_row(std::move(row), report.rows);
   }
 }

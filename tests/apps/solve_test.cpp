@@ -78,8 +78,8 @@ TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
                  "    constraints: {speed: {type: joint_velocity, lower: -3, upper: 3}}\n");
   const auto solved = [&](const std::string& name, const std::string& text) {
     const auto out = scratch.folder / name;
-    const Outcome outcome = run("solve " + quoted(scratch.write(name + ".yaml", text)) + " --out " +
-                                quoted(out));
+    const Outcome outcome =
+        run("solve " + quoted(scratch.write(name + ".yaml", text)) + " --out " + quoted(out));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     return out;
   };

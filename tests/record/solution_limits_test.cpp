@@ -28,7 +28,11 @@ class SolutionLimits : public ::testing::Test {
 
 TEST_F(SolutionLimits, AreALinePerRowAndKnot) {
   CostReport report;
-  report.limits = {{.knot = 1, .row = "speed/hinge", .value = 1.0, .lower = -none, .upper = 1.0,
+  report.limits = {{.knot = 1,
+                    .row = "speed/hinge",
+                    .value = 1.0,
+                    .lower = -none,
+                    .upper = 1.0,
                     .multiplier = 0.5},
                    {.knot = 5, .row = "a, b", .value = std::nan(""), .lower = 0.0, .upper = 2.0}};
   EXPECT_EQ(limits_csv(swing, report),

@@ -116,9 +116,9 @@ struct CostReport {
     double multiplier = 0.0;  ///< cost per unit of the row; see DdpSolver::multipliers()
   };
   double total = 0.0;
-  std::vector<Entry> terms;  ///< summed over knots, in order of appearance
-  std::vector<Knot> knots;   ///< N + 1
-  std::vector<Row> rows;     ///< over all knots, in order of appearance
+  std::vector<Entry> terms;         ///< summed over knots, in order of appearance
+  std::vector<Knot> knots;          ///< N + 1
+  std::vector<Row> rows;            ///< over all knots, in order of appearance
   std::vector<ActiveLimit> limits;  ///< along the horizon, knot by knot in the order of its rows
 
   /// The rows whose limits push, by their scale from the hardest down.
