@@ -72,7 +72,7 @@ TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
       "  swing:\n"
       "    costs: {torque: {type: control}}\n"
       "horizon: [swing: 40]\n"
-      "terminal: {there: {type: state, target: {q: 1}, weight: 1000}}\n";
+      "terminal: {there: {type: state, target: {q: [1]}, weight: 1000}}\n";
   std::string limited = free;
   limited.insert(limited.find("horizon"),
                  "    constraints: {speed: {type: joint_velocity, lower: -3, upper: 3}}\n");
