@@ -71,8 +71,8 @@ int solve(const SolveArguments& arguments) {
   RunFolder folder({.out = arguments.out,
                     .name = fs::path(arguments.file).stem().string() + "_solution",
                     .force = arguments.force});
-  folder.claim({"trajectory.csv", "gains.json", "summary.json", "states.svg", "torques.svg",
-                "forces.svg", "path.svg", "cost.svg"});
+  folder.claim({"trajectory.csv", "gains.json", "summary.json", "limits.csv", "states.svg",
+                "torques.svg", "forces.svg", "path.svg", "limits.svg", "cost.svg"});
 
   const bool talks = !arguments.quiet && !arguments.json;
   if (talks) print_start(problem, arguments.file);
@@ -133,9 +133,10 @@ void add_solve(CLI::App& app, int& exit_code) {
       "  burnish solve examples/problems/reaching.yaml\n"
       "  burnish solve examples/problems/polishing.yaml --out /tmp/polishing --threads 4\n"
       "\n"
-      "Writes trajectory.csv, gains.json, summary.json and plots. Ctrl-C (or SIGTERM, or SIGHUP)\n"
-      "stops after the iteration and writes what there is. docs/optimal_control.md describes "
-      "problem files.\n"
+      "Writes trajectory.csv, gains.json, summary.json, limits.csv where there are constraints, "
+      "and\n"
+      "plots. Ctrl-C (or SIGTERM, or SIGHUP) stops after the iteration and writes what there is.\n"
+      "docs/optimal_control.md describes problem files.\n"
       "Exit codes: 0 converged; 1 not converged; 2 bad input.");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

@@ -9,7 +9,7 @@ from ._core import DdpSolver, Problem
 from ._spec import Spec
 from .base import Status
 
-__all__ = ["CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
+__all__ = ["ActiveLimit", "CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
            "DdpSummary", "LimitOptions", "LimitedRow", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization",
            "RowPlace", "StepUpdate", "StopReason"]
 

@@ -302,6 +302,12 @@ def test_constraints_have_rows_with_limits_and_a_report(robot):
     assert summary.reason == bn.StopReason.CONVERGED and summary.outside_knot == -1
     assert np.abs(solver.xs[:, -robot.model.nv:]).max() <= 0.5 * (1 + 1e-6)
     assert np.abs(solver.xs[-1, -robot.model.nv:]).max() <= 1e-6 * max(robot.model.velocity_limit)
-    rows = {row.name: row for row in solver.cost_report().rows}
+    report = solver.cost_report()
+    rows = {row.name: row for row in report.rows}
     assert set(names) < set(rows)
     assert rows["stopped/" + names[0].split("/")[1]].upper == 0.0
+    assert len(report.limits) == sum(row.active for row in report.rows) > 0
+    for limit in report.limits:
+        row = problem.row_names(limit.knot).index(limit.row)
+        assert limit.multiplier == solver.multipliers(limit.knot)[row] != 0.0
+        assert limit.value == pytest.approx(limit.upper if limit.multiplier > 0.0 else limit.lower, abs=1e-6)

@@ -1,10 +1,9 @@
 #include "burnish/base/trace.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <ostream>
 
+#include "base/csv_cell.hpp"
 #include "base/whole_file.hpp"
 
 namespace burnish {
@@ -71,11 +70,8 @@ void Trace::write_csv(std::ostream& out) const {
   for (int row = 0; row < rows_; ++row) {
     line.clear();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const double value = at(row, static_cast<int>(i));
       if (i > 0) line += ',';
-      if (std::isnan(value)) continue;
-      char text[40];
-      line.append(text, std::to_chars(text, text + sizeof text, value).ptr);
+      append_cell(line, at(row, static_cast<int>(i)));
     }
     out << line << '\n';
   }

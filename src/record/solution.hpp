@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,19 +29,29 @@ Trace solution_trace(Problem& problem, const MatrixView& xs, const MatrixView& u
 /// converge, its last policy belongs to an earlier trajectory, and a policy of this one is made.
 nlohmann::ordered_json gains_json(Problem& problem, DdpSolver& solver);
 
+/// limits.csv: a line for each row at each knot where its limit pushes or is broken. `value`,
+/// `lower` and `upper` are in the row's unit, infinite where there is no limit, `multiplier` is in
+/// cost per unit of the row.
+std::string limits_csv(const Problem& problem, const CostReport& report);
+
+/// Per name of a row that pushes anywhere: [[from, to], ...], s, the times of the first and the
+/// last one of the consecutive knots at which it does.
+std::map<std::string, nlohmann::ordered_json> active_times(const Problem& problem,
+                                                           const CostReport& report);
+
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
                                     const DdpSolver& solver);
 
-/// Writes trajectory.csv, gains.json, summary.json (`summary`) and the plots; their names. Throws
-/// Error if a file cannot be written.
+/// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem
+/// has constraints limits.csv; their names. Throws Error if a file cannot be written.
 std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver,
                                         const nlohmann::ordered_json& summary,
                                         const std::filesystem::path& folder);
 
-/// states.svg, torques.svg, cost.svg, and where there is something in them forces.svg and path.svg.
-/// Returns the names of the files.
+/// states.svg, torques.svg, cost.svg, and where there is something in them forces.svg, path.svg and
+/// limits.svg. Returns the names of the files.
 std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
-                                     const DdpSummary& summary,
+                                     const DdpSummary& summary, const CostReport& report,
                                      const std::filesystem::path& folder);
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "base/whole_file.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
 #include "record/solution.hpp"
@@ -46,6 +47,27 @@ Json knots_json(const Problem& problem, const DdpSolver& policy, const MatrixVie
   return knots;
 }
 
+/// Rows with limits, each where it is worst, and when it pushes where it does.
+Json rows_json(const Problem& problem, const CostReport& report) {
+  const auto times = active_times(problem, report);
+  Json rows = Json::array();
+  for (const CostReport::Row& row : report.rows) {
+    rows.push_back({{"row", row.name},
+                    {"knot", row.knot},
+                    {"value", number_json(row.value)},
+                    {"lower", number_json(row.lower)},
+                    {"upper", number_json(row.upper)},
+                    {"outside", number_json(row.outside)},
+                    {"scale", number_json(row.scale)},
+                    {"multiplier", number_json(row.multiplier)},
+                    {"multiplier_at", row.pushed},
+                    {"active_knots", row.active}});
+    const auto found = times.find(row.name);
+    if (found != times.end()) rows.back()["active_times"] = found->second;
+  }
+  return rows;
+}
+
 }  // namespace
 
 Json gains_json(Problem& problem, DdpSolver& solver) {
@@ -87,18 +109,6 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
   const CostReport report = solver.cost_report();
   Json terms = Json::object();
   for (const CostReport::Entry& term : report.terms) terms[term.name] = number_json(term.cost);
-  Json rows = Json::array();
-  for (const CostReport::Row& row : report.rows)
-    rows.push_back({{"row", row.name},
-                    {"knot", row.knot},
-                    {"value", number_json(row.value)},
-                    {"lower", number_json(row.lower)},
-                    {"upper", number_json(row.upper)},
-                    {"outside", number_json(row.outside)},
-                    {"scale", number_json(row.scale)},
-                    {"multiplier", number_json(row.multiplier)},
-                    {"multiplier_at", row.pushed},
-                    {"active_knots", row.active}});
   Json log = Json::array();
   for (const DdpProgress& p : s.log)
     log.push_back({{"iteration", p.iteration},
@@ -133,7 +143,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
             {"backward", s.seconds.backward},
             {"trial", s.seconds.trial}}},
           {"cost_by_term", terms},
-          {"constraints", rows},
+          {"constraints", rows_json(problem, report)},
           {"log", log}};
 }
 
@@ -144,7 +154,12 @@ std::vector<std::string> write_solution(Problem& problem, DdpSolver& solver, con
   write_text(folder / "summary.json", json_text(summary));
   write_text(folder / "gains.json", json_text(gains_json(problem, solver)));
   std::vector<std::string> names{"trajectory.csv", "gains.json", "summary.json"};
-  for (std::string& plot : write_plots(problem, trace, solver.summary(), folder))
+  const CostReport report = solver.cost_report();
+  if (!report.rows.empty()) {
+    write_whole_file(folder / "limits.csv", limits_csv(problem, report));
+    names.emplace_back("limits.csv");
+  }
+  for (std::string& plot : write_plots(problem, trace, solver.summary(), report, folder))
     names.push_back(std::move(plot));
   return names;
 }

@@ -158,6 +158,28 @@ PlotSpec paths(const Problem& problem, const Trace& trace) {
   return plot;
 }
 
+/// What pushes hardest over time. By their scales rows of all units are costs.
+PlotSpec limits(const Problem& problem, const CostReport& report) {
+  constexpr std::size_t most = 7;
+  std::vector<CostReport::Row> rows = report.pushing();
+  if (rows.empty()) return {};
+  Panel panel{.x_label = time_axis, .y_label = "cost"};
+  if (rows.size() > most) {
+    panel.title = fmt::format("the hardest of {} rows", rows.size());
+    rows.resize(most);
+  }
+  const int knots = problem.knots();
+  for (const CostReport::Row& row : rows) {
+    Curve push{
+        .name = row.name, .x = Eigen::VectorXd(knots + 1), .y = Eigen::VectorXd::Zero(knots + 1)};
+    for (int k = 0; k <= knots; ++k) push.x[k] = problem.time_of(k);
+    for (const CostReport::ActiveLimit& limit : report.limits)
+      if (limit.row == row.name) push.y[limit.knot] = limit.multiplier * row.scale;
+    panel.curves.push_back(std::move(push));
+  }
+  return {.title = "Limits that push (multiplier of the row, by its scale)", .panels = {panel}};
+}
+
 PlotSpec costs(const DdpSummary& summary) {
   PlotSpec plot{.title = "Iterations"};
   Curve cost, expected, gap;
@@ -186,7 +208,8 @@ PlotSpec costs(const DdpSummary& summary) {
 }  // namespace
 
 std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
-                                     const DdpSummary& summary, const fs::path& folder) {
+                                     const DdpSummary& summary, const CostReport& report,
+                                     const fs::path& folder) {
   std::vector<std::string> names;
   const auto write = [&](const char* name, const PlotSpec& plot) {
     if (plot.panels.empty()) return;
@@ -197,6 +220,7 @@ std::vector<std::string> write_plots(const Problem& problem, const Trace& trace,
   write("torques.svg", torques(problem, trace));
   write("forces.svg", forces(problem, trace));
   write("path.svg", paths(problem, trace));
+  write("limits.svg", limits(problem, report));
   write("cost.svg", costs(summary));
   return names;
 }

@@ -113,9 +113,31 @@ NamedMatrix DdpSolver::named_value_hessian(int knot) const {
 }
 
 namespace {
-/// The rows of a knot, each where it is worst so far.
+/// A row of one more knot: each stays where it is worst so far.
+void add_row(CostReport::Row row, std::vector<CostReport::Row>& rows) {
+  const auto known = std::find_if(rows.begin(), rows.end(),
+                                  [&](const CostReport::Row& r) { return r.name == row.name; });
+  if (known == rows.end()) {
+    rows.push_back(std::move(row));
+    return;
+  }
+  row.active += known->active;
+  if (std::abs(row.multiplier) <= std::abs(known->multiplier)) {
+    row.multiplier = known->multiplier;
+    row.pushed = known->pushed;
+  }
+  if (!(row.outside <= known->outside)) {
+    *known = std::move(row);
+  } else {
+    known->active = row.active;
+    known->multiplier = row.multiplier;
+    known->pushed = row.pushed;
+  }
+}
+
+/// The rows of a knot.
 void add_rows(ShootingProblem& problem, int knot, const double* x, const double* u,
-              const VectorView& multipliers, std::vector<CostReport::Row>& rows) {
+              const VectorView& multipliers, CostReport& report) {
   if (problem.rows(knot) == 0) return;
   const std::vector<std::string> names = problem.row_names(knot);
   const std::vector<double> values = problem.row_values(knot, x, u);
@@ -132,24 +154,9 @@ void add_rows(ShootingProblem& problem, int knot, const double* x, const double*
       row.multiplier = multipliers[static_cast<Eigen::Index>(i)];
     row.pushed = row.multiplier != 0.0 ? row.knot : "";
     row.active = row.multiplier != 0.0 ? 1 : 0;
-    const auto known = std::find_if(rows.begin(), rows.end(),
-                                    [&](const CostReport::Row& r) { return r.name == row.name; });
-    if (known == rows.end()) {
-      rows.push_back(std::move(row));
-      continue;
-    }
-    row.active += known->active;
-    if (std::abs(row.multiplier) <= std::abs(known->multiplier)) {
-      row.multiplier = known->multiplier;
-      row.pushed = known->pushed;
-    }
-    if (!(row.outside <= known->outside)) {
-      *known = std::move(row);
-    } else {
-      known->active = row.active;
-      known->multiplier = row.multiplier;
-      known->pushed = row.pushed;
-    }
+    if (row.active > 0 || row.broken())
+      report.limits.push_back({knot, row.name, row.value, row.lower, row.upper, row.multiplier});
+    add_row(std::move(row), report.rows);
   }
 }
 }  // namespace
@@ -173,7 +180,7 @@ CostReport DdpSolver::cost_report() const {
       else
         known->cost += costs[t];
     }
-    add_rows(s.problem, k, s.current.xs.data() + k * s.nx, u, multipliers(k), report.rows);
+    add_rows(s.problem, k, s.current.xs.data() + k * s.nx, u, multipliers(k), report);
     report.total += knot.cost;
     report.knots.push_back(std::move(knot));
   }

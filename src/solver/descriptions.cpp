@@ -279,6 +279,20 @@ const Description& description_of(const CostReport::Row* /*of*/) {
   return all;
 }
 
+const Description& description_of(const CostReport::ActiveLimit* /*of*/) {
+  using L = CostReport::ActiveLimit;
+  static const Description all =
+      Describe<L>("solver", "ActiveLimit", "A row at a knot where its limit pushes or is broken.")
+          .result()
+          .field("knot", &L::knot, "0 to N")
+          .field("row", &L::row, "as Problem.row_names has it")
+          .field("value", &L::value, "in the row's unit")
+          .field("lower", &L::lower, "infinite where there is none")
+          .field("upper", &L::upper, "likewise")
+          .field("multiplier", &L::multiplier, "cost per unit of the row; see multipliers()");
+  return all;
+}
+
 const Description& description_of(const CostReport* /*of*/) {
   using C = CostReport;
   static const Description all =
@@ -287,7 +301,8 @@ const Description& description_of(const CostReport* /*of*/) {
           .field("total", &C::total)
           .field("terms", &C::terms, "summed over knots, in order of appearance")
           .field("knots", &C::knots, "N + 1")
-          .field("rows", &C::rows, "over all knots, in order of appearance");
+          .field("rows", &C::rows, "over all knots, in order of appearance")
+          .field("limits", &C::limits, "along the horizon, knot by knot in the order of its rows");
   return all;
 }
 

@@ -19,6 +19,7 @@ const Description& description_of(const DdpSummary*);
 const Description& description_of(const CostReport::Entry*);
 const Description& description_of(const CostReport::Knot*);
 const Description& description_of(const CostReport::Row*);
+const Description& description_of(const CostReport::ActiveLimit*);
 const Description& description_of(const CostReport*);
 const Description& description_of(const NamedMatrix*);
 

@@ -90,19 +90,9 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
   return "unknown";
 }
 
-/// What a solver keeps limits to, and rounding, break none.
-bool is_broken(const CostReport::Row& row) {
-  const double limit = row.value > row.upper ? row.upper : row.lower;
-  return !(row.outside <= std::max(1e-8 * row.scale, 1e-9 * std::max(1.0, std::abs(limit))));
-}
-
-/// The rows whose limits push hardest, by their scale.
-std::string pushing_text(std::vector<CostReport::Row> rows) {
-  std::erase_if(rows, [](const CostReport::Row& row) { return row.active == 0; });
+/// The rows whose limits push hardest.
+std::string pushing_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
-  const auto push = [](const CostReport::Row& row) { return std::abs(row.multiplier) * row.scale; };
-  std::stable_sort(rows.begin(), rows.end(),
-                   [&](const auto& a, const auto& b) { return push(a) > push(b); });
   std::string lines = "limits that push: " + std::to_string(rows.size()) + " rows\n";
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), 5); ++i)
     lines += "  " + short_number(rows[i].multiplier) + "  " + rows[i].name + ": at " +
@@ -116,7 +106,7 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
   std::vector<CostReport::Row> broken;
   for (const CostReport::Row& row : rows)
-    if (is_broken(row)) broken.push_back(row);
+    if (row.broken()) broken.push_back(row);
   if (broken.empty()) return "constraints: every row is inside its limits\n";
   std::stable_sort(broken.begin(), broken.end(), [](const auto& a, const auto& b) {
     return a.outside > b.outside || (std::isnan(a.outside) && !std::isnan(b.outside));
@@ -147,6 +137,21 @@ std::string DdpSummary::text(const ShootingProblem& problem) const {
          name_or_number(names, gap_entry) + " before " + problem.knot_name(gap_knot);
 }
 
+/// What a solver keeps limits to, and rounding, break none.
+bool CostReport::Row::broken() const {
+  const double limit = value > upper ? upper : lower;
+  return !(outside <= std::max(1e-8 * scale, 1e-9 * std::max(1.0, std::abs(limit))));
+}
+
+std::vector<CostReport::Row> CostReport::pushing() const {
+  std::vector<Row> pushing = rows;
+  std::erase_if(pushing, [](const Row& row) { return row.active == 0; });
+  const auto push = [](const Row& row) { return std::abs(row.multiplier) * row.scale; };
+  std::stable_sort(pushing.begin(), pushing.end(),
+                   [&](const Row& a, const Row& b) { return push(a) > push(b); });
+  return pushing;
+}
+
 std::string CostReport::text() const {
   std::vector<Entry> by_term = terms;
   std::stable_sort(by_term.begin(), by_term.end(),
@@ -160,7 +165,7 @@ std::string CostReport::text() const {
   for (const Entry& e : by_term) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
   lines += "most expensive knots\n";
   for (const Entry& e : by_knot) lines += "  " + short_number(e.cost) + "  " + e.name + "\n";
-  return lines + rows_text(rows) + pushing_text(rows);
+  return lines + rows_text(rows) + pushing_text(pushing());
 }
 
 }  // namespace burnish

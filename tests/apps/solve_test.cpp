@@ -64,6 +64,39 @@ TEST(Solve, WritesWhatItSays) {
   }
 }
 
+TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
+  const Scratch scratch;
+  const std::string free =
+      "robot: pendulum\n"
+      "stages:\n"
+      "  swing:\n"
+      "    costs: {torque: {type: control}}\n"
+      "horizon: [swing: 40]\n"
+      "terminal: {there: {type: state, target: {q: [1]}, weight: 1000}}\n";
+  std::string limited = free;
+  limited.insert(limited.find("horizon"),
+                 "    constraints: {speed: {type: joint_velocity, lower: -3, upper: 3}}\n");
+  const auto solved = [&](const std::string& name, const std::string& text) {
+    const auto out = scratch.folder / name;
+    const Outcome outcome =
+        run("solve " + quoted(scratch.write(name + ".yaml", text)) + " --out " + quoted(out));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    return out;
+  };
+  EXPECT_FALSE(std::filesystem::exists(solved("free", free) / "limits.csv"));
+  const auto out = solved("limited", limited);
+  const std::string table = contents(out / "limits.csv");
+  EXPECT_EQ(table.rfind("knot [-],time [s],stage [-],row,value,lower,upper,multiplier\n", 0), 0U);
+  const Json row = Json::parse(contents(out / "summary.json"))["constraints"][0];
+  EXPECT_GT(row["active_knots"].get<int>(), 0);
+  EXPECT_EQ(lines_of(table), 1 + row["active_knots"].get<int>());
+  EXPECT_NE(table.find("," + row["row"].get<std::string>() + ","), std::string::npos) << table;
+  for (const Json& range : row["active_times"])
+    EXPECT_LE(range[0].get<double>(), range[1].get<double>());
+  EXPECT_GT(row["active_times"].size(), 0U);
+  EXPECT_NE(contents(out / "limits.svg").find("class='curve'"), std::string::npos);
+}
+
 TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {
   const Scratch scratch;
   const auto file = scratch.write("press.yaml", problem);

@@ -33,10 +33,19 @@ void expect_multipliers_of_limits(TestProblem& p, const DdpSolver& solver) {
     }
   }
   EXPECT_GT(largest, 1e-3) << "no limit pushes";
+  const CostReport report = solver.cost_report();
   int active = 0;
-  for (const CostReport::Row& row : solver.cost_report().rows) active += row.active;
+  for (const CostReport::Row& row : report.rows) active += row.active;
   EXPECT_GT(active, 0);
-  EXPECT_NE(solver.cost_report().text().find("limits that push: "), std::string::npos);
+  EXPECT_EQ(report.limits.size(), static_cast<std::size_t>(active)) << "none is broken";
+  for (const CostReport::ActiveLimit& limit : report.limits) {
+    const auto names = p.row_names(limit.knot);
+    const auto r = std::find(names.begin(), names.end(), limit.row) - names.begin();
+    ASSERT_LT(r, p.rows(limit.knot));
+    EXPECT_EQ(limit.multiplier, solver.multipliers(limit.knot)[r]);
+    EXPECT_EQ(limit.value, solver.xs()(limit.knot, r));
+  }
+  EXPECT_NE(report.text().find("limits that push: "), std::string::npos);
 }
 
 class Limits : public ::testing::TestWithParam<StepUpdate> {};
@@ -127,6 +136,10 @@ TEST_P(Limits, that_cannot_hold_together_end_with_the_least_violation_and_their_
   EXPECT_EQ(s.outside_knot, 0);
   EXPECT_EQ(s.outside_row, 1);
   EXPECT_NEAR(s.outside, 0.5, 1e-9);
+  const CostReport report = solver.cost_report();
+  ASSERT_FALSE(report.limits.empty());
+  EXPECT_EQ(report.limits[0].knot, 0) << "what is broken is told";
+  EXPECT_EQ(report.limits[0].row, "limit/x1");
   ASSERT_FALSE(s.conflict.empty());
   EXPECT_EQ(s.conflict[0].row, 1);
   EXPECT_NE(solver.text().find("no trajectory near this one keeps all limits: 'limit/x1'"),

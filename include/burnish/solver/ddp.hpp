@@ -102,11 +102,27 @@ struct CostReport {
     double multiplier = 0.0;  ///< of the horizon the largest: see DdpSolver::multipliers()
     std::string pushed = {};  ///< the knot that has that
     int active = 0;           ///< knots at which a limit pushes
+
+    /// Outside by more than limits are kept to, or no number.
+    bool broken() const;
+  };
+  /// A row at a knot where its limit pushes or is broken.
+  struct ActiveLimit {
+    int knot = 0;             ///< 0 to N
+    std::string row = {};     ///< as the problem's row_names
+    double value = 0.0;       ///< in the row's unit
+    double lower = 0.0;       ///< infinite where there is none
+    double upper = 0.0;       ///< likewise
+    double multiplier = 0.0;  ///< cost per unit of the row; see DdpSolver::multipliers()
   };
   double total = 0.0;
-  std::vector<Entry> terms;  ///< summed over knots, in order of appearance
-  std::vector<Knot> knots;   ///< N + 1
-  std::vector<Row> rows;     ///< over all knots, in order of appearance
+  std::vector<Entry> terms;         ///< summed over knots, in order of appearance
+  std::vector<Knot> knots;          ///< N + 1
+  std::vector<Row> rows;            ///< over all knots, in order of appearance
+  std::vector<ActiveLimit> limits;  ///< along the horizon, knot by knot in the order of its rows
+
+  /// The rows whose limits push, by their scale from the hardest down.
+  std::vector<Row> pushing() const;
 
   /// A table for people: terms from the largest down, the five most expensive knots, the five rows
   /// that are furthest outside their limits, and the five whose limits push hardest by their scale.

@@ -1,10 +1,10 @@
 #include "polishing/experiments/results_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
+#include "base/csv_cell.hpp"
 #include "burnish/base/error.hpp"
 
 namespace burnish::polishing {
@@ -20,11 +20,6 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-std::string exact(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string shown(const ResultCell& cell, const ResultColumn& column) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   const auto* value = std::get_if<double>(&cell);
@@ -36,13 +31,6 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
   return result;
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
 }
 
 bool holds_numbers(const ResultTable& table, std::size_t column) {
@@ -91,16 +79,16 @@ std::string csv(const ResultTable& table) {
   std::string text;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const ResultColumn& column = table.columns[i];
-    text += (i == 0 ? "" : ",") +
-            quoted(column.name + (column.unit.empty() ? "" : " [" + column.unit + "]"));
+    if (i > 0) text += ",";
+    append_cell(text, column.name + (column.unit.empty() ? "" : " [" + column.unit + "]"));
   }
   text += "\n";
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) text += ",";
-      if (const auto* words = std::get_if<std::string>(&row[i])) text += quoted(*words);
+      if (const auto* words = std::get_if<std::string>(&row[i])) append_cell(text, *words);
       const auto* value = std::get_if<double>(&row[i]);
-      if (value != nullptr && std::isfinite(*value)) text += exact(*value);
+      if (value != nullptr && std::isfinite(*value)) append_cell(text, *value);
     }
     text += "\n";
   }

@@ -1,0 +1,62 @@
+// Limits along the horizon as a table and as ranges of time.
+#include <gtest/gtest.h>
+
+#include "record/solution.hpp"
+#include "support/scratch.hpp"
+
+namespace burnish::testing {
+namespace {
+
+class SolutionLimits : public ::testing::Test {
+ protected:
+  static Problem problem() {
+    const Scratch scratch;
+    const auto file = scratch.write(
+        "swing.yaml",
+        "robot: pendulum\n"
+        "stages:\n"
+        "  swing: {step: 0.25, costs: {torque: {type: control}},\n"
+        "          constraints: {speed: {type: joint_velocity, lower: -1, upper: 1}}}\n"
+        "  hold: {step: 0.5, costs: {torque: {type: control}}}\n"
+        "horizon: [swing: 4, hold: 2]\n");
+    return Problem(read_problem_file(file).spec);
+  }
+
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  Problem swing = problem();
+};
+
+TEST_F(SolutionLimits, AreALinePerRowAndKnot) {
+  CostReport report;
+  report.limits = {{.knot = 1,
+                    .row = "speed/hinge",
+                    .value = 1.0,
+                    .lower = -none,
+                    .upper = 1.0,
+                    .multiplier = 0.5},
+                   {.knot = 5, .row = "a, b", .value = std::nan(""), .lower = 0.0, .upper = 2.0}};
+  EXPECT_EQ(limits_csv(swing, report),
+            "knot [-],time [s],stage [-],row,value,lower,upper,multiplier\n"
+            "1,0.25,0,speed/hinge,1,-inf,1,0.5\n"
+            "5,1.5,1,\"a, b\",,0,2,0\n");
+}
+
+TEST_F(SolutionLimits, PushInRangesOfConsecutiveKnots) {
+  CostReport report;
+  const auto push = [&](int knot, const char* row, double multiplier) {
+    report.limits.push_back({.knot = knot, .row = row, .multiplier = multiplier});
+  };
+  for (const int knot : {0, 1}) push(knot, "speed", -2.0);
+  push(1, "range", 1.0);
+  push(2, "speed", 0.0);  // broken, and nothing that pushes
+  push(2, "range", 1.0);
+  for (const int knot : {3, 4, 5}) push(knot, "speed", 2.0);
+  push(6, "broken", 0.0);
+  const auto times = active_times(swing, report);
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_EQ(times.at("speed").dump(), "[[0.0,0.25],[0.75,1.5]]");
+  EXPECT_EQ(times.at("range").dump(), "[[0.25,0.5]]");
+}
+
+}  // namespace
+}  // namespace burnish::testing
