@@ -8,6 +8,7 @@
 #include "files/here.hpp"
 #include "files/read_penalty.hpp"
 #include "model/followers.hpp"
+#include "ocp/friction_pyramid.hpp"
 
 namespace burnish::files {
 namespace {
@@ -247,14 +248,18 @@ struct CostReader {
     return result;
   }
   Residual friction_cone() {
-    keys({"contact", "reference", "friction", "normal"});
-    rows.rows = {{"cone", 1}, {"normal", 1}};
+    keys({"contact", "reference", "friction", "normal", "sides"});
     contact();
     residual::FrictionCone result{reader["contact"].text()};
     result.reference = reference();
     if (const auto friction = reader.find("friction")) result.friction = friction->positive();
     if (const auto normal = reader.find("normal"))
       result.normal = normal->word({"x", "y", "z"})[0] - 'x';
+    if (const auto sides = reader.find("sides")) {
+      result.sides = sides->count(0);
+      sides->named([&] { ocp::check_sides(result.sides); });
+    }
+    for (const std::string& row : ocp::cone_row_names(result.sides)) rows.rows.push_back({row, 1});
     return result;
   }
   Residual center_of_pressure() {

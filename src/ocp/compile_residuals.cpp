@@ -5,6 +5,7 @@
 
 #include "base/sentence.hpp"
 #include "model/followers.hpp"
+#include "ocp/friction_pyramid.hpp"
 #include "ocp/position_limits.hpp"
 #include "ocp/support_polygon.hpp"
 #include "ocp/term_builder.hpp"
@@ -231,9 +232,18 @@ void TermBuilder::operator()(const residual::FrictionCone& r) {
     refuse("friction is " + number(r.friction) + "; wanted a number above 0");
   if (r.normal < 0 || r.normal > 2)
     refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
-  term.rows = 2;
-  term.residual = ConeMargin{wrench(c, r.reference), r.friction, r.normal};
-  dense_block(2, all_columns());
+  try {
+    check_sides(r.sides);
+  } catch (const Error& error) {
+    refuse(error.what());
+  }
+  const WrenchView view = wrench(c, r.reference);
+  term.rows = r.sides == 0 ? 2 : r.sides;
+  if (r.sides == 0)
+    term.residual = ConeMargin{view, r.friction, r.normal};
+  else
+    term.residual = PyramidMargin{view, r.normal, pyramid_sides(r.sides, r.friction)};
+  dense_block(term.rows, all_columns());
 }
 
 void TermBuilder::operator()(const residual::CenterOfPressure& r) {

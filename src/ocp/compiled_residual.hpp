@@ -130,6 +130,18 @@ struct ConeMargin {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// The sides of a pyramid in place of the cone.
+struct PyramidMargin {
+  /// slope f_n - (c f_1 + s f_2) is the margin, N; (c, s) is of unit length and points outwards.
+  struct Side {
+    double c, s, slope;
+  };
+  WrenchView wrench;
+  int normal;
+  std::vector<Side> sides;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
 struct PressureMargin {
   WrenchView wrench;
   double half_x, half_y;
@@ -165,7 +177,7 @@ struct CustomResidual {
 using CompiledResidual =
     std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
                  FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
-                 WrenchError, ConeMargin, PressureMargin, ComError, SupportMargin, MomentumError,
-                 CustomResidual>;
+                 WrenchError, ConeMargin, PyramidMargin, PressureMargin, ComError, SupportMargin,
+                 MomentumError, CustomResidual>;
 
 }  // namespace burnish::ocp

@@ -147,11 +147,14 @@ const Description& description_of(const FrictionCone* /*of*/) {
                   "Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be "
                   "kept above a limit: the default penalty is a barrier at 0. f_n is the force "
                   "along the axis `normal` of the reference (0, 1, 2: x, y, z), f_t what stands at "
-                  "a right angle to it.")
+                  "a right angle to it. With `sides` n a pyramid inside the cone: n rows, N, "
+                  "friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis of the "
+                  "reference after the normal and the others follow every 360 / n degrees.")
           .field("contact", &F::contact)
           .field("friction", &F::friction)
           .field("normal", &F::normal)
-          .field("reference", &F::reference, "default: the contact's own");
+          .field("reference", &F::reference, "default: the contact's own")
+          .field("sides", &F::sides, "3 to 32, of a pyramid inside the cone; 0: the cone itself");
   return all;
 }
 

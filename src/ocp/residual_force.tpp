@@ -77,6 +77,27 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S
   }
 }
 
+/// The largest pyramid of n sides inside the cone: the polygon of its section has its corners on
+/// the circle of radius friction * f_n, and so its sides at cos(pi / n) of that. S. Caron, Q.-C.
+/// Pham and Y. Nakamura, "Stability of surface contacts for humanoid robots", ICRA 2015, section
+/// II, have it for four sides (friction / sqrt(2)).
+template <class S>
+void PyramidMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
+  S w[6];
+  S* const dw = J == nullptr ? nullptr : knot.scratch;
+  wrench.evaluate(knot, w, dw);
+  const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
+  const int nz = knot.layout->nz();
+  for (const Side& side : sides) {
+    const S c(side.c), s(side.s), slope(side.slope);
+    *r++ = slope * w[normal] - c * w[t1] - s * w[t2];
+    if (J == nullptr) continue;
+    for (int k = 0; k < nz; ++k)
+      J[k] = slope * dw[normal * nz + k] - c * dw[t1 * nz + k] - s * dw[t2 * nz + k];
+    J += nz;
+  }
+}
+
 template <class S>
 void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
   S w[6];

@@ -1,5 +1,6 @@
 #include "ocp/row_names.hpp"
 
+#include "ocp/friction_pyramid.hpp"
 #include "ocp/problem_impl.hpp"
 
 namespace burnish::ocp {
@@ -39,7 +40,10 @@ struct RowNames {
       names.emplace_back(direction_names[static_cast<std::size_t>(d)]);
     return names;
   }
-  Names operator()(const ConeMargin&) const { return {"cone", "normal"}; }
+  Names operator()(const ConeMargin&) const { return cone_row_names(0); }
+  Names operator()(const PyramidMargin& r) const {
+    return cone_row_names(static_cast<int>(r.sides.size()));
+  }
   Names operator()(const PressureMargin&) const {
     return {"x_above", "x_below", "y_below", "y_above"};
   }

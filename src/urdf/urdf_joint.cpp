@@ -83,6 +83,19 @@ void read_range(const XMLElement& limit, const XmlPlace& place, JointSpec& joint
   }
 }
 
+/// A limit of velocity or effort. The format wants both, so that files whose author knows none say
+/// 0; a joint that may not move is not meant by that, nor one without a motor.
+void read_largest(const XMLElement& limit, const char* attribute, const XmlPlace& place,
+                  double& value, Findings& findings) {
+  double stated = value;
+  read_number(limit, attribute, place, true, stated, findings);
+  if (stated == 0.0)
+    findings.warn(line_text(limit) + place.element + ": <limit> has '" + attribute +
+                  "' = 0, as where it is not known; it is taken as unlimited");
+  else
+    value = stated;
+}
+
 void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
                  Findings& findings) {
   const XMLElement* limit = only_child(element, "limit", place);
@@ -95,8 +108,12 @@ void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& jo
     return;
   }
   if (has_range) read_range(*limit, place, joint, findings);
-  read_number(*limit, "velocity", place, true, joint.velocity_limit, findings);
-  read_number(*limit, "effort", place, true, joint.effort_limit, findings);
+  read_largest(*limit, "velocity", place, joint.velocity_limit, findings);
+  // A follower has no motor of its own: what it states is added to its leader's, and may be 0.
+  if (element.FirstChildElement("mimic") != nullptr)
+    read_number(*limit, "effort", place, true, joint.effort_limit, findings);
+  else
+    read_largest(*limit, "effort", place, joint.effort_limit, findings);
 }
 
 void read_dynamics(const XMLElement& element, const XmlPlace& place, JointSpec& joint,

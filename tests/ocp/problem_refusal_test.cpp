@@ -102,6 +102,7 @@ std::vector<BadSpec> bad_residuals() {
   };
   const Reference stretched = Reference::surface(2.0 * Eigen::Matrix3d::Identity());
   const Eigen::Matrix3d mirrored = Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
+  const auto cone_of = [](int sides) { return R::FrictionCone{.contact = "pad", .sides = sides}; };
   const auto at_the_end = [](const Residual& residual) {
     return
         [residual](ProblemSpec& spec) { spec.terminal = {{.name = "last", .residual = residual}}; };
@@ -132,6 +133,9 @@ std::vector<BadSpec> bad_residuals() {
       {"friction", with(R::FrictionCone{"pad", -0.1}), {"friction is -0.1"}},
       {"friction_infinite", with(R::FrictionCone{"pad", infinity}), {"friction is inf"}},
       {"normal", with(R::FrictionCone{"pad", 0.5, 3}), {"normal is 3", "0, 1 or 2"}},
+      {"cone_of_two_sides", with(cone_of(2)), {"sides is 2", "wanted 3 to 32", "0 for the cone"}},
+      {"cone_of_fewer_than_no_sides", with(cone_of(-4)), {"sides is -4", "wanted 3 to 32"}},
+      {"cone_of_too_many_sides", with(cone_of(33)), {"sides is 33", "wanted 3 to 32"}},
       {"half_length", with(R::CenterOfPressure{"pad", 0.0, 0.1}), {"half lengths", "positive"}},
       {"force_in_a_stretched_reference",
        with(R::ContactForce{"pad", stretched}),

@@ -54,6 +54,57 @@ TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
   EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
 }
 
+/// Rows of a cone and of pyramids of 3 to 6 sides at forces that are drawn.
+class FrictionPyramid : public ::testing::TestWithParam<int> {
+ protected:
+  static Constraint margin(const std::string& name, int sides) {
+    return {.name = name,
+            .residual = residual::FrictionCone{
+                .contact = "pad", .friction = 0.6, .normal = 1, .sides = sides}};
+  }
+  Problem problem() {
+    ProblemSpec spec = bare_problem(OcpCase{arm.robot, false}, model);
+    spec.stages = {{.name = "go",
+                    .contacts = {"pad"},
+                    .costs = {{.residual = residual::Control{}}},
+                    .constraints = {margin("cone", 0), margin("pyramid", GetParam())}}};
+    spec.horizon = {{"go", 1}};
+    return Problem(spec);
+  }
+  Model model = arm.robot.model();
+  std::mt19937_64 generator{4};
+};
+
+TEST_P(FrictionPyramid, IsInsideTheConeAndReachesItAtItsEdges) {
+  Problem made = problem();
+  const int n = GetParam();
+  for (int draw = 0; draw < 50; ++draw) {
+    const OcpState at = random_ocp_state(made, generator);
+    const Eigen::VectorXd force = made.forces(0, at.x, at.u);
+    const std::vector<double> rows = made.row_values(0, at.x.data(), at.u.data());
+    const double normal = force[1], across = std::hypot(force[2], force[0]);
+    const double angle = std::atan2(force[0], force[2]);  // from z to x, which follow y
+    double least = 1e9;
+    for (int i = 0; i < n; ++i) {
+      const double side = 2.0 * M_PI * i / n;
+      EXPECT_NEAR(rows[2 + i], 0.6 * std::cos(M_PI / n) * normal - across * std::cos(angle - side),
+                  1e-9);
+      least = std::min(least, rows[2 + i]);
+    }
+    // From the middle of a side, where it loses most, to its edges, where the two are the same.
+    const double from_middle = std::remainder(angle, 2.0 * M_PI / n);
+    const double reach = 0.6 * normal * std::cos(M_PI / n) / std::cos(from_middle);
+    EXPECT_EQ(least >= 0.0, across <= reach) << across << " N of " << reach;
+    EXPECT_LE(reach, 0.6 * std::abs(normal) * (1.0 + 1e-12));
+    if (least >= 0.0) {
+      EXPECT_GE(rows[0], -1e-3) << "the cone, which is smoothed over 1e-3 N";
+      EXPECT_GE(rows[1], 0.0) << "what pulls is outside of every pyramid";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, FrictionPyramid, ::testing::Values(3, 4, 5, 6));
+
 TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
   const auto at = [&](const Residual& residual) {
     Problem problem = with(residual);

@@ -239,6 +239,9 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
          return R::FrictionCone{"pad", 0.7, 0, Reference::local()};
        },
        square, torque_model},
+      {"pyramid",
+       [](Setup) { return R::FrictionCone{.contact = "pad", .friction = 0.4, .sides = 5}; },
+       Penalty::at_least(1.0), torque_model},
       {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, torque_model},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
       {"support",

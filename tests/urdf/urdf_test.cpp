@@ -47,7 +47,7 @@ const char* const full = R"(<?xml version="1.0"?>
     <parent link="base"/><child link="arm"/>
     <origin xyz="1 2 3" rpy="0.1 0.2 0.3"/>
     <axis xyz="0 3 4"/>
-    <limit lower="-1" upper="2" velocity="3" effort="0"/>
+    <limit lower="-1" upper="2" velocity="3" effort="4"/>
     <dynamics damping="0.5" friction="0.25" armature="0.125"/>
     <safety_controller k_velocity="0"/>
   </joint>
@@ -94,7 +94,7 @@ TEST(Urdf, ReadsJoints) {
   EXPECT_EQ(joint.lower, -1.0);
   EXPECT_EQ(joint.upper, 2.0);
   EXPECT_EQ(joint.velocity_limit, 3.0);
-  EXPECT_EQ(joint.effort_limit, 0.0);  // what the file says
+  EXPECT_EQ(joint.effort_limit, 4.0);
   EXPECT_EQ(joint.damping, 0.5);
   EXPECT_EQ(joint.friction, 0.25);
   EXPECT_EQ(joint.armature, 0.125);

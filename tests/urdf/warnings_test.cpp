@@ -201,6 +201,12 @@ const std::vector<OddFile>& odd_files() {
       {"NoUpper", file("revolute", "<limit lower='1'/>"), {"no 'upper'", "unlimited"}},
       {"LowerByDefault", file("revolute", "<limit upper='1'/>"), {}},
       {"NoEffort", file("revolute", "<limit lower='-1' upper='1'/>"), {}},
+      {"NoSpeed",
+       file("revolute", "<limit lower='-1' upper='1' velocity='0'/>"),
+       {"line 3: joint 'j'", "'velocity' = 0", "unlimited"}},
+      {"NoTorque",
+       file("continuous", "<limit effort='0.0' velocity='2'/>"),
+       {"line 3: joint 'j'", "'effort' = 0", "unlimited"}},
       {"FixedJointWithEverything",
        file("fixed", "<axis/><limit effort='-1'/><dynamics damping='x'/><mimic joint='k'/>"),
        {}},
@@ -253,6 +259,21 @@ TEST(Warnings, MissingLimitsAreNone) {
   EXPECT_EQ(first_joint("<limit upper='-1'/>").upper, -1.0);
   EXPECT_EQ(first_joint("<limit upper='1'/>").lower, 0.0);  // the default of the format
   EXPECT_EQ(first_joint("<limit lower='1'/>").upper, infinity);
+}
+
+TEST(Warnings, SpeedsAndTorquesOfZeroAreNotKnownToTheFile) {
+  const TreeSpec tree =
+      parse_urdf(file("revolute", "<limit lower='-1' upper='1' velocity='0' effort='0'/>"));
+  EXPECT_EQ(tree.joints[0].velocity_limit, infinity);
+  EXPECT_EQ(tree.joints[0].effort_limit, infinity);
+  EXPECT_EQ(tree.warnings.size(), 2U) << joined(tree.warnings);
+}
+
+TEST(Warnings, FollowersMayStateThatTheyHaveNoMotor) {
+  const TreeSpec tree = parse_urdf(
+      file("revolute", "<limit lower='-1' upper='1' velocity='1' effort='0'/><mimic joint='k'/>"));
+  EXPECT_EQ(tree.joints[0].effort_limit, 0.0);
+  EXPECT_TRUE(tree.warnings.empty()) << joined(tree.warnings);
 }
 
 TEST(Warnings, FixedJointsHaveNoLeader) {

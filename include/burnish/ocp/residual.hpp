@@ -111,11 +111,17 @@ struct ContactForce {
 /// Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be kept above a
 /// limit: the default penalty is a barrier at 0. f_n is the force along `normal` (x, y or z of the
 /// reference: 0, 1, 2) and f_t what stands at a right angle to it.
+///
+/// With `sides` n, 3 to 32, a pyramid inside the cone that is linear in the force: n rows, N,
+/// friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis of the reference after the
+/// normal (y after x, x after z) and the others follow every 360 / n degrees, towards the axis
+/// after that. What keeps them at zero or above keeps the cone and f_n.
 struct FrictionCone {
   std::string contact = {};
   double friction = 0.5;
   int normal = 2;
   std::optional<Reference> reference = {};  ///< default: the contact's own
+  int sides = 0;                            ///< of a pyramid inside the cone; 0: the cone itself
 };
 
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times

@@ -1,0 +1,36 @@
+#include "ocp/friction_pyramid.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+
+namespace burnish::ocp {
+
+void check_sides(int sides) {
+  // 32 sides leave half a percent of the friction unused; more rows only cost time.
+  constexpr int most = 32;
+  if (sides != 0 && (sides < 3 || sides > most))
+    throw Error("sides is " + std::to_string(sides) + "; wanted 3 to " + std::to_string(most) +
+                ", or 0 for the cone itself");
+}
+
+std::vector<PyramidMargin::Side> pyramid_sides(int sides, double friction) {
+  std::vector<PyramidMargin::Side> result;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    result.push_back(
+        {std::cos(angle), std::sin(angle), friction * std::cos(std::numbers::pi / sides)});
+  }
+  return result;
+}
+
+std::vector<std::string> cone_row_names(int sides) {
+  if (sides == 0) return {"cone", "normal"};
+  std::vector<std::string> names;
+  for (int i = 0; i < sides; ++i) names.push_back("side_" + number(360.0 * i / sides) + "deg");
+  return names;
+}
+
+}  // namespace burnish::ocp
