@@ -189,6 +189,21 @@ void solve_gains(const double* y, int stride, int nu, int first_of_z, int n,
   }
 }
 
+void solve_upper(const double* y, int stride, int nu, const double* inverse_diagonal, double* x,
+                 int x_stride, int n) {
+  for (int last = nu; last > 0;) {
+    const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
+    double* block = x + first * x_stride;
+    if (last < nu)
+      product<Update::Subtract, false>({y + first * stride + last, 1, stride},
+                                       {x + last * x_stride, x_stride}, nu - last, last - first, n,
+                                       block, x_stride);
+    back_by_rows[last - first - 1](y + first * stride + first, stride, inverse_diagonal + first,
+                                   block, x_stride, n);
+    last = first;
+  }
+}
+
 void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
                       double* x, int x_stride, int n) {
   for (int first = 0; first < nu; first += detail::tile_rows) {

@@ -3,8 +3,8 @@
 //
 // Matrices are row-major. A row is worked on in whole vectors: writes reach up to round_up(columns)
 // entries of a row, so that rows are padded to that; reads may run past the end of a row by less
-// than a vector, so that every buffer ends with `lanes` spare entries. Sums run over k upwards, in
-// one order for every size.
+// than a vector, so that every buffer ends with `lanes` spare entries. A product's sums run over k
+// upwards, in one order for every size.
 #pragma once
 
 #include <algorithm>
@@ -130,9 +130,48 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
   }
 }
 
+namespace detail {
+
+/// C vectors of out += x^T B. One row has so few sums that they would wait for each other: there
+/// are several for each vector, of every `parts`-th product.
+template <int C>
+void row_tile(const double* x, Rows b, int count, double* out) {
+  constexpr int parts = C == 1 ? 4 : 2;
+  Lane sum[parts][C];
+#pragma GCC unroll 4
+  for (int p = 0; p < parts; ++p)
+#pragma GCC unroll 4
+    for (int s = 0; s < C; ++s) sum[p][s] = p == 0 ? load(out + s * lanes) : Lane(0.0);
+  const auto add = [&](int k, int p) {
+    const Lane left(x[k]);
+#pragma GCC unroll 4
+    for (int s = 0; s < C; ++s) sum[p][s] += left * load(b.data + k * b.stride + s * lanes);
+  };
+  int k = 0;
+  for (; k + parts <= count; k += parts)
+#pragma GCC unroll 4
+    for (int p = 0; p < parts; ++p) add(k + p, p);
+  for (; k < count; ++k) add(k, 0);
+#pragma GCC unroll 4
+  for (int s = 0; s < C; ++s) {
+    Lane all = sum[0][s] + sum[1][s];
+    if constexpr (parts == 4) all += sum[2][s] + sum[3][s];
+    store(out + s * lanes, all);
+  }
+}
+
+}  // namespace detail
+
 /// out += x^T B, B: count x n. The sums stay in registers.
 inline void add_row_times(const double* x, Rows b, int count, int n, double* out) {
-  product<Update::Add>({x, 1, 1}, b, count, 1, n, out, 0);
+  const int vectors = round_up(n) / lanes;
+  int j = 0;
+  for (; j + 3 <= vectors; j += 3)
+    detail::row_tile<3>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
+  if (vectors - j == 2)
+    detail::row_tile<2>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
+  else if (vectors - j == 1)
+    detail::row_tile<1>(x, {b.data + j * lanes, b.stride}, count, out + j * lanes);
 }
 
 /// Rows or columns that workers share come in groups of so many, which no tile or vector crosses.
@@ -190,11 +229,6 @@ BURNISH_INLINE double dot(const double* x, const double* y, int n) {
   return result;
 }
 
-/// y += A^T x, A: count x n.
-BURNISH_INLINE void add_transposed_times(Rows a, const double* x, int count, int n, double* y) {
-  for (int k = 0; k < count; ++k) add_scaled(x[k], a.data + k * a.stride, n, y);
-}
-
 /// y += A x, A: m x n.
 BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) {
   for (int i = 0; i < m; ++i) y[i] += dot(a.data + i * a.stride, x, n);
@@ -217,6 +251,10 @@ int partial_cholesky(double* y, int stride, int nu, Range columns, double* inver
 /// X = -R^-1 Z after partial_cholesky, X: nu x n, Z at column `first` of y.
 void solve_gains(const double* y, int stride, int nu, int first, int n,
                  const double* inverse_diagonal, double* x, int x_stride);
+
+/// X <- R^-1 X after partial_cholesky, X: nu x n.
+void solve_upper(const double* y, int stride, int nu, const double* inverse_diagonal, double* x,
+                 int x_stride, int n);
 
 /// X <- R^-T X after partial_cholesky, X: nu x n.
 void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,

@@ -81,6 +81,17 @@ void LimitedLq::forget() noexcept {
     for (double* of_rows : {k.multiplier, k.piece, k.found}) std::fill_n(of_rows, row_count_, 0.0);
 }
 
+void LimitedLq::shift(std::span<const int> controls) noexcept {
+  for (int k = 0; k < N_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (controls[i] != controls[i + 1]) continue;  // rows have other places
+    const Knot &to = knot_at(k), &from = knot_at(k + 1);
+    dense::copy(from.multiplier, row_count_, to.multiplier);
+    dense::copy(from.piece, row_count_, to.piece);
+    dense::copy(from.transposed_gain, state_.ndx * control_stride_, to.transposed_gain);
+  }
+}
+
 /// Rows of coefficients and dynamics with a column per row and velocity: what follows a policy
 /// wants whole vectors of results.
 void LimitedLq::transpose(const LqHorizon& h) {

@@ -68,6 +68,10 @@ class LimitedLq {
   Rows rows(int knot);
   /// Multipliers, and the pieces that rows lay on.
   void forget() noexcept;
+  /// One knot on, for a horizon that begins a knot later: knots take what the next one has for a
+  /// warm start (multipliers, pieces, gains), and the last before the end, and those before another
+  /// number of controls, keep their own. Feedforwards are the caller's.
+  void shift(std::span<const int> controls) noexcept;
   int first_row() const { return first_row_; }
   int places() const { return row_count_; }  ///< of a knot's rows, with those that are none
 

@@ -85,14 +85,14 @@ void add_transposed(const StateShape& state, const KnotExpansion& e, int control
                     double* scratch, double* out) {
   const int nz = controls + state.ndx;
   if (e.form == DynamicsForm::Dense) {
-    dense::add_transposed_times({e.dynamics, e.stride}, w, state.ndx, nz, out);
+    dense::add_row_times(w, {e.dynamics, e.stride}, state.ndx, nz, out);
     return;
   }
   const int nv = state.nv;
   std::copy_n(w, nv, scratch);
   transform_lead(state, e.lead, true, scratch);
   for (int i = 0; i < nv; ++i) scratch[i] = e.step * scratch[i] + w[nv + i];
-  dense::add_transposed_times({e.dynamics, e.stride}, scratch, nv, nz, out);
+  dense::add_row_times(scratch, {e.dynamics, e.stride}, nv, nz, out);
   transform_lead(state, e.lead, false, w);
   const int through = std::min(controls, state.filtered);
   for (int i = 0; i < nv; ++i) out[controls + i] += w[i];

@@ -78,8 +78,8 @@ void ParametricSegment::extend(const KnotExpansion& e, int controls, const doubl
   controls_ = controls;
   double* z = fx_[now_].data();
   multiply_transposed(e, controls, x, z);
-  dense::add_transposed_times({x, vs}, gap, ndx, ndx, r_.data());
-  dense::add_transposed_times({z, vs}, policy.feedforward, controls, ndx, r_.data());
+  dense::add_row_times(gap, {x, vs}, ndx, ndx, r_.data());
+  dense::add_row_times(policy.feedforward, {z, vs}, controls, ndx, r_.data());
   dense::product<Update::Add>({policy.gain, layout_.gain_stride, 1}, {z, vs}, controls, ndx, ndx,
                               z + controls * vs, vs);
   const RiccatiFactor factor = recursion_.factor();

@@ -89,6 +89,7 @@ RiccatiRecursion::RiccatiRecursion(const StateShape& state, int max_controls, in
   w_next_ = Buffer(dense::block_size(2, layout_.value_stride));
   box_lower_ = Buffer(dense::block_size(1, rows));
   box_upper_ = Buffer(dense::block_size(1, rows));
+  column_ = Buffer(dense::block_size(rows, dense::lanes));
   if (workers > 1) l_ = Buffer(dense::block_size(rows, layout_.gain_stride));
   for (int w = 0; w < workers; ++w)
     own_.push_back({Buffer(dense::block_size(inner, layout_.value_stride)),
@@ -221,7 +222,7 @@ void RiccatiRecursion::cross_gap(const Knot& knot, const double* gap, double* he
   const int ndx = state_.ndx;
   const int vs = layout_.value_stride;
   std::fill_n(hessian_gap, vs, 0.0);
-  dense::add_transposed_times({knot.next.hessian, vs}, gap, ndx, ndx, hessian_gap);
+  dense::add_row_times(gap, {knot.next.hessian, vs}, ndx, ndx, hessian_gap);
   result.gap_slope = dense::dot(knot.next.gradient, gap, ndx);
   result.gap_curvature = dense::dot(hessian_gap, gap, ndx);
   dense::sum_scaled(knot.next.gradient, 1.0, hessian_gap, ndx, w_next_.data());

@@ -153,6 +153,7 @@ class RiccatiRecursion {
   Buffer w_next_;  ///< w = vx' + Vxx' gap
   Buffer l_;       ///< [L | l] of a crew; a worker alone has it in Y
   Buffer box_lower_, box_upper_;
+  Buffer column_;  ///< a control's feedforward per vector
   std::vector<Own> own_;
   BoxQp box_qp_;
 };

@@ -30,21 +30,19 @@ void RiccatiRecursion::resolve(const KnotExpansion& expansion, int controls,
   const int ndx = state_.ndx;
   dense::sum_scaled(next_gradient, 1.0, hessian_gap, ndx, w_next_.data());
   add_transposed(state_, expansion, controls, w_next_.data(), own_[0].passed.data(), gradient);
-  double* k = policy.feedforward;
-  for (int i = 0; i < controls; ++i) {  // R^T l = qu
-    double sum = gradient[i];
-    for (int j = 0; j < i; ++j) sum -= factor.r[j * factor.stride + i] * k[j];
-    k[i] = sum * factor.inverse_diagonal[i];
-  }
-  for (int i = controls; i-- > 0;) {  // R k = -l
-    double sum = -k[i];
-    for (int j = i + 1; j < controls; ++j) sum -= factor.r[i * factor.stride + j] * k[j];
-    k[i] = sum * factor.inverse_diagonal[i];
-  }
+  // R^T R k = -qu, in a column of whole vectors: scalars would be read back before they are
+  // written.
+  double* column = column_.data();
+  for (int i = 0; i < controls; ++i)
+    dense::store(column + i * dense::lanes, dense::Lane(-gradient[i]));
+  dense::solve_transposed(factor.r, factor.stride, controls, factor.inverse_diagonal, column,
+                          dense::lanes, 1);
+  dense::solve_upper(factor.r, factor.stride, controls, factor.inverse_diagonal, column,
+                     dense::lanes, 1);
+  for (int i = 0; i < controls; ++i) policy.feedforward[i] = column[i * dense::lanes];
   // vx = qx + K^T qu
   std::copy_n(gradient + controls, ndx, value_gradient);
-  dense::product<Update::Add>({gradient, 1, 1}, {policy.gain, layout_.gain_stride}, controls, 1,
-                              ndx, value_gradient, 0);
+  dense::add_row_times(gradient, {policy.gain, layout_.gain_stride}, controls, ndx, value_gradient);
 }
 
 }  // namespace burnish

@@ -343,6 +343,59 @@ TEST(LimitedLq, converges_where_many_rows_push_and_weights_are_small) {
     }
 }
 
+/// Solves it, then the same a knot later from there on; returns the latter's factors.
+LimitedLqResult solve_a_knot_later(LimitedProblem p, bool shifted) {
+  LimitedLq lqp(p.shape, p.N, p.nu_max, p.rows);
+  const auto N = static_cast<std::size_t>(p.N);
+  for (std::size_t k = N - 1; k <= N; ++k) {  // the end can be added to
+    p.lower[k].setConstant(-1e300);
+    p.upper[k].setConstant(1e300);
+  }
+  p.give_limits(lqp, 10.0);
+  const LimitedLqBudget budget{.factors = 200, .sweeps = 2000, .tolerance = 1e-8};
+  EXPECT_TRUE(lqp.solve(p.view(), p.recursion, budget, false).converged);
+  if (shifted) lqp.shift(p.controls);
+  std::vector<VectorXd> multipliers, guesses;
+  for (std::size_t k = 0; k <= N; ++k)
+    multipliers.emplace_back(
+        Eigen::Map<VectorXd>(lqp.rows(static_cast<int>(k)).multiplier, lqp.places()));
+  for (std::size_t k = 0; k < N; ++k) {
+    const PolicyStorage& policy = p.policies[shifted ? std::min(k + 1, N - 1) : k];
+    guesses.emplace_back(Eigen::Map<VectorXd>(policy.feedforward, p.controls[k]));
+  }
+  const int vs = p.layout.value_stride;
+  std::copy_n(lqp.z(1) + p.controls[1], p.ndx, p.gaps.data());
+  std::copy_n(p.gaps.data() + 2 * vs, (p.N - 1) * vs, p.gaps.data() + vs);
+  for (std::size_t k = 0; k + 1 < N; ++k) {
+    p.expansions[k] = p.expansions[k + 1];
+    p.lower[k] = p.lower[k + 1];
+    p.upper[k] = p.upper[k + 1];
+  }
+  p.give_limits(lqp, 10.0);
+  for (std::size_t k = 0; k <= N; ++k)
+    std::copy_n(multipliers[k].data(), lqp.places(), lqp.rows(static_cast<int>(k)).multiplier);
+  for (std::size_t k = 0; k < N; ++k)
+    std::copy_n(guesses[k].data(), guesses[k].size(), p.policies[k].feedforward);
+  return lqp.solve(p.view(), p.recursion, budget, true);
+}
+
+TEST(LimitedLq, needs_fewer_factors_a_knot_later_where_what_it_starts_from_is_shifted) {
+  int shifted = 0, as_it_was = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    LimitedSpec spec{
+        "arm",
+        {.nv = 6, .nu = std::vector<int>(20, 6), .form = DynamicsForm::SecondOrder, .seed = seed},
+        2};
+    const LimitedLqResult with = solve_a_knot_later(LimitedProblem(spec), true);
+    const LimitedLqResult without = solve_a_knot_later(LimitedProblem(spec), false);
+    EXPECT_TRUE(with.converged && without.converged) << "seed " << seed;
+    EXPECT_LT(with.factors, without.factors) << "seed " << seed;
+    shifted += with.factors;
+    as_it_was += without.factors;
+  }
+  std::printf("factors: %d of shifted starts, %d of others\n", shifted, as_it_was);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, LimitedLqLaw, ::testing::ValuesIn(specs()),
                          [](const auto& law) { return std::string(law.param.name); });
 
