@@ -121,7 +121,7 @@ struct FrictionCone {
   double friction = 0.5;
   int normal = 2;
   std::optional<Reference> reference = {};  ///< default: the contact's own
-  int sides = 0;                            ///< of a pyramid inside the cone; 0: the cone itself
+  int sides = 0;  ///< 3 to 32, of a pyramid inside the cone; 0: the cone itself
 };
 
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
