@@ -13,7 +13,6 @@ using dense::Lane;
 using dense::lanes;
 using dense::load;
 using dense::store;
-using dense::Update;
 
 namespace {
 
