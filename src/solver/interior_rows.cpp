@@ -13,7 +13,7 @@ namespace {
 constexpr double far_away = 1e299;   // a limit from here on is none
 constexpr double least_share = 0.1;  // of a price that is left at the start
 
-Lane zero() { return Lane(0.0); }
+Lane zero() { return {0.0}; }
 
 /// 1 where a row's limits meet.
 Lane meets(const RowArrays& rows, int r) {
@@ -81,7 +81,7 @@ struct InteriorRows::Step {
 };
 
 InteriorRows::Step InteriorRows::step_of(const Side& side, int at, const RowArrays& rows, int r,
-                                         const Lane& y, const Target& target) const {
+                                         const Lane& y, const Target& target) {
   const Lane s = load(side.s + at), m = load(side.m + at), v = load(side.v + at),
              n = load(side.n + at), one(1.0);
   const Lane square = square_of(rows, r), share(target.corrected ? 1.0 : 0.0);

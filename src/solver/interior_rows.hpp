@@ -54,8 +54,8 @@ class InteriorRows {
     double sign;  ///< of dy in the distance, reversed
   };
   struct Step;
-  Step step_of(const Side& side, int at, const RowArrays& rows, int r, const dense::Lane& y,
-               const Target& target) const;
+  static Step step_of(const Side& side, int at, const RowArrays& rows, int r, const dense::Lane& y,
+                      const Target& target);
 
   Buffer memory_;
   std::array<Side, 2> sides_;
