@@ -61,6 +61,7 @@ void DdpSolver::Impl::allocate_rows() {
   summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
   allocate_correction();
+  allocate_bends();
   for (Iterate* it : {&current, &trial, &best}) it->rows.assign(all, 0.0);
   const int stride = recursion.layout().expansion_stride;
   for (int k = 0; k <= N; ++k) {
@@ -175,7 +176,7 @@ void DdpSolver::Impl::set_row_limits() {
 
 /// Weights are in units of the cost's curvature, which is that of the controls: the mean of
 /// Huu scale^2.
-double DdpSolver::Impl::curvature_unit() {
+double DdpSolver::Impl::curvature_unit() const {
   double sum = 0.0;
   int count = 0;
   for (int k = 0; k < N; ++k) {
@@ -194,7 +195,7 @@ double DdpSolver::Impl::curvature_unit() {
 
 /// Weights, prices and squares; where a row has no multiplier its price is zero.
 void DdpSolver::Impl::set_row_weights() {
-  const double unit = curvature_unit();
+  const double unit = cost_unit;
   if (row_unit == 0.0) row_unit = unit;
   // Bounds on controls hold against squares: they push as hard.
   const double weight =
@@ -258,6 +259,7 @@ bool DdpSolver::Impl::is_fixed(int knot, int row) const {
 /// The direction, with policies and value functions of the rows that push.
 bool DdpSolver::Impl::limited_backward() {
   find_fixed_rows();
+  add_bends();
   if (!solve_limited()) return false;
   const bool open = !limited_result.converged && limited_result.open > wide_open;
   elastic.lost = open ? elastic.lost + 1 : 0;
