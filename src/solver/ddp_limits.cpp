@@ -259,7 +259,6 @@ bool DdpSolver::Impl::is_fixed(int knot, int row) const {
 /// The direction, with policies and value functions of the rows that push.
 bool DdpSolver::Impl::limited_backward() {
   find_fixed_rows();
-  add_bends();
   if (!solve_limited()) return false;
   const bool open = !limited_result.converged && limited_result.open > wide_open;
   elastic.lost = open ? elastic.lost + 1 : 0;
@@ -290,6 +289,7 @@ void DdpSolver::Impl::point_policies() {
 
 bool DdpSolver::Impl::solve_limited() {
   set_row_limits();
+  add_bends();
   set_row_weights();
   return solve_limited_with(current.gaps.data(), options.limits.max_factors);
 }
