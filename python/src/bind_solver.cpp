@@ -69,6 +69,23 @@ void bind_setting_up(SolverClass& c) {
           py::arg("max_factors"), py::arg("max_sweeps"),
           "LimitOptions.max_factors and max_sweeps, at least 1 and 0.")
       .def(
+          "forget_limits",
+          [](SolverMachine& self) {
+            const Busy::Lock lock(self.busy, "DdpSolver.forget_limits");
+            self.solver.forget_limits();
+          },
+          "The next solve starts without the multipliers of the last one, as a solver does that is "
+          "new.")
+      .def(
+          "shift_limits",
+          [](SolverMachine& self, int knots) {
+            const Busy::Lock lock(self.busy, "DdpSolver.shift_limits");
+            self.solver.shift_limits(knots);
+          },
+          py::arg("knots"),
+          "The next solve starts with the multipliers of the last one that many knots later, as a "
+          "horizon does that has moved on by so much.")
+      .def(
           "set_guess",
           [](SolverMachine& self, const Eigen::Ref<const RowMatrix>& xs,
              const Eigen::Ref<const RowMatrix>& us) {
