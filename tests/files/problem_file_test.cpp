@@ -455,6 +455,7 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"", "", "start: {posture: {joint_9: 1}}\n", {"start.posture", "joint_9"}},
       {"", "", "start: {q: [1, 2]}\n", {"start.q: it has 2 numbers; wanted 7"}},
       {"", "", "start: {torques: hold}\n", {"start.torques", "only with a 'torque_model'"}},
+      {"", "", "torque_model: hold\n", {"torque_model: 'hold' is unknown", "did you mean 'held'?"}},
       {"", "", "torque_model: {cutof: 3}\n", {"torque_model:", "did you mean 'cutoff'?"}},
       {"", "", "torque_model: {cutoff: 300, discretization: euler}\n", {"unstable"}},
       {"", "", "control_bounds: {lower: 3, upper: 2}\n", {"control_lower 3 is above"}},
