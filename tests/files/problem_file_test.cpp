@@ -349,6 +349,20 @@ TEST_F(ProblemFiles, LineIsAtRestAtBothEnds) {
   }
 }
 
+TEST_F(ProblemFiles, TorquesThatAreRememberedCostWhereTheyAreSaidTo) {
+  const ProblemFile file = read(small("", "", "torque_model: held\n"));
+  ASSERT_TRUE(file.spec.torque_model && file.spec.torque_model->is_held());
+  EXPECT_EQ(file.spec.initial_state.size(), 21);
+  EXPECT_GT(file.spec.initial_state.tail(7).norm(), 0.1) << "those that hold the robot";
+  const Eigen::VectorXd unsaid = file.spec.stages[0].costs[0].weights;
+  ASSERT_EQ(unsaid.size(), 21);
+  EXPECT_EQ(unsaid.head(14), Eigen::VectorXd::Ones(14));
+  EXPECT_TRUE(unsaid.tail(7).isZero(0.0));
+  const ProblemFile said = read(small("{type: state, weight: 2}",
+                                      "{type: state, weights: {tau: 3}}", "torque_model: held\n"));
+  EXPECT_EQ(said.spec.stages[0].costs[0].weights.tail(7), Eigen::VectorXd::Constant(7, 3.0));
+}
+
 TEST_F(ProblemFiles, HoldIsARestingRobot) {
   const ProblemFile file =
       read(small("posture: 0.5", "hold: {type: control, target: {hold: {pad: 30}}}"));
