@@ -46,12 +46,26 @@ void bind_setting_up(SolverClass& c) {
           },
           py::arg("options"), "Raises Error as the constructor does, and changes nothing then.")
       .def(
-          "set_time_budget",
-          [](SolverMachine& self, double seconds) {
-            const Busy::Lock lock(self.busy, "DdpSolver.set_time_budget");
-            self.solver.set_time_budget(seconds);
+          "set_guess",
+          [](SolverMachine& self, const Eigen::Ref<const RowMatrix>& xs,
+             const Eigen::Ref<const RowMatrix>& us) {
+            const Busy::Lock lock(self.busy, "DdpSolver.set_guess");
+            self.solver.set_guess(xs, us);
           },
-          py::arg("seconds"), "Anything but a number >= 0 means no time at all.")
+          py::arg("xs"), py::arg("us"),
+          "Where the next solve starts: xs (N + 1, nx), us (N, max_controls). Without a call it "
+          "starts where the last one ended.");
+}
+
+/// What a solve may take, and what it starts from.
+void bind_budgets(SolverClass& c) {
+  c.def(
+       "set_time_budget",
+       [](SolverMachine& self, double seconds) {
+         const Busy::Lock lock(self.busy, "DdpSolver.set_time_budget");
+         self.solver.set_time_budget(seconds);
+       },
+       py::arg("seconds"), "Anything but a number >= 0 means no time at all.")
       .def(
           "set_max_iterations",
           [](SolverMachine& self, int iterations) {
@@ -69,15 +83,22 @@ void bind_setting_up(SolverClass& c) {
           py::arg("max_factors"), py::arg("max_sweeps"),
           "LimitOptions.max_factors and max_sweeps, at least 1 and 0.")
       .def(
-          "set_guess",
-          [](SolverMachine& self, const Eigen::Ref<const RowMatrix>& xs,
-             const Eigen::Ref<const RowMatrix>& us) {
-            const Busy::Lock lock(self.busy, "DdpSolver.set_guess");
-            self.solver.set_guess(xs, us);
+          "forget_limits",
+          [](SolverMachine& self) {
+            const Busy::Lock lock(self.busy, "DdpSolver.forget_limits");
+            self.solver.forget_limits();
           },
-          py::arg("xs"), py::arg("us"),
-          "Where the next solve starts: xs (N + 1, nx), us (N, max_controls). Without a call it "
-          "starts where the last one ended.");
+          "The next solve starts without the multipliers of the last one, as a solver does that is "
+          "new.")
+      .def(
+          "shift_limits",
+          [](SolverMachine& self, int knots) {
+            const Busy::Lock lock(self.busy, "DdpSolver.shift_limits");
+            self.solver.shift_limits(knots);
+          },
+          py::arg("knots"),
+          "The next solve starts with the multipliers of the last one that many knots later, as a "
+          "horizon does that has moved on by so much.");
 }
 
 void bind_solving(SolverClass& c) {
@@ -192,6 +213,7 @@ void bind_solver(py::module_& m) {
                      "solve. Between solves the problem may change targets, times and the initial "
                      "state. Results have the same bits for any number of threads.");
   bind_setting_up(solver);
+  bind_budgets(solver);
   bind_solving(solver);
   bind_results(solver);
   solver.def_property_readonly(

@@ -289,6 +289,18 @@ struct CostReader {
     return residual::CentroidalMomentum{target({})};
   }
 
+  bool remembers_torque() const {
+    return scope.spec.torque_model && scope.spec.torque_model->is_held();
+  }
+
+  /// Where none are said. What is remembered of torques is no motion: it costs where it is said to.
+  Eigen::VectorXd state_weights() const {
+    const int nv = model().nv, nu = scope.spec.torque_model ? scope.controls() : 0;
+    Eigen::VectorXd result = Eigen::VectorXd::Ones(2 * nv + nu);
+    if (remembers_torque()) result.tail(nu).setZero();
+    return result;
+  }
+
   /// {q: ..., v: ..., tau: ...}, each as read_rows has it.
   Eigen::VectorXd state_weights(const Reader& given) const {
     const std::vector<RowGroup> v = velocity_rows(model());
@@ -297,10 +309,10 @@ struct CostReader {
       for (const Joint* joint : scope.driven()) tau.push_back({joint->name, joint->nv});
     const int nv = model().nv, nu = rows_of(tau);
     if (given.is_list()) return given.numbers(2 * nv + nu);
-    if (!given.is_map()) return Eigen::VectorXd::Constant(2 * nv + nu, given.not_negative());
+    if (!given.is_map()) return given.not_negative() * state_weights();
     given.allow_only(nu > 0 ? std::vector<std::string>{"q", "v", "tau"}
                             : std::vector<std::string>{"q", "v"});
-    Eigen::VectorXd result = Eigen::VectorXd::Ones(2 * nv + nu);
+    Eigen::VectorXd result = state_weights();
     if (const auto q = given.find("q")) result.head(nv) = read_rows(*q, v, 1.0);
     if (const auto rates = given.find("v")) result.segment(nv, nv) = read_rows(*rates, v, 1.0);
     if (const auto torques = given.find("tau")) result.tail(nu) = read_rows(*torques, tau, 1.0);
@@ -351,6 +363,8 @@ CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& co
   if (const auto weights = reader.find("weights"))
     term.weights = read == &CostReader::state ? cost.state_weights(*weights)
                                               : read_rows(*weights, cost.rows.rows, 1.0);
+  else if (read == &CostReader::state && cost.remembers_torque())
+    term.weights = cost.state_weights();
   if (const auto penalty = reader.find("penalty")) term.penalty = read_penalty(cost.rows, *penalty);
   return term;
 }

@@ -112,6 +112,10 @@ ActuationSpec read_actuation(const Reader& reader, const Model& model) {
 }
 
 TorqueModel read_torque_model(const Reader& reader) {
+  if (!reader.is_map()) {
+    reader.word({"held"});
+    return TorqueModel::held();
+  }
   reader.allow_only({"cutoff", "discretization"});
   TorqueModel model{.cutoff = reader["cutoff"].positive()};
   if (const auto kind = reader.find("discretization"))

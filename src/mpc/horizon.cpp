@@ -77,4 +77,9 @@ void Horizon::guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
   guess_x_.row(0) = x.transpose();
 }
 
+int Horizon::knots_since(double schedule_time) const noexcept {
+  const double elapsed = std::max(0.0, (schedule_time - guess_time_) / step_);
+  return static_cast<int>(std::min(elapsed + 0.5, static_cast<double>(problem_.knots())));
+}
+
 }  // namespace burnish

@@ -27,6 +27,8 @@ class Horizon {
   void guess_rest(const Eigen::VectorXd& x, const Eigen::VectorXd& u) noexcept;
   void guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
                      double schedule_time) noexcept;
+  /// Knots, rounded, that a solve from this time of the schedule on begins after the solution.
+  int knots_since(double schedule_time) const noexcept;
   const RowMatrix& guess_x() const { return guess_x_; }
   const RowMatrix& guess_u() const { return guess_u_; }
   /// The solver's solution begins at this time of the schedule.

@@ -65,6 +65,10 @@ void check_torque_limit(const MpcSpec& spec) {
 
 int checked_ticks_per_update(const MpcSpec& spec) {
   const int ticks = ticks_per_update(spec);
+  if (spec.problem.torque_model && spec.problem.torque_model->is_held())
+    throw Error(
+        "MPC: torques are held over the steps of a plan, and ticks are shorter; wanted a torque "
+        "model with a cut-off, whose rates are those of any time, or none");
   if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
     throw Error("MPC: the normal is not finite or has no length; wanted a direction");
   if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)

@@ -172,6 +172,7 @@ bool MpcController::Impl::solve(double schedule_time) {
   if (!plain) iterations = solved_ ? spec.jump_iterations : spec.first_iterations;
   if (warm_) {
     horizon.guess_shifted(x_, solver, schedule_time);
+    solver.shift_limits(horizon.knots_since(schedule_time));
   } else {
     const ContactDynamics* const rest = holding_.at_rest(gate.last().q);
     for (int i = 0; i < problem.layout().nu; ++i)

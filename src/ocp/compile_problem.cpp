@@ -34,6 +34,7 @@ StateLayout make_layout(const ProblemSpec& spec) {
   layout.nu = static_cast<int>(layout.actuated.size());
   if (layout.nu == 0) throw Error("actuation: no joint is driven; wanted at least one");
   if (spec.torque_model) layout.filtered = layout.nu;
+  layout.holds_torque = spec.torque_model && spec.torque_model->is_held();
   return layout;
 }
 
@@ -58,6 +59,13 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
 void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
   if (!spec.torque_model || stage.terminal || stage.impact) return;
   const double cutoff = spec.torque_model->cutoff;
+  if (spec.torque_model->is_held()) {
+    if (cutoff != 0.0)
+      throw Error("torque_model: held torques with a cut-off of " + number(cutoff) +
+                  " rad/s; wanted none, or the exact discretisation");
+    stage.decay = stage.half_decay = 0.0;
+    return;
+  }
   if (!(cutoff > 0.0) || !std::isfinite(cutoff))
     throw Error("torque_model: a cut-off of " + number(cutoff) +
                 " rad/s; wanted a positive number");
@@ -169,7 +177,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   terminal.solves_contacts = false;
   terminal.active.assign(static_cast<std::size_t>(contacts.size()), 0);
   // With a torque model forces are known at the end too: of the contacts of the last stage.
-  if (layout.filtered > 0 && !spec.horizon.empty() && !stages.empty())
+  if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
   turn_contacts(spec, contacts, terminal);

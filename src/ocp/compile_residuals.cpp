@@ -123,7 +123,7 @@ std::vector<int> TermBuilder::actuators(const std::vector<std::string>& joints) 
 
 void TermBuilder::operator()(const residual::JointTorque& r) {
   const std::vector<int> entries = actuators(r.joints);
-  const bool in_state = layout().filtered > 0;
+  const bool in_state = layout().acts_from_state();
   if (!in_state && stage.nu == 0) refuse("there is no control here");
   select(in_state ? Selection::Source::TorqueState : Selection::Source::U, entries,
          in_state ? layout().column_tau() : 0, entries, r.target);
@@ -132,10 +132,12 @@ void TermBuilder::operator()(const residual::JointTorque& r) {
 void TermBuilder::operator()(const residual::JointTorqueRate& r) {
   if (!spec.torque_model)
     refuse(
-        "torques that are the control have no rate; wanted a torque model in the problem, which "
-        "puts them into the state, one more entry per driven joint");
+        "torques that are the control have no rate; wanted a torque model in the problem, such as "
+        "'held', which puts those of the step before into the state, one more entry per driven "
+        "joint");
   if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
-  TorqueRate rate{spec.torque_model->cutoff, actuators(r.joints)};
+  TorqueRate rate{layout().holds_torque ? 1.0 / stage.step : spec.torque_model->cutoff,
+                  actuators(r.joints)};
   term.rows = static_cast<int>(rate.entries.size());
   if (term.rows == 0) refuse("has no rows");
   zero_target(r.target, term.rows);

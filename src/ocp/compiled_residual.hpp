@@ -45,9 +45,9 @@ struct Selection {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// cutoff (u - tau) of actuators: with a torque model.
+/// per_second (u - tau) of actuators: with a torque model.
 struct TorqueRate {
-  double cutoff;  ///< rad/s
+  double per_second;  ///< the cut-off, rad/s, or one over the step of held torques
   std::vector<int> entries;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;

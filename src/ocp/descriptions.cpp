@@ -32,7 +32,9 @@ const Words& words_of(TorqueModel::Discretization /*of*/) {
       "ocp",
       "Discretization",
       "Of the torque model.",
-      {{"exact", "decay over a step: exp(-cutoff step)"}, {"euler", "1 - cutoff step"}}};
+      {{"exact", "decay over a step: exp(-cutoff step)"},
+       {"euler", "1 - cutoff step"},
+       {"held", "tau is the control of the step before and does not act; without a cutoff"}}};
   return all;
 }
 

@@ -57,9 +57,10 @@ const Description& description_of(const JointTorqueRate* /*of*/) {
   static const Description all =
       Describe<J>("residual", "JointTorqueRate",
                   "How fast the torques of the named joints follow the control, minus the target: "
-                  "cutoff (u - tau), Nm/s or N/s, at the begin of the step, over which it decays. "
-                  "With a torque model alone, where there is a control. No joints: all actuated "
-                  "ones.")
+                  "cutoff (u - tau), Nm/s or N/s, at the begin of the step, over which it decays; "
+                  "(u - tau) / step where torques are held and tau is the control of the step "
+                  "before. With a torque model alone, where there is a control. No joints: all "
+                  "actuated ones.")
           .field("joints", &J::joints)
           .field("target", &J::target, "None: zero");
   return all;

@@ -23,7 +23,7 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
   if (std::holds_alternative<FrameDistance>(term.residual))
     return std::isfinite(term.upper[row]) ? term.upper[row] : term.lower[row];
   if (const auto* rate = std::get_if<TorqueRate>(&term.residual))
-    return rate->cutoff *
+    return rate->per_second *
            model
                .effort_limit[problem.layout.actuated[static_cast<std::size_t>(rate->entries[row])]];
   if (const auto* margin = std::get_if<SupportMargin>(&term.residual))

@@ -59,8 +59,8 @@ template <class S>
 void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
   const StateLayout& layout = problem_->layout;
   std::fill(tau_.begin(), tau_.end(), S(0.0));
-  const S* const driving = layout.filtered > 0 ? knot_.torque_state : u_.data();
-  const bool driven = layout.filtered > 0 || stage.nu > 0;
+  const S* const driving = layout.acts_from_state() ? knot_.torque_state : u_.data();
+  const bool driven = layout.acts_from_state() || stage.nu > 0;
   if (driven)
     for (int i = 0; i < layout.nu; ++i) tau_[layout.actuated[i]] = driving[i];
   if (problem_->passive)
@@ -109,12 +109,14 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
   const int rows = nv + dynamics_.rows();
-  const int torque_column = layout.filtered > 0 ? layout.column_tau() : 0;
-  const bool driven = layout.filtered > 0 || stage.nu > 0;
+  const bool from_state = layout.acts_from_state();
+  const int torque_column = from_state ? layout.column_tau() : 0;
+  const bool driven = from_state || stage.nu > 0;
   for (int i = 0; i < rows; ++i) {
     S* const out = stacked_.data() + i * nz;
     const S* const by_tau = derivatives_.d_dtau.data() + i * nv;
-    if (layout.filtered > 0 || !driven) std::fill_n(out, layout.nu, S(0.0));
+    if (from_state || !driven) std::fill_n(out, layout.nu, S(0.0));
+    if (layout.holds_torque) std::fill_n(out + layout.column_tau(), layout.filtered, S(0.0));
     if (driven)
       for (int c = 0; c < layout.nu; ++c) out[torque_column + c] = by_tau[layout.actuated[c]];
     std::copy_n(derivatives_.d_dq.data() + i * nv, nv, out + layout.column_q());

@@ -128,7 +128,7 @@ int TermBuilder::contact(const std::string& name) {
     refuse(error.what());
   }
   if (stage.impact) refuse("an impact stage has no contact forces, only impulses");
-  if (stage.terminal && layout().filtered == 0)
+  if (stage.terminal && !layout().acts_from_state())
     refuse(
         "the terminal state has no control, so contact forces are unknown there; they are "
         "known with a torque model, which puts the torques into the state");

@@ -62,6 +62,11 @@ void DdpSolver::forget_limits() noexcept {
   if (impl_->limited) impl_->forget_limits();
 }
 
+void DdpSolver::shift_limits(int knots) noexcept {
+  if (!impl_->limited) return;
+  for (int k = 0; k < std::min(knots, impl_->N); ++k) impl_->limited->shift(impl_->controls);
+}
+
 const DdpSummary& DdpSolver::solve() {
   impl_->began = Impl::Clock::now();
   const ThreadPool::Awake awake(*impl_->pool);

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// So many iterations have nothing to gain with limits broken before it is doubted that they can be
-/// kept: the last digits of violations go by Newton's steps.
+/// So many iterations have nothing to gain, to the last digits of what violations cost, with limits
+/// broken before it is doubted that they can be kept: those digits go by Newton's steps.
 static constexpr int patience_outside = 4;
 /// Steps are corrected where violations are below so much of their scale: far from limits what
 /// bends says little of where they are.
@@ -84,8 +84,9 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     again = true;
     return true;
   }
-  const bool stands = limited && current.feasible && !keeps_limits(current) &&
-                      summary.expected_improvement < options.stop_tolerance + limit_resolution;
+  const bool stands = limited && !keeps_limits(current) &&
+                      summary.expected_improvement <
+                          options.stop_tolerance + limit_resolution + 1e-9 * current.outside_cost;
   if (stands && ++elastic.stood >= patience_outside) again = become_elastic();
   return !out_of_time() || stop(StopReason::TimeBudget);
 }

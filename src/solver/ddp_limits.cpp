@@ -408,7 +408,9 @@ void DdpSolver::Impl::model_of_limited() {
     const double share = 1.0 - options.line_search.merit_share;
     const double needed =
         (direction.slope + 0.5 * std::max(0.0, curvature)) / (share * current.gap_sum);
-    if (needed > penalty) penalty = needed;
+    // Gaps of rounding alone ask for anything; more than the multipliers none does.
+    if (needed > penalty)
+      penalty = std::max(penalty, std::min(needed, largest_multiplier() / share));
   }
   direction.slope -= penalty * current.gap_sum;
   merit_change = direction.slope + 0.5 * curvature;

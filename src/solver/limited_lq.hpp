@@ -38,7 +38,7 @@ struct LimitedLqBudget {
   int sweeps = 200;   ///< with kept factors
   /// Of these after which an interior-point method finds out which rows push, where it can still
   /// have 20; 0: at once, where the start is from nothing.
-  int interior_after = 30;
+  int interior_after = 8;
   /// Of what limits are exceeded by, and multipliers change by over their weight, in a row's scale.
   double tolerance = 1e-9;
 };

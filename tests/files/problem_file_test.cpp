@@ -349,6 +349,20 @@ TEST_F(ProblemFiles, LineIsAtRestAtBothEnds) {
   }
 }
 
+TEST_F(ProblemFiles, TorquesThatAreRememberedCostWhereTheyAreSaidTo) {
+  const ProblemFile file = read(small("", "", "torque_model: held\n"));
+  ASSERT_TRUE(file.spec.torque_model && file.spec.torque_model->is_held());
+  EXPECT_EQ(file.spec.initial_state.size(), 21);
+  EXPECT_GT(file.spec.initial_state.tail(7).norm(), 0.1) << "those that hold the robot";
+  const Eigen::VectorXd unsaid = file.spec.stages[0].costs[0].weights;
+  ASSERT_EQ(unsaid.size(), 21);
+  EXPECT_EQ(unsaid.head(14), Eigen::VectorXd::Ones(14));
+  EXPECT_TRUE(unsaid.tail(7).isZero(0.0));
+  const ProblemFile said = read(small("{type: state, weight: 2}",
+                                      "{type: state, weights: {tau: 3}}", "torque_model: held\n"));
+  EXPECT_EQ(said.spec.stages[0].costs[0].weights.tail(7), Eigen::VectorXd::Constant(7, 3.0));
+}
+
 TEST_F(ProblemFiles, HoldIsARestingRobot) {
   const ProblemFile file =
       read(small("posture: 0.5", "hold: {type: control, target: {hold: {pad: 30}}}"));
@@ -455,6 +469,7 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"", "", "start: {posture: {joint_9: 1}}\n", {"start.posture", "joint_9"}},
       {"", "", "start: {q: [1, 2]}\n", {"start.q: it has 2 numbers; wanted 7"}},
       {"", "", "start: {torques: hold}\n", {"start.torques", "only with a 'torque_model'"}},
+      {"", "", "torque_model: hold\n", {"torque_model: 'hold' is unknown", "did you mean 'held'?"}},
       {"", "", "torque_model: {cutof: 3}\n", {"torque_model:", "did you mean 'cutoff'?"}},
       {"", "", "torque_model: {cutoff: 300, discretization: euler}\n", {"unstable"}},
       {"", "", "control_bounds: {lower: 3, upper: 2}\n", {"control_lower 3 is above"}},

@@ -222,5 +222,23 @@ TEST(TorqueFilter, TorquesActAndControlsDoNotYet) {
   EXPECT_GT((problem.acceleration(0, pushed, at.u) - a).norm(), 1e-3);
 }
 
+TEST(TorqueFilter, HeldTorquesActAtOnceAndAreRememberedForAStep) {
+  const OcpCase test{{"arm7", Base::Fixed, "tool"}, true, true};
+  const OcpCase at_once{{"arm7", Base::Fixed, "tool"}};
+  const Model model = test.robot.model();
+  for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4}) {
+    Problem held(one_stage(bare_problem(test, model), {.integrator = integrator}));
+    Problem plain(one_stage(bare_problem(at_once, model), {.integrator = integrator}));
+    std::mt19937_64 generator(6);
+    const OcpState at = random_ocp_state(held, generator);
+    const Eigen::VectorXd without = at.x.head(14);
+    Eigen::VectorXd next(21), wanted(14);
+    held.roll(0, 0, at.x.data(), at.u.data(), next.data());
+    plain.roll(0, 0, without.data(), at.u.data(), wanted.data());
+    EXPECT_EQ(next.head(14), wanted);
+    EXPECT_EQ(next.tail(7), at.u);
+  }
+}
+
 }  // namespace
 }  // namespace burnish::test

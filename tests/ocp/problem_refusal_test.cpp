@@ -337,6 +337,12 @@ std::vector<BadSpec> bad_robots() {
          s.initial_state = Eigen::VectorXd::Zero(21);
        },
        {"torque_model", "cut-off of 0"}},
+      {"held_with_a_cutoff",
+       [](ProblemSpec& s) {
+         s.torque_model = TorqueModel{30.0, TorqueModel::Discretization::Held};
+         s.initial_state = Eigen::VectorXd::Zero(21);
+       },
+       {"torque_model", "held", "cut-off of 30"}},
       {"unstable_filter",
        [](ProblemSpec& s) {
          s.torque_model = TorqueModel{300.0, TorqueModel::Discretization::Euler};

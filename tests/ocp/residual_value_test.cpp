@@ -54,6 +54,23 @@ TEST_F(ResidualValue, TorqueRateIsWhatTheTorquesMakeOfAShortStep) {
   EXPECT_NEAR(r[1], rate[0], 1e-4 * std::abs(rate[0]));
 }
 
+TEST_F(ResidualValue, TorqueRateOfHeldTorquesIsTheirStep) {
+  ProblemSpec spec{.model = model};
+  spec.torque_model = TorqueModel::held();
+  spec.initial_state = Eigen::VectorXd::Zero(model.nq + 2 * model.nv);
+  spec.initial_state.head(model.nq) = q;
+  spec.initial_state.tail(model.nv) = uniform(model.nv, 5.0, generator);
+  spec.stages = {{.name = "go",
+                  .costs = {{.residual = residual::JointTorqueRate{{"joint_3", "joint_1"}}}},
+                  .step = 0.02}};
+  spec.horizon = {{"go", 1}};
+  Problem problem(spec);
+  const Eigen::VectorXd x = spec.initial_state, u = uniform(model.nv, 5.0, generator);
+  const Eigen::VectorXd r = problem.residual(0, 0, x, u), before = x.tail(model.nv);
+  EXPECT_NEAR(r[0], (u[2] - before[2]) / 0.02, 1e-10);
+  EXPECT_NEAR(r[1], (u[0] - before[0]) / 0.02, 1e-10);
+}
+
 /// Rows of a cone and of pyramids of 3 to 6 sides at forces that are drawn.
 class FrictionPyramid : public ::testing::TestWithParam<int> {
  protected:

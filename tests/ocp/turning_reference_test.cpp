@@ -49,7 +49,7 @@ ProblemSpec all_turned(const OcpCase& test, const Model& model, const Turned& tu
   spec.stages = {go, precise, touch};
   spec.horizon = {{"go", native_lanes + 1}, {"touch", 1}, {"precise", 2}};
   spec.terminal = {go.costs[0], go.costs[1]};
-  if (test.torque_model) spec.terminal.push_back(go.costs[2]);
+  if (test.acts_from_state()) spec.terminal.push_back(go.costs[2]);
   return spec;
 }
 

@@ -70,7 +70,10 @@ struct MiddleLimit {
   double at_last;  ///< a value for the last knot that it does not have
 };
 
-class ConstraintLaw : public ::testing::TestWithParam<bool> {
+/// What the state holds of torques: nothing, what acts, or the control of the step before.
+enum class TorquesOf { Control, State, Before };
+
+class ConstraintLaw : public ::testing::TestWithParam<TorquesOf> {
  protected:
   /// An arm whose contacts give way goes somewhere, and what is `limited` is seen as a cost that
   /// weighs nothing.
@@ -188,7 +191,7 @@ class ConstraintLaw : public ::testing::TestWithParam<bool> {
 
   void of_each_residual(const std::vector<Exception>& exceptions,
                         const std::function<void(const ProblemSpec&, const MiddleLimit&)>& law) {
-    for (const ResidualCase& residual : residual_cases(given.torque_model)) {
+    for (const ResidualCase& residual : residual_cases(given)) {
       if (std::any_of(exceptions.begin(), exceptions.end(),
                       [&](const Exception& other) { return other.residual == residual.name; }))
         continue;
@@ -200,7 +203,7 @@ class ConstraintLaw : public ::testing::TestWithParam<bool> {
     }
   }
 
-  OcpCase given{arm.robot, GetParam()};
+  OcpCase given{arm.robot, GetParam() != TorquesOf::Control, GetParam() == TorquesOf::Before};
   Model model = given.robot.model();
   std::mt19937_64 generator{12};
   OcpSetup setup{model, given.robot.tool, generator};
@@ -250,9 +253,13 @@ TEST_P(ConstraintLaw, DerivativesOfItsRowsPassTheCheck) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(TorqueModel, ConstraintLaw, ::testing::Bool(), [](const auto& law) {
-  return law.param ? "torques_in_the_state" : "torques_at_once";
-});
+INSTANTIATE_TEST_SUITE_P(TorqueModel, ConstraintLaw,
+                         ::testing::Values(TorquesOf::Control, TorquesOf::State, TorquesOf::Before),
+                         [](const auto& law) {
+                           return law.param == TorquesOf::Control ? "torques_at_once"
+                                  : law.param == TorquesOf::State ? "torques_in_the_state"
+                                                                  : "torques_of_the_step_before";
+                         });
 
 }  // namespace
 }  // namespace burnish::test

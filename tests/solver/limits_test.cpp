@@ -107,6 +107,42 @@ TEST_P(Limits, are_kept_from_a_start_that_breaks_them) {
   EXPECT_LE((solver.xs() - xs).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+/// Recursions of plans in a row, each from the second state of the one before, a knot later.
+int recursions_of_plans_in_a_row(TestProblem& p, StepUpdate update, bool shifted) {
+  int recursions = 0;
+  DdpOptions options = to_convergence(update);
+  options.callback = [&](const DdpProgress& progress) {
+    recursions += progress.factors;
+    return true;
+  };
+  DdpSolver solver(p, options);
+  solver.solve();
+  recursions = 0;
+  const std::vector<double> begin = p.start;
+  for (int plan = 0; plan < 10; ++plan) {
+    RowMatrix xs = solver.xs(), us = solver.us();
+    xs.topRows(p.knots()) = solver.xs().bottomRows(p.knots());
+    us.topRows(p.knots() - 1) = solver.us().bottomRows(p.knots() - 1);
+    for (Eigen::Index i = 0; i < xs.cols(); ++i) p.start[static_cast<std::size_t>(i)] = xs(0, i);
+    solver.set_guess(xs, us);
+    if (shifted) solver.shift_limits(1);
+    EXPECT_EQ(solver.solve().reason, StopReason::Converged) << plan << ": " << solver.text();
+    EXPECT_EQ(solver.summary().outside_knot, -1) << plan;
+  }
+  p.start = begin;
+  return recursions;
+}
+
+TEST_P(Limits, take_fewer_recursions_a_knot_later_where_they_are_shifted) {
+  TestProblem p = pendulum_swing_up(80);
+  set_bounds(p, -4.0, 4.5);
+  limit_states(p, {-infinity, -3.0}, {infinity, 3.0});
+  const int shifted = recursions_of_plans_in_a_row(p, GetParam(), true);
+  const int as_they_were = recursions_of_plans_in_a_row(p, GetParam(), false);
+  EXPECT_LT(shifted, as_they_were);
+  std::printf("recursions: %d of shifted starts, %d of others\n", shifted, as_they_were);
+}
+
 TEST_P(Limits, with_a_price_above_their_multipliers_are_kept_and_broken_below) {
   TestProblem p = unicycle();
   limit_states(p, {-infinity, -infinity, -infinity}, {infinity, infinity, 0.8});

@@ -12,7 +12,11 @@ namespace burnish::test {
 struct OcpCase {
   TestRobot robot;
   bool torque_model = false;
-  std::string label() const { return robot.label() + (torque_model ? "_filtered" : ""); }
+  bool held = false;  ///< the torque model remembers the last torques, which do not act
+  bool acts_from_state() const { return torque_model && !held; }
+  std::string label() const {
+    return robot.label() + (held ? "_held" : torque_model ? "_filtered" : "");
+  }
 };
 
 inline const OcpCase arm{{"arm7", Base::Fixed, "tool"}};
@@ -28,6 +32,8 @@ inline std::vector<OcpCase> ocp_cases() {
                                              {"every_joint", Base::Fixed, "tip"},
                                              {"every_joint", Base::FreeFlyer, "tip"}}))
       cases.push_back({robot, torque_model});
+  cases.push_back({{"arm7", Base::Fixed, "tool"}, true, true});
+  cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true});
   return cases;
 }
 
@@ -126,7 +132,8 @@ struct ResidualCase {
   bool at_the_end = true;  ///< needs neither controls nor forces
 };
 
-inline std::vector<ResidualCase> residual_cases(bool torque_model) {
+inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
+  const bool torque_model = test.torque_model, at_the_end = test.acts_from_state();
   namespace R = residual;
   using Setup = const OcpSetup&;
   const Penalty abs = Penalty::smooth_absolute(0.3), square;
@@ -148,7 +155,7 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::JointVelocity{{s.model.joints[1].name}, 0.2};
        }},
-      {"joint torque", [](Setup) { return R::JointTorque{}; }, abs, torque_model},
+      {"joint torque", [](Setup) { return R::JointTorque{}; }, abs, at_the_end},
       {"position",
        [](Setup s) {
          return R::FramePosition{s.tool, s.random(3), Reference::world(tilt())};
@@ -207,42 +214,42 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
        [](Setup s) {
          return R::ContactForce{"pad", {}, s.random(6)};
        },
-       abs, torque_model},
-      {"brace", [](Setup) { return R::ContactForce{"brace"}; }, square, torque_model},
+       abs, at_the_end},
+      {"brace", [](Setup) { return R::ContactForce{"brace"}; }, square, at_the_end},
       {"local force",
        [](Setup) {
          return R::ContactForce{"pad", Reference::local(tilt())};
        },
-       square, torque_model},
+       square, at_the_end},
       {"centered force",
        [](Setup) {
          return R::ContactForce{"pad", Reference::centered(), 3.0};
        },
-       abs, torque_model},
+       abs, at_the_end},
       {"world force",
        [](Setup) {
          return R::ContactForce{"brace", Reference::world()};
        },
-       square, torque_model},
+       square, at_the_end},
       {"force about another frame in turning axes",
        [](Setup s) {
          return R::ContactForce{"pad", turning_reference(s.other(), Anchor::Tool), 1.0};
        },
-       square, torque_model},
+       square, at_the_end},
       {"cone",
        [](Setup) {
          return R::FrictionCone{"pad", 0.4};
        },
-       Penalty::at_least(1.0), torque_model},
+       Penalty::at_least(1.0), at_the_end},
       {"local cone",
        [](Setup) {
          return R::FrictionCone{"pad", 0.7, 0, Reference::local()};
        },
-       square, torque_model},
+       square, at_the_end},
       {"pyramid",
        [](Setup) { return R::FrictionCone{.contact = "pad", .friction = 0.4, .sides = 5}; },
-       Penalty::at_least(1.0), torque_model},
-      {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, torque_model},
+       Penalty::at_least(1.0), at_the_end},
+      {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, at_the_end},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
       {"support",
        [](Setup) {
@@ -252,12 +259,12 @@ inline std::vector<ResidualCase> residual_cases(bool torque_model) {
       {"momentum", [](Setup) { return R::CentroidalMomentum{}; }, abs},
       {"own",
        [](Setup s) { return R::custom(WithoutJacobian{.frames = {s.tool}, .contacts = {"pad"}}); },
-       abs, torque_model},
+       abs, at_the_end},
       {"own with jacobian",
        [](Setup s) {
          return R::custom(WithJacobian{.frames = {s.tool}, .contacts = {"pad", "brace"}});
        },
-       square, torque_model},
+       square, at_the_end},
   };
   if (torque_model)
     cases.push_back({"joint torque rate",
@@ -307,7 +314,8 @@ inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
   spec.contact_solver = ocp_solver(test.robot);
   spec.actuation.passive_torques = true;
   spec.actuation.slip_velocity = 0.5;
-  if (test.torque_model) spec.torque_model = TorqueModel{.cutoff = 30.0};
+  if (test.torque_model)
+    spec.torque_model = test.held ? TorqueModel::held() : TorqueModel{.cutoff = 30.0};
   spec.initial_state = OcpSetup{model, test.robot.tool, generator}.state(test.torque_model);
   spec.start_time = 0.7;
   return spec;
@@ -319,7 +327,7 @@ inline ProblemSpec residual_problem(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);
   std::mt19937_64 generator(12);
   const OcpSetup setup{model, test.robot.tool, generator};
-  for (const ResidualCase& given : residual_cases(test.torque_model)) {
+  for (const ResidualCase& given : residual_cases(test)) {
     CostTerm term{
         .name = given.name, .residual = given.make(setup), .weight = 0.7, .penalty = given.penalty};
     spec.stages.push_back({.name = given.name, .contacts = {"brace", "pad"}, .costs = {term}});

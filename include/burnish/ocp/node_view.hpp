@@ -14,9 +14,13 @@ namespace burnish {
 struct StateLayout {
   int nq = 0, nv = 0;
   int filtered = 0;  ///< torques in the state (torque model), or 0
+  /// Those are the controls of the step before, and what acts is the control itself.
+  bool holds_torque = false;
   int nu = 0;
   std::vector<int> actuated;  ///< entry of v that control i drives; nu entries
 
+  /// What acts is the torque in the state.
+  bool acts_from_state() const { return filtered > 0 && !holds_torque; }
   int nx() const { return nq + nv + filtered; }
   int ndx() const { return 2 * nv + filtered; }
   int nz() const { return nu + ndx(); }

@@ -87,14 +87,20 @@ enum class Integrator {
 };
 
 /// Actuators as a first-order low-pass of the control, eq. (49) of the paper: dtau/dt = cutoff (u -
-/// tau). The torques join the state.
+/// tau). The torques join the state. Or held: each step's torque is its control, and the control of
+/// the step before joins the state, so that rates (u - tau) / step are known.
 struct TorqueModel {
   enum class Discretization {
     Exact,  ///< decay over a step: exp(-cutoff step)
     Euler,  ///< 1 - cutoff step
+    Held,   ///< tau is the control of the step before and does not act; without a cutoff
   };
   double cutoff = 0.0;  ///< rad/s
   Discretization discretization = Discretization::Exact;
+
+  /// Torques that are the control, of which the last one is remembered.
+  static TorqueModel held() { return {0.0, Discretization::Held}; }
+  bool is_held() const { return discretization == Discretization::Held; }
 };
 
 /// Which joints are driven.

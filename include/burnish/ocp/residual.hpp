@@ -51,8 +51,9 @@ struct JointTorque {
 };
 
 /// How fast the torques of the named joints follow the control, minus the target: cutoff (u - tau),
-/// Nm/s or N/s, at the begin of the step, over which it decays. With a torque model alone, where
-/// there is a control. No joints named: all actuated ones. Empty target: zero.
+/// Nm/s or N/s, at the begin of the step, over which it decays; (u - tau) / step where torques are
+/// held and tau is the control of the step before. With a torque model alone, where there is a
+/// control. No joints named: all actuated ones. Empty target: zero.
 struct JointTorqueRate {
   std::vector<std::string> joints = {};
   Signal target = {};

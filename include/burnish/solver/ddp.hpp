@@ -167,6 +167,10 @@ class DdpSolver {
   void set_guess(const TrajectoryView& guess);
   /// The next solve starts without the multipliers of the last one, as a solver does that is new.
   void forget_limits() noexcept;
+  /// The next solve starts with the multipliers of the last one that many knots later: knot k with
+  /// those of knot k + knots, as a horizon does that has moved on by so much. The last knots keep
+  /// theirs, and so do all for a number that is not above zero.
+  void shift_limits(int knots) noexcept;
 
   /// Iterates until one of StopReason. Allocates nothing and throws nothing of its own: what the
   /// callback or a function of the problem throws, in any thread, reaches the caller. The

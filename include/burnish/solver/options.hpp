@@ -55,7 +55,7 @@ struct LimitOptions {
   int max_sweeps = 100;  ///< with kept factors, per iteration
   /// Recursions of an iteration after which an interior-point method finds out which rows push,
   /// where max_factors leaves it 20. 0: at once, where nothing is known of multipliers.
-  int interior_after = 30;
+  int interior_after = 8;
   /// Of a violation of a hard row, and weight of its square where that price leaves some broken, in
   /// units of the cost's curvature over its scale.
   double price = 1e4;
