@@ -60,8 +60,8 @@ struct CompiledStage {
   int rows() const { return static_cast<int>(row_lower.size()); }
   std::vector<RowBend> bends;  ///< ShootingProblem::row_bends
   int bend_rows = 0;           ///< their b
-  int coefficient_rows = 0;  ///< of all constraints, those that are no entries of z
-  int targets = 0;           ///< entries of all targets and turnings
+  int coefficient_rows = 0;    ///< of all constraints, those that are no entries of z
+  int targets = 0;             ///< entries of all targets and turnings
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed

@@ -79,8 +79,7 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S
   if (bends == nullptr) return;
   // Of the length, across the force; along it only the smoothing bends.
   const S share = S(1.0) / square_root(length);
-  for (int c = 0; c < nz; ++c)
-    bends[c] = share * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);
+  for (int c = 0; c < nz; ++c) bends[c] = share * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);
 }
 
 /// The largest pyramid of n sides inside the cone: the polygon of its section has its corners on

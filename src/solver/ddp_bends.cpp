@@ -4,8 +4,6 @@
 // goes into the cost's. The multiplier is the one of the iteration before, zero in the first one.
 // Rows say what they know of their bend by its sign (RowBend), and it is added where it is
 // positive: the Hessian stays as definite as it was.
-#include <algorithm>
-#include <cmath>
 
 #include "solver/ddp_impl.hpp"
 
@@ -27,13 +25,12 @@ double DdpSolver::Impl::push_of(int knot, int row) const {
   const auto k = static_cast<std::size_t>(knot);
   const auto i = static_cast<std::size_t>(knot * rows_max + row);
   if (is_fixed(knot, row)) return 0.0;
-  const bool hard = std::isinf(row_prices[i]) || row_prices[i] >= 1e300;
+  const bool hard = is_hard(row_prices[i]);
   const bool squares_alone = hard ? elastic.on : row_prices[i] == 0.0;
   const double push = squares_alone ? 0.0 : row_views[k].multiplier[row_slots[i]];
   if (hard && !elastic.on) return push;
-  const double low = row_lowers[k][row], high = row_uppers[k][row], value = current.rows[i];
-  const double outside = value > high ? value - high : std::min(value - low, 0.0);
-  return push + square_of(i) * outside;
+  return push +
+         square_of(i) * signed_outside_of(current.rows[i], row_lowers[k][row], row_uppers[k][row]);
 }
 
 /// Once per expansion: the recursion may be repeated.

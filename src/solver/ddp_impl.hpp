@@ -1,6 +1,7 @@
 // What a DdpSolver holds, and the phases of an iteration.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "solver/riccati.hpp"
 
 namespace burnish {
+
+/// Prices and limits that count as none.
+inline constexpr double beyond_all = 1e300;
+inline bool is_hard(double price) { return price >= beyond_all; }
+/// What a row's value is above the upper limit by, or, below zero, under the lower one.
+inline double signed_outside_of(double value, double lower, double upper) {
+  return value > upper ? value - upper : std::min(value - lower, 0.0);
+}
 
 /// A trajectory, and what is known of it.
 struct Iterate {
@@ -203,8 +212,8 @@ struct DdpSolver::Impl {
     int lost = 0;             ///< iterations in a row whose rows could not all be kept
     int stood = 0;            ///< iterations without anything to gain, with limits broken
   } elastic;
-  bool bent = false;        ///< the expansions' Hessians have the bends of rows
-  double cost_unit = 1.0;   ///< curvature_unit() without those
+  bool bent = false;                 ///< the expansions' Hessians have the bends of rows
+  double cost_unit = 1.0;            ///< curvature_unit() without those
   double hard_price = 0.0;           ///< in units of row_unit / scale
   std::vector<char> start_is_fixed;  ///< rows of the first knot that no control moves
   double row_unit = 0.0;      ///< curvature of the cost by a control's scale, of the first iterate

@@ -18,21 +18,14 @@
 namespace burnish {
 
 namespace {
-/// Prices and limits that count as none.
-constexpr double beyond_all = 1e300;
 /// Limits stay open by so much, in their scale, for so many iterations, where they cannot be kept.
 constexpr double wide_open = 1e-3;
 constexpr int lost_patience = 20;
 /// By so much do violations fall that another, a hundred times larger weight is to thank for.
 constexpr double fall = 0.1, raise = 100.0;
 
-bool is_hard(double price) { return price >= beyond_all; }
-
 double outside_of(double value, double lower, double upper) {
   return std::max(std::max(lower - value, value - upper), 0.0);
-}
-double signed_outside_of(double value, double lower, double upper) {
-  return value > upper ? value - upper : std::min(value - lower, 0.0);
 }
 }  // namespace
 

@@ -64,7 +64,7 @@ struct KnotExpansion {
   double* rows = nullptr;  ///< d(c)/dz of those that are no entry of z
   /// b of the knot's bends, nz each, in units of (row)^(1/2) per z; null: not asked for.
   double* bends = nullptr;
-  double step = 0.0;       ///< s
+  double step = 0.0;  ///< s
   DynamicsForm form = DynamicsForm::Dense;
 };
 
