@@ -138,6 +138,7 @@ void find_largest(CompiledProblem& problem) {
         problem.has_dense_stages || (stage.integrator == Integrator::RungeKutta4 && !stage.impact);
     problem.largest_targets = std::max(problem.largest_targets, stage.targets);
     problem.largest_terms = std::max(problem.largest_terms, static_cast<int>(stage.terms.size()));
+    problem.largest_bends = std::max(problem.largest_bends, stage.bend_rows);
     problem.largest_limited_rows = std::max(problem.largest_limited_rows, stage.rows());
     for (const CompiledTerm& term : stage.terms) {
       problem.largest_rows = std::max(problem.largest_rows, term.rows);

@@ -61,6 +61,7 @@ void TermBuilder::finish_constraint(const Constraint& constraint) {
   stage.row_lower.insert(stage.row_lower.end(), term.lower.begin(), term.lower.end());
   stage.row_upper.insert(stage.row_upper.end(), term.upper.begin(), term.upper.end());
   find_entries();
+  find_bends();
   add_row_prices(constraint, residual, term, problem, where, stage);
 }
 
@@ -81,6 +82,22 @@ void TermBuilder::find_entries() {
   stage.row_entry.insert(stage.row_entry.end(), entries.begin(), entries.end());
   term.first_coefficients = alone ? -1 : stage.coefficient_rows;
   if (!alone) stage.coefficient_rows += term.rows;
+}
+
+/// Where a limit can push against a bend: the other limit of such a row would push along with it.
+void TermBuilder::find_bends() {
+  std::visit(
+      [&](const auto& compiled) {
+        if constexpr (requires { compiled.bend_rows(); }) {
+          const int count = compiled.bend_rows();
+          const double sign = compiled.bend_sign;
+          if (count == 0 || !std::isfinite(sign > 0.0 ? term.upper[0] : term.lower[0])) return;
+          term.first_bend = stage.bend_rows;
+          stage.bends.push_back({term.first_row, stage.bend_rows, count, sign});
+          stage.bend_rows += term.bend_rows = count;
+        }
+      },
+      term.residual);
 }
 
 void TermBuilder::finish_weights(const CostTerm& cost) {

@@ -32,6 +32,8 @@ struct CompiledTerm {
   int first_row = 0;  ///< of a constraint, in the stage's rows
   /// Of a constraint, in those of the stage that are no entries of z; -1: all of its rows are.
   int first_coefficients = 0;
+  int first_bend = -1;  ///< of a constraint, in the stage's bend rows; -1: it offers none
+  int bend_rows = 0;
 };
 
 /// A reference whose rotation is data of each knot: nine of the stage's targets, by columns.
@@ -56,8 +58,10 @@ struct CompiledStage {
   std::span<const CompiledTerm> cost_terms() const { return std::span(terms).first(costs); }
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }
-  int coefficient_rows = 0;  ///< of all constraints, those that are no entries of z
-  int targets = 0;           ///< entries of all targets and turnings
+  std::vector<RowBend> bends;  ///< ShootingProblem::row_bends
+  int bend_rows = 0;           ///< their b
+  int coefficient_rows = 0;    ///< of all constraints, those that are no entries of z
+  int targets = 0;             ///< entries of all targets and turnings
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed
@@ -85,6 +89,7 @@ struct CompiledProblem {
   int largest_targets = 0;  ///< of a stage
   int largest_terms = 0;
   int largest_limited_rows = 0;  ///< of all constraints of a stage
+  int largest_bends = 0;         ///< CompiledStage::bend_rows
   bool has_impacts = false;
   bool has_dense_stages = false;  ///< RungeKutta4
   bool has_custom = false;        ///< residuals

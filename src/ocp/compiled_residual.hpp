@@ -1,6 +1,9 @@
 // Residuals as the kernels read them. Each has
 //   evaluate(knot, target, r, J): r (rows) and, unless J is null, its derivative by z, block by
 //   block in the order of the term's blocks.
+// Those whose first row is a length, or less one, also have
+//   bend_rows(), bend_sign and evaluate(knot, target, r, J, bends): unless null, rows b as wide as
+//   J's with bend_sign sum b^T b the second derivative of that row (RowBend).
 #pragma once
 
 #include <optional>
@@ -81,8 +84,11 @@ struct FramePositionError {
 struct FrameDistance {
   FramePositionError position;
   Directions directions;
+  static constexpr double bend_sign = 1.0;
+  /// Across two directions there is one more, across three there are two, written as three.
+  int bend_rows() const;
   template <class S>
-  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends = nullptr) const;
 };
 /// Targets are nine entries of a rotation by columns; with placement three of a position before.
 struct FrameRotationError {
@@ -127,8 +133,10 @@ struct ConeMargin {
   WrenchView wrench;
   double friction;
   int normal;
+  static constexpr double bend_sign = -1.0;
+  static int bend_rows() { return 1; }
   template <class S>
-  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends = nullptr) const;
 };
 /// The sides of a pyramid in place of the cone.
 struct PyramidMargin {
@@ -173,6 +181,11 @@ struct CustomResidual {
   residual::Custom user;
   std::vector<int> frames, contacts;
 };
+
+inline int FrameDistance::bend_rows() const {
+  const int measured = directions.has(0) + directions.has(1) + directions.has(2);
+  return measured == 3 ? 3 : measured - 1;
+}
 
 using CompiledResidual =
     std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,

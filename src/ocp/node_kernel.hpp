@@ -41,6 +41,7 @@ class NodeKernel {
   std::vector<S> term_costs;     ///< of the stage's costs
   std::vector<S> row_values;     ///< of the stage's constraints, one after the other
   std::vector<S> rows;           ///< their derivative by z, nz each; only what expand() fills
+  std::vector<S> bends;          ///< KnotExpansion::bends, nz each; only what expand() fills
   std::vector<S> gradient;       ///< nz
   std::vector<S> hessian;        ///< nz x nz, lower triangle
   std::vector<S> dynamics_by_z;  ///< P (nv x nz), or F (ndx x nz) of Runge-Kutta stages
@@ -48,10 +49,12 @@ class NodeKernel {
 
  private:
   void residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                const double* times, S* r, S* J);
+                const double* times, S* r, S* J, S* bends = nullptr);
   void add_costs(const CompiledStage& stage, const S* targets, const double* times, bool expand);
   void add_constraints(const CompiledStage& stage, const S* targets, const double* times,
                        bool expand);
+  void store_rows(const CompiledTerm& term);
+  void store_bends(const CompiledTerm& term);
   void add_block(const JacobianBlock& block, const S* J, const S* slope, const S* curvature);
   void euler(const CompiledStage& stage, const S* x, const S* u);
   void euler_derivative(const CompiledStage& stage);
@@ -69,7 +72,7 @@ class NodeKernel {
   StageDynamics<S> dynamics_;
   std::optional<CustomLanes<S>> custom_;
   std::vector<S> step_;  ///< nv: dq of the step
-  std::vector<S> r_, jacobian_, weighted_, slope_, curvature_, product_;
+  std::vector<S> r_, jacobian_, bends_, weighted_, slope_, curvature_, product_;
   std::vector<int> row_list_;
   std::vector<Status> status_;
   // Runge-Kutta: the four stages' velocity and acceleration, the point of the next one, and by z.

@@ -29,6 +29,8 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
   term_costs.assign(room(problem.largest_terms), S(0.0));
   row_values.assign(room(problem.largest_limited_rows), S(0.0));
   rows.assign(room(problem.largest_limited_rows * nz), S(0.0));
+  bends.assign(room(problem.largest_bends * nz), S(0.0));
+  bends_ = bends;
   gradient.assign(room(nz), S(0.0));
   hessian.assign(room(nz * nz), S(0.0));
   dynamics_by_z.assign(room((problem.has_dense_stages ? layout.ndx() : layout.nv) * nz), S(0.0));
@@ -55,12 +57,14 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
 
 template <class S>
 void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                             const double* times, S* r, S* J) {
+                             const double* times, S* r, S* J, S* bends_of_row) {
   const KnotState<S>& knot = dynamics_.knot();
   std::visit(
       [&](const auto& compiled) {
         if constexpr (std::is_same_v<std::decay_t<decltype(compiled)>, CustomResidual>) {
           custom_->evaluate(stage, compiled, knot, times, r, J);
+        } else if constexpr (requires { compiled.bend_rows(); }) {
+          compiled.evaluate(knot, targets + term.target, r, J, bends_of_row);
         } else {
           compiled.evaluate(knot, targets + term.target, r, J);
         }
@@ -148,26 +152,49 @@ template <class S>
 void NodeKernel<S>::add_constraints(const CompiledStage& stage, const S* targets,
                                     const double* times, bool expand) {
   const int nz = problem_->layout.nz();
-  if (expand) std::fill_n(rows.begin(), stage.coefficient_rows * nz, S(0.0));
+  if (expand) {
+    std::fill_n(rows.begin(), stage.coefficient_rows * nz, S(0.0));
+    std::fill_n(bends.begin(), stage.bend_rows * nz, S(0.0));
+  }
   for (const CompiledTerm& term : stage.constraints()) {
     const bool differentiate = expand && term.first_coefficients >= 0;
     residual(stage, term, targets, times, row_values.data() + term.first_row,
-             differentiate ? jacobian_.data() : nullptr);
+             differentiate ? jacobian_.data() : nullptr,
+             differentiate && term.first_bend >= 0 ? bends_.data() : nullptr);
     if (!differentiate) continue;
-    const S* J = jacobian_.data();
-    for (const JacobianBlock& block : term.blocks) {
-      const int columns = static_cast<int>(block.columns.size());
-      for (int i = 0; i < block.rows; ++i) {
-        S* const row = rows.data() + (term.first_coefficients + block.row + i) * nz;
-        if (block.diagonal) {
-          row[block.columns[i]] = J[i];
-        } else {
-          for (int k = 0; k < columns; ++k) row[block.columns[k]] = J[i * columns + k];
-        }
-      }
-      J += block.size();
-    }
+    store_rows(term);
+    if (term.first_bend >= 0) store_bends(term);
   }
+}
+
+/// The Jacobian of a constraint, to all columns of z.
+template <class S>
+void NodeKernel<S>::store_rows(const CompiledTerm& term) {
+  const int nz = problem_->layout.nz();
+  const S* J = jacobian_.data();
+  for (const JacobianBlock& block : term.blocks) {
+    const int columns = static_cast<int>(block.columns.size());
+    for (int i = 0; i < block.rows; ++i) {
+      S* const row = rows.data() + (term.first_coefficients + block.row + i) * nz;
+      if (block.diagonal) {
+        row[block.columns[i]] = J[i];
+      } else {
+        for (int k = 0; k < columns; ++k) row[block.columns[k]] = J[i * columns + k];
+      }
+    }
+    J += block.size();
+  }
+}
+
+/// And its bends; what offers any has one block.
+template <class S>
+void NodeKernel<S>::store_bends(const CompiledTerm& term) {
+  const int nz = problem_->layout.nz();
+  const std::vector<int>& all = term.blocks[0].columns;
+  const int columns = static_cast<int>(all.size());
+  for (int i = 0; i < term.bend_rows; ++i)
+    for (int k = 0; k < columns; ++k)
+      bends[(term.first_bend + i) * nz + all[k]] = bends_[i * columns + k];
 }
 
 template <class S>

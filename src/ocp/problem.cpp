@@ -177,6 +177,8 @@ const double* Problem::control_scale(int knot) const {
 }
 
 int Problem::rows(int knot) const { return impl_->stage(knot).rows(); }
+std::span<const RowBend> Problem::row_bends(int knot) const { return impl_->stage(knot).bends; }
+int Problem::max_bends() const { return impl_->compiled.largest_bends; }
 int Problem::max_rows() const { return impl_->compiled.largest_limited_rows; }
 const double* Problem::row_lower(int knot) const {
   return rows(knot) == 0 ? nullptr : impl_->stage(knot).row_lower.data();

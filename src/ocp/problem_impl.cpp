@@ -323,6 +323,11 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
     collect(&KnotExpansion::rows);
     ocp::scatter_rows(w.pack.rows.data() + skip, at_stage.coefficient_rows, nz - skip, nz, lanes,
                       to, stride);
+    if (at_stage.bend_rows > 0 && out[range.begin].bends != nullptr) {
+      collect(&KnotExpansion::bends);
+      ocp::scatter_rows(w.pack.bends.data() + skip, at_stage.bend_rows, nz - skip, nz, lanes, to,
+                        stride);
+    }
   }
   if (at_stage.terminal) return;
   const bool dense = at_stage.integrator == Integrator::RungeKutta4 && !at_stage.impact;

@@ -59,7 +59,8 @@ void WrenchError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J
 }
 
 template <class S>
-void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
+void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J,
+                          S* bends) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
@@ -75,6 +76,10 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S
     J[c] = S(friction) * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
     J[nz + c] = dw[normal * nz + c];
   }
+  if (bends == nullptr) return;
+  // Of the length, across the force; along it only the smoothing bends.
+  const S share = S(1.0) / square_root(length);
+  for (int c = 0; c < nz; ++c) bends[c] = share * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);
 }
 
 /// The largest pyramid of n sides inside the cone: the polygon of its section has its corners on

@@ -75,7 +75,8 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
 }
 
 template <class S>
-void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
+                             S* bends) const {
   S e[3];
   S* const by_q = J == nullptr ? nullptr : knot.scratch;
   position.evaluate(knot, target, e, by_q);
@@ -90,6 +91,18 @@ void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S*
     for (int i = 0; i < 3; ++i)
       if (directions.has(i)) sum += e[i] * by_q[i * columns + k];
     J[k] = sum / r[0];
+  }
+  if (bends == nullptr) return;
+  // (1 - n n^T) / r, n = e / r, is the square of n x / sqrt(r). In a plane two of the three rows of
+  // n x meet what is not measured.
+  const S share = S(1.0) / (r[0] * square_root(r[0]));
+  for (int i = 0; i < 3; ++i) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    if (!directions.has(a) || !directions.has(b)) continue;
+    const S ea = share * e[a], eb = share * e[b];
+    for (int k = 0; k < columns; ++k)
+      bends[k] = ea * by_q[b * columns + k] - eb * by_q[a * columns + k];
+    bends += columns;
   }
 }
 

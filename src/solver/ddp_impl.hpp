@@ -1,6 +1,7 @@
 // What a DdpSolver holds, and the phases of an iteration.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "solver/riccati.hpp"
 
 namespace burnish {
+
+/// Prices and limits that count as none.
+inline constexpr double beyond_all = 1e300;
+inline bool is_hard(double price) { return price >= beyond_all; }
+/// What a row's value is above the upper limit by, or, below zero, under the lower one.
+inline double signed_outside_of(double value, double lower, double upper) {
+  return value > upper ? value - upper : std::min(value - lower, 0.0);
+}
 
 /// A trajectory, and what is known of it.
 struct Iterate {
@@ -92,7 +101,10 @@ struct DdpSolver::Impl {
   void raise_prices();
   void model_of_limited();
   double square_of(std::size_t row) const;
-  double curvature_unit();
+  double curvature_unit() const;
+  void allocate_bends();
+  void add_bends();
+  double push_of(int knot, int row) const;
   void find_fixed_rows();
   bool is_fixed(int knot, int row) const;
   bool solve_limited();
@@ -161,7 +173,7 @@ struct DdpSolver::Impl {
   std::vector<double> next;
   std::vector<KnotValue> values;
   std::vector<KnotExpansion> expansions;
-  std::vector<Buffer> expansion_memory, value_memory, policy_memory, row_memory;
+  std::vector<Buffer> expansion_memory, value_memory, policy_memory, row_memory, bend_memory;
   Buffer hessian_gaps, dxs, dus, z, scratch;
 
   // Segments of the horizon; empty where there are not three.
@@ -200,6 +212,8 @@ struct DdpSolver::Impl {
     int lost = 0;             ///< iterations in a row whose rows could not all be kept
     int stood = 0;            ///< iterations without anything to gain, with limits broken
   } elastic;
+  bool bent = false;                 ///< the expansions' Hessians have the bends of rows
+  double cost_unit = 1.0;            ///< curvature_unit() without those
   double hard_price = 0.0;           ///< in units of row_unit / scale
   std::vector<char> start_is_fixed;  ///< rows of the first knot that no control moves
   double row_unit = 0.0;      ///< curvature of the cost by a control's scale, of the first iterate

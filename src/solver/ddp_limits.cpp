@@ -18,21 +18,14 @@
 namespace burnish {
 
 namespace {
-/// Prices and limits that count as none.
-constexpr double beyond_all = 1e300;
 /// Limits stay open by so much, in their scale, for so many iterations, where they cannot be kept.
 constexpr double wide_open = 1e-3;
 constexpr int lost_patience = 20;
 /// By so much do violations fall that another, a hundred times larger weight is to thank for.
 constexpr double fall = 0.1, raise = 100.0;
 
-bool is_hard(double price) { return price >= beyond_all; }
-
 double outside_of(double value, double lower, double upper) {
   return std::max(std::max(lower - value, value - upper), 0.0);
-}
-double signed_outside_of(double value, double lower, double upper) {
-  return value > upper ? value - upper : std::min(value - lower, 0.0);
 }
 }  // namespace
 
@@ -61,6 +54,7 @@ void DdpSolver::Impl::allocate_rows() {
   summary.conflict.reserve(all);
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
   allocate_correction();
+  allocate_bends();
   for (Iterate* it : {&current, &trial, &best}) it->rows.assign(all, 0.0);
   const int stride = recursion.layout().expansion_stride;
   for (int k = 0; k <= N; ++k) {
@@ -175,7 +169,7 @@ void DdpSolver::Impl::set_row_limits() {
 
 /// Weights are in units of the cost's curvature, which is that of the controls: the mean of
 /// Huu scale^2.
-double DdpSolver::Impl::curvature_unit() {
+double DdpSolver::Impl::curvature_unit() const {
   double sum = 0.0;
   int count = 0;
   for (int k = 0; k < N; ++k) {
@@ -194,7 +188,7 @@ double DdpSolver::Impl::curvature_unit() {
 
 /// Weights, prices and squares; where a row has no multiplier its price is zero.
 void DdpSolver::Impl::set_row_weights() {
-  const double unit = curvature_unit();
+  const double unit = cost_unit;
   if (row_unit == 0.0) row_unit = unit;
   // Bounds on controls hold against squares: they push as hard.
   const double weight =
@@ -288,6 +282,7 @@ void DdpSolver::Impl::point_policies() {
 
 bool DdpSolver::Impl::solve_limited() {
   set_row_limits();
+  add_bends();
   set_row_weights();
   return solve_limited_with(current.gaps.data(), options.limits.max_factors);
 }

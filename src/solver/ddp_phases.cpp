@@ -85,7 +85,7 @@ bool DdpSolver::Impl::take_gaps(Iterate& at) {
 /// Values, gaps and expansions at an iterate.
 bool DdpSolver::Impl::expand(Iterate& at) {
   const Clock::time_point from = Clock::now();
-  expanded = false;
+  expanded = bent = false;
   const TrajectoryView view{at.xs.data(), at.us.data()};
   if (limited)
     for (int k = 0; k <= N; ++k)

@@ -377,6 +377,7 @@ struct OcpHorizon {
       lead.emplace_back(lead_size);
       decay.emplace_back(shape.filtered);
       rows.emplace_back(problem.rows(static_cast<int>(k)), stride);
+      bends.emplace_back(problem.max_bends(), stride);
       row_values.emplace_back(problem.rows(static_cast<int>(k)));
     }
     out.resize(knots);
@@ -392,6 +393,7 @@ struct OcpHorizon {
     knot.lead = lead[k].data();
     knot.decay = decay[k].data();
     knot.rows = rows[k].data();
+    knot.bends = bends[k].data();
     knot.row_values = row_values[k].data();
   }
   TrajectoryView view() const { return {x.data(), u.data()}; }
@@ -420,7 +422,7 @@ struct OcpHorizon {
   std::vector<double> x, u, next;
   std::vector<KnotValue> values;
   std::vector<Eigen::VectorXd> gradient, lead, decay, row_values;
-  std::vector<RowMatrix> hessian, dynamics, rows;
+  std::vector<RowMatrix> hessian, dynamics, rows, bends;
   std::vector<KnotExpansion> out;
 };
 

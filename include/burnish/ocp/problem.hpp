@@ -100,6 +100,10 @@ class Problem final : public ShootingProblem {
   const double* row_scale(int knot) const override;
   const double* row_price(int knot) const override;
   const double* row_square(int knot) const override;
+  /// Of distances with an upper limit and of friction cones with a lower one: the bend of a length
+  /// of position or force, as if those were linear in the state.
+  std::span<const RowBend> row_bends(int knot) const override;
+  int max_bends() const override;
   void prepare(int workers) override;
   std::span<const KnotRange> ranges() const override;
   KnotValue roll(int worker, int knot, const double* x, const double* u, double* next,

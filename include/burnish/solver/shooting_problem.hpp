@@ -40,6 +40,15 @@ enum class DynamicsForm {
   SecondOrder,
 };
 
+/// How a row with limits bends, of one sign only: of its second derivative by z the part
+/// sign sum b^T b, over some rows b of KnotExpansion::bends.
+struct RowBend {
+  int row = 0;        ///< of the knot's rows with limits
+  int first = 0;      ///< of its b in the expansion's
+  int count = 0;      ///< of its b
+  double sign = 1.0;  ///< 1: convex; -1: concave
+};
+
 /// First and second order of one knot, in memory that the solver owns and the problem fills.
 /// Matrices are row-major with `stride` between rows. nz = nu + ndx.
 struct KnotExpansion {
@@ -53,7 +62,9 @@ struct KnotExpansion {
   /// rows(knot) values of c; null: not asked for.
   double* row_values = nullptr;
   double* rows = nullptr;  ///< d(c)/dz of those that are no entry of z
-  double step = 0.0;       ///< s
+  /// b of the knot's bends, nz each, in units of (row)^(1/2) per z; null: not asked for.
+  double* bends = nullptr;
+  double step = 0.0;  ///< s
   DynamicsForm form = DynamicsForm::Dense;
 };
 
@@ -116,6 +127,12 @@ class ShootingProblem {
   /// accepted as long as there is a trajectory without any.
   virtual const double* row_price(int /*knot*/) const { return nullptr; }
   virtual const double* row_square(int /*knot*/) const { return nullptr; }
+  /// Rows of the knot that say how they bend: where a limit pushes against it the solver adds
+  /// |multiplier| b^T b to the cost's Hessian, which is no more than a row's share in that of the
+  /// Lagrangian. A problem that has none leaves the bend of rows to the iterations.
+  virtual std::span<const RowBend> row_bends(int /*knot*/) const { return {}; }
+  /// The most b of a knot.
+  virtual int max_bends() const { return 0; }
 
   /// Makes room for this many workers. May allocate and throw.
   virtual void prepare(int workers) = 0;
