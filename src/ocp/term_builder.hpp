@@ -86,6 +86,7 @@ struct TermBuilder {
                      const std::string& of);
   /// Rows that are entries of z each, another than those before: they need no coefficients.
   void find_entries();
+  /// Room for the second derivatives that a constraint's residual offers.
   void find_bends();
 };
 

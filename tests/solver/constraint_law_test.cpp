@@ -56,10 +56,7 @@ const std::vector<Exception> no_soft_limit = {
     {"own with jacobian",
      "a limit on a product of two forces has several minima; from the hard one's it falls into "
      "another, where nothing pushes as hard as the price"}};
-const std::vector<Exception> no_equality = {
-    {"local cone",
-     "the value is that of a pull, where the margin bends more than the cost does; steps know no "
-     "curvature of rows, so that each leaves 0.99 of the error"}};
+const std::vector<Exception> no_equality = {};
 
 /// One row of a residual, between what it is at different knots of the solution without limits.
 struct MiddleLimit {
