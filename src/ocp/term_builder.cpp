@@ -131,7 +131,8 @@ int TermBuilder::contact(const std::string& name) {
   if (stage.terminal && !layout().acts_from_state())
     refuse(
         "the terminal state has no control, so contact forces are unknown there; they are "
-        "known with a torque model that has a cut-off, which puts the torques that act into the state");
+        "known with a torque model that has a cut-off, which puts the torques that act into the "
+        "state");
   if (stage.active[static_cast<std::size_t>(index)] == 0)
     refuse("contact " + in_quotes(name) + " does not hold in this stage, so it has no force");
   stage.solves_contacts = true;
