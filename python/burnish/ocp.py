@@ -68,6 +68,11 @@ class StateLayout(Spec):
         return self.nu + self.ndx
 
     @property
+    def acts_from_state(self) -> bool:
+        """What acts is the torque in the state."""
+        return self.filtered > 0 and not self.holds_torque
+
+    @property
     def column_q(self) -> int:
         """First column of dq in z; column_v and column_tau likewise."""
         return self.nu

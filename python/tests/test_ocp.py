@@ -140,6 +140,16 @@ def test_a_problem_says_what_it_is(robot):
     assert (layout.nx, layout.nz, layout.column_q, layout.column_v, layout.column_tau) == (14, 21, 7, 14, 21)
 
 
+@pytest.mark.parametrize(
+    ("model", "acts"), [(bn.TorqueModel(30.0), True), (bn.TorqueModel(discretization="held"), False)])
+def test_a_layout_says_whether_the_torques_in_the_state_act(robot, model, acts):
+    spec = spec_of(robot, base_costs(), torque_model=model)
+    spec.initial_state = np.concatenate([spec.initial_state, np.zeros(7)])
+    layout = bn.Problem(spec).layout
+    assert (layout.nx, layout.filtered) == (21, 7)
+    assert layout.holds_torque is not acts and layout.acts_from_state is acts
+
+
 def test_trajectories_are_evaluated_as_knots_are(robot):
     spec = spec_of(robot, base_costs(), knots=11, terminal=[bn.CostTerm(residual.State(), 3.0)])
     problem = bn.Problem(spec)

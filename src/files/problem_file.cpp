@@ -154,7 +154,8 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
                    " costs and constraints; at most that many are supported");
   }
   read_horizon(top["horizon"], known, spec.horizon);
-  // The contacts of the last stage: with a torque model their forces are known at the end too.
+  // The contacts of the last stage: with a torque model's cut-off their forces are known at the end
+  // too.
   std::vector<std::string> contacts;
   for (const Stage& stage : spec.stages)
     if (stage.name == spec.horizon.back().stage) contacts = stage.contacts;

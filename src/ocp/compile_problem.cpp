@@ -176,7 +176,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   terminal.terminal = true;
   terminal.solves_contacts = false;
   terminal.active.assign(static_cast<std::size_t>(contacts.size()), 0);
-  // With a torque model forces are known at the end too: of the contacts of the last stage.
+  // With a torque model's cut-off forces are known at the end too: of the contacts of the last
+  // stage.
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;

@@ -132,9 +132,11 @@ void TermBuilder::operator()(const residual::JointTorque& r) {
 void TermBuilder::operator()(const residual::JointTorqueRate& r) {
   if (!spec.torque_model)
     refuse(
-        "torques that are the control have no rate; wanted a torque model in the problem, such as "
-        "'held', which puts those of the step before into the state, one more entry per driven "
-        "joint");
+        "torques that are the control have no rate; wanted a torque model in the problem, which "
+        "puts "
+        "one more entry per driven joint into the state: 'held', the torques of the step before, "
+        "or "
+        "a cut-off, those that act");
   if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
   TorqueRate rate{layout().holds_torque ? 1.0 / stage.step : spec.torque_model->cutoff,
                   actuators(r.joints)};

@@ -186,6 +186,8 @@ const Description& description_of(const StateLayout* /*of*/) {
           .field("nq", &S::nq)
           .field("nv", &S::nv)
           .field("filtered", &S::filtered, "torques in the state (torque model), or 0")
+          .field("holds_torque", &S::holds_torque,
+                 "those are the controls of the step before, and what acts is the control itself")
           .field("nu", &S::nu)
           .field("actuated", &S::actuated, "entry of v that control i drives; nu entries");
   return all;

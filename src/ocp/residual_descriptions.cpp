@@ -46,7 +46,8 @@ const Description& description_of(const JointTorque* /*of*/) {
   static const Description all =
       Describe<J>("residual", "JointTorque",
                   "What the actuators apply to the named joints minus the target, Nm or N: the "
-                  "control, or with a torque model the torque state. No joints: all actuated ones.")
+                  "control, or with a cut-off of the torque model the torque state. No joints: all "
+                  "actuated ones.")
           .field("joints", &J::joints)
           .field("target", &J::target, "None: zero");
   return all;

@@ -14,7 +14,7 @@ namespace burnish {
 struct StateLayout {
   int nq = 0, nv = 0;
   int filtered = 0;  ///< torques in the state (torque model), or 0
-  /// Those are the controls of the step before, and what acts is the control itself.
+  /// those are the controls of the step before, and what acts is the control itself
   bool holds_torque = false;
   int nu = 0;
   std::vector<int> actuated;  ///< entry of v that control i drives; nu entries

@@ -44,7 +44,8 @@ struct JointVelocity {
 };
 
 /// What the actuators apply to the named joints minus the target, Nm or N: the control, or with a
-/// torque model the torque state. No joints named: all actuated ones. Empty target: zero.
+/// cut-off of the torque model the torque state. No joints named: all actuated ones. Empty target:
+/// zero.
 struct JointTorque {
   std::vector<std::string> joints = {};
   Signal target = {};
