@@ -257,7 +257,8 @@ class TestRuns:
 
 @runs
 class TestShards:
-    PLAN = dict(vary={"phases.hold_duration": [0.1], "surface.friction": {"from": 0.1, "to": 0.5, "count": 5}},
+    PLAN = dict(vary={"phases.hold_duration": [0.1], "phases.aside_duration": [1.2],
+                      "phases.ramp_duration": [0.2], "surface.friction": {"from": 0.1, "to": 0.5, "count": 5}},
                 worst={"figure": "slip", "count": 1})
 
     @pytest.fixture
