@@ -56,12 +56,12 @@ class StateLayout(Spec):
     @property
     def nx(self) -> int:
         """Entries of a state."""
-        return self.nq + self.nv + self.filtered
+        return self.nq + self.nv + self.filtered + self.remembered
 
     @property
     def ndx(self) -> int:
         """Entries of a tangent of a state."""
-        return 2 * self.nv + self.filtered
+        return 2 * self.nv + self.filtered + self.remembered
 
     @property
     def nz(self) -> int:
@@ -74,7 +74,7 @@ class StateLayout(Spec):
 
     @property
     def column_q(self) -> int:
-        """First column of dq in z; column_v and column_tau likewise."""
+        """First column of dq in z; column_v, column_tau and column_force likewise."""
         return self.nu
 
     @property
@@ -84,6 +84,10 @@ class StateLayout(Spec):
     @property
     def column_tau(self) -> int:
         return self.nu + 2 * self.nv
+
+    @property
+    def column_force(self) -> int:
+        return self.nu + 2 * self.nv + self.filtered
 
 
 @dataclass(eq=False, repr=False)

@@ -72,7 +72,7 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
 
 /// Reads start: configuration, velocity and time; torques come when the stages are known.
 void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
-  reader.allow_only({"posture", "q", "velocity", "torques", "time"});
+  reader.allow_only({"posture", "q", "velocity", "torques", "forces", "time"});
   if (reader.has("posture") && reader.has("q"))
     reader.refuse("keys 'posture' and 'q' are both stated; state one");
   for (const char* key : {"posture", "q"})
@@ -92,7 +92,7 @@ void set_torques(const std::optional<Reader>& given, const std::vector<std::stri
     if (given) given->refuse("torques are part of the state only with a 'torque_model'");
     return;
   }
-  auto tau = spec.initial_state.tail(scope.controls());
+  auto tau = spec.initial_state.segment(scope.model().nq + scope.model().nv, scope.controls());
   if (!given || is_hold(*given)) {
     const HeldForces forces = given ? read_held_forces(scope, contacts, *given) : HeldForces();
     tau = hold(spec, contacts, scope.q, forces).control;
@@ -101,6 +101,34 @@ void set_torques(const std::optional<Reader>& given, const std::vector<std::stri
   std::vector<RowGroup> rows;
   for (const Joint* joint : scope.driven()) rows.push_back({joint->name, joint->nv});
   tau = read_rows(*given, rows, 0.0);
+}
+
+/// Forces of the step before the start, where the state remembers them: those that hold the robot,
+/// with the torques' own where these say so, unless said.
+void set_forces(const std::optional<Reader>& start, const std::vector<std::string>& contacts,
+                const ProblemScope& scope, ProblemSpec& spec) {
+  const auto given = start ? start->find("forces") : std::nullopt;
+  const auto torques = start ? start->find("torques") : std::nullopt;
+  if (spec.remembered_forces.empty()) {
+    if (given) given->refuse("forces are part of the state only with 'remembered_forces'");
+    return;
+  }
+  const bool held = torques && is_hold(*torques);
+  HeldForces forces = hold(spec, contacts, scope.q,
+                           held ? read_held_forces(scope, contacts, *torques) : HeldForces())
+                          .forces;
+  if (given) {
+    given->allow_only(spec.remembered_forces);
+    for (const auto& [name, value] : given->items()) {
+      const int rows = scope.contact(name).directions.count();
+      forces[name] = rows == 1 && value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
+                                                    : Eigen::VectorXd(value.numbers(rows));
+    }
+  }
+  const Eigen::VectorXd rows = remembered_of(spec, forces);
+  const Eigen::Index before = spec.initial_state.size();
+  spec.initial_state.conservativeResize(before + rows.size());
+  spec.initial_state.tail(rows.size()) = rows;
 }
 
 /// Name of the stage that the horizon begins with; empty where the horizon is badly formed.
@@ -136,6 +164,12 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
     spec.actuation = read_actuation(*actuation, model);
   if (const auto torque_model = top.find("torque_model"))
     spec.torque_model = read_torque_model(*torque_model);
+  if (const auto remembered = top.find("remembered_forces")) {
+    spec.remembered_forces = remembered->texts();
+    const ProblemScope scope{result.robot, spec, spec.initial_state.head(model.nq), folder};
+    for (const std::string& name : spec.remembered_forces)
+      remembered->named([&] { (void)scope.contact(name); });
+  }
 }
 
 void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec) {
@@ -169,8 +203,8 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
 
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
   top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
-                  "torque_model", "control_bounds", "terms", "stages", "horizon", "terminal",
-                  "terminal_constraints", "solver", "guess"});
+                  "torque_model", "remembered_forces", "control_bounds", "terms", "stages",
+                  "horizon", "terminal", "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);
@@ -183,8 +217,9 @@ ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder)
     spec.initial_state.tail(scope.controls()).setZero();
   }
   const auto start = top.find("start");
-  set_torques(start ? start->find("torques") : std::nullopt, first_contacts(top, scope), scope,
-              spec);
+  const std::vector<std::string> contacts = first_contacts(top, scope);
+  set_torques(start ? start->find("torques") : std::nullopt, contacts, scope, spec);
+  set_forces(start, contacts, scope, spec);
   if (const auto bounds = top.find("control_bounds")) read_bounds(*bounds, scope, spec);
   read_stages(top, scope, spec);
   if (const auto solver = top.find("solver")) result.solver = read_solver(*solver);

@@ -6,6 +6,7 @@
 #include "base/decomposition.hpp"
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
+#include "contact/force_column.hpp"
 
 namespace burnish::files {
 namespace {
@@ -46,6 +47,28 @@ int ProblemScope::controls() const {
   int sum = 0;
   for (const Joint* joint : driven()) sum += joint->nv;
   return sum;
+}
+
+std::vector<std::string> remembered_columns(const ProblemSpec& spec) {
+  std::vector<std::string> columns;
+  for (const std::string& name : spec.remembered_forces)
+    for (const ContactSpec& contact : spec.contacts)
+      for (int d = 0; d < 6; ++d)
+        if (name_of_contact(contact) == name && contact.directions.has(d))
+          columns.push_back(force_column(contact, d));
+  return columns;
+}
+
+Eigen::VectorXd remembered_of(const ProblemSpec& spec, const HeldForces& forces) {
+  std::vector<double> rows;
+  for (const std::string& name : spec.remembered_forces)
+    for (const ContactSpec& contact : spec.contacts) {
+      if (name_of_contact(contact) != name) continue;
+      const auto found = forces.find(name);
+      for (int i = 0; i < contact.directions.count(); ++i)
+        rows.push_back(found == forces.end() ? 0.0 : found->second[i]);
+    }
+  return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,

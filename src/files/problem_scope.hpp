@@ -41,6 +41,10 @@ struct Holding {
   HeldForces forces;        ///< of each contact that holds, N and Nm
   double residual = 0.0;    ///< largest torque that nothing balances, Nm
 };
+/// Where tables have what the state remembers, row by row.
+std::vector<std::string> remembered_columns(const ProblemSpec& spec);
+/// Rows of these forces that the state remembers, zero of contacts without one.
+Eigen::VectorXd remembered_of(const ProblemSpec& spec, const HeldForces& forces);
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed);
 

@@ -247,6 +247,11 @@ struct CostReader {
     }
     return result;
   }
+  Residual contact_force_rate() {
+    keys({"contact", "target"});
+    rows.rows = direction_rows(contact().directions);
+    return residual::ContactForceRate{reader["contact"].text(), target({})};
+  }
   Residual friction_cone() {
     keys({"contact", "reference", "friction", "normal", "sides"});
     contact();
@@ -292,12 +297,13 @@ struct CostReader {
   bool remembers_torque() const {
     return scope.spec.torque_model && scope.spec.torque_model->is_held();
   }
+  int remembered_forces() const { return static_cast<int>(remembered_of(scope.spec, {}).size()); }
 
-  /// Where none are said. What is remembered of torques is no motion: it costs where it is said to.
+  /// Where none are said. What is remembered is no motion: it costs where it is said to.
   Eigen::VectorXd state_weights() const {
     const int nv = model().nv, nu = scope.spec.torque_model ? scope.controls() : 0;
-    Eigen::VectorXd result = Eigen::VectorXd::Ones(2 * nv + nu);
-    if (remembers_torque()) result.tail(nu).setZero();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(2 * nv + nu + remembered_forces());
+    result.head(2 * nv + (remembers_torque() ? 0 : nu)).setOnes();
     return result;
   }
 
@@ -308,14 +314,15 @@ struct CostReader {
     if (scope.spec.torque_model)
       for (const Joint* joint : scope.driven()) tau.push_back({joint->name, joint->nv});
     const int nv = model().nv, nu = rows_of(tau);
-    if (given.is_list()) return given.numbers(2 * nv + nu);
+    if (given.is_list()) return given.numbers(2 * nv + nu + remembered_forces());
     if (!given.is_map()) return given.not_negative() * state_weights();
     given.allow_only(nu > 0 ? std::vector<std::string>{"q", "v", "tau"}
                             : std::vector<std::string>{"q", "v"});
     Eigen::VectorXd result = state_weights();
     if (const auto q = given.find("q")) result.head(nv) = read_rows(*q, v, 1.0);
     if (const auto rates = given.find("v")) result.segment(nv, nv) = read_rows(*rates, v, 1.0);
-    if (const auto torques = given.find("tau")) result.tail(nu) = read_rows(*torques, tau, 1.0);
+    if (const auto torques = given.find("tau"))
+      result.segment(2 * nv, nu) = read_rows(*torques, tau, 1.0);
     return result;
   }
 };
@@ -338,6 +345,7 @@ constexpr CostType types[] = {
     {"frame_placement", &CostReader::frame_placement},
     {"frame_velocity", &CostReader::frame_velocity},
     {"contact_force", &CostReader::contact_force},
+    {"contact_force_rate", &CostReader::contact_force_rate},
     {"friction_cone", &CostReader::friction_cone},
     {"center_of_pressure", &CostReader::center_of_pressure},
     {"center_of_mass", &CostReader::com},
@@ -363,7 +371,7 @@ CostTerm read_cost(const ProblemScope& scope, const std::vector<std::string>& co
   if (const auto weights = reader.find("weights"))
     term.weights = read == &CostReader::state ? cost.state_weights(*weights)
                                               : read_rows(*weights, cost.rows.rows, 1.0);
-  else if (read == &CostReader::state && cost.remembers_torque())
+  else if (read == &CostReader::state && (cost.remembers_torque() || cost.remembered_forces() > 0))
     term.weights = cost.state_weights();
   if (const auto penalty = reader.find("penalty")) term.penalty = read_penalty(cost.rows, *penalty);
   return term;

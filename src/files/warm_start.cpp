@@ -7,25 +7,32 @@
 namespace burnish {
 namespace {
 
-/// Controls of each stage that hold the initial state; impacts have none. Torques that are part of
-/// the initial state go on where the contacts are those of the start.
-std::vector<Eigen::VectorXd> holding_controls(const Problem& problem) {
+/// What holds the initial state in a stage; impacts have no control.
+struct StageHolding {
+  Eigen::VectorXd control, forces;  ///< nu; those that the state remembers
+};
+
+/// Of each stage. Torques that are part of the initial state go on where the contacts are those of
+/// the start.
+std::vector<StageHolding> holding_controls(const Problem& problem) {
   const ProblemSpec& spec = problem.spec();
   const StateLayout& layout = problem.layout();
   const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), layout.nx());
   const std::vector<std::string>& first =
       spec.stages[static_cast<std::size_t>(problem.stage_of(0))].contacts;
-  std::vector<Eigen::VectorXd> controls;
+  std::vector<StageHolding> result;
   for (const Stage& stage : spec.stages) {
     if (stage.impact) {
-      controls.push_back(Eigen::VectorXd::Zero(layout.nu));
-    } else if (layout.filtered > 0 && stage.contacts == first) {
-      controls.push_back(x.tail(layout.filtered));
-    } else {
-      controls.push_back(files::hold(spec, stage.contacts, x.head(layout.nq), {}).control);
+      result.push_back({Eigen::VectorXd::Zero(layout.nu), x.tail(layout.remembered)});
+      continue;
     }
+    const files::Holding held = files::hold(spec, stage.contacts, x.head(layout.nq), {});
+    result.push_back({held.control, files::remembered_of(spec, held.forces)});
+    if (layout.filtered > 0 && stage.contacts == first)
+      result.back() = {x.segment(layout.nq + layout.nv, layout.filtered),
+                       x.tail(layout.remembered)};
   }
-  return controls;
+  return result;
 }
 
 void read_trajectory(const Problem& problem, const std::filesystem::path& file,
@@ -44,6 +51,13 @@ void read_trajectory(const Problem& problem, const std::filesystem::path& file,
     if (layout.filtered > 0) guess.xs.col(layout.nq + layout.nv + i) = table.column("tau_" + name);
     guess.us.col(i) = table.column("u_" + name, problem.knots());
   }
+  // Forces of the step before: they are zero, or those of the knot before.
+  int entry = layout.nx() - layout.remembered;
+  for (const std::string& column : files::remembered_columns(problem.spec())) {
+    guess.xs(0, entry) = problem.initial_state()[entry];
+    guess.xs.col(entry).tail(problem.knots()) = table.column(column, problem.knots());
+    ++entry;
+  }
 }
 
 }  // namespace
@@ -59,12 +73,15 @@ TrajectoryGuess make_guess(const Problem& problem, const WarmStart& start) {
   }
   guess.xs.rowwise() = Eigen::Map<const Eigen::RowVectorXd>(problem.initial_state(), nx);
   if (start.kind == WarmStart::Kind::Still) return guess;
-  const std::vector<Eigen::VectorXd> controls = holding_controls(problem);
-  const int filtered = problem.layout().filtered;
+  const std::vector<StageHolding> held = holding_controls(problem);
+  const StateLayout& layout = problem.layout();
   for (int k = 0; k < knots; ++k) {
-    const Eigen::VectorXd& control = controls[static_cast<std::size_t>(problem.stage_of(k))];
-    guess.us.row(k) = control.transpose();
-    if (problem.controls(k) > 0) guess.xs.row(k + 1).tail(filtered) = control.head(filtered);
+    const StageHolding& at = held[static_cast<std::size_t>(problem.stage_of(k))];
+    guess.us.row(k) = at.control.transpose();
+    if (problem.controls(k) == 0) continue;
+    guess.xs.row(k + 1).segment(layout.nq + layout.nv, layout.filtered) =
+        at.control.head(layout.filtered);
+    guess.xs.row(k + 1).tail(layout.remembered) = at.forces;
   }
   return guess;
 }

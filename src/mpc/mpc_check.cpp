@@ -69,6 +69,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error(
         "MPC: torques are held over the steps of a plan, and ticks are shorter; wanted a torque "
         "model with a cut-off, whose rates are those of any time, or none");
+  if (!spec.problem.remembered_forces.empty())
+    throw Error(
+        "MPC: forces of the step before are those of a plan's step, and ticks are shorter; wanted "
+        "no remembered_forces");
   if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
     throw Error("MPC: the normal is not finite or has no length; wanted a direction");
   if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)

@@ -91,7 +91,7 @@ class ProblemCheck {
     problem_.integrate(from.data(), dx.data(), x.data());
     if (given && place < options_.u.size()) u = options_.u[place];
     if (u.size() == 0) u = problem_.quasi_static(problem_.stage_of(knot), x).control;
-    if (!given) x.tail(l.filtered) += u.head(l.filtered);
+    if (!given) x.segment(l.nq + l.nv, l.filtered) += u.head(l.filtered);
     for (double& entry : u) entry += uniform() * options_.torque;
     return {problem_, knot, x, u};
   }

@@ -126,7 +126,8 @@ std::vector<DerivativeBlock> CheckPoint::split(const std::string& name,
   add("u", nu_);
   add("q", shape.nv);
   add("v", shape.nv);
-  add("tau", shape.filtered);
+  add("tau", problem_.layout().filtered);
+  add("force", problem_.layout().remembered);
   return blocks;
 }
 

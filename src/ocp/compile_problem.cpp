@@ -38,8 +38,30 @@ StateLayout make_layout(const ProblemSpec& spec) {
   return layout;
 }
 
+/// Looks up the contacts whose forces the state remembers, and makes room for them.
+std::vector<RememberedForce> remember_forces(const ProblemSpec& spec, const ContactSet& contacts,
+                                             StateLayout& layout) {
+  std::vector<RememberedForce> result;
+  for (const std::string& name : spec.remembered_forces) {
+    int contact = -1;
+    try {
+      contact = contacts.index(name);
+    } catch (const Error& error) {
+      throw Error(std::string("remembered_forces: ") + error.what());
+    }
+    for (const RememberedForce& other : result)
+      if (other.contact == contact)
+        throw Error("remembered_forces: contact " + in_quotes(name) + " is named twice");
+    const auto& directions = contacts.contacts()[static_cast<std::size_t>(contact)].directions;
+    result.push_back({contact, static_cast<int>(directions.size()), layout.remembered});
+    layout.remembered += result.back().rows;
+  }
+  return result;
+}
+
 StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
-  StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered, {}};
+  // Remembered forces pass impacts as torques do, unchanged; other steps tell all their rows.
+  StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.remembered, {}};
   for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
   return shape;
 }
@@ -50,10 +72,15 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
     throw Error("initial_state has " + std::to_string(x.size()) + " entries; wanted " +
                 std::to_string(layout.nx()) + " (q: " + std::to_string(layout.nq) +
                 ", v: " + std::to_string(layout.nv) +
-                (layout.filtered > 0 ? ", tau: " + std::to_string(layout.filtered) : "") + ")");
+                (layout.filtered > 0 ? ", tau: " + std::to_string(layout.filtered) : "") +
+                (layout.remembered > 0
+                     ? ", forces of the step before: " + std::to_string(layout.remembered)
+                     : "") +
+                ")");
   check_configuration(spec.model, x.head(layout.nq), "initial_state");
   check_tangent(spec.model, x.segment(layout.nq, layout.nv), "initial_state");
-  if (!x.allFinite()) throw Error("initial_state holds a NaN or an infinity in its torques");
+  if (!x.allFinite())
+    throw Error("initial_state holds a NaN or an infinity in its torques or forces");
 }
 
 void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
@@ -98,6 +125,8 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   stage.name = given.name;
   stage.impact = given.impact;
   stage.integrator = given.integrator;
+  stage.dense = !given.impact &&
+                (given.integrator == Integrator::RungeKutta4 || problem.layout.remembered > 0);
   stage.step = given.impact ? 0.0 : given.step;
   if (!given.impact && (!(given.step > 0.0) || !std::isfinite(given.step)))
     throw Error(place + ": a step of " + number(given.step) + " s; wanted a positive number");
@@ -134,8 +163,7 @@ void check_weights(const std::vector<CompiledStage>& stages) {
 void find_largest(CompiledProblem& problem) {
   for (const CompiledStage& stage : problem.stages) {
     problem.has_impacts = problem.has_impacts || stage.impact;
-    problem.has_dense_stages =
-        problem.has_dense_stages || (stage.integrator == Integrator::RungeKutta4 && !stage.impact);
+    problem.has_dense_stages = problem.has_dense_stages || stage.dense;
     problem.largest_targets = std::max(problem.largest_targets, stage.targets);
     problem.largest_terms = std::max(problem.largest_terms, static_cast<int>(stage.terms.size()));
     problem.largest_bends = std::max(problem.largest_bends, stage.bend_rows);
@@ -159,6 +187,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       contacts(model, contacts_at(spec.contacts, spec.start_time)),
       contact_solver(spec.contact_solver),
       torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
+  remembered = remember_forces(spec, contacts, layout);
   shape = make_shape(layout, blocks);
   if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
   check_initial_state(spec, layout);

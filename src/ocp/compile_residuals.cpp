@@ -16,7 +16,8 @@ void TermBuilder::operator()(const residual::State& r) {
   term.rows = layout().ndx();
   target(r.target, layout().nx(), spec.initial_state);
   unit_configuration();
-  StateDifference state{&problem.tree, layout().nq, layout().filtered, {}, problem.blocks};
+  StateDifference state{
+      &problem.tree, layout().nq, layout().filtered + layout().remembered, {}, problem.blocks};
   std::vector<char> in_block(static_cast<std::size_t>(layout().ndx()), 0);
   for (const TangentBlock& block : problem.blocks)
     std::fill_n(in_block.begin() + block.first, block.size, char{1});
@@ -218,6 +219,23 @@ void TermBuilder::operator()(const residual::ContactForce& r) {
     term.rows = static_cast<int>(problem.contacts.contacts()[c].directions.size());
     term.residual = OwnForceError{c, term.rows};
   }
+  zero_target(r.target, term.rows);
+  dense_block(term.rows, all_columns());
+}
+
+void TermBuilder::operator()(const residual::ContactForceRate& r) {
+  const int c = contact(r.contact);
+  if (stage.terminal) refuse("no step begins at the end, so forces have no rate there");
+  const auto remembered =
+      std::find_if(problem.remembered.begin(), problem.remembered.end(),
+                   [c](const RememberedForce& force) { return force.contact == c; });
+  const auto rows = problem.contacts.contacts()[c].directions.size();
+  if (remembered == problem.remembered.end())
+    refuse("the force of the step before is not known; wanted " + in_quotes(r.contact) +
+           " in the problem's remembered_forces, which puts " + std::to_string(rows) +
+           (rows == 1 ? " more entry" : " more entries") + " into the state");
+  term.rows = remembered->rows;
+  term.residual = ForceRate{c, term.rows, remembered->first, 1.0 / stage.step};
   zero_target(r.target, term.rows);
   dense_block(term.rows, all_columns());
 }

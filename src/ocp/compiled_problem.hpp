@@ -67,8 +67,15 @@ struct CompiledStage {
   bool solves_contacts = true;  ///< accelerations and forces are needed
   bool has_momentum = false;
   Integrator integrator = Integrator::SemiImplicitEuler;
+  bool dense = false;                    ///< its step is expanded as DynamicsForm::Dense
   double step = 0.0;                     ///< s
   double decay = 1.0, half_decay = 1.0;  ///< of the torque filter over a step and over half of one
+};
+
+/// The force of a contact in the state.
+struct RememberedForce {
+  int contact, rows;
+  int first;  ///< entry among all that are remembered
 };
 
 struct CompiledProblem {
@@ -80,6 +87,7 @@ struct CompiledProblem {
   StateShape shape;
   std::vector<TangentBlock> blocks;
   ContactSet contacts;
+  std::vector<RememberedForce> remembered;
   ContactSolver contact_solver;
   std::optional<PassiveJoints> passive;
   std::vector<double> torque_bias;    ///< nv, Nm (N): acts beside the actuators
@@ -91,7 +99,7 @@ struct CompiledProblem {
   int largest_limited_rows = 0;  ///< of all constraints of a stage
   int largest_bends = 0;         ///< CompiledStage::bend_rows
   bool has_impacts = false;
-  bool has_dense_stages = false;  ///< RungeKutta4
+  bool has_dense_stages = false;  ///< CompiledStage::dense
   bool has_custom = false;        ///< residuals
 };
 

@@ -30,7 +30,7 @@ struct JacobianBlock {
 /// x (-) target. Diagonal first, then a dense block per joint of several entries.
 struct StateDifference {
   const Tree* tree;
-  int nq, filtered;
+  int nq, beside;  ///< torques and forces in the state
   std::vector<int> diagonal_rows;
   std::vector<TangentBlock> tangent;
   template <class S>
@@ -114,6 +114,14 @@ struct OwnForceError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// per_second (lambda - what the state remembers of it).
+struct ForceRate {
+  int contact, rows;
+  int first;          ///< entry among what is remembered
+  double per_second;  ///< one over the step
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
 /// A reference that a contact's wrench is asked in; none: the contact's own.
 struct WrenchView {
   int contact;
@@ -190,7 +198,7 @@ inline int FrameDistance::bend_rows() const {
 using CompiledResidual =
     std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
                  FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
-                 WrenchError, ConeMargin, PyramidMargin, PressureMargin, ComError, SupportMargin,
-                 MomentumError, CustomResidual>;
+                 ForceRate, WrenchError, ConeMargin, PyramidMargin, PressureMargin, ComError,
+                 SupportMargin, MomentumError, CustomResidual>;
 
 }  // namespace burnish::ocp

@@ -147,7 +147,7 @@ void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& 
       const auto nq = static_cast<std::size_t>(layout.nq), nv = static_cast<std::size_t>(layout.nv);
       copy(knot.q, x_, 0, nq);
       copy(knot.v, x_, nq, nv);
-      copy(knot.torque_state, x_, nq + nv, static_cast<std::size_t>(layout.filtered));
+      copy(knot.torque_state, x_, nq + nv, x_.size() - nq - nv);
       copy(knot.u, u_, 0, u_.size());
       copy(knot.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
       moved_.turn(stage, targets_.data());
@@ -170,7 +170,7 @@ void CustomLanes<S>::moved_value(const CompiledStage& stage, const CustomResidua
     dx_[z - layout.nu] = by;
   }
   integrate_configuration(problem_->tree, x_.data(), dx_.data(), x_moved_.data());
-  for (int i = 0; i < layout.nv + layout.filtered; ++i)
+  for (int i = 0; i < layout.ndx() - layout.nv; ++i)
     x_moved_[layout.nq + i] = x_[layout.nq + i] + dx_[layout.nv + i];
   moved_.values(stage, x_moved_.data(), u_.data());
   moved_view_.load(moved_.knot(), residual, 0, time);

@@ -163,6 +163,10 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("contact_solver", &P::contact_solver)
           .field("actuation", &P::actuation)
           .field("torque_model", &P::torque_model)
+          .field("remembered_forces", &P::remembered_forces,
+                 "Contacts whose forces of the step before join the state (rows held, in their own "
+                 "reference; zero where the contact did not hold), for ContactForceRate. They act "
+                 "on nothing.")
           .field("control_lower", &P::control_lower,
                  "nu entries or one for all, Nm (N); empty: none.")
           .number_too()
@@ -172,7 +176,8 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("horizon", &P::horizon)
           .field("terminal", &P::terminal, "costs of the last state")
           .field("terminal_constraints", &P::terminal_constraints)
-          .field("initial_state", &P::initial_state, "(q, v), or (q, v, tau) with a torque model")
+          .field("initial_state", &P::initial_state,
+                 "(q, v), then tau with a torque model, then the remembered forces.")
           .field("start_time", &P::start_time, "{s}, of the first knot");
   return all;
 }
@@ -182,12 +187,15 @@ const Description& description_of(const StateLayout* /*of*/) {
   static const Description all =
       Describe<S>(
           "ocp", "StateLayout",
-          "Where the parts of z = (du, dq, dv, dtau) start, and how many entries they have.")
+          "Where the parts of z = (du, dq, dv, dtau, dforce) start, and how many entries they "
+          "have.")
           .field("nq", &S::nq)
           .field("nv", &S::nv)
           .field("filtered", &S::filtered, "torques in the state (torque model), or 0")
           .field("holds_torque", &S::holds_torque,
                  "those are the controls of the step before, and what acts is the control itself")
+          .field("remembered", &S::remembered,
+                 "forces of the step before in the state, N and Nm (remembered_forces)")
           .field("nu", &S::nu)
           .field("actuated", &S::actuated, "entry of v that control i drives; nu entries");
   return all;

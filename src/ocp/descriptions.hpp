@@ -20,6 +20,7 @@ const Description& description_of(const FrameRotation*);
 const Description& description_of(const FramePlacement*);
 const Description& description_of(const FrameVelocity*);
 const Description& description_of(const ContactForce*);
+const Description& description_of(const ContactForceRate*);
 const Description& description_of(const FrictionCone*);
 const Description& description_of(const CenterOfPressure*);
 const Description& description_of(const CenterOfMass*);

@@ -23,6 +23,7 @@ struct KnotState {
   const S* q = nullptr;             ///< nq
   const S* v = nullptr;             ///< nv
   const S* torque_state = nullptr;  ///< filtered
+  const S* force_before = nullptr;  ///< remembered
   const S* u = nullptr;             ///< nu
   const S* tau = nullptr;           ///< nv, of the actuators
   const ConstrainedDynamics<S>* dynamics = nullptr;

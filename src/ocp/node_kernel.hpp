@@ -44,7 +44,7 @@ class NodeKernel {
   std::vector<S> bends;          ///< KnotExpansion::bends, nz each; only what expand() fills
   std::vector<S> gradient;       ///< nz
   std::vector<S> hessian;        ///< nz x nz, lower triangle
-  std::vector<S> dynamics_by_z;  ///< P (nv x nz), or F (ndx x nz) of Runge-Kutta stages
+  std::vector<S> dynamics_by_z;  ///< P (nv x nz), or F (ndx x nz) of dense stages
   std::vector<S> lead;           ///< per block A, then B
 
  private:
@@ -58,6 +58,11 @@ class NodeKernel {
   void add_block(const JacobianBlock& block, const S* J, const S* slope, const S* curvature);
   void euler(const CompiledStage& stage, const S* x, const S* u);
   void euler_derivative(const CompiledStage& stage);
+  void euler_dense_derivative(const CompiledStage& stage);
+  /// The rows of the next state that remember the forces of this knot, and their derivatives;
+  /// before other points of a step are evaluated.
+  void remember_forces(const CompiledStage& stage);
+  void remember_derivatives(const CompiledStage& stage);
   void jump(const CompiledStage& stage, const S* x, bool with_derivatives);
   void filter_torque(const S* x, const S* u, const S& decay, S* out) const;
   void runge_kutta(const CompiledStage& stage, const S* x, const S* u, bool with_derivatives);

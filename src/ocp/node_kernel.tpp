@@ -237,6 +237,54 @@ void NodeKernel<S>::euler_derivative(const CompiledStage& stage) {
   }
 }
 
+/// F, as close_point has it of Runge-Kutta steps: dv' = dv + h da, d(offset) = h dv'.
+template <class S>
+void NodeKernel<S>::euler_dense_derivative(const CompiledStage& stage) {
+  const StateLayout& layout = problem_->layout;
+  const int nv = layout.nv, nz = layout.nz();
+  const S h(stage.step);
+  const S* const by_z = dynamics_.derivative();
+  S* const F = dynamics_by_z.data();
+  for (int i = 0; i < nv * nz; ++i) {
+    const S dv = h * by_z[i];
+    F[nv * nz + i] = dv;
+    F[i] = h * dv;
+  }
+  for (int k = 0; k < nv; ++k) F[k * nz + layout.column_v() + k] += h;
+  close_point(stage.decay, step_.data(), F);
+}
+
+template <class S>
+void NodeKernel<S>::remember_forces(const CompiledStage& stage) {
+  const StateLayout& layout = problem_->layout;
+  const ConstrainedDynamics<S>& dynamics = dynamics_.contact_dynamics();
+  S* const out = next.data() + layout.nq + layout.nv + layout.filtered;
+  for (const RememberedForce& force : problem_->remembered) {
+    if (stage.active[static_cast<std::size_t>(force.contact)] == 0) {
+      std::fill_n(out + force.first, force.rows, S(0.0));
+    } else {
+      const int row = dynamics.active().first_row[force.contact];
+      std::copy_n(dynamics.lambda.data() + row, force.rows, out + force.first);
+    }
+  }
+}
+
+template <class S>
+void NodeKernel<S>::remember_derivatives(const CompiledStage& stage) {
+  const StateLayout& layout = problem_->layout;
+  const int nz = layout.nz();
+  const S* const by_z = dynamics_.knot().dlambda_dz;
+  S* const out = dynamics_by_z.data() + (2 * layout.nv + layout.filtered) * nz;
+  for (const RememberedForce& force : problem_->remembered) {
+    if (stage.active[static_cast<std::size_t>(force.contact)] == 0) {
+      std::fill_n(out + force.first * nz, force.rows * nz, S(0.0));
+    } else {
+      const int row = dynamics_.contact_dynamics().active().first_row[force.contact];
+      std::copy_n(by_z + row * nz, force.rows * nz, out + force.first * nz);
+    }
+  }
+}
+
 template <class S>
 void NodeKernel<S>::jump(const CompiledStage& stage, const S* x, bool with_derivatives) {
   const StateLayout& layout = problem_->layout;
@@ -268,6 +316,7 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
   if (stage.impact) {
     jump(stage, x, false);
   } else if (!stage.terminal) {
+    remember_forces(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
       load_status();
       runge_kutta(stage, x, u, false);
@@ -296,11 +345,16 @@ void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, c
     jump(stage, x, true);
     load_status();
   } else if (!stage.terminal) {
+    remember_forces(stage);
+    remember_derivatives(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
       runge_kutta(stage, x, u, true);
     } else {
       euler(stage, x, u);
-      euler_derivative(stage);
+      if (stage.dense)
+        euler_dense_derivative(stage);
+      else
+        euler_derivative(stage);
     }
   }
   check_finite(stage, true);

@@ -135,17 +135,28 @@ Eigen::VectorXd Problem::acceleration(int knot, const ConstVectorRef& x, const C
       impl_->evaluate_one(knot, x, u).contact_dynamics().a.data(), layout().nv);
 }
 
+namespace {
+void add_force_names(const CompiledContact& contact, std::vector<std::string>& names) {
+  for (const int d : contact.directions)
+    names.push_back(contact.spec.name + "/" +
+                    std::string(direction_names[static_cast<std::size_t>(d)]));
+}
+}  // namespace
+
 std::vector<std::string> Problem::force_names(int knot) const {
   std::vector<std::string> names;
   const ocp::CompiledStage& stage = impl_->stage(knot);
-  for (int c = 0; c < impl_->compiled.contacts.size(); ++c) {
-    if (stage.active[static_cast<std::size_t>(c)] == 0) continue;
-    const CompiledContact& contact =
-        impl_->compiled.contacts.contacts()[static_cast<std::size_t>(c)];
-    for (const int d : contact.directions)
-      names.push_back(contact.spec.name + "/" +
-                      std::string(direction_names[static_cast<std::size_t>(d)]));
-  }
+  for (int c = 0; c < impl_->compiled.contacts.size(); ++c)
+    if (stage.active[static_cast<std::size_t>(c)] != 0)
+      add_force_names(impl_->compiled.contacts.contacts()[static_cast<std::size_t>(c)], names);
+  return names;
+}
+
+std::vector<std::string> Problem::remembered_names() const {
+  std::vector<std::string> names;
+  for (const ocp::RememberedForce& force : impl_->compiled.remembered)
+    add_force_names(impl_->compiled.contacts.contacts()[static_cast<std::size_t>(force.contact)],
+                    names);
   return names;
 }
 
@@ -157,13 +168,13 @@ const double* Problem::initial_state() const { return impl_->initial_state.data(
 
 void Problem::integrate(const double* x, const double* dx, double* out) const {
   const StateLayout& l = layout();
-  for (int i = 0; i < l.nv + l.filtered; ++i) out[l.nq + i] = x[l.nq + i] + dx[l.nv + i];
+  for (int i = 0; i < l.ndx() - l.nv; ++i) out[l.nq + i] = x[l.nq + i] + dx[l.nv + i];
   integrate_configuration(impl_->compiled.tree, x, dx, out);
 }
 void Problem::difference(const double* x0, const double* x1, double* dx) const {
   const StateLayout& l = layout();
   difference_configuration(impl_->compiled.tree, x0, x1, dx);
-  for (int i = 0; i < l.nv + l.filtered; ++i) dx[l.nv + i] = x1[l.nq + i] - x0[l.nq + i];
+  for (int i = 0; i < l.ndx() - l.nv; ++i) dx[l.nv + i] = x1[l.nq + i] - x0[l.nq + i];
 }
 
 const double* Problem::control_lower(int knot) const {
@@ -221,6 +232,7 @@ std::vector<std::string> Problem::state_names() const {
   for (const char* part : {"q ", "v "})
     for (int k = 0; k < l.nv; ++k) names.push_back(part + model().v_name(k));
   for (int i = 0; i < l.filtered; ++i) names.push_back("tau " + model().v_name(l.actuated[i]));
+  for (const std::string& row : remembered_names()) names.push_back("force " + row);
   return names;
 }
 std::vector<std::string> Problem::control_names() const {

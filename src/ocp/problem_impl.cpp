@@ -330,7 +330,7 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
     }
   }
   if (at_stage.terminal) return;
-  const bool dense = at_stage.integrator == Integrator::RungeKutta4 && !at_stage.impact;
+  const bool dense = at_stage.dense;
   collect(&KnotExpansion::dynamics);
   ocp::scatter_rows(w.pack.dynamics_by_z.data() + skip, dense ? layout.ndx() : layout.nv, nz - skip,
                     nz, lanes, to, stride);
@@ -341,7 +341,7 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
     KnotExpansion& knot = out[range.begin + l];
     knot.form = dense ? DynamicsForm::Dense : DynamicsForm::SecondOrder;
     knot.step = at_stage.step;
-    std::fill_n(knot.decay, layout.filtered, at_stage.decay);
+    std::fill_n(knot.decay, compiled.shape.filtered, at_stage.decay);
   }
 }
 

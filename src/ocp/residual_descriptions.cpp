@@ -142,6 +142,19 @@ const Description& description_of(const ContactForce* /*of*/) {
   return all;
 }
 
+const Description& description_of(const ContactForceRate* /*of*/) {
+  using C = ContactForceRate;
+  static const Description all =
+      Describe<C>("residual", "ContactForceRate",
+                  "How fast the force of an active contact changes from the step before to this "
+                  "one, minus the target: (f - f_before) / step, N/s and Nm/s, the held rows in "
+                  "the contact's own reference. For contacts that the problem remembers the force "
+                  "of.")
+          .field("contact", &C::contact)
+          .field("target", &C::target, "None: zero");
+  return all;
+}
+
 const Description& description_of(const FrictionCone* /*of*/) {
   using F = FrictionCone;
   static const Description all =

@@ -53,6 +53,20 @@ void OwnForceError::evaluate(const KnotState<S>& knot, const S* target, S* r, S*
 }
 
 template <class S>
+void ForceRate::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const int row = knot.dynamics->active().first_row[contact];
+  const S* const lambda = knot.dynamics->lambda.data() + row;
+  const S rate(per_second);
+  for (int i = 0; i < rows; ++i)
+    r[i] = rate * (lambda[i] - knot.force_before[first + i]) - target[i];
+  if (J == nullptr) return;
+  const StateLayout& layout = *knot.layout;
+  const int nz = layout.nz();
+  for (int i = 0; i < rows * nz; ++i) J[i] = rate * knot.dlambda_dz[row * nz + i];
+  for (int i = 0; i < rows; ++i) J[i * nz + layout.column_force() + first + i] -= rate;
+}
+
+template <class S>
 void WrenchError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   wrench.evaluate(knot, r, J);
   for (int i = 0; i < 6; ++i) r[i] -= target[i];

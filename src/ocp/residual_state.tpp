@@ -12,7 +12,7 @@ void StateDifference::evaluate(const KnotState<S>& knot, const S* target, S* r, 
   const int nv = tree->nv;
   difference_configuration(*tree, target, knot.q, r);
   for (int i = 0; i < nv; ++i) r[nv + i] = knot.v[i] - target[nq + i];
-  for (int i = 0; i < filtered; ++i) r[2 * nv + i] = knot.torque_state[i] - target[nq + nv + i];
+  for (int i = 0; i < beside; ++i) r[2 * nv + i] = knot.torque_state[i] - target[nq + nv + i];
   if (J == nullptr) return;
   J = std::fill_n(J, diagonal_rows.size(), S(1.0));
   for (const TangentBlock& block : tangent) {

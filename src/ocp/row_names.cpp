@@ -33,13 +33,15 @@ struct RowNames {
   Names operator()(const FramePositionError&) const { return directions(0, 3); }
   Names operator()(const FrameDistance&) const { return {"distance"}; }
   Names operator()(const FrameRotationError&) const { return directions(3, 3); }
-  Names operator()(const OwnForceError& r) const {
+  Names held(int contact) const {
     Names names;
     const auto& contacts = ProblemInside::of(problem).compiled.contacts.contacts();
-    for (const int d : contacts[static_cast<std::size_t>(r.contact)].directions)
+    for (const int d : contacts[static_cast<std::size_t>(contact)].directions)
       names.emplace_back(direction_names[static_cast<std::size_t>(d)]);
     return names;
   }
+  Names operator()(const OwnForceError& r) const { return held(r.contact); }
+  Names operator()(const ForceRate& r) const { return held(r.contact); }
   Names operator()(const ConeMargin&) const { return cone_row_names(0); }
   Names operator()(const PyramidMargin& r) const {
     return cone_row_names(static_cast<int>(r.sides.size()));

@@ -26,6 +26,7 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
     return rate->per_second *
            model
                .effort_limit[problem.layout.actuated[static_cast<std::size_t>(rate->entries[row])]];
+  if (const auto* rate = std::get_if<ForceRate>(&term.residual)) return rate->per_second * weight;
   if (const auto* margin = std::get_if<SupportMargin>(&term.residual))
     return margin->edges[row].half_width;
   const auto* selected = std::get_if<Selection>(&term.residual);

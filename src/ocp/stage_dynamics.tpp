@@ -37,6 +37,7 @@ StageDynamics<S>::StageDynamics(const CompiledProblem& problem)
   knot_.q = x_.data();
   knot_.v = x_.data() + layout.nq;
   knot_.torque_state = x_.data() + layout.nq + layout.nv;
+  knot_.force_before = knot_.torque_state + layout.filtered;
   knot_.u = u_.data();
   knot_.tau = tau_.data();
   knot_.dynamics = &dynamics_;
@@ -111,12 +112,13 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
   const int rows = nv + dynamics_.rows();
   const bool from_state = layout.acts_from_state();
   const int torque_column = from_state ? layout.column_tau() : 0;
+  const int idle = from_state ? layout.column_force() : layout.column_tau();  // of the step before
   const bool driven = from_state || stage.nu > 0;
   for (int i = 0; i < rows; ++i) {
     S* const out = stacked_.data() + i * nz;
     const S* const by_tau = derivatives_.d_dtau.data() + i * nv;
     if (from_state || !driven) std::fill_n(out, layout.nu, S(0.0));
-    if (layout.holds_torque) std::fill_n(out + layout.column_tau(), layout.filtered, S(0.0));
+    std::fill(out + idle, out + nz, S(0.0));
     if (driven)
       for (int c = 0; c < layout.nu; ++c) out[torque_column + c] = by_tau[layout.actuated[c]];
     std::copy_n(derivatives_.d_dq.data() + i * nv, nv, out + layout.column_q());

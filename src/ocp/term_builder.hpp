@@ -58,6 +58,7 @@ struct TermBuilder {
   void operator()(const residual::FramePlacement& r);
   void operator()(const residual::FrameVelocity& r);
   void operator()(const residual::ContactForce& r);
+  void operator()(const residual::ContactForceRate& r);
   void operator()(const residual::FrictionCone& r);
   void operator()(const residual::CenterOfPressure& r);
   void operator()(const residual::CenterOfMass& r);

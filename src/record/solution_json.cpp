@@ -79,12 +79,13 @@ Json gains_json(Problem& problem, DdpSolver& solver) {
   for (int i = 0; i < layout.filtered; ++i)
     x_names.push_back("tau " +
                       problem.model().v_name(layout.actuated[static_cast<std::size_t>(i)]));
+  for (const std::string& row : problem.remembered_names()) x_names.push_back("force " + row);
   Json json{{"policy", "u = u_k + feedforward + gain * (x (-) x_k)"},
             {"rows", problem.control_names()},
             {"columns", problem.state_names()},
             {"x_names", x_names},
             {"row_units", "Nm (N)"},
-            {"column_units", "q: rad (m), v: rad/s (m/s), tau: Nm (N)"}};
+            {"column_units", "q: rad (m), v: rad/s (m/s), tau: Nm (N), force: N (Nm)"}};
   const MatrixView x_view(xs.data(), xs.rows(), xs.cols()), u_view(us.data(), us.rows(), us.cols());
   const StopReason reason = solver.summary().reason;
   if (reason == StopReason::Converged) {

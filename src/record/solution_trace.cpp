@@ -3,6 +3,7 @@
 #include <map>
 
 #include "burnish/dynamics/placement.hpp"
+#include "contact/force_column.hpp"
 #include "record/solution.hpp"
 
 namespace burnish {
@@ -19,13 +20,6 @@ std::vector<int> held(const ContactSpec& contact) {
   for (int d = 0; d < 6; ++d)
     if (contact.directions.has(d)) directions.push_back(d);
   return directions;
-}
-
-/// "table_force_z_centered", "foot_moment_x_local".
-std::string force_column(const ContactSpec& contact, int direction) {
-  const char axis = "xyz"[direction % 3];
-  return contact_name(contact) + (direction < 3 ? "_force_" : "_moment_") + axis + "_" +
-         contact.reference.name();
 }
 
 bool slides(const Joint& joint) { return joint.kind == JointKind::Prismatic; }

@@ -363,6 +363,30 @@ TEST_F(ProblemFiles, TorquesThatAreRememberedCostWhereTheyAreSaidTo) {
   EXPECT_EQ(said.spec.stages[0].costs[0].weights.tail(7), Eigen::VectorXd::Constant(7, 3.0));
 }
 
+TEST_F(ProblemFiles, ForcesThatAreRememberedAreThoseThatHoldTheRobotUnlessSaid) {
+  const auto of = [&](const std::string& start) {
+    return read(small("posture: 0.5",
+                      "rate: {type: contact_force_rate, contact: pad}\n"
+                      "      posture: 0.5",
+                      "remembered_forces: pad\n" + start));
+  };
+  const ProblemFile unsaid = of("");
+  ASSERT_EQ(unsaid.spec.initial_state.size(), 15);
+  const Eigen::VectorXd weights = unsaid.spec.stages[0].costs[1].weights;
+  ASSERT_EQ(weights.size(), 15) << "what is remembered of forces costs nothing";
+  EXPECT_EQ(weights.head(14), Eigen::VectorXd::Ones(14));
+  EXPECT_EQ(weights[14], 0.0);
+  Problem problem(unsaid.spec);
+  const TrajectoryGuess guess = make_guess(problem, {});
+  const Eigen::VectorXd x = guess.xs.row(1), u = guess.us.row(0);
+  EXPECT_NEAR(x[14], problem.forces(0, x, u)[0], 1e-9) << "a robot that is held";
+  EXPECT_NEAR(x[14], unsaid.spec.initial_state[14], 1e-12);
+  EXPECT_EQ(of("start: {forces: {pad: 12}}\n").spec.initial_state[14], 12.0);
+  const ProblemFile torques = of("torque_model: held\nstart: {torques: {hold: {pad: 30}}}\n");
+  ASSERT_EQ(torques.spec.initial_state.size(), 22);
+  EXPECT_EQ(torques.spec.initial_state[21], 30.0);
+}
+
 TEST_F(ProblemFiles, HoldIsARestingRobot) {
   const ProblemFile file =
       read(small("posture: 0.5", "hold: {type: control, target: {hold: {pad: 30}}}"));
@@ -469,6 +493,8 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"", "", "start: {posture: {joint_9: 1}}\n", {"start.posture", "joint_9"}},
       {"", "", "start: {q: [1, 2]}\n", {"start.q: it has 2 numbers; wanted 7"}},
       {"", "", "start: {torques: hold}\n", {"start.torques", "only with a 'torque_model'"}},
+      {"", "", "start: {forces: {pad: 1}}\n", {"start.forces", "only with 'remembered_forces'"}},
+      {"", "", "remembered_forces: [pads]\n", {"remembered_forces", "'pads'", "'pad'"}},
       {"", "", "torque_model: hold\n", {"torque_model: 'hold' is unknown", "did you mean 'held'?"}},
       {"", "", "torque_model: {cutof: 3}\n", {"torque_model:", "did you mean 'cutoff'?"}},
       {"", "", "torque_model: {cutoff: 300, discretization: euler}\n", {"unstable"}},

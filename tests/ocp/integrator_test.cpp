@@ -169,7 +169,7 @@ TEST_P(StepOf, ImpactStopsTheContactsAndNothingElseMoves) {
   ASSERT_EQ(problem.roll(0, 0, at.x.data(), at.u.data(), next.data()).status, Status::Ok);
   const StateLayout& l = problem.layout();
   EXPECT_EQ(next.head(l.nq), at.x.head(l.nq));
-  EXPECT_EQ(next.tail(l.filtered), at.x.tail(l.filtered));
+  EXPECT_EQ(next.tail(l.nx() - l.nq - l.nv), at.x.tail(l.nx() - l.nq - l.nv));
   const Eigen::VectorXd before = at.x.segment(l.nq, l.nv), after = next.segment(l.nq, l.nv);
   ContactDynamics dynamics(model, contacts_at(spec.contacts, spec.start_time));
   dynamics.set_active(0, false);
@@ -237,6 +237,34 @@ TEST(TorqueFilter, HeldTorquesActAtOnceAndAreRememberedForAStep) {
     plain.roll(0, 0, without.data(), at.u.data(), wanted.data());
     EXPECT_EQ(next.head(14), wanted);
     EXPECT_EQ(next.tail(7), at.u);
+  }
+}
+
+TEST(RememberedForces, AreThoseOfTheStepThatEndsAndActOnNothing) {
+  const OcpCase test{{"arm7", Base::Fixed, "tool"}, false, false, true};
+  const OcpCase plain{{"arm7", Base::Fixed, "tool"}};
+  const Model model = test.robot.model();
+  for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4}) {
+    for (const bool braced : {true, false}) {
+      const Stage stage{.contacts = {"pad"}, .integrator = integrator};
+      ProblemSpec spec = one_stage(bare_problem(test, model), stage);
+      ProblemSpec without = one_stage(bare_problem(plain, model), stage);
+      if (!braced)
+        spec.stages[0].contacts = without.stages[0].contacts = {"pad"};
+      else
+        spec.stages[0].contacts = without.stages[0].contacts = {"brace", "pad"};
+      Problem problem(spec), bare(without);
+      std::mt19937_64 generator(7);
+      const OcpState at = random_ocp_state(problem, generator);
+      const Eigen::VectorXd x = at.x.head(14), forces = bare.forces(0, x, at.u);
+      Eigen::VectorXd next(21), wanted(14);
+      problem.roll(0, 0, at.x.data(), at.u.data(), next.data());
+      bare.roll(0, 0, x.data(), at.u.data(), wanted.data());
+      EXPECT_EQ(next.head(14), wanted);
+      // In the order that they are named in: the pad's, then the brace's.
+      EXPECT_EQ(next.segment(14, 6), forces.tail(6));
+      EXPECT_EQ(next[20], braced ? forces[0] : 0.0);
+    }
   }
 }
 

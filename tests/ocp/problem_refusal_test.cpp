@@ -185,6 +185,18 @@ std::vector<BadSpec> bad_residuals() {
          spec.terminal = {{.name = "last", .residual = R::JointTorqueRate{}}};
        },
        {"terminal", "no control", "no rate"}},
+      {"force_rate_that_nothing_remembers",
+       with(R::ContactForceRate{"pad"}),
+       {"'position'", "force of the step before", "'pad' in the problem's remembered_forces",
+        "more entries into the state"}},
+      {"force_rate_at_the_end",
+       [](ProblemSpec& spec) {
+         spec.torque_model = TorqueModel{.cutoff = 30.0};
+         spec.remembered_forces = {"pad"};
+         spec.initial_state = Eigen::VectorXd::Zero(27);
+         spec.terminal = {{.name = "last", .residual = R::ContactForceRate{"pad"}}};
+       },
+       {"terminal", "no step begins", "no rate"}},
       {"control_at_an_impact", at_an_impact(R::Control{}), {"no control"}},
       {"force_at_an_impact", at_an_impact(R::ContactForce{"pad"}), {"impact", "impulses"}},
   };
@@ -343,6 +355,17 @@ std::vector<BadSpec> bad_robots() {
          s.initial_state = Eigen::VectorXd::Zero(21);
        },
        {"torque_model", "held", "cut-off of 30"}},
+      {"remembered_unknown",
+       [](ProblemSpec& s) { s.remembered_forces = {"pads"}; },
+       {"remembered_forces", "'pads'", "did you mean 'pad'?"}},
+      {"remembered_twice",
+       [](ProblemSpec& s) {
+         s.remembered_forces = {"pad", "pad"};
+       },
+       {"remembered_forces", "'pad'", "twice"}},
+      {"remembered_without_their_start",
+       [](ProblemSpec& s) { s.remembered_forces = {"pad"}; },
+       {"initial_state has 14", "forces of the step before: "}},
       {"unstable_filter",
        [](ProblemSpec& s) {
          s.torque_model = TorqueModel{300.0, TorqueModel::Discretization::Euler};

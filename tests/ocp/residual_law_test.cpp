@@ -41,7 +41,7 @@ class ResidualLaw : public ::testing::TestWithParam<OcpCase> {
                     double floor) {
     const StateLayout& l = layout();
     int first = 0;
-    for (const int count : {l.nu, l.nv, l.nv, l.filtered}) {
+    for (const int count : {l.nu, l.nv, l.nv, l.filtered, l.remembered}) {
       EXPECT_LT(relative_error(got.middleCols(first, count), want.middleCols(first, count), floor),
                 tolerance)
           << "columns from " << first << "\ngot\n"
@@ -144,8 +144,11 @@ TEST_P(ResidualLaw, EveryLaneIsItsKnotAlone) {
     EXPECT_NEAR(horizon.values[at].cost, kernel.cost, 1e-10 * std::max(1.0, std::abs(kernel.cost)));
     compare(horizon.next_of(problem, knot).data(), kernel.next, layout().nx(), "next state");
     compare(horizon.gradient[at].data(), kernel.gradient, layout().nz(), "gradient");
-    compare(horizon.dynamics[at].data(), kernel.dynamics_by_z, layout().nv * layout().nz(), "P");
-    compare(horizon.lead[at].data(), kernel.lead, horizon.lead[at].size(), "lead blocks");
+    const bool dense = horizon.out[at].form == DynamicsForm::Dense;
+    compare(horizon.dynamics[at].data(), kernel.dynamics_by_z,
+            (dense ? layout().ndx() : layout().nv) * layout().nz(), "dynamics");
+    if (!dense)
+      compare(horizon.lead[at].data(), kernel.lead, horizon.lead[at].size(), "lead blocks");
     const Eigen::Map<const RowMatrix> full(kernel.hessian.data(), layout().nz(), layout().nz());
     const Eigen::MatrixXd want = full.triangularView<Eigen::Lower>();
     const Eigen::MatrixXd got = horizon.hessian[at].triangularView<Eigen::Lower>();

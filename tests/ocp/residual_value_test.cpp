@@ -71,6 +71,21 @@ TEST_F(ResidualValue, TorqueRateOfHeldTorquesIsTheirStep) {
   EXPECT_NEAR(r[1], (u[0] - before[0]) / 0.02, 1e-10);
 }
 
+TEST_F(ResidualValue, ForceRateIsTheStepOfTheForce) {
+  const OcpCase test{arm.robot, false, false, true};
+  ProblemSpec spec = bare_problem(test, model);
+  spec.stages = {{.name = "go",
+                  .contacts = {"pad"},
+                  .costs = {{.residual = residual::ContactForceRate{"pad", 2.0}}},
+                  .step = 0.02}};
+  spec.horizon = {{"go", 1}};
+  Problem problem(spec);
+  const OcpState at = random_ocp_state(problem, generator);
+  const Eigen::VectorXd f = problem.forces(0, at.x, at.u);
+  const Eigen::VectorXd wanted = ((f - at.x.segment(14, 6)) / 0.02).array() - 2.0;
+  EXPECT_LT((problem.residual(0, 0, at.x, at.u) - wanted).norm(), 1e-9 * wanted.norm());
+}
+
 /// Rows of a cone and of pyramids of 3 to 6 sides at forces that are drawn.
 class FrictionPyramid : public ::testing::TestWithParam<int> {
  protected:

@@ -34,7 +34,7 @@ Eigen::MatrixXd by_z(const ocp::CompiledProblem& problem, const OcpPoint& at,
   Seeded x{at.x, Eigen::MatrixXd::Zero(l.nx(), l.nz())},
       u{at.u, Eigen::MatrixXd::Zero(l.nu, l.nz())};
   x.directions.block(0, l.column_q(), l.nq, l.nv) = tangent_map(problem.model, at.x.head(l.nq));
-  x.directions.bottomRightCorner(l.nv + l.filtered, l.nv + l.filtered).setIdentity();
+  x.directions.bottomRightCorner(l.ndx() - l.nv, l.ndx() - l.nv).setIdentity();
   u.directions.leftCols(l.nu).setIdentity();
   return differentiate(x, u, evaluate);
 }
@@ -44,7 +44,7 @@ Duals moved(const ocp::CompiledProblem& problem, const Duals& x, const Duals& dx
   const StateLayout& l = problem.layout;
   Duals result = x;
   integrate_configuration(problem.tree, x.data(), dx.data(), result.data());
-  for (int i = 0; i < l.nv + l.filtered; ++i)
+  for (int i = 0; i < l.ndx() - l.nv; ++i)
     result[static_cast<std::size_t>(l.nq + i)] =
         x[static_cast<std::size_t>(l.nq + i)] + dx[static_cast<std::size_t>(l.nv + i)];
   return result;
@@ -80,18 +80,19 @@ class Stepper {
       dx[static_cast<std::size_t>(k)] =
           Dual(stage_.step * (x[static_cast<std::size_t>(l.nq + k)] + dv));
     }
-    return moved(problem_, filtered(problem_, x, u, stage_.decay), dx);
+    return moved(problem_, filtered(problem_, remembering(x), u, stage_.decay), dx);
   }
 
   Duals runge_kutta(const Duals& x, const Duals& u) {
     const double fraction[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
     const double decay[4] = {1.0, stage_.half_decay, stage_.half_decay, stage_.decay};
     const auto size = static_cast<std::size_t>(problem_.layout.ndx());
-    Duals rate(size, Dual(0.0)), sum(size, Dual(0.0));
+    Duals rate(size, Dual(0.0)), sum(size, Dual(0.0)), from = x;
     for (int i = 0; i < 4; ++i) {
       Duals dx(size, Dual(0.0));
       for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * stage_.step * rate[k]);
       rate = rate_at(moved(problem_, filtered(problem_, x, u, decay[i]), dx), u);
+      if (i == 0) from = remembering(x);
       for (const TangentBlock& block : problem_.blocks) {
         using namespace ocp::runge_kutta_detail;
         Dual* const entries = rate.data() + block.first;
@@ -101,10 +102,25 @@ class Stepper {
       for (std::size_t k = 0; k < size; ++k)
         sum[k] += Dual(stage_.step / 6.0 * weight[i] * rate[k]);
     }
-    return moved(problem_, filtered(problem_, x, u, stage_.decay), sum);
+    return moved(problem_, filtered(problem_, from, u, stage_.decay), sum);
   }
 
  private:
+  /// x with the forces of the last evaluation, zero of contacts that do not hold.
+  Duals remembering(Duals x) const {
+    const StateLayout& l = problem_.layout;
+    const ConstrainedDynamics<Dual>& dynamics = dynamics_.contact_dynamics();
+    for (const ocp::RememberedForce& force : problem_.remembered) {
+      const auto contact = static_cast<std::size_t>(force.contact);
+      for (int i = 0; i < force.rows; ++i)
+        x[static_cast<std::size_t>(l.nq + l.nv + l.filtered + force.first + i)] =
+            stage_.active[contact] == 0
+                ? Dual(0.0)
+                : dynamics
+                      .lambda[static_cast<std::size_t>(dynamics.active().first_row[contact] + i)];
+    }
+    return x;
+  }
   /// (v, a, 0)
   Duals rate_at(const Duals& x, const Duals& u) {
     const StateLayout& l = problem_.layout;
@@ -167,7 +183,7 @@ Eigen::MatrixXd step_by_autodiff(const ocp::CompiledProblem& problem, const OcpP
     const Duals from = constant_duals(values_of(next));
     Duals dx(static_cast<std::size_t>(l.ndx()), Dual(0.0));
     difference_configuration(problem.tree, from.data(), next.data(), dx.data());
-    for (int i = 0; i < l.nv + l.filtered; ++i)
+    for (int i = 0; i < l.ndx() - l.nv; ++i)
       dx[static_cast<std::size_t>(l.nv + i)] = next[static_cast<std::size_t>(l.nq + i)];
     return dx;
   });

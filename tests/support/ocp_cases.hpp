@@ -12,10 +12,15 @@ namespace burnish::test {
 struct OcpCase {
   TestRobot robot;
   bool torque_model = false;
-  bool held = false;  ///< the torque model remembers the last torques, which do not act
+  bool held = false;       ///< the torque model remembers the last torques, which do not act
+  bool remembers = false;  ///< the state has the last forces of "pad" and "brace"
   bool acts_from_state() const { return torque_model && !held; }
   std::string label() const {
-    return robot.label() + (held ? "_held" : torque_model ? "_filtered" : "");
+    return robot.label() +
+           (held           ? "_held"
+            : torque_model ? "_filtered"
+                           : "") +
+           (remembers ? "_remembering" : "");
   }
 };
 
@@ -34,6 +39,9 @@ inline std::vector<OcpCase> ocp_cases() {
       cases.push_back({robot, torque_model});
   cases.push_back({{"arm7", Base::Fixed, "tool"}, true, true});
   cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true});
+  cases.push_back({{"arm7", Base::Fixed, "tool"}, false, false, true});
+  cases.push_back({{"crane", Base::Fixed, "left_tip"}, true, false, true});
+  cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true, true});
   return cases;
 }
 
@@ -50,11 +58,12 @@ struct OcpSetup {
     p << random(3), quaternion();
     return p;
   }
-  Eigen::VectorXd state(bool torque_model) const {
+  Eigen::VectorXd state(const OcpCase& test) const {
     const RobotState s = test::random_state(model, generator);
-    const int filtered = torque_model ? static_cast<int>(driven().size()) : 0;
-    Eigen::VectorXd x(model.nq + model.nv + filtered);
-    x << s.q, s.v, random(filtered);
+    const int filtered = test.torque_model ? static_cast<int>(driven().size()) : 0;
+    const int remembered = test.remembers ? 7 : 0;  // six of the pad, one of the brace
+    Eigen::VectorXd x(model.nq + model.nv + filtered + remembered);
+    x << s.q, s.v, random(filtered), random(remembered);
     return x;
   }
   /// A frame that other joints move.
@@ -133,7 +142,7 @@ struct ResidualCase {
 };
 
 inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
-  const bool torque_model = test.torque_model, at_the_end = test.acts_from_state();
+  const bool at_the_end = test.acts_from_state();
   namespace R = residual;
   using Setup = const OcpSetup&;
   const Penalty abs = Penalty::smooth_absolute(0.3), square;
@@ -143,7 +152,7 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
                                                  Eigen::VectorXd::Constant(1, 1.5), 0.4);
   std::vector<ResidualCase> cases{
       {"state", [](Setup) { return R::State{}; }},
-      {"state to target", [=](Setup s) { return R::State{s.state(torque_model)}; }, abs},
+      {"state to target", [=](Setup s) { return R::State{s.state(test)}; }, abs},
       {"control", [](Setup) { return R::Control{0.5}; }, square, false},
       {"joint position",
        [](Setup s) {
@@ -266,7 +275,16 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        },
        square, at_the_end},
   };
-  if (torque_model)
+  if (test.remembers) {
+    cases.push_back({"force rate",
+                     [](Setup s) {
+                       return R::ContactForceRate{"pad", s.random(6)};
+                     },
+                     inside, false});
+    cases.push_back(
+        {"rate of a brace", [](Setup) { return R::ContactForceRate{"brace"}; }, abs, false});
+  }
+  if (test.torque_model)
     cases.push_back({"joint torque rate",
                      [](Setup) {
                        return R::JointTorqueRate{{}, 3.0};
@@ -316,7 +334,8 @@ inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
   spec.actuation.slip_velocity = 0.5;
   if (test.torque_model)
     spec.torque_model = test.held ? TorqueModel::held() : TorqueModel{.cutoff = 30.0};
-  spec.initial_state = OcpSetup{model, test.robot.tool, generator}.state(test.torque_model);
+  spec.initial_state = OcpSetup{model, test.robot.tool, generator}.state(test);
+  if (test.remembers) spec.remembered_forces = {"pad", "brace"};
   spec.start_time = 0.7;
   return spec;
 }
@@ -351,7 +370,7 @@ inline OcpState random_ocp_state(const Problem& problem, std::mt19937_64& genera
                            ? random_state(model, generator)
                            : regular_state(model, dynamics, generator, 1e-2);
   OcpState state{Eigen::VectorXd(l.nx()), uniform(l.nu, 5.0, generator)};
-  state.x << s.q, s.v, uniform(l.filtered, 5.0, generator);
+  state.x << s.q, s.v, uniform(l.filtered, 5.0, generator), uniform(l.remembered, 5.0, generator);
   return state;
 }
 

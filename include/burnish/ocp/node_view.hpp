@@ -10,23 +10,25 @@
 
 namespace burnish {
 
-/// Where the parts of z = (du, dq, dv, dtau) start, and how many entries they have.
+/// Where the parts of z = (du, dq, dv, dtau, dforce) start, and how many entries they have.
 struct StateLayout {
   int nq = 0, nv = 0;
   int filtered = 0;  ///< torques in the state (torque model), or 0
   /// those are the controls of the step before, and what acts is the control itself
   bool holds_torque = false;
+  int remembered = 0;  ///< forces of the step before in the state, N and Nm (remembered_forces)
   int nu = 0;
   std::vector<int> actuated;  ///< entry of v that control i drives; nu entries
 
   /// What acts is the torque in the state.
   bool acts_from_state() const { return filtered > 0 && !holds_torque; }
-  int nx() const { return nq + nv + filtered; }
-  int ndx() const { return 2 * nv + filtered; }
+  int nx() const { return nq + nv + filtered + remembered; }
+  int ndx() const { return 2 * nv + filtered + remembered; }
   int nz() const { return nu + ndx(); }
   int column_q() const { return nu; }
   int column_v() const { return nu + nv; }
   int column_tau() const { return nu + 2 * nv; }
+  int column_force() const { return nu + 2 * nv + filtered; }
 };
 
 /// Frames and contacts go by their place in the lists that the residual declares.

@@ -80,6 +80,8 @@ class Problem final : public ShootingProblem {
   Eigen::VectorXd forces(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   Eigen::VectorXd acceleration(int knot, const ConstVectorRef& x, const ConstVectorRef& u);
   std::vector<std::string> force_names(int knot) const;
+  /// Of the forces that the state remembers, likewise.
+  std::vector<std::string> remembered_names() const;
 
   // ShootingProblem
   const StateShape& state() const override;

@@ -140,14 +140,18 @@ struct ProblemSpec {
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
+  /// Contacts whose forces of the step before join the state (rows held, in their own reference;
+  /// zero where the contact did not hold), for ContactForceRate. They act on nothing.
+  std::vector<std::string> remembered_forces = {};
   /// nu entries or one for all, Nm (N); empty: none.
   Eigen::VectorXd control_lower = {}, control_upper = {};
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
   std::vector<CostTerm> terminal = {};  ///< costs of the last state
   std::vector<Constraint> terminal_constraints = {};
-  Eigen::VectorXd initial_state = {};  ///< (q, v), or (q, v, tau) with a torque model
-  double start_time = 0.0;             ///< s, of the first knot
+  /// (q, v), then tau with a torque model, then the remembered forces.
+  Eigen::VectorXd initial_state = {};
+  double start_time = 0.0;  ///< s, of the first knot
 };
 
 }  // namespace burnish

@@ -110,6 +110,14 @@ struct ContactForce {
   Signal target = {};
 };
 
+/// How fast the force of an active contact changes from the step before to this one, minus the
+/// target: (f - f_before) / step, N/s and Nm/s, the held rows in the contact's own reference. For
+/// contacts that the problem remembers the force of. Empty target: zero.
+struct ContactForceRate {
+  std::string contact = {};
+  Signal target = {};
+};
+
 /// Two rows, N: friction * f_n - |f_t| (smoothed over 1e-3 N) and f_n, both to be kept above a
 /// limit: the default penalty is a barrier at 0. f_n is the force along `normal` (x, y or z of the
 /// reference: 0, 1, 2) and f_t what stands at a right angle to it.
@@ -196,8 +204,9 @@ using Residual =
                  residual::JointVelocity, residual::JointTorque, residual::JointTorqueRate,
                  residual::FramePosition, residual::FrameDistance, residual::FrameRotation,
                  residual::FramePlacement, residual::FrameVelocity, residual::ContactForce,
-                 residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
-                 residual::SupportMargin, residual::CentroidalMomentum, residual::Custom>;
+                 residual::ContactForceRate, residual::FrictionCone, residual::CenterOfPressure,
+                 residual::CenterOfMass, residual::SupportMargin, residual::CentroidalMomentum,
+                 residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);

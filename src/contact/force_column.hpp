@@ -1,0 +1,17 @@
+// Names of a contact's forces in tables.
+#pragma once
+
+#include <string>
+
+#include "burnish/contact/contact.hpp"
+
+namespace burnish {
+
+/// Such as "table_force_z_centered", "foot_moment_x_local".
+inline std::string force_column(const ContactSpec& contact, int direction) {
+  const char axis = "xyz"[direction % 3];
+  return (contact.name.empty() ? contact.tool : contact.name) +
+         (direction < 3 ? "_force_" : "_moment_") + axis + "_" + contact.reference.name();
+}
+
+}  // namespace burnish
