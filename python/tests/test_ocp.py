@@ -150,6 +150,24 @@ def test_a_layout_says_whether_the_torques_in_the_state_act(robot, model, acts):
     assert layout.holds_torque is not acts and layout.acts_from_state is acts
 
 
+def test_a_layout_has_the_forces_that_are_remembered(robot):
+    contact = bn.ContactSpec("pad", tool="tool", directions="z")
+    spec = spec_of(robot, base_costs(), contacts=[contact], remembered_forces=["pad"])
+    spec.stages[0].contacts = ["pad"]
+    spec.stages[0].costs.append(bn.CostTerm(residual.ContactForceRate("pad", 5.0), name="rate"))
+    spec.initial_state = np.append(spec.initial_state, 3.0)
+    problem = bn.Problem(spec)
+    layout = problem.layout
+    assert (layout.nx, layout.ndx, layout.remembered, layout.column_force) == (15, 15, 1, 21)
+    assert problem.state_names[-1] == "force pad/z"
+    u = np.ones(7)
+    next_state, _ = problem.roll(0, spec.initial_state, u)
+    force = problem.forces(0, spec.initial_state, u)
+    assert next_state[14] == force[0]
+    rate = problem.residual(0, problem.term_index("move", "rate"), spec.initial_state, u)
+    assert rate[0] == pytest.approx((force[0] - 3.0) / 0.01 - 5.0, rel=1e-9)
+
+
 def test_trajectories_are_evaluated_as_knots_are(robot):
     spec = spec_of(robot, base_costs(), knots=11, terminal=[bn.CostTerm(residual.State(), 3.0)])
     problem = bn.Problem(spec)

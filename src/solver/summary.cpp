@@ -93,7 +93,8 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
 /// The rows whose limits push hardest.
 std::string pushing_text(const std::vector<CostReport::Row>& rows) {
   if (rows.empty()) return "";
-  std::string lines = "limits that push: " + std::to_string(rows.size()) + " rows\n";
+  std::string lines = "limits that push: " + std::to_string(rows.size()) +
+                      (rows.size() == 1 ? " row\n" : " rows\n");
   for (std::size_t i = 0; i < std::min<std::size_t>(rows.size(), 5); ++i)
     lines += "  " + short_number(rows[i].multiplier) + "  " + rows[i].name + ": at " +
              rows[i].pushed + ", at " + std::to_string(rows[i].active) +
