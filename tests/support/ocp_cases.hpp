@@ -40,7 +40,7 @@ inline std::vector<OcpCase> ocp_cases() {
   cases.push_back({{"arm7", Base::Fixed, "tool"}, true, true});
   cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true});
   cases.push_back({{"arm7", Base::Fixed, "tool"}, false, false, true});
-  cases.push_back({{"crane", Base::Fixed, "left_tip"}, true, false, true});
+  cases.push_back({{"arm7", Base::Fixed, "tool"}, true, false, true});
   cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true, true});
   return cases;
 }
