@@ -1,4 +1,4 @@
-# --long        everything that there is to build, benchmarks too, and all tests with twenty times the random
+# --long        everything that there is to build, benchmarks too, and all tests with ten times the random
 #               states, in build/; campaigns with workers that are killed
 
 run_long() {
