@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Tuple
+from typing import ClassVar, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,10 +12,52 @@ from . import _core
 from ._signal import Signal
 from ._spec import Spec, identity
 
-__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Reference"]
+__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Quadric", "Reference"]
 
 
 # Described classes stand here (scripts/describe).
+
+
+@dataclass(eq=False, repr=False)
+class Quadric(Spec):
+    @classmethod
+    def plane(cls, point: ArrayLike, normal: ArrayLike) -> Quadric:
+        """Through a point, with a normal of any length out of the material."""
+        return _core.quadric_plane(point, normal)
+
+    @classmethod
+    def sphere(cls, center: ArrayLike, radius: float, hollow: bool = False) -> Quadric:
+        """Material inside, or outside of a hollow one: then the normal is towards the centre."""
+        return _core.quadric_sphere(center, radius, hollow)
+
+    @classmethod
+    def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float, hollow: bool = False) -> Quadric:
+        """About the axis through a point, likewise."""
+        return _core.quadric_cylinder(point, axis, radius, hollow)
+
+    @classmethod
+    def cone(cls, apex: ArrayLike, axis: ArrayLike, half_angle: float, hollow: bool = False) -> Quadric:
+        """On both sides of the apex; half_angle between axis and surface, rad."""
+        return _core.quadric_cone(apex, axis, half_angle, hollow)
+
+    @classmethod
+    def ellipsoid(cls, center: ArrayLike, axes: ArrayLike, semi_axes: ArrayLike, hollow: bool = False) -> Quadric:
+        """semi_axes (3, m) along the columns of `axes` (3 x 3)."""
+        return _core.quadric_ellipsoid(center, axes, semi_axes, hollow)
+
+    @classmethod
+    def osculating(cls, point: ArrayLike, axes: ArrayLike, k_xx: float, k_xy: float, k_yy: float) -> Quadric:
+        """A surface to second order at its point: (k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2 along the
+        third column of `axes` (3 x 3) over the first two; 1/m, -1/R for a ball of radius R."""
+        return _core.quadric_osculating(point, axes, k_xx, k_xy, k_yy)
+
+    def value(self, x: ArrayLike) -> float:
+        """phi at a point (3)."""
+        return _core.quadric_value(self, x)
+
+    def normal(self, x: ArrayLike) -> NDArray[np.float64]:
+        """Of unit length (3). Raises Error where the surface has none, as on the axis of a cylinder."""
+        return _core.quadric_normal(self, x)
 
 
 @dataclass(eq=False, repr=False)
@@ -31,6 +73,10 @@ class Reference(Spec):
     rotation_over_time: Signal = None
     """quaternions x, y, z, w of length 1 in place of `rotation`, of which q and -q are one rotation. For
     the knots of a problem, each of which holds the rotation of its time; None: `rotation`"""
+    quadric: Optional[Quadric] = None
+    """a surface in the axes of the base, which the axes follow as the tool moves over it: at a normal n
+    they are `rotation` turned by the least rotation that takes its third column to n. For the references
+    of contacts at the tool, with axes fixed in the base"""
 
     @classmethod
     def local(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
@@ -52,6 +98,12 @@ class Reference(Spec):
     def surface_with_normal(cls, normal: ArrayLike) -> Reference:
         """A surface with the given normal (3) as its z axis; x is the horizontal-most tangent."""
         return _core.surface_with_normal(normal)
+
+    @classmethod
+    def on(cls, surface: Quadric, near: ArrayLike) -> Reference:
+        """Axes that follow a curved surface of the base: those of surface_with_normal() at `near` (3), a
+        point in the axes of the base where the tool is to be, and turned with the normal elsewhere."""
+        return _core.reference_on(surface, near)
 
     @classmethod
     def world(cls, rotation: ArrayLike = np.eye(3)) -> Reference:

@@ -8,7 +8,8 @@ const SpecTable& AsDataclass<Reference>::table() {
                                       .field("origin", &Reference::origin)
                                       .field("axes", &Reference::axes)
                                       .field("rotation", &Reference::rotation)
-                                      .field("rotation_over_time", &Reference::rotation_over_time);
+                                      .field("rotation_over_time", &Reference::rotation_over_time)
+                                      .field("quadric", &Reference::quadric);
   return fields;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/dynamics/reference.hpp"
+#include "contact/descriptions.hpp"
 #include "specs_base.hpp"
 #include "specs_model.hpp"
 

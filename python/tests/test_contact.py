@@ -40,6 +40,24 @@ class TestReferences:
         np.testing.assert_allclose(rotation[:, 2], normal, atol=1e-15)
         np.testing.assert_allclose(rotation.T @ rotation, np.eye(3), atol=1e-15)
 
+    def test_follow_a_curved_surface(self) -> None:
+        ball = burnish.Quadric.sphere([0.5, 0.1, -0.3], 0.4)
+        near = np.array([0.5, 0.1, 0.1])
+        np.testing.assert_allclose(ball.normal(near), [0.0, 0.0, 1.0], atol=1e-15)
+        assert ball.value(near) == pytest.approx(0.0, abs=1e-12)
+        reference = Reference.on(ball, near)
+        assert reference.quadric == ball and reference.name == "surface"
+        dynamics = dynamics_of(ContactSpec("pad", tool="tool", directions="z", reference=reference))
+        force = dynamics.force("pad")
+        np.testing.assert_allclose(force.axes()[:, 2], ball.normal(force.tool_position), atol=1e-12)
+        for shape in (burnish.Quadric.plane(near, [0, 0, 2]), burnish.Quadric.cylinder(near, [1, 0, 0], 0.3, True),
+                      burnish.Quadric.cone(near, [1, 0, 0], 0.3),
+                      burnish.Quadric.ellipsoid(near, np.eye(3), [0.3, 0.2, 0.1]),
+                      burnish.Quadric.osculating(near, np.eye(3), -2.0, 0.0, 1.0)):
+            np.testing.assert_allclose(shape.Q, np.transpose(shape.Q))
+        with pytest.raises(burnish.Error, match="the sphere's radius is -1 m"):
+            burnish.Quadric.sphere(near, -1.0)
+
     def test_own_their_rotation(self) -> None:
         rotation = np.eye(3)
         reference = Reference.local(rotation)

@@ -108,7 +108,8 @@ class ConstrainedDynamics {
   ActiveContacts active_;
   int active_version_ = 0;
   std::vector<char> is_active_;
-  std::vector<Mat3<S>> reference_axes_;  ///< per contact, in the body that they are fixed in
+  std::vector<Mat3<S>> reference_axes_;     ///< per contact, in the body that they are fixed in
+  std::vector<CurvedSurface<S>> surfaces_;  ///< per contact, read where its reference is curved
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, rho_, lambda_before_;
   std::vector<S> at_rest_;            ///< nv zeros

@@ -43,7 +43,9 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
   active_.contacts.reserve(static_cast<std::size_t>(set.size()));
   active_.first_row.assign(static_cast<std::size_t>(set.size()), -1);
   for (int i = 0; i < set.size(); ++i) {
-    reference_axes_.push_back(lift<S>(set.contacts()[i].reference.axes));
+    const CompiledReference& reference = set.contacts()[i].reference;
+    reference_axes_.push_back(lift<S>(reference.axes));
+    surfaces_.push_back({lift<S>(reference.Q), lift<S>(reference.b)});
     set_active(i, true);
   }
 }
@@ -137,7 +139,7 @@ void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
   update_mass_and_bias(tree_, kinematics_, mass_);
   for (const int c : active_.contacts) {
     const CompiledContact& contact = set_.contacts()[c];
-    update_contact(contact, reference_axes_[c], kinematics_, contact_states[c]);
+    update_contact(contact, reference_axes_[c], surfaces_[c], kinematics_, contact_states[c]);
     contact_jacobian(contact, kinematics_, contact_states[c],
                      delassus_.jacobian_by_v.data() + active_.first_row[c], delassus_.stride);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/compiled_contact.hpp"
+#include "dynamics/curved_axes.hpp"
 #include "dynamics/frame.hpp"
 #include "dynamics/reference.hpp"
 
@@ -23,12 +24,15 @@ struct ContactState {
   Vec3<S> rotation_error;  ///< R_tool log(R_target^T R_tool); valid if proportional
   S rotation_angle;        ///< its length
   Force<S> force_world;    ///< on the tool by the base, moment about the world's origin
+  CurvedAxes<S> curved;    ///< world axes; valid if the reference is curved
 };
 
-/// Everything of the state but the force. `axes` are those of the reference in their body.
+/// Everything of the state but the force. `axes` are those of the reference in their body; the
+/// surface is read where the reference follows one.
 template <class S>
 void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
-                    const Kinematics<S>& kinematics, ContactState<S>& state);
+                    const CurvedSurface<S>& surface, const Kinematics<S>& kinematics,
+                    ContactState<S>& state);
 
 /// C2 and C1, without what moves them.
 CompiledFrame tool_of(const CompiledContact& contact);

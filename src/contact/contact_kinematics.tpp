@@ -49,6 +49,29 @@ BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
   return entry.moves_tool() ? kinematics.axes[entry.tool_axis].axis + base : base;
 }
 
+/// Axes that follow the base's surface: turns state.axes, which are those of where they start from.
+template <class S>
+void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surface,
+                   const Kinematics<S>& kinematics, ContactState<S>& state) {
+  const CompiledReference& reference = contact.reference;
+  const Pose<S> base =
+      pose_of<S>(reference.axes_body, reference.fixed_in, reference.place, kinematics);
+  const Vec3<S> x = transpose_times(base.R, state.p - base.p);
+  CurvedAxes<S>& at = state.curved;
+  at = curved_axes(surface, transpose_times(base.R, state.axes.c2), x);
+  move_over(base.R, at_point(state.nu, state.p).linear, at);
+  const auto turned = [&](const Vec3<S>& axis) {
+    return least_rotation(at.n0, at.n, at.share, axis);
+  };
+  state.axes = {turned(state.axes.c0), turned(state.axes.c1), at.n};
+}
+
+/// Angle by which an entry of v turns the axes of a curved reference beyond those of the base.
+template <class S>
+BURNISH_INLINE Vec3<S> curved_turn(const ContactState<S>& state, const Motion<S>& relative) {
+  return state.curved.turn(state.curved.normal_change(at_point(relative, state.p).linear));
+}
+
 template <class S>
 void update_error(const CompiledContact& contact, const Pose<S>& base, ContactState<S>& state) {
   const Mat3<S> target_R = base.R * lift<S>(contact.target_R);
@@ -70,7 +93,8 @@ void update_error(const CompiledContact& contact, const Pose<S>& base, ContactSt
 
 template <class S>
 void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
-                    const Kinematics<S>& kinematics, ContactState<S>& state) {
+                    const CurvedSurface<S>& surface, const Kinematics<S>& kinematics,
+                    ContactState<S>& state) {
   using namespace contact_detail;
   const Pose<S> tool = pose_of<S>(contact.tool_body, contact.tool_R, contact.tool_p, kinematics);
   const auto twist = [&](int body) {
@@ -84,14 +108,19 @@ void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
   state.v_tool = twist(contact.tool_body);
   state.v_base = twist(contact.base_body);
   state.nu = state.v_tool - state.v_base;
+  Vec3<S> w_axes = twist(reference.axes_body).angular;
+  if (reference.is_curved) {
+    update_curved(contact, surface, kinematics, state);
+    w_axes += state.curved.w;
+  }
   switch (contact.spec.acceleration) {
     case Acceleration::Spatial:
       state.eta = Motion<S>::zero();
       break;
     case Acceleration::TimeDerivative:
-      state.eta =
-          seen_from_reference(contact, state, state.v_tool, twist(reference.axes_body).angular,
-                              [&] { return reference_twist(reference, state.origin, kinematics); });
+      state.eta = seen_from_reference(contact, state, state.v_tool, w_axes, [&] {
+        return reference_twist(reference, state.origin, kinematics);
+      });
       break;
     case Acceleration::Classical:
       state.eta = turning_at(tool.p, state.v_tool.angular);

@@ -84,8 +84,17 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   c.tool_p = tool.p;
   c.base_R = base.R;
   c.base_p = base.p;
-  c.reference = compiled(spec, "reference",
-                         [&] { return compile_reference(model, spec.reference, tool, base); });
+  Reference fixed = spec.reference;
+  fixed.quadric.reset();
+  c.reference =
+      compiled(spec, "reference", [&] { return compile_reference(model, fixed, tool, base); });
+  if (spec.reference.quadric) {
+    c.reference.is_curved = true;
+    c.reference.is_aligned = false;
+    c.reference.place = base.p;
+    c.reference.Q = from_eigen(spec.reference.quadric->Q);
+    c.reference.b = from_eigen(spec.reference.quadric->b);
+  }
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
   c.proportional = c.damped = c.holds_rotation = false;

@@ -23,6 +23,20 @@ const Words& words_of(PoseError /*of*/) {
   return all;
 }
 
+const Description& description_of(const Quadric* /*of*/) {
+  using Q = Quadric;
+  static const Description all =
+      Describe<Q>(
+          "contact", "Quadric",
+          "A curved surface, where phi(x) = x^T Q x / 2 + b^T x + c is zero, phi growing out "
+          "of the material; x is a point in the axes of the frame that the surface is fixed "
+          "in, m. References follow its normals.")
+          .field("Q", &Q::Q, "symmetric")
+          .field("b", &Q::b)
+          .field("c", &Q::c);
+  return all;
+}
+
 const Description& description_of(const ContactSpec* /*of*/) {
   using C = ContactSpec;
   static const Description all =

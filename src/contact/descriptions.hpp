@@ -5,10 +5,12 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
+#include "burnish/dynamics/quadric.hpp"
 
 namespace burnish {
 const Words& words_of(Acceleration);
 const Words& words_of(PoseError);
+const Description& description_of(const Quadric*);
 const Description& description_of(const ContactSpec*);
 const Description& description_of(const ContactSolver*);
 const Description& description_of(const ContactForce*);

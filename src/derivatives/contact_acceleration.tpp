@@ -18,7 +18,16 @@ struct EntryMotion {
   Motion<S> dnu_dq;      ///< of nu seen from the tool
   Motion<S> dalpha_dq, dalpha_dv;  ///< of a_L seen from the tool
   Motion<S> tool_rate;             ///< psi'_k where it moves the tool, else zero
+  Vec3<S> curved_turn;  ///< part of w_axes by which they follow a surface; valid if they do
 };
+
+/// Adds what axes that follow a surface turn by.
+template <class S>
+BURNISH_INLINE void follow_surface(const ContactState<S>& state, EntryMotion<S>& m) {
+  m.curved_turn = curved_turn(state, m.relative);
+  m.w_axes += m.curved_turn;
+  m.xi = turning_at(state.p, m.tool.angular - m.w_axes);
+}
 
 /// `two_bodies` is false where the base is the world and nothing but the tool moves the reference,
 /// which saves what would be zero.
@@ -40,6 +49,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
   if (two_bodies && entry.carries_both()) {
     // Tool and base move as one, or neither does: nothing changes seen from the tool.
     m.relative = m.dnu_dq = m.dalpha_dq = m.dalpha_dv = zero;
+    m.curved_turn = zero.angular;
     return m;
   }
   const int k = tool_moves ? entry.tool_axis : entry.base_axis;
@@ -76,6 +86,7 @@ BURNISH_INLINE EntryMotion<S> entry_motion(
     m.dalpha_dq = -m.dalpha_dq;
     m.dalpha_dv = -m.dalpha_dv;
   }
+  if (contact.reference.is_curved) follow_surface(state, m);
   return m;
 }
 
@@ -101,11 +112,27 @@ template <class S>
 struct TurningRates {
   Vec3<S> dq, dv;
 };
+/// Axes fixed in the base that follow its surface: eta is nu's angular part less w. The step of the
+/// point and the change of its velocity are those that the base sees.
+template <class S>
+BURNISH_INLINE TurningRates<S> following_rates(const ContactState<S>& state,
+                                               const EntryMotion<S>& m) {
+  const Vec3<S> step = at_point(m.relative, state.p).linear;
+  const Vec3<S> dv = at_point(m.dnu_dq, state.p).linear +
+                     cross(m.relative.angular, at_point(state.nu, state.p).linear);
+  const CurvedAxes<S>& at = state.curved;
+  const Vec3<S> dw = at.turn_rate_change(step, at.normal_change(step), dv);
+  return {m.dnu_dq.angular - dw + cross(m.relative.angular, at.w),
+          m.relative.angular - m.curved_turn};
+}
 template <class S>
 BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
                                              const ContactSupport& entry,
                                              const Kinematics<S>& kinematics,
+                                             const ContactState<S>& state,
                                              const EntryMotion<S>& m) {
+  if (contact.reference.is_curved && contact.spec.acceleration != Acceleration::Classical)
+    return following_rates(state, m);
   const int body = contact.reference.axes_body;
   if (body < 0 || contact.spec.acceleration == Acceleration::Classical)
     return {m.tool_rate.angular, m.tool.angular};
@@ -188,7 +215,7 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
                                            const EntryMotion<S>& m) {
   EntryRates<S> r{at_point(m.dalpha_dq, state.p), at_point(m.dalpha_dv, state.p)};
   if (eta_matters(contact)) {
-    const TurningRates<S> eta = turning_rates(contact, entry, kinematics, m);
+    const TurningRates<S> eta = turning_rates(contact, entry, kinematics, state, m);
     const Vec3<S>& w = state.eta.angular;
     const Motion<S> dnu = at_point(m.dnu_dq, state.p), axis = at_point(m.relative, state.p);
     r.dq.linear += cross(eta.dq, there.nu.linear) + cross(w, dnu.linear);
@@ -314,7 +341,10 @@ void subtract_general_transport(const CompiledContact& contact, const Kinematics
     const Motion<S> zero = Motion<S>::zero();
     const Motion<S> tool = column.moves_tool() ? kinematics.axes[column.tool_axis].axis : zero;
     const Motion<S> base = column.moves_base() ? kinematics.axes[column.base_axis].axis : zero;
-    const Force<S> dW = cross(reference_twist(column.reference, state.origin, kinematics), W);
+    Motion<S> reference = reference_twist(column.reference, state.origin, kinematics);
+    if (contact.reference.is_curved && !column.carries_both())
+      reference += turning_at(state.p, curved_turn(state, relative_axis(column, kinematics)));
+    const Force<S> dW = cross(reference, W);
     const Force<S> on_tool = dW - cross(tool, W);
     const Force<S> on_base = dW - cross(base, W);
     for (const ContactSupport& row : contact.support) {
@@ -331,7 +361,8 @@ template <class S>
 void subtract_force_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const ContactState<S>& state, S* dtau_dq, int stride) {
   using namespace contact_detail;
-  if (!moves_with_tool_alone(contact) || contact.tool_body < 0 || !contact.reference.at_tool) {
+  if (!moves_with_tool_alone(contact) || contact.tool_body < 0 || !contact.reference.at_tool ||
+      contact.reference.is_curved) {
     subtract_general_transport(contact, kinematics, state, dtau_dq, stride);
   } else if (contact.reference.axes_body != contact.tool_body) {
     subtract_turning_axes(contact, kinematics, state, dtau_dq, stride);

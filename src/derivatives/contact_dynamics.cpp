@@ -253,7 +253,17 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
 }
 
 ContactForce ContactDynamics::force(int contact) const {
-  return force(contact, impl_->references.at(static_cast<std::size_t>(contact)));
+  Reference reference = impl_->references.at(static_cast<std::size_t>(contact));
+  if (reference.quadric) {
+    // The axes that follow the surface, as they are now.
+    const CompiledContact& compiled = impl_->set.contacts().at(contact);
+    const auto base = contact_detail::pose_of<double>(
+        compiled.base_body, compiled.base_R, compiled.base_p, impl_->dynamics.kinematics());
+    reference.quadric.reset();
+    reference.rotation =
+        to_eigen(transpose_times(base.R, impl_->dynamics.contact_states[contact].axes));
+  }
+  return force(contact, reference);
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/contact_kinematics.hpp"
+#include "contact/contact_kinematics.tpp"
 
 namespace burnish {
 
@@ -11,6 +11,8 @@ namespace burnish {
 struct WrenchEntry {
   int v;
   ReferenceAxes own, asked;
+  /// Of the contact, where its own reference follows a surface; else the same, which is nothing.
+  int tool_axis = -1, base_axis = -1;
 };
 
 /// Fills `out`, ascending in v. Allocates nothing where `out` has room for nv entries.
@@ -24,8 +26,13 @@ template <class S>
 Force<S> wrench_rate(const ReferencePose<S>& pose, const WrenchEntry& entry,
                      const ContactState<S>& state, const Kinematics<S>& kinematics,
                      const Force<S>& dlambda) {
-  const Motion<S> V = reference_twist(entry.own, state.origin, kinematics) -
-                      reference_twist(entry.asked, pose.p, kinematics);
+  Motion<S> V = reference_twist(entry.own, state.origin, kinematics) -
+                reference_twist(entry.asked, pose.p, kinematics);
+  if (entry.tool_axis != entry.base_axis) {
+    const auto axis = [&](int k) { return k < 0 ? Motion<S>::zero() : kinematics.axes[k].axis; };
+    const Motion<S> relative = axis(entry.tool_axis) - axis(entry.base_axis);
+    V += turning_at(state.p, contact_detail::curved_turn(state, relative));
+  }
   return in_reference(pose, dlambda + cross(V, state.force_world));
 }
 

@@ -14,6 +14,12 @@ struct CompiledReference {
   bool at_tool = false;     ///< the origin is the tool's own
   bool at_world = false;    ///< it is the world's
   bool is_aligned = false;  ///< the axes are the world's
+  /// The axes follow a surface (curved_axes.hpp), in those that the rotation starts from; `place`
+  /// is their origin in the axes' body, m.
+  bool is_curved = false;
+  Vec3<double> place;
+  Mat3<double> Q;
+  Vec3<double> b;
 };
 
 /// The axes (tree.hpp) by which an entry of v moves a reference's origin and turns its axes; -1

@@ -61,6 +61,13 @@ Reference Reference::surface_with_normal(const Eigen::Vector3d& normal) {
   return surface(rotation);
 }
 
+Reference Reference::on(const Quadric& surface, const Eigen::Vector3d& near) {
+  surface.check("on");
+  Reference result = surface_with_normal(surface.normal(near));
+  result.quadric = surface;
+  return result;
+}
+
 std::string Reference::name() const {
   if (origin == Anchor::World && axes == Anchor::World) return "world";
   if (origin == Anchor::Tool && axes == Anchor::Tool) return "local";
@@ -84,6 +91,16 @@ Reference Reference::parse(const std::string& name) {
 void Reference::check(const std::string& who) const {
   if (!is_rotation(rotation))
     throw Error(who + ": the reference's rotation is not a rotation matrix");
+  if (quadric) {
+    quadric->check(who);
+    if (origin != Anchor::Tool || axes != Anchor::Base)
+      throw Error(who + ": a reference that follows a curved surface has the " + name() +
+                  "; wanted axes of the base at the tool, as Reference::on makes them");
+    if (!rotation_over_time.empty())
+      throw Error(
+          who +
+          ": the reference has a curved surface and a rotation over time; wanted one of them");
+  }
   if (rotation_over_time.empty()) return;
   if (!rotation.isIdentity(0.0))
     throw Error(who + ": the reference has a rotation and one over time; wanted one of them");
@@ -146,9 +163,12 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
     throw Error(
         "its rotation changes over time, which the knots of a problem have; wanted that of "
         "one time: Reference::at");
+  if (reference.quadric)
+    throw Error(
+        "it follows a curved surface, which references of contacts do alone; wanted fixed axes");
   const Place origin = place_of(model, reference.origin, tool, base);
   const Place axes = place_of(model, reference.axes, tool, base);
-  CompiledReference result;
+  CompiledReference result{};
   result.origin_body = origin.body;
   result.origin = origin.p;
   result.axes_body = axes.body;

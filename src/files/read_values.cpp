@@ -39,6 +39,54 @@ Reference turned(Reference reference, const Reader& reader, const std::vector<st
   return reference;
 }
 
+const std::vector<std::string> shapes{"sphere", "cylinder", "cone", "ellipsoid", "osculating"};
+
+Quadric read_shape(const std::string& kind, const Reader& reader) {
+  const auto keys = [&](std::vector<std::string> own) {
+    if (kind != "osculating") own.emplace_back("hollow");
+    reader.allow_only(own);
+  };
+  const auto inside = reader.find("hollow");
+  const bool hollow = inside && inside->yes_or_no();
+  const auto point = [&](const char* key) { return reader[key].vector3(); };
+  return reader.named([&] {
+    if (kind == "sphere") {
+      keys({"center", "radius"});
+      return Quadric::sphere(point("center"), reader["radius"].positive(), hollow);
+    }
+    if (kind == "cylinder") {
+      keys({"point", "axis", "radius"});
+      return Quadric::cylinder(point("point"), point("axis"), reader["radius"].positive(), hollow);
+    }
+    if (kind == "cone") {
+      keys({"apex", "axis", "half_angle"});
+      return Quadric::cone(point("apex"), point("axis"), reader["half_angle"].positive(), hollow);
+    }
+    if (kind == "ellipsoid") {
+      keys({"center", "semi_axes", "normal", "rpy", "quaternion", "matrix"});
+      return Quadric::ellipsoid(point("center"),
+                                columns_of(reader, {"center", "semi_axes", "hollow"}),
+                                point("semi_axes"), hollow);
+    }
+    keys({"point", "curvature", "normal", "rpy", "quaternion", "matrix"});
+    const Eigen::Vector3d k = point("curvature");
+    return Quadric::osculating(point("point"), columns_of(reader, {"point", "curvature"}), k[0],
+                               k[1], k[2]);
+  });
+}
+
+/// {near: a point, and one of the shapes}; nothing where none is stated.
+std::optional<Reference> read_curved(const Reader& reader) {
+  for (const std::string& kind : shapes) {
+    const auto shape = reader.find(kind);
+    if (!shape) continue;
+    reader.allow_only({kind, "near"});
+    const Quadric surface = read_shape(kind, *shape);
+    return reader.named([&] { return Reference::on(surface, reader["near"].vector3()); });
+  }
+  return {};
+}
+
 /// A new value of a joint puts those that move with it elsewhere.
 void forget_coupled(const Model& model, const std::string& name, Posture& posture) {
   const auto& joints = model.joints;
@@ -73,6 +121,8 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
     if (reader.items().size() > 1) reader.refuse("key '" + kind + "' stands alone");
     if (axes->has("normal") && (kind == "local" || axes->items().size() > 1))
       axes->refuse("a normal goes with 'surface' and stands alone");
+    if (kind == "surface" && axes->is_map())
+      if (const auto curved = read_curved(*axes)) return *curved;
     return turned(kind == "surface" ? Reference::parse(kind) : Reference::local(), *axes, {},
                   tables);
   }

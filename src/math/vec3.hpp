@@ -84,6 +84,11 @@ BURNISH_INLINE Mat3<S> transpose_times(const Mat3<S>& a, const Mat3<S>& b) {
   return {transpose_times(a, b.c0), transpose_times(a, b.c1), transpose_times(a, b.c2)};
 }
 
+template <class S>
+BURNISH_INLINE Mat3<S> transposed(const Mat3<S>& m) {
+  return {{m.c0.x, m.c1.x, m.c2.x}, {m.c0.y, m.c1.y, m.c2.y}, {m.c0.z, m.c1.z, m.c2.z}};
+}
+
 /// A symmetric 3x3 matrix.
 template <class S>
 struct Sym3 {

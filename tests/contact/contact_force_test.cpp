@@ -167,7 +167,9 @@ WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, con
 }
 
 TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
-  for (const Reference& own : references()) {
+  std::vector<Reference> owns = references();
+  owns.push_back(Reference::on(Quadric::sphere({0.1, 0.2, -3.0}, 2.0), {0.3, 0.0, 0.2}));
+  for (const Reference& own : owns) {
     ContactSpec spec = contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"));
     spec.with_gains(60.0, 9.0);
     ContactDynamics dynamics(model_, {spec}), other(model_, {spec});

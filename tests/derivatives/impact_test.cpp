@@ -163,7 +163,7 @@ class Impact : public ::testing::TestWithParam<ImpactCase> {
 };
 
 TEST_P(Impact, balances_momentum_stops_the_contacts_and_loses_energy) {
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : contact_references()) {
     ConstrainedDynamics<double> dynamics(model, set(reference), {});
     ContactDynamics door(model, specs(reference, Acceleration::TimeDerivative));
     for (int i = 0; i < 5; ++i) {
@@ -194,7 +194,7 @@ TEST_P(Impact, derivatives_equal_automatic_differentiation_and_differences) {
   constexpr Acceleration accelerations[] = {Acceleration::TimeDerivative, Acceleration::Spatial,
                                             Acceleration::Classical};
   int i = 0;
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : contact_references()) {
     const ContactSet contacts = set(reference, accelerations[i++ % 3]);
     ConstrainedDynamics<double> dynamics(model, contacts, {});
     ConstrainedDerivatives<double> by(dynamics);
@@ -256,7 +256,7 @@ TEST_P(Impact, feels_no_gravity_gains_or_reference) {
   EXPECT_LE(difference(evaluate(dynamics, by, at), want), 1e-10);
   for (const Touch& touch : GetParam().touches)
     if (touch.directions.count() != 6) return;
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : contact_references()) {
     ConstrainedDynamics<double> other(model, set(reference), {});
     ConstrainedDerivatives<double> other_by(other);
     const Result got = evaluate(other, other_by, at);
@@ -268,7 +268,7 @@ TEST_P(Impact, feels_no_gravity_gains_or_reference) {
 
 TEST_P(Impact, lanes_equal_single_states) {
   using S = NativePack;
-  for (const Reference& reference : all_references()) {
+  for (const Reference& reference : contact_references()) {
     const ContactSet contacts = set(reference);
     ConstrainedDynamics<S> packed(model, contacts, {});
     ConstrainedDerivatives<S> packed_by(packed);

@@ -253,6 +253,39 @@ TEST_F(ProblemFiles, ReferencesTurnOverTime) {
   EXPECT_NEAR(xyzw[2], std::sin(0.35), 1e-12);
 }
 
+TEST_F(ProblemFiles, ContactsFollowCurvedSurfaces) {
+  const auto quadric = [&](const std::string& shape) {
+    const ProblemFile file = read(small("directions: z", "directions: z, reference: {surface: {" +
+                                                             shape + ", near: [0, 0, 0.5]}}"));
+    return file.spec.contacts[0].reference;
+  };
+  const auto same = [](const Reference& reference, const Quadric& surface) {
+    const Reference wanted = Reference::on(surface, {0.0, 0.0, 0.5});
+    EXPECT_EQ(reference.rotation, wanted.rotation);
+    ASSERT_TRUE(reference.quadric.has_value());
+    EXPECT_EQ(reference.quadric->Q, surface.Q);
+    EXPECT_EQ(reference.quadric->b, surface.b);
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), low(0.0, 0.0, -0.5);
+  same(quadric("sphere: {center: [0, 0, -0.5], radius: 1}"), Quadric::sphere(low, 1.0));
+  same(quadric("cylinder: {point: [0, 0, -0.5], axis: [2, 0, 0], radius: 0.3, hollow: true}"),
+       Quadric::cylinder(low, x, 0.3, true));
+  same(quadric("cone: {apex: [0, 0, -0.5], axis: [1, 0, 0], half_angle: 0.2}"),
+       Quadric::cone(low, x, 0.2));
+  same(quadric("ellipsoid: {center: [0, 0, -0.5], semi_axes: [1, 2, 3]}"),
+       Quadric::ellipsoid(low, Eigen::Matrix3d::Identity(), {1.0, 2.0, 3.0}));
+  same(quadric("osculating: {point: [0, 0, 0.5], normal: [0, 0, 1], curvature: [-1, 0, 2]}"),
+       Quadric::osculating({0.0, 0.0, 0.5}, Eigen::Matrix3d::Identity(), -1.0, 0.0, 2.0));
+  const auto refused = [&](const std::string& shape) {
+    return refusal([&] { (void)quadric(shape); });
+  };
+  EXPECT_NE(refused("sphere: {center: [0, 0, 0], radius: -1}").find("radius"), std::string::npos);
+  EXPECT_NE(refused("sphere: {center: [0, 0, 0], radios: 1}").find("did you mean 'radius'"),
+            std::string::npos);
+  EXPECT_NE(refused("sphere: {center: [0, 0, 0.5], radius: 1}").find("no normal"),
+            std::string::npos);
+}
+
 TEST_F(ProblemFiles, RotationsOverTimeThatAreNoneAreRefused) {
   const auto refused = [&](const std::string& path) {
     return refusal(

@@ -30,8 +30,8 @@ const std::vector<LawRobot>& law_robots() {
 }
 
 const std::vector<std::string>& law_references() {
-  static const std::vector<std::string> names{"local", "centered", "surface",
-                                              "world", "third",    "elsewhere"};
+  static const std::vector<std::string> names{"local",     "centered", "surface", "world", "third",
+                                              "elsewhere", "ball",     "barrel",  "saddle"};
   return names;
 }
 
@@ -77,6 +77,15 @@ Reference reference_of(const std::string& name, const Model& model, const Contac
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
   if (name == "surface") return Reference::surface(tilt);
+  if (name == "ball" || name == "barrel" || name == "saddle") {
+    const Eigen::Vector3d center(0.2, -0.3, -2.5);
+    const Quadric surface = name == "ball"     ? Quadric::sphere(center, 0.3)
+                            : name == "barrel" ? Quadric::cylinder(center, {0.3, 1.0, -0.2}, 0.4)
+                                               : Quadric::osculating(center, tilt, 0.3, 0.1, -0.2);
+    Reference reference = Reference::surface(tilt);
+    reference.quadric = surface;
+    return reference;
+  }
   if (name == "third") return {Anchor::Tool, far_frame(model, {contact.tool, contact.base}), tilt};
   if (name == "elsewhere")
     return {far_frame(model, {contact.tool, contact.base}), Anchor::Base, tilt};

@@ -26,7 +26,7 @@ const std::vector<LawRobot>& law_robots();
 inline void PrintTo(const LawRobot& robot, std::ostream* out) { *out << robot.name; }
 
 /// "local", "centered", "surface", "world", and with a third body: "third", whose axes are its,
-/// "elsewhere", whose origin is.
+/// "elsewhere", whose origin is; and what follows a surface: "ball", "barrel", "saddle".
 const std::vector<std::string>& law_references();
 /// Direction sets by name, from one direction to six.
 const std::vector<Directions>& law_directions();

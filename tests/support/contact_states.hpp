@@ -73,6 +73,14 @@ inline std::vector<Reference> all_references() {
           Reference::local(tilt())};
 }
 
+/// Those of contacts: one that follows a surface too.
+inline std::vector<Reference> contact_references() {
+  std::vector<Reference> result = all_references();
+  const Eigen::Vector3d near(0.3, 0.0, 0.2);
+  result.push_back(Reference::on(Quadric::osculating(near, tilt(), 0.5, 0.2, -0.8), near));
+  return result;
+}
+
 /// These, and references whose origin or axes go with another body than tool and base.
 inline std::vector<Reference> all_references(const Model& model, const std::string& tool,
                                              const std::string& base) {

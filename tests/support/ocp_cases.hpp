@@ -306,9 +306,12 @@ inline std::string frame_on_the_way(const Model& model, const std::string& tool)
 }
 
 /// "idle" never holds, "brace" holds one direction on the way to the tool, which turns, "pad" all
-/// six of it.
+/// six of it, in axes that follow a curved surface.
 inline std::vector<ContactSpec> ocp_contacts(const Model& model, const std::string& tool) {
-  ContactSpec idle = contact(tool), pad = contact(tool, "world", Reference::surface(tilt()));
+  ContactSpec idle = contact(tool);
+  ContactSpec pad = contact(
+      tool, "world",
+      Reference::on(Quadric::osculating({0.3, 0.0, 0.2}, tilt(), 0.6, 0.2, -0.9), {0.3, 0.0, 0.2}));
   ContactSpec brace = contact(frame_on_the_way(model, tool), "world",
                               turning_reference(Anchor::Tool, Anchor::World), Directions::z(),
                               Acceleration::Classical);

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "burnish/base/signal.hpp"
 #include "burnish/base/views.hpp"
+#include "burnish/dynamics/quadric.hpp"
 
 namespace burnish {
 
@@ -47,6 +49,10 @@ struct Reference {
   /// rotation. For the knots of a problem, each of which holds the rotation of its time; empty:
   /// `rotation`, which is the identity otherwise.
   Signal rotation_over_time = {};
+  /// A surface in the axes of the base, which the reference's axes follow as the tool moves over
+  /// it: at a normal n they are `rotation` turned by the least rotation that takes its third column
+  /// to n. For the references of contacts at the tool, with axes fixed in the base.
+  std::optional<Quadric> quadric = {};
 
   /// The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation` if given.
   static Reference local(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
@@ -57,6 +63,10 @@ struct Reference {
   static Reference surface(const Eigen::Matrix3d& rotation);
   /// A surface with the given normal as its z axis; x is the horizontal-most tangent.
   static Reference surface_with_normal(const Eigen::Vector3d& normal);
+  /// Axes that follow a curved surface of the base: those of surface_with_normal() at `near`, a
+  /// point in the axes of the base where the tool is to be, and turned with the normal elsewhere.
+  /// Within half a turn of there.
+  static Reference on(const Quadric& surface, const Eigen::Vector3d& near);
   /// The same at the world's origin: the true WORLD twist and wrench.
   static Reference world(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
 
