@@ -18,6 +18,9 @@ struct Quadric {
   Eigen::Vector3d b = Eigen::Vector3d::UnitZ();
   double c = 0.0;
 
+  // Makers throw Error for what is no such shape: a NaN, a length that is not positive, a direction
+  // of none, axes that are no rotation. Points and axes are in the frame's axes, m.
+
   /// Through a point, with a normal of any length out of the material.
   static Quadric plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
   /// Material inside, or outside of a hollow one: then the normal is towards the centre.
@@ -36,6 +39,8 @@ struct Quadric {
   static Quadric osculating(const Eigen::Vector3d& point, const Eigen::Matrix3d& axes, double k_xx,
                             double k_xy, double k_yy);
 
+  /// phi in its own unit; to first order the distance, m, beside the surface of what the makers
+  /// above make, but for cones and ellipsoids.
   double value(const Eigen::Vector3d& x) const;
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const { return Q * x + b; }
   /// Unit length. Throws Error where the gradient is zero, as on the axis of a cylinder.
