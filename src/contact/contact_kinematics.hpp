@@ -27,6 +27,13 @@ struct ContactState {
   CurvedAxes<S> curved;    ///< world axes; valid if the reference is curved
 };
 
+/// Angle, rad, by which axes that follow a surface turn beyond those of the base, per unit rate of
+/// an entry of v that moves the tool by `relative` against the base (about the world's origin).
+template <class S>
+BURNISH_INLINE Vec3<S> curved_turn(const ContactState<S>& state, const Motion<S>& relative) {
+  return state.curved.turn(state.curved.normal_change(at_point(relative, state.p).linear));
+}
+
 /// Everything of the state but the force. `axes` are those of the reference in their body; the
 /// surface is read where the reference follows one.
 template <class S>

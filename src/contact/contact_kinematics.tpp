@@ -66,12 +66,6 @@ void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surfa
   state.axes = {turned(state.axes.c0), turned(state.axes.c1), at.n};
 }
 
-/// Angle by which an entry of v turns the axes of a curved reference beyond those of the base.
-template <class S>
-BURNISH_INLINE Vec3<S> curved_turn(const ContactState<S>& state, const Motion<S>& relative) {
-  return state.curved.turn(state.curved.normal_change(at_point(relative, state.p).linear));
-}
-
 template <class S>
 void update_error(const CompiledContact& contact, const Pose<S>& base, ContactState<S>& state) {
   const Mat3<S> target_R = base.R * lift<S>(contact.target_R);

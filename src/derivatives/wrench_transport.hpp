@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/contact_kinematics.tpp"
+#include "contact/contact_kinematics.hpp"
 
 namespace burnish {
 
@@ -31,7 +31,7 @@ Force<S> wrench_rate(const ReferencePose<S>& pose, const WrenchEntry& entry,
   if (entry.tool_axis != entry.base_axis) {
     const auto axis = [&](int k) { return k < 0 ? Motion<S>::zero() : kinematics.axes[k].axis; };
     const Motion<S> relative = axis(entry.tool_axis) - axis(entry.base_axis);
-    V += turning_at(state.p, contact_detail::curved_turn(state, relative));
+    V += turning_at(state.p, curved_turn(state, relative));
   }
   return in_reference(pose, dlambda + cross(V, state.force_world));
 }

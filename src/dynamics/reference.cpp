@@ -94,8 +94,8 @@ void Reference::check(const std::string& who) const {
   if (quadric) {
     quadric->check(who);
     if (origin != Anchor::Tool || axes != Anchor::Base)
-      throw Error(who + ": a reference that follows a curved surface has the " + name() +
-                  "; wanted axes of the base at the tool, as Reference::on makes them");
+      throw Error(who + ": the reference that follows a curved surface is '" + name() +
+                  "'; wanted axes of the base at the tool, as Reference::on makes them");
     if (!rotation_over_time.empty())
       throw Error(
           who +

@@ -42,33 +42,27 @@ Reference turned(Reference reference, const Reader& reader, const std::vector<st
 const std::vector<std::string> shapes{"sphere", "cylinder", "cone", "ellipsoid", "osculating"};
 
 Quadric read_shape(const std::string& kind, const Reader& reader) {
-  const auto keys = [&](std::vector<std::string> own) {
-    if (kind != "osculating") own.emplace_back("hollow");
-    reader.allow_only(own);
-  };
   const auto inside = reader.find("hollow");
   const bool hollow = inside && inside->yes_or_no();
   const auto point = [&](const char* key) { return reader[key].vector3(); };
   return reader.named([&] {
     if (kind == "sphere") {
-      keys({"center", "radius"});
+      reader.allow_only({"center", "radius", "hollow"});
       return Quadric::sphere(point("center"), reader["radius"].positive(), hollow);
     }
     if (kind == "cylinder") {
-      keys({"point", "axis", "radius"});
+      reader.allow_only({"point", "axis", "radius", "hollow"});
       return Quadric::cylinder(point("point"), point("axis"), reader["radius"].positive(), hollow);
     }
     if (kind == "cone") {
-      keys({"apex", "axis", "half_angle"});
+      reader.allow_only({"apex", "axis", "half_angle", "hollow"});
       return Quadric::cone(point("apex"), point("axis"), reader["half_angle"].positive(), hollow);
     }
     if (kind == "ellipsoid") {
-      keys({"center", "semi_axes", "normal", "rpy", "quaternion", "matrix"});
       return Quadric::ellipsoid(point("center"),
                                 columns_of(reader, {"center", "semi_axes", "hollow"}),
                                 point("semi_axes"), hollow);
     }
-    keys({"point", "curvature", "normal", "rpy", "quaternion", "matrix"});
     const Eigen::Vector3d k = point("curvature");
     return Quadric::osculating(point("point"), columns_of(reader, {"point", "curvature"}), k[0],
                                k[1], k[2]);

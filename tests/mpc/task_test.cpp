@@ -131,5 +131,15 @@ TEST(MpcTask, is_refused_where_the_schedule_waits_for_what_it_does_not_know) {
   expect_words(with([](MpcSpec& s) { s.contact_threshold = -1.0; }), {"contact threshold", "-1"});
 }
 
+TEST(MpcPlans, that_remember_what_was_a_step_before_are_refused) {
+  const auto with = [](const std::function<void(MpcSpec&)>& change) {
+    return refusal([&] { Toyed{change}; });
+  };
+  expect_words(with([](MpcSpec& s) { s.problem.torque_model = TorqueModel::held(); }),
+               {"torques are held", "ticks are shorter", "wanted a torque model with a cut-off"});
+  expect_words(with([](MpcSpec& s) { s.problem.remembered_forces = {"pad"}; }),
+               {"forces of the step before", "ticks are shorter", "no remembered_forces"});
+}
+
 }  // namespace
 }  // namespace burnish::test
