@@ -39,6 +39,7 @@ void DdpSolver::Impl::add_bends() {
   bent = true;
   // Weights of limits are shares of what the cost bends by, and not of what they add themselves.
   cost_unit = curvature_unit();
+  if (!options.limits.bends) return;
   for (int k = 0; k <= N; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const KnotExpansion& e = expansions[at];

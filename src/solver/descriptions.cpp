@@ -110,7 +110,12 @@ const Description& description_of(const LimitOptions* /*of*/) {
                  "below price: it stays.",
                  range::not_negative)
           .field("tolerance", &L::tolerance,
-                 "Kept if every violation <= tolerance * scale of its row.", range::positive);
+                 "Kept if every violation <= tolerance * scale of its row.", range::positive)
+          .field(
+              "bends", &L::bends,
+              "Steps know how rows bend (distances with an upper limit, friction cones). Without "
+              "it limits that bend more than the cost take many more iterations, to the same "
+              "solution.");
   return all;
 }
 

@@ -64,6 +64,9 @@ struct LimitOptions {
   double largest_price = 1e8;
   /// Kept if every violation <= tolerance * scale of its row.
   double tolerance = 1e-8;
+  /// Steps know how rows bend (distances with an upper limit, friction cones). Without it limits
+  /// that bend more than the cost take many more iterations, to the same solution.
+  bool bends = true;
 };
 
 /// What a callback sees after each iteration.
