@@ -12,7 +12,8 @@ from . import _core
 from ._signal import Signal
 from ._spec import Spec, identity
 
-__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Quadric", "Reference"]
+__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Quadric", "Reference",
+           "SurfaceKind", "SurfaceShape"]
 
 
 # Described classes stand here (scripts/describe).

@@ -43,6 +43,7 @@ from ._core import (
     write_task,
 )
 from ._spec import Spec
+from .contact import SurfaceShape
 from .model import Robot
 from .mpc import Fallback, ModelErrorOptions, SafetyLimits
 from .pressing import (
@@ -56,6 +57,7 @@ from .pressing import (
     ReachOptions,
     ReachProblem,
     ReachReport,
+    SurfaceEstimateOptions,
     TickTimes,
     ToolLimits,
 )

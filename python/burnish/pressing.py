@@ -6,17 +6,19 @@ from __future__ import annotations
 import enum
 
 from dataclasses import dataclass
-from typing import List
+from typing import List, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._spec import Spec
+from .contact import SurfaceShape
 
 __all__ = [
     "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
     "PostureOptions",
-    "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE", "TaskTarget",
+    "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE",
+    "SurfaceEstimateOptions", "TaskTarget",
     "TickTimes", "ToolLimits", "Touch",
 ]
 

@@ -255,6 +255,19 @@ void bind_contacts(DynamicsClass& of) {
           "Another rotation (3, 3) in the place of that of a contact's reference (name or number), "
           "for states evaluated from then on. Results before it are gone.")
       .def(
+          "set_surface",
+          [](Dynamics& self, const NumberOrName& contact, const Quadric& surface) {
+            constexpr const char* call = "ContactDynamics.set_surface";
+            const Busy::Lock lock(self.busy, call);
+            const int number = contact_number(call, contact, self.names);
+            self.evaluated = 0;
+            if (self.machine.set_surface(number, surface) != Status::Ok)
+              throw Error(std::string(call) + ": the surface holds a NaN or an infinity");
+          },
+          py::arg("contact"), py::arg("surface"),
+          "Another Quadric in the place of the one that a contact's reference follows (name or "
+          "number; Reference.on), for states evaluated from then on. Results before it are gone.")
+      .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(

@@ -58,6 +58,18 @@ class TestReferences:
         with pytest.raises(burnish.Error, match="the sphere's radius is -1 m"):
             burnish.Quadric.sphere(near, -1.0)
 
+    def test_are_given_another_surface(self) -> None:
+        near = np.array([0.5, 0.1, 0.1])
+        ball, plane = burnish.Quadric.sphere([0.5, 0.1, -0.3], 0.4), burnish.Quadric.plane(near, [0.0, 0.6, 0.8])
+        dynamics = dynamics_of(ContactSpec("pad", tool="tool", directions="z", reference=Reference.on(ball, near)))
+        zero = np.zeros(ROBOT.model.nv)
+        dynamics.set_surface("pad", plane)
+        dynamics.forward(ROBOT.posture("tilt_45"), zero, zero)
+        np.testing.assert_allclose(dynamics.force("pad").axes()[:, 2], [0.0, 0.6, 0.8], atol=1e-12)
+        flat = dynamics_of(ContactSpec("pad", tool="tool", reference=Reference.centered()))
+        with pytest.raises(burnish.Error, match="follows no surface"):
+            flat.set_surface("pad", plane)
+
     def test_own_their_rotation(self) -> None:
         rotation = np.eye(3)
         reference = Reference.local(rotation)

@@ -25,6 +25,9 @@ class ConstrainedDynamics {
   /// from then on. Its columns are the reference's axes in what they are fixed in.
   void set_reference_rotation(int contact, const Mat3<S>& rotation);
 
+  /// Another surface in the place of the one that a contact's reference follows, likewise.
+  void set_surface(int contact, const CurvedSurface<S>& surface) { surfaces_[contact] = surface; }
+
   /// Loads a state: lane l of q (nq) and v (nv). Lanes that are not finite or not normalised are
   /// marked and computed at the neutral posture instead.
   void set_state(const S* q, const S* v);

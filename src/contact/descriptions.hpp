@@ -6,11 +6,14 @@
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/dynamics/quadric.hpp"
+#include "burnish/dynamics/surface_shape.hpp"
 
 namespace burnish {
 const Words& words_of(Acceleration);
 const Words& words_of(PoseError);
 const Description& description_of(const Quadric*);
+const Words& words_of(SurfaceShape::Kind);
+const Description& description_of(const SurfaceShape*);
 const Description& description_of(const ContactSpec*);
 const Description& description_of(const ContactSolver*);
 const Description& description_of(const ContactForce*);

@@ -146,6 +146,19 @@ Status ContactDynamics::set_reference_rotation(int contact, const Eigen::Matrix3
   return Status::Ok;
 }
 
+Status ContactDynamics::set_surface(int contact, const Quadric& surface) {
+  impl_->check("set_surface", contact);
+  if (!impl_->set.contacts()[contact].reference.is_curved)
+    throw Error("set_surface: the reference of contact " +
+                in_quotes(impl_->set.contacts()[contact].spec.name) +
+                " follows no surface; wanted one of Reference::on");
+  if (!surface.is_finite()) return Status::NotFinite;
+  impl_->references[static_cast<std::size_t>(contact)].quadric = surface;
+  impl_->evaluated = Evaluated::Nothing;
+  impl_->dynamics.set_surface(contact, {from_eigen(surface.Q), from_eigen(surface.b)});
+  return Status::Ok;
+}
+
 std::vector<std::string> ContactDynamics::row_names() const {
   std::vector<std::string> names;
   for (const int c : impl_->dynamics.active().contacts) {

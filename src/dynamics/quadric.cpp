@@ -98,9 +98,10 @@ Eigen::Vector3d Quadric::normal(const Eigen::Vector3d& x) const {
   return g.normalized();
 }
 
+bool Quadric::is_finite() const { return Q.allFinite() && b.allFinite() && std::isfinite(c); }
+
 void Quadric::check(const std::string& who) const {
-  if (!Q.allFinite() || !b.allFinite() || !std::isfinite(c))
-    throw Error(who + ": the surface holds a NaN or an infinity");
+  if (!is_finite()) throw Error(who + ": the surface holds a NaN or an infinity");
   if ((Q - Q.transpose()).norm() > 1e-9 * (1.0 + Q.norm()))
     throw Error(who + ": the surface's matrix is not symmetric");
   if (Q.isZero(0.0) && b.isZero(0.0))

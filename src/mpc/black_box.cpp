@@ -47,7 +47,7 @@ std::vector<TraceColumn> history_columns(const Model& model) {
 
 }  // namespace
 
-BlackBox::BlackBox(const MpcSpec& spec, FaultLatch& latch) : normal_world_(spec.normal_world) {
+BlackBox::BlackBox(const MpcSpec& spec, FaultLatch& latch) {
   const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / spec.tick_period)));
   Trace& trace = latch.report.last_second;
   trace = Trace(history_columns(spec.problem.model), rows);
@@ -67,7 +67,7 @@ void BlackBox::record(double now, double schedule_time, const Measurement& m,
   row[2] = static_cast<double>(command.phase);
   row[3] = static_cast<double>(report.kind);
   row.segment<3>(4) = m.tool_force_world.transpose();
-  row[7] = command.force_estimate_world.dot(normal_world_);
+  row[7] = command.force_estimate_world.dot(command.normal_world);
   row[8] = command.target_force;
   row[9] = command.solve_time;
   row[10] = static_cast<double>(command.status);

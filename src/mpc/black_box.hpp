@@ -18,7 +18,6 @@ class BlackBox {
               FaultLatch& latch) noexcept;
 
  private:
-  Eigen::Vector3d normal_world_;
   RowMatrix rows_;  ///< a ring
   long count_ = 0;
 };

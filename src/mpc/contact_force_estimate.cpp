@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/reference.hpp"
+#include "mpc/horizon.hpp"
 
 namespace burnish {
 namespace {
@@ -16,10 +17,13 @@ std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
 
 }  // namespace
 
-ContactForceEstimate::ContactForceEstimate(const ProblemSpec& problem)
+ContactForceEstimate::ContactForceEstimate(const MpcSpec& spec)
     : xyzw_(4),
-      dynamics_(problem.model, without_gains(contacts_at(problem.contacts, problem.start_time)),
-                {.mu = 1e-9}) {
+      dynamics_(spec.problem.model,
+                without_gains(contacts_at(spec.problem.contacts, spec.problem.start_time)),
+                {.mu = 1e-9}),
+      following_(contacts_on_surface(spec)) {
+  const ProblemSpec& problem = spec.problem;
   for (const ContactSpec& contact : problem.contacts)
     rotations_.push_back(contact.reference.rotation_over_time);
   for (const Stage& stage : problem.stages) {
@@ -30,6 +34,10 @@ ContactForceEstimate::ContactForceEstimate(const ProblemSpec& problem)
                           ? 1
                           : 0);
   }
+}
+
+void ContactForceEstimate::set_surface(const Quadric& surface) noexcept {
+  for (const int contact : following_) (void)dynamics_.set_surface(contact, surface);
 }
 
 bool ContactForceEstimate::has_contact(int stage) const noexcept {

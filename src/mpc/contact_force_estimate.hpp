@@ -2,13 +2,15 @@
 #pragma once
 
 #include "burnish/derivatives/contact_dynamics.hpp"
-#include "burnish/ocp/problem_spec.hpp"
+#include "burnish/mpc/mpc.hpp"
 
 namespace burnish {
 
 class ContactForceEstimate {
  public:
-  explicit ContactForceEstimate(const ProblemSpec& problem);
+  explicit ContactForceEstimate(const MpcSpec& spec);
+  /// MpcTask::surface.
+  void set_surface(const Quadric& surface) noexcept;
   bool has_contact(int stage) const noexcept;
   /// Of all contacts of the stage, N, world axes, at tau (nv), their references as they are at a
   /// time of the schedule, s. False and zero where it has none, or the dynamics no solution.
@@ -21,6 +23,7 @@ class ContactForceEstimate {
   std::vector<Signal> rotations_;  ///< per contact, empty where its reference stays
   Eigen::VectorXd xyzw_;
   ContactDynamics dynamics_;
+  std::vector<int> following_;            ///< contacts_on_surface()
   std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
 };
 

@@ -33,6 +33,31 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
+  using S = SurfaceEstimateOptions;
+  constexpr Range deviation = range::positive;
+  static const Description all =
+      Describe<S>("pressing", "SurfaceEstimateOptions",
+                  "How the surface under a sliding tool is estimated from the tool's own path: "
+                  "deviations of what is believed at first, and of what is measured.")
+          .field("enabled", &S::enabled, "estimate it; else what is believed is what is known")
+          .field("height", &S::height, "{m}, of the surface", deviation)
+          .field("tilt", &S::tilt, "{rad}, of the normal about each tangent", deviation)
+          .field("curvature", &S::curvature,
+                 "{1/m}, and a quarter of what the surface is believed to bend by", deviation)
+          .field("bend_change", &S::bend_change,
+                 "{1/m} per square root of a metre of way, by which curvatures wander", deviation)
+          .field("position_noise", &S::position_noise,
+                 "{m}, of the tip's position along the normal", deviation)
+          .field("noise_length", &S::noise_length,
+                 "{m} of way after which that noise is another: an encoder's step seen from the "
+                 "tip",
+                 deviation)
+          .field("force_noise", &S::force_noise, "{N}, of the force along the normal", deviation)
+          .field("compliance", &S::compliance, "{m/N}, of the surface under the tip", deviation);
+  return all;
+}
+
 const Description& description_of(const SafetyLimits* /*of*/) {
   using S = SafetyLimits;
   constexpr Range limit = range::positive_or_infinite, count = range::from(1);
@@ -123,6 +148,8 @@ const Description& description_of(const Command* /*of*/) {
           .field("target_force", &C::target_force,
                  "{N}, how hard the surface shall push back along its normal")
           .field("p_target_world", &C::p_target_world, "{m}, of the tip frame's origin")
+          .field("normal_world", &C::normal_world,
+                 "What the controller believes the surface's normal at the tool to be, world axes.")
           .field(
               "force_estimate_world", &C::force_estimate_world,
               "What the controller believes the surface's force on the tool to be, N, world axes.")

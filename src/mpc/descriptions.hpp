@@ -2,6 +2,7 @@
 #pragma once
 
 #include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/surface_estimate.hpp"
 #include "ocp/descriptions.hpp"
 #include "solver/descriptions.hpp"
 
@@ -11,6 +12,7 @@ const Words& words_of(ModelErrorKind);
 const Description& description_of(const SafetyLimits*);
 const Description& description_of(const Fallback*);
 const Description& description_of(const ModelErrorOptions*);
+const Description& description_of(const SurfaceEstimateOptions*);
 const Words& words_of(FaultKind);
 const Description& description_of(const Measurement*);
 const Description& description_of(const Command*);

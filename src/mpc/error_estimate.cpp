@@ -9,9 +9,10 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
     : options_(spec.model_error),
       filter_(spec.problem.torque_model),
       normal_world_(spec.normal_world),
+      normal_at_first_(spec.normal_world),
       contact_threshold_(spec.contact_threshold),
       observer_(spec.problem.model, spec.tool, spec.model_error),
-      contact_force_(spec.problem) {
+      contact_force_(spec) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
   body.frame_derivatives(tool_, Reference::centered(), tool_motion_);  // sized here, not in a tick
@@ -20,6 +21,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
 
 void ErrorEstimate::reset() noexcept {
   observer_.reset();
+  normal_world_ = normal_at_first_;
   acted_.setZero();
   torque_offset_.setZero();
   torque_error_.setZero();

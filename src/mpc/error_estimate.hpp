@@ -18,6 +18,13 @@ class ErrorEstimate {
   void update(const MeasurementGate& gate, const Command& before, int stage,
               double schedule_time) noexcept;
 
+  /// The surface at the tool from now on: its normal, and what contacts that follow it hold.
+  void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
+    normal_world_ = normal_world;
+    contact_force_.set_surface(surface);
+  }
+  const Eigen::Vector3d& normal_world() const { return normal_world_; }
+
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
   double force_error() const { return force_error_; }  ///< N
@@ -37,7 +44,7 @@ class ErrorEstimate {
 
   ModelErrorOptions options_;
   std::optional<TorqueModel> filter_;
-  Eigen::Vector3d normal_world_;
+  Eigen::Vector3d normal_world_, normal_at_first_;
   double contact_threshold_;  ///< N
   TorqueErrorObserver observer_;
   ContactForceEstimate contact_force_;

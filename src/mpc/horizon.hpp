@@ -7,6 +7,9 @@
 
 namespace burnish {
 
+/// Those that are given MpcTask::surface.
+std::vector<int> contacts_on_surface(const MpcSpec& spec);
+
 class Horizon {
  public:
   /// Both must outlive it; the problem's knots are its. Throws Error for a phase whose stage there
@@ -17,6 +20,10 @@ class Horizon {
   int stage_at(double schedule_time) const noexcept;
   /// N that contact forces of one row are to be lower than their targets: ModelErrorKind::Force.
   void set_force_error(double error) noexcept { force_error_ = error; }
+
+  /// MpcTask::surface, for all knots that are placed from then on.
+  void set_surface(const Quadric& surface) noexcept { surface_ = surface; }
+  void forget_surface() noexcept { surface_.reset(); }
 
   /// Stage and time of a knot, of all of them. May throw what targets throw.
   void place_knot(int knot, double schedule_time);
@@ -39,6 +46,8 @@ class Horizon {
   const Schedule& schedule_;
   double step_;
   std::vector<int> stage_of_phase_;
+  std::vector<int> following_;  ///< contacts_on_surface()
+  std::optional<Quadric> surface_;
   bool corrects_force_;
   double force_error_ = 0.0;
   std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row

@@ -54,9 +54,11 @@ MpcController::Impl::Impl(MpcSpec given)
       black_box_(spec, fault),
       watched_(task->watched()),
       readings_(watched_.size()),
+      tool_(RigidBody(spec.problem.model).frame(spec.tool)),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
+  command_.normal_world = spec.normal_world;
   std::size_t longest = 0;
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
@@ -79,7 +81,9 @@ void MpcController::Impl::reset() noexcept {
   solver.forget_limits();
   tick_ = 0;
   due_ = solved_ = warm_ = jumped_ = false;
+  horizon.forget_surface();
   command_ = Command{std::move(command_.tau)};
+  command_.normal_world = spec.normal_world;
   command_.tau.setZero();
 }
 
@@ -109,12 +113,24 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   const unsigned happened = task->sense(view);
+  look_at_surface();
   error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());
   command_.force_estimate_world = error.force_world();
   if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   policy.take_over(gate.now());
   if (!fault.is_set() && due_) update();
+}
+
+void MpcController::Impl::look_at_surface() noexcept {
+  const Quadric* const surface = task->surface();
+  if (surface == nullptr || !surface->is_finite()) return;
+  const Eigen::Vector3d gradient = surface->gradient(gate.body().placement(tool_).translation());
+  const double length = gradient.norm();
+  if (!(length > 1e-9)) return;  // none there: what was known goes on
+  command_.normal_world = gradient / length;
+  error.set_surface(*surface, command_.normal_world);
+  horizon.set_surface(*surface);
 }
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {

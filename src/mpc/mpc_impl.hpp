@@ -26,6 +26,7 @@ struct MpcController::Impl {
  private:
   // The steps of a tick.
   void see() noexcept;
+  void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
   bool replan();
@@ -59,6 +60,7 @@ struct MpcController::Impl {
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< of watched_
+  int tool_;                       ///< frame
   Command command_;
   Eigen::VectorXd x_, u_;
   long tick_ = 0;

@@ -5,6 +5,7 @@
 #include "burnish/mujoco/mujoco_plant.hpp"
 
 namespace burnish {
+const Words& words_of(MujocoContact);
 const Description& description_of(const MujocoPlantOptions*);
 
 }  // namespace burnish

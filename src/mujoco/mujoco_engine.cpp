@@ -14,6 +14,42 @@ void check(const MujocoPlantOptions& options) {
                [](const std::string& entry) { return "the MuJoCo plant's " + entry; });
 }
 
+/// MuJoCo's geometry of a surface, a square of a plane with this half side.
+std::string geom_of(const SurfaceSpec& surface, double half_side) {
+  using Kind = SurfaceShape::Kind;
+  constexpr double half_length = 5.0;  // m, of a capsule that stands for a cylinder
+  const SurfaceShape& shape = surface.shape;
+  const Surface placed = surface_of(surface);
+  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+  at.translation() = placed.center();
+  at.linear() = placed.axes();
+  const std::string pose = pose_attributes(at) + " size=\"";
+  switch (shape.kind) {
+    case Kind::Sphere:
+      return "type=\"sphere\"" + pose + numbers(shape.radius) + "\"";
+    case Kind::Cylinder:
+      return "type=\"capsule\"" + pose + numbers(shape.radius, half_length) + "\"";
+    case Kind::Ellipsoid:
+      return "type=\"ellipsoid\"" + pose +
+             numbers(shape.semi_axes.x(), shape.semi_axes.y(), shape.semi_axes.z()) + "\"";
+    default:  // those that it has not are drawn as their tangent plane
+      at.translation() = surface.point;
+      at.linear() = Reference::surface_with_normal(surface.normal).rotation;
+      return "type=\"plane\"" + pose_attributes(at) + " size=\"" +
+             numbers(half_side, half_side, 0.01) + "\"";
+  }
+}
+
+void check_engine_has(const SurfaceShape& shape) {
+  using Kind = SurfaceShape::Kind;
+  const bool has = shape.kind == Kind::Plane || shape.kind == Kind::Sphere ||
+                   shape.kind == Kind::Cylinder || shape.kind == Kind::Ellipsoid;
+  if (!has || shape.hollow)
+    throw Error("MuJoCo's own contact has no " + shape.text() +
+                "; wanted a plane, a sphere, a cylinder or an ellipsoid that is not hollow, or "
+                "contact: exact");
+}
+
 /// Tip and surface meet each other and nothing else.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
@@ -27,12 +63,11 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                    std::to_string(options.max_iterations) + "\"";
   const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
                              "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
-  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
-  at.translation() = surface.point;
-  at.linear() = Reference::surface_with_normal(surface.normal).rotation;
   const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
-  result.world = R"(<geom name="surface" type="plane")" + pose_attributes(at) + " size=\"" +
-                 numbers(side, side, 0.01) + "\"" + common + " contype=\"2\" conaffinity=\"1\"/>\n";
+  const bool meets = options.contact == MujocoContact::Engine;
+  result.world = "<geom name=\"surface\" " + geom_of(surface, side) + common +
+                 (meets ? " contype=\"2\"" : " contype=\"0\"") +
+                 (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
   result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
@@ -103,7 +138,9 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
       surface_geom(mj_name2id(m.get(), mjOBJ_GEOM, "surface")),
       tip_site(
           mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
-      tip_body(m->geom_bodyid[tip_geom]) {
+      tip_body(m->geom_bodyid[tip_geom]),
+      own_contact(options.contact == MujocoContact::Engine) {
+  if (own_contact) check_engine_has(scene.surface.shape);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_followers(*m);
@@ -122,7 +159,7 @@ void Engine::stiffen_followers() const {
 
 /// To MuJoCo every plane is endless.
 void Engine::meet_where_there_is_surface(bool in_contact) const {
-  if (std::isinf(scene.surface.extent)) return;
+  if (std::isinf(scene.surface.extent) || !own_contact) return;
   mj_kinematics(m.get(), d.get());
   const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
   const bool over = is_over(scene, tip, in_contact);

@@ -17,6 +17,7 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
+  bool own_contact;  ///< MujocoContact::Engine
 
   /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders to 1e-8.
   void stiffen_followers() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mujoco/exact_contact.hpp"
 #include "mujoco/mujoco_engine.hpp"
 #include "sim/state_check.hpp"
 
@@ -10,6 +11,7 @@ namespace burnish {
 namespace {
 
 using mujoco::Engine;
+using mujoco::ExactContact;
 
 /// Beyond this MuJoCo itself calls a number bad, writes a log file and starts anew.
 constexpr double largest = 1e9;
@@ -22,11 +24,13 @@ class MujocoPlant final : public Plant {
  public:
   MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
       : engine_(model, scene, options),
+        exact_(engine_.scene, *engine_.m, engine_.tip_site, engine_.tip_body),
+        is_exact_(options.contact == MujocoContact::Exact),
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),
         friction_(Eigen::VectorXd::Zero(model.nv)),
         theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
-        before_(Eigen::VectorXd::Zero(engine_.m->nq + 2 * engine_.m->nv)) {
+        before_(Eigen::VectorXd::Zero(moment_size())) {
     start(q_, v_);
   }
 
@@ -51,17 +55,19 @@ class MujocoPlant final : public Plant {
   void read();
   void store_moment(double* to) const;
   void load_moment(const double* from) const;
-  int moment_size() const { return engine_.m->nq + 2 * engine_.m->nv; }
+  int moment_size() const { return engine_.m->nq + 3 * engine_.m->nv; }
   int readings_size() const { return 5 + engine_.model.nv; }
 
   Engine engine_;
+  ExactContact exact_;
+  bool is_exact_;
   long steps_ = 0;
   Eigen::VectorXd q_, v_;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   bool in_contact_ = false;
   Eigen::VectorXd friction_;
   Eigen::VectorXd theirs_;  ///< friction in MuJoCo's entries
-  Eigen::VectorXd before_;  ///< qpos, qvel, warm start before a step
+  Eigen::VectorXd before_;  ///< qpos, qvel, warm start, forces of constraints before a step
 };
 
 void MujocoPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
@@ -100,12 +106,18 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   load_forces(tau, push_world);
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
+  const Eigen::Vector3d force =
+      is_exact_ ? exact_.push(*m, *d, in_contact_) : Eigen::Vector3d::Zero();
   mj_fwdConstraint(m, d);
   if (!usable(d->qacc, m->nv)) {
     load_moment(before_.data());
     return Status::NotFinite;
   }
   read();
+  if (is_exact_) {
+    force_ = force;
+    in_contact_ = !force.isZero(0.0);
+  }
   mj_Euler(m, d);
   engine_.coordinates.load(*d, q_, v_);
   if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // followers, to the last digit
@@ -126,7 +138,7 @@ void MujocoPlant::read() {
   const mjModel* m = engine_.m.get();
   const mjData* d = engine_.d.get();
   force_ = engine_.contact_force_world();
-  in_contact_ = force_.dot(engine_.scene.surface.normal) > 0.0;
+  in_contact_ = !force_.isZero(0.0);
   theirs_ = Eigen::Map<const Eigen::VectorXd>(d->qfrc_passive, m->nv);
   for (int row = 0; row < d->nefc; ++row)
     if (d->efc_type[row] == mjCNSTR_FRICTION_DOF) theirs_[d->efc_id[row]] += d->efc_force[row];
@@ -140,6 +152,7 @@ void MujocoPlant::store_moment(double* to) const {
   mju_copy(to, d->qpos, m->nq);
   mju_copy(to + m->nq, d->qvel, m->nv);
   mju_copy(to + m->nq + m->nv, d->qacc_warmstart, m->nv);
+  mju_copy(to + m->nq + 2 * m->nv, d->qfrc_constraint, m->nv);
 }
 
 void MujocoPlant::load_moment(const double* from) const {
@@ -148,6 +161,7 @@ void MujocoPlant::load_moment(const double* from) const {
   mju_copy(d->qpos, from, m->nq);
   mju_copy(d->qvel, from + m->nq, m->nv);
   mju_copy(d->qacc_warmstart, from + m->nq + m->nv, m->nv);
+  mju_copy(d->qfrc_constraint, from + m->nq + 2 * m->nv, m->nv);
 }
 
 void MujocoPlant::save(PlantSnapshot& snapshot) const {

@@ -112,10 +112,15 @@ void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
 
 /// The references of active contacts that turn over time.
 void turn_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
-  for (std::size_t c = 0; c < spec.contacts.size(); ++c)
-    if (stage.active[c] != 0)
-      add_turning(spec.contacts[c].reference, static_cast<int>(c),
-                  "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
+  for (std::size_t c = 0; c < spec.contacts.size(); ++c) {
+    if (stage.active[c] == 0) continue;
+    const Reference& reference = spec.contacts[c].reference;
+    add_turning(reference, static_cast<int>(c),
+                "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
+    if (!reference.quadric) continue;
+    stage.surfaces.push_back({*reference.quadric, stage.targets, static_cast<int>(c)});
+    stage.targets += surface_size;
+  }
 }
 
 CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem,

@@ -44,12 +44,23 @@ struct CompiledTurning {
   std::string of;    ///< for messages, such as "contact 'pad'"
 };
 
+/// A surface that a contact's reference follows, whose numbers are data of each knot: surface_size
+/// of the stage's targets.
+struct CompiledSurface {
+  Quadric surface;  ///< where nothing else is said
+  int target = 0;   ///< first entry in the stage's targets
+  int contact = 0;
+};
+/// Q: xx, xy, xz, yy, yz, zz; b.
+constexpr int surface_size = 9;
+
 struct CompiledStage {
   std::string name;
   std::vector<char> active;  ///< per contact of the problem
   std::vector<CompiledFrame> frames;
   std::vector<std::string> frame_names;
   std::vector<CompiledTurning> turnings;
+  std::vector<CompiledSurface> surfaces;
   std::vector<CompiledTerm> terms;           ///< costs, then constraints
   std::size_t costs = 0;                     ///< how many are costs
   std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
@@ -61,7 +72,7 @@ struct CompiledStage {
   std::vector<RowBend> bends;  ///< ShootingProblem::row_bends
   int bend_rows = 0;           ///< their b
   int coefficient_rows = 0;    ///< of all constraints, those that are no entries of z
-  int targets = 0;             ///< entries of all targets and turnings
+  int targets = 0;             ///< entries of all targets, turnings and surfaces
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed
@@ -108,6 +119,7 @@ void store_target(const CompiledTerm& term, const ConstVectorRef& value, double*
 /// Targets and rotations of a stage from their signals at a time; scratch: as many entries as the
 /// largest signal, at least 4. What is no rotation becomes NaN.
 void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out);
+void store_surface(const Quadric& surface, double* out);
 /// Makes room for a rotation over time among the stage's targets; -1 for a reference that stays.
 int add_turning(const Reference& reference, int contact, const std::string& of,
                 CompiledStage& stage);

@@ -80,6 +80,25 @@ Status Problem::set_target(int knot, int term, const ConstVectorRef& target) {
   return Status::Ok;
 }
 
+Status Problem::set_surface(int knot, int contact, const Quadric& surface) {
+  if (knot < 0 || knot > knots())
+    throw Error("set_surface: knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(knots()));
+  const ContactSet& contacts = impl_->compiled.contacts;
+  if (contact < 0 || contact >= contacts.size())
+    throw Error("set_surface: contact " + std::to_string(contact) + " of " +
+                std::to_string(contacts.size()));
+  const CompiledContact& given = contacts.contacts()[contact];
+  if (!given.reference.is_curved)
+    throw Error("set_surface: the reference of contact " + in_quotes(given.spec.name) +
+                " follows no surface; wanted one of Reference::on");
+  if (!surface.is_finite()) return Status::NotFinite;
+  for (const ocp::CompiledSurface& followed : impl_->stage(knot).surfaces)
+    if (followed.contact == contact)
+      ocp::store_surface(surface, impl_->targets_of(knot) + followed.target);
+  return Status::Ok;
+}
+
 Status Problem::set_torque_bias(const ConstVectorRef& torque) {
   std::vector<double>& bias = impl_->compiled.torque_bias;
   if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;

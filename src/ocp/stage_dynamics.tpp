@@ -79,6 +79,13 @@ void StageDynamics<S>::turn(const CompiledStage& stage, const S* targets) {
     dynamics_.set_reference_rotation(turning.contact, rotation);
     if (stage.impact) impact_->dynamics.set_reference_rotation(turning.contact, rotation);
   }
+  for (const CompiledSurface& followed : stage.surfaces) {
+    const S* const n = targets + followed.target;
+    const CurvedSurface<S> surface{{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}},
+                                   {n[6], n[7], n[8]}};
+    dynamics_.set_surface(followed.contact, surface);
+    if (stage.impact) impact_->dynamics.set_surface(followed.contact, surface);
+  }
 }
 
 template <class S>

@@ -42,6 +42,15 @@ void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scra
       rotation.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
   }
+  for (const CompiledSurface& followed : stage.surfaces)
+    store_surface(followed.surface, out + followed.target);
+}
+
+void store_surface(const Quadric& surface, double* out) {
+  const Eigen::Matrix3d& Q = surface.Q;
+  for (const double entry : {Q(0, 0), Q(0, 1), Q(0, 2), Q(1, 1), Q(1, 2), Q(2, 2), surface.b[0],
+                             surface.b[1], surface.b[2]})
+    *out++ = entry;
 }
 
 int add_turning(const Reference& reference, int contact, const std::string& of,

@@ -37,8 +37,9 @@ const Description& description_of(const MetricsSpec* /*of*/) {
           .field("start", &M::start, "{s}, of the window")
           .field("end", &M::end, "{s}, of the window")
           .field("normal_world", &M::normal_world,
-                 "Of the surface as it is, towards the robot; any length but zero. The force is "
-                 "measured along it, the position across it.")
+                 "Along which the force is measured and across which the position, towards the "
+                 "robot, any length but zero; none: the normal of the surface at the tool, as it "
+                 "is in each row.")
           .field("average", &M::average,
                  "{s}, of the moving average of the force, centred; 0: none");
   return all;

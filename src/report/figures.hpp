@@ -96,6 +96,11 @@ void each_metric(const See& see) {  // NOLINT(readability-function-size): a tabl
                   "distance to the target across the normal that is not exceeded 95 % of the time",
                   "path error, 95 %"},
       &M::position_p95);
+  see(FigureEntry{"normal_error", angle,
+                  "root mean square angle between the surface's normal at the tool and what the "
+                  "controller believes it to be",
+                  "normal error, rms", 2},
+      &M::normal_error);
   see(FigureEntry{"orientation_drift", angle, "largest rotation of the tool since the window began",
                   "tool turned", 1},
       &M::orientation_drift);

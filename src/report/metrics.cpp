@@ -62,19 +62,36 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turned) {
   return Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
 }
 
+/// The surface's normal in every row: one for all, or what the trace has.
+class Normals {
+ public:
+  Normals(const Trace& trace, const std::optional<Eigen::Vector3d>& given) {
+    if (given) {
+      fixed_ = given->normalized();
+    } else {
+      rows_.emplace(trace, "surface_normal", "world");
+    }
+  }
+  Eigen::Vector3d operator[](int row) const { return rows_ ? (*rows_)[row] : fixed_; }
+
+ private:
+  Eigen::Vector3d fixed_ = Eigen::Vector3d::UnitZ();
+  std::optional<Vectors> rows_;
+};
+
 /// Along the normal, in every row.
-Eigen::VectorXd along(const Trace& trace, const std::string& what, const Eigen::Vector3d& normal) {
+Eigen::VectorXd along(const Trace& trace, const std::string& what, const Normals& normals) {
   const Vectors force(trace, what, "world");
   Eigen::VectorXd result(trace.rows());
-  for (int row = 0; row < trace.rows(); ++row) result[row] = normal.dot(force[row]);
+  for (int row = 0; row < trace.rows(); ++row) result[row] = normals[row].dot(force[row]);
   return result;
 }
 
 void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& window,
-                   const Eigen::Vector3d& normal, Metrics& metrics) {
+                   const Normals& normals, Metrics& metrics) {
   const Trace::Column time = trace.column("time");
   const Eigen::VectorXd target = trace.column("target_force");
-  const Eigen::VectorXd force = along(trace, "tool_force", normal);
+  const Eigen::VectorXd force = along(trace, "tool_force", normals);
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
   const int width = samples_in(spec.average, dt);
   const Eigen::VectorXd smooth = moving_mean(force, width);
@@ -88,7 +105,7 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
   metrics.force_peak = error.cwiseAbs().maxCoeff();
   metrics.force_rmse_raw = rms(raw);
   metrics.force_peak_raw = raw.cwiseAbs().maxCoeff();
-  metrics.estimate_rmse = rms((along(trace, "estimated_force", normal) - force).segment(first, n));
+  metrics.estimate_rmse = rms((along(trace, "estimated_force", normals) - force).segment(first, n));
   const Trace::Column in_contact = trace.column("in_contact");
   metrics.without_contact = 1.0 - in_contact.segment(first, n).mean();
 
@@ -103,19 +120,29 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
   }
 }
 
-void measure_motion(const Trace& trace, const Window& window, const Eigen::Vector3d& normal,
+double square_of_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  return angle * angle;
+}
+
+void measure_motion(const Trace& trace, const Window& window, const Normals& normals,
                     Metrics& metrics) {
   const Vectors tool(trace, "tool", "world"), target(trace, "target", "world");
   const Vectors turned(trace, "tool_rx_start", "tool_ry_start", "tool_rz_start");
   const Eigen::Matrix3d start = rotation_of(turned[window.first]);
+  const Vectors believed(trace, "believed_normal", "world");
   Eigen::VectorXd error(window.size());
+  double squares = 0.0;
   for (int row = window.first; row < window.last; ++row) {
     const Eigen::Vector3d off = tool[row] - target[row];
-    error[row - window.first] = (off - normal.dot(off) * normal).norm();
+    const Eigen::Vector3d n = normals[row];
+    error[row - window.first] = (off - n.dot(off) * n).norm();
+    squares += square_of_angle(n, believed[row]);
     const Eigen::Matrix3d since = start.transpose() * rotation_of(turned[row]);
     metrics.orientation_drift =
         std::max(metrics.orientation_drift, std::abs(Eigen::AngleAxisd(since).angle()));
   }
+  metrics.normal_error = std::sqrt(squares / window.size());
   metrics.position_mean = error.mean();
   metrics.position_rmse = rms(error);
   metrics.position_p95 = percentile(error, 0.95);
@@ -180,20 +207,20 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
 }  // namespace
 
 Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec) {
-  if (!(spec.normal_world.allFinite() && spec.normal_world.norm() > 1e-9))
+  if (spec.normal_world && !(spec.normal_world->allFinite() && spec.normal_world->norm() > 1e-9))
     throw Error("the surface's normal has no direction; wanted one to measure along");
   const Trace::Column time = trace.column("time");
   const Window window = window_of(time, spec.start, spec.end);
   if (window.size() == 0)
     throw Error("no row of the trace is between " + number(spec.start) + " s and " +
                 number(spec.end) + " s; wanted a window within the run");
-  const Eigen::Vector3d normal = spec.normal_world.normalized();
+  const Normals normals(trace, spec.normal_world);
   Metrics metrics;
   metrics.start = time[window.first];
   metrics.end = time[window.last - 1];
   metrics.rows = window.size();
-  measure_force(trace, spec, window, normal, metrics);
-  measure_motion(trace, window, normal, metrics);
+  measure_force(trace, spec, window, normals, metrics);
+  measure_motion(trace, window, normals, metrics);
   measure_margins(trace, model, window, metrics);
   measure_solver(trace, window, metrics);
   return metrics;

@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 /// Columns beside those of joints, and signals with envelopes beside torques.
-constexpr int plain_columns = 23, plain_envelopes = 6;
+constexpr int plain_columns = 24, plain_envelopes = 7;
 constexpr double mean_over = 0.010;  // s, of the force's mean
 
 /// Every `stride`th row and the last.
@@ -52,6 +52,13 @@ class PageFiller {
   Eigen::VectorXd along(const std::string& what, const Eigen::Vector3d& direction) const {
     return burnish::along(trace_, what, direction);
   }
+  /// Along another vector, of length one, which is `of` in every row.
+  Eigen::VectorXd along_rows(const std::string& what, const std::string& of) const {
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(trace_.rows());
+    for (const char* axis : {"_x_world", "_y_world", "_z_world"})
+      sum += trace_.column(what + axis).array() * trace_.column(of + axis).array();
+    return sum.matrix();
+  }
 
  private:
   RunPage& page_;
@@ -61,14 +68,15 @@ class PageFiller {
 
 void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
   const Eigen::Matrix3d& axes = page.surface.true_axes;
-  const Eigen::VectorXd force = fill.along("tool_force", axes.col(2));
+  const auto pressing = [&](const char* what) { return fill.along_rows(what, "surface_normal"); };
+  const Eigen::VectorXd force = pressing("tool_force");
   const auto time = trace.column("time");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
   const int width = std::max(1, static_cast<int>(std::lround(mean_over / dt)));
   fill.add_with_envelope("force_normal", "N", force);
   fill.add("force_normal_mean", "N", moving_mean(force, width));
-  fill.add_with_envelope("force_estimated", "N", fill.along("estimated_force", axes.col(2)));
-  fill.add_with_envelope("force_measured", "N", fill.along("measured_force", axes.col(2)));
+  fill.add_with_envelope("force_estimated", "N", pressing("estimated_force"));
+  fill.add_with_envelope("force_measured", "N", pressing("measured_force"));
   fill.copy("force_target", "target_force");
   fill.add("force_t1", "N", fill.along("tool_force", axes.col(0)));
   fill.add("force_t2", "N", fill.along("tool_force", axes.col(1)));
@@ -87,11 +95,18 @@ void add_motion(PageFiller& fill, const RunPage& page, const Trace& trace) {
   fill.add("target_u", "m", in_plane("target", t1));
   fill.add("target_w", "m", in_plane("target", t2));
   // Across the true normal, as it is measured.
-  const Eigen::Vector3d s1 = page.surface.true_axes.col(0), s2 = page.surface.true_axes.col(1);
-  const Eigen::VectorXd off_1 = fill.along("tool", s1) - fill.along("target", s1);
-  const Eigen::VectorXd off_2 = fill.along("tool", s2) - fill.along("target", s2);
-  fill.add_with_envelope("path_error", "m",
-                         (off_1.array().square() + off_2.array().square()).sqrt());
+  Eigen::ArrayXd off = Eigen::ArrayXd::Zero(trace.rows());
+  for (const char* axis : {"_x_world", "_y_world", "_z_world"})
+    off += (trace.column(std::string("tool") + axis) - trace.column(std::string("target") + axis))
+               .array()
+               .square();
+  const Eigen::ArrayXd above =
+      (fill.along_rows("tool", "surface_normal") - fill.along_rows("target", "surface_normal"))
+          .array();
+  fill.add_with_envelope("path_error", "m", (off - above.square()).max(0.0).sqrt());
+  fill.add_with_envelope(
+      "normal_error", "rad",
+      fill.along_rows("believed_normal", "surface_normal").array().min(1.0).max(-1.0).acos());
   const auto turned = [&](const char* name) { return trace.column(name).array().square(); };
   fill.add_with_envelope(
       "tool_turned", "rad",

@@ -62,6 +62,7 @@ std::vector<TraceColumn> columns_of(const Model& model) {
   for (const char* what : {"tau_command_", "tau_applied_", "tau_measured_", "tau_friction_"})
     add_entries_of_v(columns, model, what, "Nm", "N");
   add_axes(columns, "tool_force", "N");
+  for (const char* what : {"surface_normal", "believed_normal"}) add_axes(columns, what, "-");
   for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
     columns.push_back({what, "-"});
   columns.push_back({"solve_time", "s"});
@@ -234,6 +235,8 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   Row row(to);
   row.put(plant->friction_torque());
   row.put(plant->contact_force_world());
+  row.put(normal_at(plant->scene(), p_tool_world));
+  row.put(command.normal_world);
   row.put(plant->in_contact());
   row.put(status);
   row.put(static_cast<double>(actuation.step().limited));

@@ -77,6 +77,9 @@ const Description& description_of(const Disturbances* /*of*/) {
           .more("through its point, about the first tangent after the second")
           .field("surface_height", &D::surface_height, "{m} along the normal")
           .more("before the tilt")
+          .field("surface_curvature", &D::surface_curvature,
+                 "how much more the surface bends than the scene's: its lengths are divided by it",
+                 range::positive)
           .field("surface_friction", &D::surface_friction,
                  "Coulomb coefficient in place of the surface's, or none", size)
           .in_code("Coulomb coefficient in place of the scene's")
@@ -90,16 +93,20 @@ const Description& description_of(const Disturbances* /*of*/) {
 const Description& description_of(const SurfaceSpec* /*of*/) {
   using S = SurfaceSpec;
   static const Description all =
-      Describe<S>("sim", "SurfaceSpec", "A plane, or a square of one. All vectors in the world.")
+      Describe<S>("sim", "SurfaceSpec",
+                  "A plane or a curved surface, or what of it stands over a square. All vectors in "
+                  "the world.")
           .field("point", &S::point, "any point on it, {m}; of a square, its middle")
-          .field("normal", &S::normal, "out of the material, towards the robot", range::direction)
+          .field("normal", &S::normal,
+                 "out of the material, towards the robot; of a curved surface at its point",
+                 range::direction)
+          .field("shape", &S::shape, "plane, or what it is about that point")
           .field("friction", &S::friction, "Coulomb coefficient mu", range::not_negative)
           .field("stiffness", &S::stiffness, "{N/m}; rigid plants pass it over", range::positive)
           .field("damping", &S::damping, "{Ns/m}; rigid plants pass it over", range::not_negative)
           .more(
-              "MuJoCo's convex friction cone lifts a sliding tip by mu * damping * speed: contact "
-              "is lost unless damping < force / (mu * speed), and below a third of that the force "
-              "is clean.")
+              "MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding tip by mu * damping * "
+              "speed.")
           .field("extent", &S::extent,
                  "{m}, half the side of the square about `point` that is there to be touched, its "
                  "sides along the columns of Reference::surface_with_normal(); infinite: the plane "
@@ -123,8 +130,7 @@ const Description& description_of(const ToolTipSpec* /*of*/) {
 
 const Description& description_of(const SceneSpec* /*of*/) {
   static const Description all =
-      Describe<SceneSpec>("sim", "SceneSpec",
-                          "What the tool meets: a flat surface, and a round tip.")
+      Describe<SceneSpec>("sim", "SceneSpec", "What the tool meets: a surface, and a round tip.")
           .field("surface", &SceneSpec::surface, "")
           .field("tip", &SceneSpec::tip, "");
   return all;

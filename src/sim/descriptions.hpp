@@ -8,6 +8,7 @@
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/scene.hpp"
+#include "contact/descriptions.hpp"
 
 namespace burnish {
 

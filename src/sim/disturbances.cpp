@@ -89,6 +89,12 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
   if (!tilt.isZero(0.0))
     surface.normal = Eigen::AngleAxisd(tilt[0], axes.col(0)) *
                      (Eigen::AngleAxisd(tilt[1], axes.col(1)) * axes.col(2));
+  SurfaceShape& shape = surface.shape;
+  const double bends = disturbances.surface_curvature;
+  shape.radius /= bends;
+  shape.ring /= bends;
+  shape.semi_axes /= bends;
+  shape.curvature *= bends;
   surface.friction = disturbances.surface_friction.value_or(surface.friction);
   return result;
 }

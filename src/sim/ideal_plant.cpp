@@ -26,6 +26,12 @@ void check(const IdealPlantOptions& options) {
                [](const std::string& entry) { return "the ideal plant's " + entry; });
 }
 
+void check_flat(const SceneSpec& scene) {
+  if (!scene.surface.shape.is_flat())
+    throw Error("the ideal plant's surface is a " + scene.surface.shape.text() +
+                "; it knows planes alone: wanted one, or MuJoCo as the plant");
+}
+
 /// One row along the normal, at the distance of the tip's radius.
 ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options) {
   ContactSpec spec;
@@ -121,7 +127,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
     : model_(model),
       tree_(model),
       scene_(checked_scene(model, scene)),
-      options_((check(options), options)),
+      options_((check(options), check_flat(scene_), options)),
       axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
       dynamics_(model, {contact_of(scene_, options)}),
       body_(model),

@@ -18,6 +18,12 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   if (model.frames[static_cast<std::size_t>(frame)].body < 0)
     throw Error("the tip's frame " + in_quotes(scene.tip.frame) +
                 " is fixed to the world; wanted one that the robot moves");
+  surface.shape.check("the surface");
+  const double bend = surface_of(surface).most_concave();
+  if (!(bend * scene.tip.radius < 1.0))
+    throw Error("the tip's radius of " + number(scene.tip.radius) + " m does not fit into the " +
+                surface.shape.text() + ", whose least radius is " + number(1.0 / bend) +
+                " m where it is hollow; wanted a smaller tip");
   SceneSpec result = scene;
   result.surface.normal.normalize();
   return result;
@@ -32,7 +38,18 @@ SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::Vect
   return scene;
 }
 
+Surface surface_of(const SurfaceSpec& surface) {
+  return {surface.shape, surface.point, surface.normal};
+}
+
+Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+  if (scene.surface.shape.is_flat()) return scene.surface.normal;
+  return surface_of(scene.surface).at(p_tip_world).normal;
+}
+
 double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+  if (!scene.surface.shape.is_flat())
+    return surface_of(scene.surface).at(p_tip_world).distance - scene.tip.radius;
   return scene.surface.normal.dot(p_tip_world - scene.surface.point) - scene.tip.radius;
 }
 
@@ -45,7 +62,8 @@ bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world, bool in
   const double extent = scene.surface.extent;
   if (std::isinf(extent)) return true;
   const Eigen::Vector3d p = seen_from_surface(scene.surface, p_tip_world);
-  return std::abs(p.x()) <= extent && std::abs(p.y()) <= extent && (in_contact || p.z() > 0.0);
+  if (!(std::abs(p.x()) <= extent && std::abs(p.y()) <= extent)) return false;
+  return in_contact || gap(scene, p_tip_world) > -scene.tip.radius;
 }
 
 }  // namespace burnish

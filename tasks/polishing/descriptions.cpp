@@ -153,6 +153,10 @@ Describe<T>& describe_place(Describe<T>& task) {
           "path's origin; infinite: it has no end")
       .word("endless");
   return pressing::describe_material(task)
+      .field("shape", &T::shape,
+             "What the surface is about its point. The path is drawn on it as seen along the "
+             "normal there.")
+      .in_code("plane, or what the surface is about its point")
       .field("search", &T::search, "What a posture that is searched keeps to.")
       .field("path", &T::path,
              "In the plane of the surface, from the point under the start, beginning at rest.");
@@ -208,7 +212,10 @@ Describe<T>& describe_controller(Describe<T>& task) {
       .field("constraints", &T::constraints,
              "What plans keep, whatever it costs. Each may be never.")
       .field("model_error", &T::model_error,
-             "What measurements say that the model gets wrong, given back to it before each plan.");
+             "What measurements say that the model gets wrong, given back to it before each plan.")
+      .field(
+          "surface_estimate", &T::surface_estimate,
+          "What the tip's own path says of the surface, given to each plan: not with axes: local.");
   pressing::describe_limits(task).group("").field(
       "fallback", &T::fallback,
       "What holds the arm after a fault: gravity compensation, a damper, and a spring that "

@@ -4,6 +4,7 @@
 #include "base/description.hpp"
 #include "burnish/tasks/polishing/task.hpp"
 #include "files/described_file.hpp"
+#include "mpc/descriptions.hpp"
 
 namespace burnish::polishing {
 

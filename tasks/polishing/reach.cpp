@@ -26,7 +26,6 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
                 const ReachOptions& options) {
   const Path path(task.path);
   const double end = time_on_path(task, path), dt = 0.01;
-  const auto tangents = setting.surface_axes.leftCols<2>();
   double& s = walk.report().path_length;
   Eigen::Vector2d before = path.at(0.0).p;
   double visited = -options.spacing;
@@ -40,7 +39,7 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
       visited = std::min(s, visited + options.spacing);
       const double share = length > 0.0 ? (visited - s_before) / length : 1.0;
       const Eigen::Vector2d point = before + std::max(0.0, share) * (here - before);
-      if (!walk.visit({setting.p_center + tangents * point, visited, task.force})) return;
+      if (!walk.visit({point_on(task, setting, {.p = point}).p_world, visited, task.force})) return;
     }
     before = here;
   }

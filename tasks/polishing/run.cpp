@@ -85,7 +85,6 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
   const bool grows = path.kind == PathKind::Circle || path.kind == PathKind::Spiral;
   const double path_end = watch.track_begin() + spec.task.polish_duration;
   MetricsSpec metrics;
-  metrics.normal_world = end.normal_world;
   metrics.start = watch.track_begin() + (grows ? path.start_up : 0.0) + 0.2;
   metrics.end = std::min(end.time, path_end) - (watch.tracked(end.time) ? 0.2 : 0.01);
   // A run that is too short for all of this is measured from the start of its path.
@@ -103,8 +102,7 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
   const double begin = watch.track_begin();
   const double last = std::min(end.time, begin + spec.task.polish_duration);
   if (begin < 0.0 || !has_rows(result.trace, begin, last)) return;
-  result.verdict =
-      verdict_figures(spec.task, result.setting, result.trace, end.normal_world, begin, last);
+  result.verdict = verdict_figures(spec.task, result.setting, result.trace, begin, last);
 }
 
 /// `failure`: what the verdict says, empty if nothing.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/entry_error.hpp"
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -48,6 +49,19 @@ struct Builder {
           f[0] = task_point(task, setting, *path, t).force;
         });
   }
+  /// Of the tool: that of the start, turned with the normal of where it shall be.
+  Signal rotation() const {
+    const Eigen::Matrix3d start = frame_placement(model, setting.q_start, task.tool).linear();
+    if (task.shape.is_flat()) return Eigen::Quaterniond(start).coeffs();
+    return Signal::over_time(4, [task = task, setting = setting, path = path, start](
+                                    double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
+      const Eigen::Vector3d n = task_point(task, setting, *path, t).normal_world;
+      xyzw = (Eigen::Quaterniond::FromTwoVectors(setting.surface_axes.col(2), n) *
+              Eigen::Quaterniond(start))
+                 .normalized()
+                 .coeffs();
+    });
+  }
   std::vector<CostTerm> everywhere() const {
     const Weights& w = task.weights;
     const int ndx = static_cast<int>(2 * model.nv + (task.torque_cutoff > 0.0 ? model.nv : 0));
@@ -55,14 +69,10 @@ struct Builder {
     rows.head(model.nv).setConstant(w.posture);
     rows.segment(model.nv, model.nv).setConstant(w.velocity);
     if (task.torque_cutoff > 0.0) rows.tail(model.nv).setConstant(w.torque);
-    const Eigen::Isometry3d start = frame_placement(model, setting.q_start, task.tool);
-    std::vector<CostTerm> terms{
-        {.name = "state", .residual = residual::State{state_target()}, .weights = rows},
-        {.name = "rotation",
-         .residual =
-             residual::FrameRotation{task.tool, Eigen::Quaterniond(start.linear()).coeffs()},
-         .weight = w.rotation}};
-    return terms;
+    return {{.name = "state", .residual = residual::State{state_target()}, .weights = rows},
+            {.name = "rotation",
+             .residual = residual::FrameRotation{task.tool, rotation()},
+             .weight = w.rotation}};
   }
   CostTerm place(double normal_weight) const {
     return pressing::place_cost("position", task.tool, position(), setting.surface_axes,
@@ -79,9 +89,12 @@ struct Builder {
           v[2] = task.clearance / T * pressing::smooth_rate((t - begin) / T);
         });
   }
-  CostTerm move(const std::string& name, const Signal& target) const {
-    return pressing::normal_speed_cost(name, task.tool, target, setting.surface_axes,
-                                       task.weights.approach);
+  CostTerm move(const std::string& name, const Signal& target, const Eigen::Vector3d& n) const {
+    return pressing::normal_speed_cost(name, task.tool, target, axes_of(n), task.weights.approach);
+  }
+  /// Of where the path ends.
+  Eigen::Vector3d last_normal() const {
+    return task_point(task, setting, *path, setting.track_end).normal_world;
   }
 
   Stage stage(const std::string& name, const std::vector<CostTerm>& extra, bool contact) const {
@@ -114,6 +127,35 @@ bool searches_posture(const Task& task, const Robot& robot) {
 
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
+namespace {
+/// Throws Error where a curved surface ends, as seen along its normal, before the path does, or
+/// falls off too steeply for a path that is drawn as seen from there.
+void check_path_on(const Setting& setting, const Task& task) {
+  if (task.shape.is_flat()) return;
+  if (task.axes == ForceAxes::Local)
+    throw EntryError("axes", "the tool's own, on a " + task.shape.text() +
+                                 "; wanted surface, whose axes follow it");
+  constexpr double steepest = 0.35;  // cosine: 70 degrees
+  constexpr int count = 400;
+  const Surface surface = surface_of(setting.scene.surface);
+  const Path path(task.path);
+  const double end = std::min(task.polish_duration, path.duration());
+  for (int i = 0; i <= count; ++i) {
+    const Eigen::Vector2d p = path.at(end * i / count).p;
+    const Eigen::Vector3d on =
+        surface.along_normal(setting.scene.surface.point + setting.surface_axes.leftCols<2>() * p);
+    const SurfaceDistance at = surface.at(on);
+    if (std::abs(at.distance) < 1e-9 && at.normal.dot(setting.surface_axes.col(2)) > steepest)
+      continue;
+    throw EntryError("path",
+                     "it leaves the " + task.shape.text() + ": at [" + number(p.x()) + ", " +
+                         number(p.y()) +
+                         "] m from its origin there is no surface under it, or one that is "
+                         "steeper than 70 degrees; wanted a smaller path or a larger shape");
+  }
+}
+}  // namespace
+
 Setting make_setting(const Task& task, const Robot& robot) {
   const bool searched = searches_posture(task, robot);
   return make_setting(
@@ -130,6 +172,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   SceneSpec scene;
   scene.tip = {task.tool, task.tip_radius};
   scene.surface.normal = task.normal_world;
+  scene.surface.shape = task.shape;
   scene.surface.friction = task.friction;
   scene.surface.stiffness = task.stiffness;
   scene.surface.damping = task.damping;
@@ -149,6 +192,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
     s.scene.surface.point = s.p_center - task.tip_radius * n;
     s.scene.surface.extent = Path(task.path).reach() + task.extent;
   }
+  check_path_on(s, task);
   s.reach_end = task.reach_duration;
   s.touch = s.reach_end + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
@@ -156,19 +200,52 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   return s;
 }
 
+namespace {
+
+/// The tip's centre where the tip touches the surface above or below a point of the tangent plane,
+/// and its velocity: with s on the surface, n its normal and H how that bends,
+///   s' = t - n0 (n . t) / (n . n0),   p = s + r n,   p' = s' + r H s'.
+void put_on(const Surface& surface, const Eigen::Vector3d& n0, double radius,
+            const Eigen::Vector3d& in_plane, const Eigen::Vector3d& rate, TaskPoint& point) {
+  const Eigen::Vector3d s = surface.along_normal(in_plane);
+  const SurfaceDistance at = surface.at(s);
+  const Eigen::Vector3d s_rate = rate - n0 * (at.normal.dot(rate) / at.normal.dot(n0));
+  point.normal_world = at.normal;
+  point.p_world = s + radius * at.normal;
+  point.v_world = s_rate + radius * at.bend * s_rate;
+}
+
+}  // namespace
+
+TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point) {
+  const auto tangents = setting.surface_axes.leftCols<2>();
+  const Eigen::Vector3d n = setting.scene.surface.normal;
+  TaskPoint result{.p_world = setting.p_center + tangents * point.p,
+                   .v_world = tangents * point.v,
+                   .a_world = tangents * point.a,
+                   .normal_world = n};
+  if (task.shape.is_flat()) return result;
+  const Surface surface = surface_of(setting.scene.surface);
+  const Eigen::Vector3d in_plane = result.p_world - task.tip_radius * n;
+  const Eigen::Vector3d rate = result.v_world, acceleration = result.a_world;
+  put_on(surface, n, task.tip_radius, in_plane, rate, result);
+  // The acceleration by a step along the path, whose error is of its square.
+  constexpr double dt = 1e-4;
+  TaskPoint ends[2];
+  for (const int side : {0, 1}) {
+    const double t = side == 0 ? -dt : dt;
+    put_on(surface, n, task.tip_radius, in_plane + t * rate + 0.5 * t * t * acceleration,
+           rate + t * acceleration, ends[side]);
+  }
+  result.a_world = (ends[1].v_world - ends[0].v_world) / (2.0 * dt);
+  return result;
+}
+
 TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time) {
   const Eigen::Vector3d n = setting.scene.surface.normal;
   const Eigen::Vector3d p_above = setting.p_center + task.clearance * n;
-  const auto on_surface = [&](double t) {
-    const PlanarPoint point = path.at(t);
-    const auto tangents = setting.surface_axes.leftCols<2>();
-    TaskPoint result;
-    result.p_world = setting.p_center + tangents * point.p;
-    result.v_world = tangents * point.v;
-    result.a_world = tangents * point.a;
-    return result;
-  };
-  TaskPoint result;
+  const auto on_surface = [&](double t) { return point_on(task, setting, path.at(t)); };
+  TaskPoint result{.normal_world = n};
   if (time < setting.reach_end) {
     result.p_world =
         setting.p_start + pressing::smooth(time / setting.reach_end) * (p_above - setting.p_start);
@@ -185,16 +262,27 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
     result = on_surface(task.polish_duration);
     result.v_world.setZero();
     result.a_world.setZero();
-    result.p_world +=
-        pressing::smooth((time - setting.track_end) / task.retreat_duration) * task.clearance * n;
+    result.p_world += pressing::smooth((time - setting.track_end) / task.retreat_duration) *
+                      task.clearance * result.normal_world;
   }
   return result;
 }
 
 namespace {
+/// Whether plans are given the surface as it is known at the tool.
+bool follows_surface(const Task& task) {
+  return task.axes == ForceAxes::Surface &&
+         (task.surface_estimate.enabled || !task.shape.is_flat());
+}
+
 ContactSpec surface_contact(const Task& task, const Setting& setting) {
   ContactSpec contact{.name = "surface", .tool = task.tool, .directions = Directions::z()};
   contact.reference = Reference::surface(setting.surface_axes);
+  if (follows_surface(task))
+    contact.reference = Reference::on(surface_of(setting.scene.surface)
+                                          .at(setting.p_center)
+                                          .quadric(setting.p_center, task.tip_radius),
+                                      setting.p_center);
   if (task.axes == ForceAxes::Local) {
     const Eigen::Matrix3d R =
         frame_placement(setting.robot.model, setting.q_start, task.tool).linear();
@@ -221,11 +309,14 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
       build.stage("reach", {build.place(1.0)}, false),
       build.stage(
           "approach",
-          {build.place(0.0), build.move("approach", pressing::normal_twist(-task.approach_speed))},
+          {build.place(0.0), build.move("approach", pressing::normal_twist(-task.approach_speed),
+                                        setting.surface_axes.col(2))},
           false),
       build.stage("press", {build.place(0.0), press}, true),
-      build.stage("retreat", {build.place(0.0), build.move("retreat", build.retreat_speed())},
-                  false)};
+      build.stage(
+          "retreat",
+          {build.place(0.0), build.move("retreat", build.retreat_speed(), build.last_normal())},
+          false)};
   problem.terminal = build.everywhere();
   problem.terminal.push_back(build.place(0.0));
   for (CostTerm& term : problem.terminal) term.weight *= task.weights.terminal;
@@ -250,6 +341,10 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     const TaskPoint point = task_point(task, setting, *path, time);
     return TaskTarget{point.p_world, point.force};
   };
+  if (follows_surface(task))
+    pressing.surface =
+        PressedSurface{task.shape, setting.scene.surface.point, setting.scene.surface.normal,
+                       task.tip_radius, task.surface_estimate};
   mpc.task = pressing;
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;

@@ -8,24 +8,6 @@
 namespace burnish::polishing {
 namespace {
 
-/// m/s, highest along the path.
-double speed_of(const PathSpec& path) {
-  const bool turns = path.kind == PathKind::Circle || path.kind == PathKind::Spiral;
-  return turns ? std::abs(path.rate) * path.radius : path.speed;
-}
-
-/// See SurfaceSpec::damping.
-void note_lift(const Task& task, PlantKind plant, std::vector<std::string>& notes) {
-  const double friction = task.disturbances.surface_friction.value_or(task.friction);
-  const double lift = friction * task.damping * speed_of(task.path);
-  if (plant != PlantKind::Mujoco || lift < 0.8 * task.force) return;
-  notes.push_back("MuJoCo's friction lifts the sliding tip by surface friction " +
-                  number(friction) + " x surface.damping " + number(task.damping) +
-                  " Ns/m x speed " + number(speed_of(task.path)) + " m/s = " + number(lift) +
-                  " N, which the force of " + number(task.force) +
-                  " N hardly exceeds: contact will be lost; a third of it is clean");
-}
-
 /// What the plan knows of the motors' lag against what they have; a cutoff of 0 is no lag. Less
 /// than a factor of two, or 2.5 ms, does not show.
 void note_lag(const Task& task, std::vector<std::string>& notes) {
@@ -68,9 +50,8 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> task_notes(const Task& task, PlantKind plant) {
+std::vector<std::string> task_notes(const Task& task, PlantKind /*plant*/) {
   std::vector<std::string> notes;
-  note_lift(task, plant, notes);
   note_lag(task, notes);
   note_force_error(task, notes);
   note_short_time(task, notes);

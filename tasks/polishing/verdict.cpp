@@ -9,14 +9,20 @@
 namespace burnish::polishing {
 namespace {
 
-/// m along the path until `time`, by points `step` s apart.
-double path_length(const Path& path, double time, double step) {
+/// m along the tip's way on the path until `time`, as seen along the normal at the path's origin,
+/// by points `step` s apart.
+double path_length(const Task& task, const Setting& setting, double time, double step) {
+  const Path path(task.path);
+  const auto place = [&](double t) {
+    return Eigen::Vector2d(setting.surface_axes.leftCols<2>().transpose() *
+                           point_on(task, setting, path.at(t)).p_world);
+  };
   double length = 0.0;
-  Eigen::Vector2d before = path.at(0.0).p;
+  Eigen::Vector2d before = place(0.0);
   constexpr double most_points = 1e6;
   const long count = std::lround(std::clamp(time / step, 1.0, most_points));
   for (long i = 1; i <= count; ++i) {
-    const Eigen::Vector2d p = path.at(time * static_cast<double>(i) / static_cast<double>(count)).p;
+    const Eigen::Vector2d p = place(time * static_cast<double>(i) / static_cast<double>(count));
     length += (p - before).norm();
     before = p;
   }
@@ -60,9 +66,8 @@ double path_time(const Task& task) {
 }
 
 VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
-                               const Eigen::Vector3d& normal, double begin, double end) {
+                               double begin, double end) {
   MetricsSpec spec;
-  spec.normal_world = normal;
   spec.start = begin;
   const Trace::Column time = trace.column("time");
   const double whole = path_time(task);
@@ -73,7 +78,7 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   VerdictFigures figures;
   figures.contact_share = 1.0 - metrics.without_contact;
   figures.force_rmse = metrics.force_rmse;
-  const double length = path_length(Path(task.path), whole, step);
+  const double length = path_length(task, setting, whole, step);
   // A path that stays where it begins is as far as its time.
   figures.path_share = length > 0.0 ? covered_length(task, setting, trace, begin, end) / length
                                     : (whole > 0.0 ? (end - begin) / whole : 1.0);

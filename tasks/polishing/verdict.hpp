@@ -14,7 +14,7 @@ double path_time(const Task& task);
 /// Of a trace of ClosedLoop, its rows from `begin` to `end` (s), which are of Phase::Track.
 /// `normal` is the surface's as it is. Throws Error where there are no rows.
 VerdictFigures verdict_figures(const Task& task, const Setting& setting, const Trace& trace,
-                               const Eigen::Vector3d& normal, double begin, double end);
+                               double begin, double end);
 
 /// Empty where the figures are what the task asks for; otherwise a sentence that begins with "not
 /// polished: " or "stopped early: " and has every figure that is not.

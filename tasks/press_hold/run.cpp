@@ -25,7 +25,6 @@ void measure_hold(RunResult& result) {
   const Trace::Column time = trace.column("time");
   if (end - begin < 2 || !(time[end - 1] - time[begin] > 0.5)) return;
   MetricsSpec spec;
-  spec.normal_world = setting.scene.surface.normal;
   spec.start = time[begin] + 0.2;
   spec.end = time[end - 1] - 0.02;
   result.metrics = measure(trace, model, spec);

@@ -113,7 +113,7 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   result.trace = loop.trace();
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), run.period);
-  return {plant->time(), loop.command().phase, plant->scene().surface.normal};
+  return {plant->time(), loop.command().phase};
 }
 
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase) {

@@ -28,9 +28,8 @@ struct ClosedRun {
 
 /// Where a run ended.
 struct RunEnd {
-  double time = 0.0;             ///< s
-  int phase = 0;                 ///< of the last command
-  Eigen::Vector3d normal_world;  ///< of the plant's surface
+  double time = 0.0;  ///< s
+  int phase = 0;      ///< of the last command
 };
 
 /// Runs until goes_on() says no, the plant fails, a fault comes or the progress function stops it.

@@ -96,6 +96,19 @@ const Description& description_of(const TaskTarget* /*of*/) {
   return all;
 }
 
+const Description& description_of(const PressedSurface* /*of*/) {
+  using P = PressedSurface;
+  static const Description all =
+      Describe<P>("pressing", "PressedSurface",
+                  "The surface that a round tip presses on, as the task believes it to be.")
+          .field("shape", &P::shape)
+          .field("point_world", &P::point_world, "{m}, of it")
+          .field("normal_world", &P::normal_world, "there, of any length", range::direction)
+          .field("tip_radius", &P::tip_radius, "{m}", range::positive)
+          .field("estimate", &P::estimate);
+  return all;
+}
+
 const Description& description_of(const PressingTask* /*of*/) {
   using P = PressingTask;
   static const Description all =
@@ -104,7 +117,11 @@ const Description& description_of(const PressingTask* /*of*/) {
                   "the threshold and the sensor's noise, which is found out while nothing touches.")
           .field("touch", &P::touch, "one for each phase of the schedule")
           .field("target", &P::target, "by time of the schedule, each tick; must be given")
-          .field("limits", &P::limits);
+          .field("limits", &P::limits)
+          .field("surface", &P::surface,
+                 "What contacts that follow a surface follow, from the start as believed and while "
+                 "the tool slides as estimated. None: references and normal are the "
+                 "specification's.");
   return all;
 }
 
@@ -116,7 +133,9 @@ const Description& description_of(const TaskPoint* /*of*/) {
           .field("p_world", &T::p_world, "{m}")
           .field("v_world", &T::v_world, "{m/s}")
           .field("a_world", &T::a_world, "{m/s^2}")
-          .field("force", &T::force, "{N}, along the surface's normal");
+          .field("force", &T::force, "{N}, along the surface's normal")
+          .field("normal_world", &T::normal_world,
+                 "of the surface there, of length one; zero: the controller's own");
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
+#include "mpc/descriptions.hpp"
 
 namespace burnish {
 
@@ -14,6 +15,7 @@ const Description& description_of(const PlanLimits*);
 const Description& description_of(const PostureLimits*);
 const Words& words_of(Touch);
 const Description& description_of(const TaskTarget*);
+const Description& description_of(const PressedSurface*);
 const Description& description_of(const PressingTask*);
 const Description& description_of(const TaskPoint*);
 const Description& description_of(const CirclePath*);
@@ -46,9 +48,7 @@ Describe<Task>& describe_material(Describe<Task>& task) {
   return task
       .field("friction", &Task::friction, "Coulomb coefficient of the plant", range::not_negative)
       .field("stiffness", &Task::stiffness, "{N/m}, of the plant", range::positive)
-      .field("damping", &Task::damping,
-             "{Ns/m}, of the plant; with friction below force / (3 friction speed)",
-             range::not_negative);
+      .field("damping", &Task::damping, "{Ns/m}, of the plant", range::not_negative);
 }
 
 /// The section `limits`.

@@ -138,7 +138,7 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
 
 /// Moves on to the next phase where its time has come; what is aimed at now.
 TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
-  measured_ = measurement.tool_force_world.dot(spec_.normal_world);
+  measured_ = measurement.tool_force_world.dot(command_.normal_world);
   const Phase before = phase_;
   touch_.add(measured_, phase_ == Phase::Approach);
   if (phase_ == Phase::Approach && touch_.touches()) phase_ = Phase::Ramp;
@@ -152,6 +152,8 @@ TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
                    (target.force - spec_.contact_threshold) * smooth(since_ / spec_.ramp);
   if (phase_ != Phase::Track) target.v_world.setZero(), target.a_world.setZero();
   command_.target_force = target.force;
+  command_.normal_world =
+      target.normal_world.isZero(0.0) ? spec_.normal_world : target.normal_world;
   command_.p_target_world = target.p_world;
   command_.force_estimate_world = measurement.tool_force_world;
   return target;
@@ -160,7 +162,7 @@ TaskPoint ImpedanceController::update_phase(const Measurement& measurement) {
 /// Wanted of the tip, m/s^2. On the approach a point runs ahead of the tip and draws it along, so
 /// that joint friction delays the contact but does not prevent it.
 Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
-  const Eigen::Vector3d& n = spec_.normal_world;
+  const Eigen::Vector3d& n = command_.normal_world;
   const Eigen::Vector3d v = body_.velocity(tool_, Reference::centered()).head<3>();
   const Eigen::Vector3d error = target.p_world - body_.placement(tool_).translation();
   const Eigen::Vector3d wanted =
@@ -182,7 +184,7 @@ Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
   if (phase_ == Phase::Approach) return force;
   integral_ += spec_.ki * spec_.period * (target.force - measured_);
   integral_ = std::clamp(integral_, -spec_.integral_limit, spec_.integral_limit);
-  force -= (target.force + integral_) * spec_.normal_world;
+  force -= (target.force + integral_) * command_.normal_world;
   const double speed = target.v_world.norm();
   if (speed > 0.0)
     force += spec_.friction * target.force * std::min(speed / slow, 1.0) / speed * target.v_world;

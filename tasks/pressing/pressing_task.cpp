@@ -17,6 +17,11 @@ void check_tool_limits(const ToolLimits& limits) {
                 " s; wanted less than a second");
 }
 
+SurfaceEstimator estimator_of(const PressedSurface& surface, double tick_period) {
+  return {Surface(surface.shape, surface.point_world, surface.normal_world), surface.tip_radius,
+          surface.estimate, tick_period};
+}
+
 class Pressing final : public MpcTask {
  public:
   Pressing(const PressingTask& task, const MpcSpec& spec)
@@ -24,12 +29,15 @@ class Pressing final : public MpcTask {
         target_(task.target),
         limits_(task.limits),
         normal_world_(spec.normal_world),
+        normal_at_first_(spec.normal_world),
         tool_(RigidBody(spec.problem.model).frame(spec.tool)),
         detector_(spec.contact_threshold, pressing::samples_of(touch_window, spec.tick_period)),
         mean_(pressing::samples_of(task.limits.force_window, spec.tick_period)),
         free_space_(task.limits, spec.contact_threshold),
         approach_(task.limits),
-        loss_(task.limits) {}
+        loss_(task.limits) {
+    if (task.surface) surface_.emplace(estimator_of(*task.surface, spec.tick_period));
+  }
 
   std::vector<std::string> events() const override { return {"contact"}; }
   std::vector<WatchedQuantity> watched() const override {
@@ -47,6 +55,12 @@ class Pressing final : public MpcTask {
     free_space_.reset();
     approach_.reset();
     loss_.reset();
+    if (surface_) surface_->reset();
+    normal_world_ = normal_at_first_;
+  }
+
+  const Quadric* surface() const noexcept override {
+    return surface_ ? &surface_->surface() : nullptr;
   }
 
   unsigned sense(const TaskView& view) noexcept override {
@@ -56,6 +70,11 @@ class Pressing final : public MpcTask {
     const Touch phase = phase_of(view);
     const bool in_air = phase == Touch::Free || (phase == Touch::Due && !detector_.knows_noise());
     detector_.add(force.dot(normal_world_), in_air);
+    if (surface_) {
+      const bool slides = phase == Touch::Wanted && detector_.touches();
+      surface_->update(view.body.placement(tool_).translation(), force.dot(normal_world_), slides);
+      normal_world_ = surface_->normal();
+    }
     return detector_.touches() ? 1U : 0U;
   }
 
@@ -89,7 +108,8 @@ class Pressing final : public MpcTask {
   std::vector<Touch> touch_;
   std::function<TaskTarget(double)> target_;
   ToolLimits limits_;
-  Eigen::Vector3d normal_world_;
+  Eigen::Vector3d normal_world_, normal_at_first_;
+  std::optional<SurfaceEstimator> surface_;
   int tool_;
   ContactDetector detector_;
   pressing::MeanForce mean_;

@@ -24,6 +24,7 @@ class ReachWalk::Impl {
        const ReachOptions& options, bool has_path)
       : options_(options),
         scene_(scene),
+        surface_(surface_of(scene.surface)),
         surface_axes_(Reference::surface_with_normal(scene.surface.normal).rotation),
         model_(model),
         body_(model_),
@@ -199,7 +200,7 @@ class ReachWalk::Impl {
   /// m between a point and the surface with its material; negative inside.
   double room_at(const Eigen::Vector3d& p_world) const {
     const SurfaceSpec& surface = scene_.surface;
-    const double height = surface.normal.dot(p_world - surface.point);
+    const double height = surface_.at(p_world).distance;
     if (std::isinf(surface.extent)) return height;
     const Eigen::Vector3d p = surface_axes_.transpose() * (p_world - surface.point);
     const Eigen::Vector3d beyond(std::abs(p.x()) - surface.extent, std::abs(p.y()) - surface.extent,
@@ -256,7 +257,7 @@ class ReachWalk::Impl {
 
   bool torques_fit(const ReachStop& stop, double force) {
     evaluate(q_);
-    const Eigen::Vector3d push = force * scene_.surface.normal;
+    const Eigen::Vector3d push = force * surface_.at(stop.p_world).normal;
     const Eigen::VectorXd tau = Eigen::VectorXd(body_.gravity_torque()) -
                                 derivatives_.jacobian.topRows(3).transpose() * push;
     for (int k = 0; k < model_.nv; ++k) {
@@ -288,6 +289,7 @@ class ReachWalk::Impl {
 
   ReachOptions options_;
   const SceneSpec& scene_;
+  Surface surface_;
   Eigen::Matrix3d surface_axes_;
   const Model& model_;
   RigidBody body_;

@@ -131,6 +131,32 @@ TEST_P(CurvedReference, OfAPlaneIsThatOfAFlatSurface) {
   EXPECT_LT(relative_error(a.da_dv(), b.da_dv()), 1e-9);
 }
 
+TEST_P(CurvedReference, OfASurfaceThatIsSetIsThatOfANewContact) {
+  const Reference first = on(surfaces()[1]);
+  ContactDynamics given(model, {spec(first)}, {.mu = 0.05});
+  for (const Quadric& surface : surfaces()) {
+    Reference same = first;  // and so where the axes start from
+    same.quadric = surface;
+    ContactDynamics made(model, {spec(same)}, {.mu = 0.05});
+    ASSERT_EQ(given.set_surface(0, surface), Status::Ok);
+    const RobotState state = random_state(model, generator);
+    ASSERT_EQ(given.forward(state.q, state.v, state.tau), Status::Ok);
+    ASSERT_EQ(made.forward(state.q, state.v, state.tau), Status::Ok);
+    EXPECT_EQ(given.lambda(), made.lambda());
+    ASSERT_EQ(given.forward_derivatives(), Status::Ok);
+    ASSERT_EQ(made.forward_derivatives(), Status::Ok);
+    EXPECT_EQ(given.dlambda_dq(), made.dlambda_dq());
+    EXPECT_EQ(given.force(0).axes(), made.force(0).axes());
+  }
+  Quadric bad = surfaces()[1];
+  bad.b[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(given.set_surface(0, bad), Status::NotFinite);
+  EXPECT_THROW(given.set_surface(1, surfaces()[1]), Error);
+  ContactDynamics flat(model, {spec(Reference::centered())});
+  EXPECT_NE(refusal([&] { flat.set_surface(0, surfaces()[1]); }).find("follows no surface"),
+            std::string::npos);
+}
+
 /// The time derivative of what is held: along q'' = a the velocity in the moving axes changes by
 /// alpha.
 TEST_P(CurvedReference, AccelerationIsTheRateOfTheVelocityThatIsHeld) {

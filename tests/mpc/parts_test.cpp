@@ -142,13 +142,13 @@ TEST(Horizon, turns_references_along_with_the_clock) {
 }
 
 TEST(ContactForceEstimate, knows_how_references_are_turned) {
-  ContactForceEstimate estimate(turning_surface().problem);
+  ContactForceEstimate estimate(turning_surface());
   const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
   Eigen::Vector3d first, force, wanted;
   ASSERT_TRUE(estimate.force_at(0, 0.0, q, rest, rest, first));
   for (const double time : {0.2, 0.6}) {
-    ContactForceEstimate still(turning_surface(time).problem);
+    ContactForceEstimate still(turning_surface(time));
     ASSERT_TRUE(still.force_at(0, 0.0, q, rest, rest, wanted));
     ASSERT_TRUE(estimate.force_at(0, time, q, rest, rest, force));
     EXPECT_LT((force - wanted).norm(), 1e-9 * wanted.norm()) << time;
@@ -163,7 +163,7 @@ TEST(ContactForceEstimate, is_none_where_a_reference_has_no_rotation) {
         if (t > 2.0) throw Error("no more");
         xyzw << 0.0, 0.0, 0.0, t < 1.0 ? 1.0 : 0.0;
       });
-  ContactForceEstimate estimate(spec.problem);
+  ContactForceEstimate estimate(spec);
   const Eigen::VectorXd q = spec.problem.initial_state.head(7), rest = Eigen::VectorXd::Zero(7);
   Eigen::Vector3d force;
   EXPECT_TRUE(estimate.force_at(0, 0.5, q, rest, rest, force));

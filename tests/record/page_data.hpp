@@ -57,7 +57,8 @@ inline Trace page_trace(const Model& model, int rows) {
   for (const char* what : {"tool", "target"})
     for (const char* axis : {"_x_world", "_y_world", "_z_world"})
       add(std::string(what) + axis, "m");
-  for (const char* what : {"tool_force", "estimated_force", "measured_force"})
+  for (const char* what :
+       {"tool_force", "estimated_force", "measured_force", "surface_normal", "believed_normal"})
     for (const char* axis : {"_x_world", "_y_world", "_z_world"})
       add(std::string(what) + axis, "N");
   for (const char* axis : {"tool_rx_start", "tool_ry_start", "tool_rz_start"}) add(axis, "rad");
@@ -85,6 +86,8 @@ inline Trace page_trace(const Model& model, int rows) {
     set("tool_force_z_world", row == 105 ? 99.0 : 30.0);
     set("tool_force_x_world", 4.0);
     set("estimated_force_z_world", 31.0);
+    set("surface_normal_z_world", 1.0);
+    set("believed_normal_z_world", 1.0);
     set("measured_force_z_world", row == 7 ? std::nan("") : 29.0);
     set("tool_rx_start", 0.3);
     set("tool_ry_start", 0.4);

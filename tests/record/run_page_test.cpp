@@ -108,14 +108,32 @@ TEST(RunPage, ColumnsAreWhatTheySay) {
   for (const char* name : {"fault", "costs", "horizon", "window"})
     EXPECT_TRUE(run.at(name).is_null()) << name;
   EXPECT_TRUE(named(run["metrics"], "force_rmse")["value"].is_null());
-  // Along the plate as it is: turned about its first tangent, it takes a part of the force.
-  const double angle = 0.1;
-  page.surface.true_axes = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).matrix();
-  add_trace(page, page_trace(page.robot.model, 1000), 10);
-  for (const PageColumn& column : page.columns)
+}
+
+TEST(RunPage, ForcesAreAlongTheNormalOfEachRow) {
+  RunPage page = page_of_run();
+  // Turned about y, it takes a part of the force and of what pushes along x.
+  constexpr double angle = 0.1;
+  const Trace level = page_trace(page.robot.model, 1000);
+  Trace trace(level.columns(), level.rows());
+  for (int row = 0; row < level.rows(); ++row) {
+    double* const values = trace.add_row();
+    for (std::size_t c = 0; c < level.columns().size(); ++c)
+      values[c] = level.at(row, static_cast<int>(c));
+    values[trace.index("surface_normal_x_world")] = row < 500 ? 0.0 : std::sin(angle);
+    values[trace.index("surface_normal_z_world")] = row < 500 ? 1.0 : std::cos(angle);
+  }
+  add_trace(page, trace, 10);
+  for (const PageColumn& column : page.columns) {
     if (column.name == "force_normal") {
-      EXPECT_NEAR(column.values[0], 30.0 * std::cos(angle), 1e-12);
+      EXPECT_NEAR(column.values[0], 30.0, 1e-12);
+      EXPECT_NEAR(column.values[99], 30.0 * std::cos(angle) + 4.0 * std::sin(angle), 1e-12);
     }
+    if (column.name == "normal_error") {
+      EXPECT_NEAR(column.values[0], 0.0, 1e-7);
+      EXPECT_NEAR(column.values[99], angle, 1e-9);
+    }
+  }
 }
 
 TEST(RunPage, AMeasurementThatIsMissingIsAGap) {

@@ -62,6 +62,12 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
                            "estimated_force_x_world",
                            "estimated_force_y_world",
                            "estimated_force_z_world",
+                           "surface_normal_x_world",
+                           "surface_normal_y_world",
+                           "surface_normal_z_world",
+                           "believed_normal_x_world",
+                           "believed_normal_y_world",
+                           "believed_normal_z_world",
                            "q_hinge",
                            "tau_applied_hinge",
                            "limited_joints",
@@ -86,6 +92,8 @@ Trace trace_with(const std::function<void(int row, Trace& trace, double* values)
     set("target_force", 30.0);
     set("tool_force_z_world", 30.0);
     set("estimated_force_z_world", 30.0);
+    set("surface_normal_z_world", 1.0);
+    set("believed_normal_z_world", 1.0);
     change(row, trace, values);
   }
   return trace;
@@ -142,7 +150,7 @@ TEST(Metrics, use_the_force_along_the_normal_and_the_distance_across_it) {
   EXPECT_NEAR(m.position_rmse, 4e-3, 1e-12);
   EXPECT_NEAR(m.position_p95, 4e-3, 1e-12);
   MetricsSpec sideways = from_half();
-  sideways.normal_world = {2.0, 0.0, 0.0};
+  sideways.normal_world = Eigen::Vector3d(2.0, 0.0, 0.0);
   const Metrics other = measure(trace_with(change), one_joint(), sideways);
   EXPECT_NEAR(other.force_mean, 9.0, 1e-9);
   EXPECT_NEAR(other.position_mean, 5e-3, 1e-12);
@@ -282,7 +290,7 @@ TEST(Metrics, refuse_windows_and_traces_that_hold_nothing_to_measure) {
   spec.start = 2.0;
   expect_words(refusal([&] { measure(trace, model, spec); }), {"no row", "2 s", "window"});
   spec = {};
-  spec.normal_world.setZero();
+  spec.normal_world = Eigen::Vector3d::Zero();
   expect_words(refusal([&] { measure(trace, model, spec); }), {"normal"});
   expect_words(refusal([&] { measure(Trace({{"time", "s"}}, 0), model); }), {"no row"});
 }

@@ -122,6 +122,59 @@ TEST(MujocoPlant, sinks_in_by_the_force_over_the_stiffness) {
   }
 }
 
+/// The same arm pushed and drawn along, over both contacts.
+TEST(MujocoPlant, its_exact_contact_pushes_as_the_engines_own_does) {
+  for (const auto kind :
+       {SurfaceShape::Kind::Plane, SurfaceShape::Kind::Sphere, SurfaceShape::Kind::Cylinder}) {
+    Eigen::VectorXd q;
+    const Model model = plant_model(right_arm(&q), {});
+    const Eigen::Vector3d n = Eigen::Vector3d(0.1, -0.2, 1.0).normalized();
+    SceneSpec scene;
+    scene.surface.friction = 0.3;
+    scene.surface.damping = 200.0;
+    scene.surface.shape = {.kind = kind, .radius = 0.3};
+    scene = scene_under_tip(model, q, n, scene);
+    const auto run = [&](MujocoContact contact) {
+      const auto plant = make_mujoco_plant(model, scene, {.contact = contact});
+      EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+      RigidBody body(model);
+      FrameDerivatives motion;
+      const Eigen::Vector3d along = Reference::surface_with_normal(n).rotation.col(0);
+      std::vector<Eigen::Vector3d> forces;
+      for (int i = 0; i < 1200; ++i) {
+        EXPECT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+        body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
+        const Eigen::Vector3d push = -30.0 * n + (i < 1000 ? 0.0 : 12.0) * along;
+        const Eigen::VectorXd tau = Eigen::VectorXd(body.gravity_torque()) +
+                                    motion.jacobian.topRows(3).transpose() * push -
+                                    3.0 * plant->v();
+        EXPECT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+        if (i == 999 || i == 1199) forces.push_back(plant->contact_force_world());
+      }
+      return forces;
+    };
+    const auto exact = run(MujocoContact::Exact), engine = run(MujocoContact::Engine);
+    EXPECT_LT((exact[0] - engine[0]).norm(), 0.01 * engine[0].norm())
+        << name_of(kind) << exact[0].transpose() << " and " << engine[0].transpose();
+    // The engine lifts what slides, so that the forces differ, but not their direction.
+    EXPECT_LT((exact[1].normalized() - engine[1].normalized()).norm(), 0.01)
+        << name_of(kind) << exact[1].transpose() << " and " << engine[1].transpose();
+  }
+}
+
+TEST(MujocoPlant, the_engines_own_contact_is_refused_for_what_it_has_not) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  SceneSpec scene;
+  scene.surface.shape = {.kind = SurfaceShape::Kind::Saddle};
+  const std::string sentence = testing::refusal(
+      [&] { make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine}); });
+  testing::expect_words(sentence, {"has no saddle", "contact: exact"});
+  scene.surface.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.01, .hollow = true};
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, scene); }),
+                        {"0.02 m does not fit into the hollow sphere", "smaller tip"});
+}
+
 TEST(MujocoPlant, answers_a_torque_that_blows_up_with_a_status) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);

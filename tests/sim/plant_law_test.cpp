@@ -32,6 +32,11 @@ std::vector<Kind> kinds() {
 #ifdef BURNISH_HAS_MUJOCO
   result.push_back({"mujoco",
                     [](const Model& m, const SceneSpec& s) { return make_mujoco_plant(m, s); },
+                    4e-4, 1e-3});
+  result.push_back({"engine",
+                    [](const Model& m, const SceneSpec& s) {
+                      return make_mujoco_plant(m, s, {.contact = MujocoContact::Engine});
+                    },
                     4e-4, 1e-2});
 #endif
   return result;

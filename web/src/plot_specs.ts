@@ -101,6 +101,20 @@ const pathError = (runs: Run[]): PlotSpec => ({
   height: 160,
 });
 
+const normalError = (runs: Run[]): PlotSpec => ({
+  id: 'normal_error',
+  title: 'Normal error',
+  about: 'Angle between the surface’s normal at the tip and what the controller believes it to be',
+  axis: 'angle [°]',
+  curves: perRun(runs, 'normal_error', {
+    label: 'angle',
+    factor: 180 / Math.PI,
+    unit: '°',
+    decimals: 3,
+  }),
+  height: 160,
+});
+
 const toolTurned = (runs: Run[]): PlotSpec => ({
   id: 'tool_turned',
   title: 'Tool turned',
@@ -364,7 +378,13 @@ export const jointSpecs = (runs: Run[], joint: string): PlotSpec[] =>
 const withCurves = (specs: PlotSpec[]): PlotSpec[] => specs.filter((s) => s.curves.length > 0);
 
 export const contactSpecs = (runs: Run[]): PlotSpec[] =>
-  withCurves([pathError(runs), contact(runs), tangentialForce(runs), toolTurned(runs)]);
+  withCurves([
+    pathError(runs),
+    normalError(runs),
+    contact(runs),
+    tangentialForce(runs),
+    toolTurned(runs),
+  ]);
 export const forceSpec = normalForce;
 export const controllerSpecs = (runs: Run[]): PlotSpec[] =>
   withCurves([solverTime(runs), iterations(runs), limits(runs), costs(runs)]);

@@ -49,6 +49,10 @@ class ContactDynamics {
   /// on. Does not allocate. Returns Ok, or NotNormalized for what is no rotation matrix to 1e-6,
   /// which changes nothing. Throws Error for an unknown index.
   Status set_reference_rotation(int contact, const Eigen::Matrix3d& rotation);
+  /// Another surface, in the axes of the base, in the place of the one that a contact's reference
+  /// follows (Reference::on), likewise: NotFinite for one that holds a NaN or an infinity, which
+  /// changes nothing. Throws Error for an unknown index and a reference that follows none.
+  Status set_surface(int contact, const Quadric& surface);
   /// Names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
 

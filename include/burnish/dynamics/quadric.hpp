@@ -45,6 +45,7 @@ struct Quadric {
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const { return Q * x + b; }
   /// Unit length. Throws Error where the gradient is zero, as on the axis of a cylinder.
   Eigen::Vector3d normal(const Eigen::Vector3d& x) const;
+  bool is_finite() const;
   /// Throws Error("<who>: ...") unless all is finite and Q symmetric, and not everything is zero.
   void check(const std::string& who) const;
 };

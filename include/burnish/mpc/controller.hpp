@@ -25,6 +25,8 @@ struct Command {
   int phase = 0;        ///< where the task stands: of an MpcController, its place in the schedule
   double target_force = 0.0;  ///< N, how hard the surface shall push back along its normal
   Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();  ///< m, of the tip frame's origin
+  /// What the controller believes the surface's normal at the tool to be, world axes.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   /// What the controller believes the surface's force on the tool to be, N, world axes.
   Eigen::Vector3d force_estimate_world = Eigen::Vector3d::Zero();
   Status status = Status::Ok;

@@ -110,6 +110,11 @@ class MpcTask {
   /// First in every tick, before the schedule's clock goes on. The events that have come: bit e for
   /// entry e of events().
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
+  /// The surface that the tool is on or comes to, as known after sense(): a function of the tool's
+  /// point in the world, zero where it touches. Contacts at MpcSpec::tool that hold the world and
+  /// whose references follow a surface (Reference::on) are given it along the whole horizon, and
+  /// its normal at the tool is the controller's from then on. Null: those of the specification.
+  virtual const Quadric* surface() const noexcept { return nullptr; }
   /// After the clock went on: one reading for each of watched().
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}
   /// Writes what is aimed at into `p_target_world` and `target_force` of the command: for the

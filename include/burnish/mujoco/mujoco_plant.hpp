@@ -1,9 +1,16 @@
 // MuJoCo as a plant: an engine that shares no code with this library. Only where it was found when
 // the library was built (target burnish::mujoco).
 //
-// The contact is a spring and damper in series with an apparent mass: with d the impedance and A
-// MuJoCo's inverse inertia of the tip, R = (1 - d)/d A and solref = (-K R d, -D R d) give stiffness
-// K and damping D in N/m and Ns/m. Elliptic friction cones; torques enter without delay.
+// Torques enter without delay. The contact is one of two:
+// - Exact, for every shape: a spring and damper of K and D, N/m and Ns/m, over how deep the tip is
+// in
+//   the exact surface, and Coulomb friction, both solved for at the end of the step.
+// - Engine: MuJoCo's own, of planes, spheres, cylinders and ellipsoids that are not hollow. A
+// spring
+//   and damper in series with an apparent mass: with d the impedance and A MuJoCo's inverse inertia
+//   of the tip, R = (1 - d)/d A and solref = (-K R d, -D R d) give K and D. Elliptic friction
+//   cones, which lift a sliding tip by mu * damping * speed: contact is lost unless that is below
+//   the force.
 #pragma once
 
 #include <memory>
@@ -12,8 +19,11 @@
 
 namespace burnish {
 
+enum class MujocoContact { Exact, Engine };
+
 struct MujocoPlantOptions {
-  double dt = 5e-4;              ///< s
+  MujocoContact contact = MujocoContact::Exact;  ///< exact or engine
+  double dt = 5e-4;                              ///< s
   double impedance = 0.1;        ///< d in (0, 1): 1/R is an apparent mass at the contact
   double friction_ratio = 10.0;  ///< how much harder friction is than the normal ("impratio")
   double tolerance = 1e-12;      ///< of the constraint solver

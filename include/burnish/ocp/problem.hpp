@@ -54,6 +54,12 @@ class Problem final : public ShootingProblem {
   /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
   /// the residual says. Returns WrongSize or Ok. Throws Error for a knot or term that there is not.
   Status set_target(int knot, int term, const ConstVectorRef& target);
+  /// Gives a knot another surface, in the axes of the base, in the place of the one that the
+  /// reference of a contact follows (Reference::on), until the knot is set or advanced again; a
+  /// stage that does not hold the contact passes it over. Returns NotFinite for one that holds a
+  /// NaN or an infinity, which changes nothing, or Ok. Throws Error for a knot or contact that
+  /// there is not, and for a reference that follows no surface.
+  Status set_surface(int knot, int contact, const Quadric& surface);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
   Status set_torque_bias(const ConstVectorRef& torque);

@@ -14,9 +14,9 @@ namespace burnish {
 struct MetricsSpec {
   double start = 0.0;                                    ///< s, of the window
   double end = std::numeric_limits<double>::infinity();  ///< s, of the window
-  /// Of the surface as it is, towards the robot; any length but zero. The force is measured along
-  /// it, the position across it.
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  /// Along which the force is measured and across which the position, towards the robot, any length
+  /// but zero; none: the normal of the surface at the tool, as it is in each row.
+  std::optional<Eigen::Vector3d> normal_world = {};
   double average = 0.010;  ///< s, of the moving average of the force, centred; 0: none
 };
 
@@ -62,6 +62,9 @@ struct Metrics {
   double position_rmse = 0.0;  ///< m, root mean square distance to the target across the normal
   /// m, distance to the target across the normal that is not exceeded 95 % of the time
   double position_p95 = 0.0;
+  /// rad, root mean square angle between the surface's normal at the tool and what the controller
+  /// believes it to be
+  double normal_error = 0.0;
   double orientation_drift = 0.0;  ///< rad, largest rotation of the tool since the window began
 
   /// rad, smallest distance of a joint to its limit (m where it slides)

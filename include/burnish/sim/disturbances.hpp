@@ -61,7 +61,9 @@ struct Disturbances {
   /// degrees about the surface's two tangents, unknown to the controller; through its point, about
   /// the first tangent after the second
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
-  double surface_height = 0.0;                  ///< m along the normal; before the tilt
+  double surface_height = 0.0;  ///< m along the normal; before the tilt
+  /// how much more the surface bends than the scene's: its lengths are divided by it
+  double surface_curvature = 1.0;
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
   std::vector<Push> pushes = {};                ///< on the tool
 };

@@ -1,23 +1,25 @@
-// What the tool meets: a flat surface of any position and orientation, and a round tip.
+// What the tool meets: a surface of some shape, position and orientation, and a round tip.
 #pragma once
 
 #include <Eigen/Core>
 #include <limits>
 #include <string>
 
+#include "burnish/dynamics/surface_shape.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
 
-/// A plane, or a square of one. All vectors in the world.
+/// A plane or a curved surface, or what of it stands over a square. All vectors in the world.
 struct SurfaceSpec {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< any point on it, m; of a square, its middle
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the material, towards the robot
-  double friction = 0.0;                              ///< Coulomb coefficient mu
-  double stiffness = 1e5;                             ///< N/m; rigid plants pass it over
-  /// Ns/m; rigid plants pass it over. MuJoCo's convex friction cone lifts a sliding tip by
-  /// mu * damping * speed: contact is lost unless damping < force / (mu * speed), and below a third
-  /// of that the force is clean.
+  /// out of the material, towards the robot; of a curved surface at its point
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  SurfaceShape shape = {};  ///< plane, or what it is about that point
+  double friction = 0.0;    ///< Coulomb coefficient mu
+  double stiffness = 1e5;   ///< N/m; rigid plants pass it over
+  /// Ns/m; rigid plants pass it over. MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding
+  /// tip by mu * damping * speed.
   double damping = 500.0;
   /// m, half the side of the square about `point` that is there to be touched, its sides along the
   /// columns of Reference::surface_with_normal(); infinite: the plane has no end
@@ -39,7 +41,8 @@ struct SceneSpec {
 
 /// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
 /// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,
-/// an unknown tip frame and one that does not move.
+/// a shape that is none or that the tip does not fit into, an unknown tip frame and one that does
+/// not move.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
 /// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between
@@ -48,9 +51,14 @@ SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::Vect
                           const Eigen::Vector3d& normal, SceneSpec scene = {},
                           double clearance = 0.0);
 
+/// The surface in its place.
+Surface surface_of(const SurfaceSpec& surface);
+
 /// Distance from the tip to the surface, m; negative inside. The position of the tip's frame is in
 /// the world, the scene's normal of length one.
 double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
+/// The surface's normal at the tip, of length one. No allocation.
+Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
 
 /// Where a point is, seen from the surface, m: along the two sides of its square from its middle,
 /// and above it. The scene's normal has length one. No allocation.

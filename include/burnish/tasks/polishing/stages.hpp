@@ -35,6 +35,10 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
 /// Where the tool shall be and how hard it shall press, at a time of the schedule.
 TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time);
 
+/// Where the tip's centre is while the tip touches at a point of the path, as seen along the normal
+/// at the path's origin: place, velocity, acceleration and the surface's normal.
+TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point);
+
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 /// The baseline on the same task.
 ImpedanceSpec make_baseline(const Task& task, const Setting& setting);

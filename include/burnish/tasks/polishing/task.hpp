@@ -65,12 +65,13 @@ struct Task {
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
   /// a point of the surface, m; without it `clearance` under the tool at the start
   std::optional<Eigen::Vector3d> point_world = {};
+  SurfaceShape shape = {};  ///< plane, or what the surface is about that point
   /// m that there is surface beyond the path, on all four sides of a square about the path's
   /// origin; infinite: it has no end
   double extent = 0.1;
   double friction = 0.0;   ///< Coulomb coefficient of the plant
   double stiffness = 1e5;  ///< N/m, of the plant
-  double damping = 500.0;  ///< Ns/m, of the plant; with friction below force / (3 friction speed)
+  double damping = 500.0;  ///< Ns/m, of the plant
 
   double force = 30.0;  ///< N, that the tool presses with
   /// N, at once where contact is made, so that the tool does not rebound; the ramp starts there
@@ -97,6 +98,7 @@ struct Task {
   ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, or local (the tool's)
   bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
   ModelErrorOptions model_error = {.bandwidth = 150.0};
+  SurfaceEstimateOptions surface_estimate = {};
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};
   /// N that count as contact. Where the sensor's noise comes near it, which is found out in the

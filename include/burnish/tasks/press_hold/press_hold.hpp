@@ -36,7 +36,7 @@ struct Task {
   double extent = 0.1;  ///< m that there is surface beyond the point, on all four sides; or endless
   double friction = 0.0;   ///< Coulomb coefficient of the plant
   double stiffness = 1e5;  ///< N/m, of the plant
-  double damping = 500.0;  ///< Ns/m, of the plant; with friction below force / (3 friction speed)
+  double damping = 500.0;  ///< Ns/m, of the plant
   PostureLimits search = {};
 
   double clearance = 0.01;        ///< m between tool and surface at the start

@@ -20,6 +20,8 @@ struct TaskPoint {
   Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< m/s
   Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< m/s^2
   double force = 0.0;                                 ///< N, along the surface's normal
+  /// of the surface there, of length one; zero: the controller's own
+  Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();
 };
 
 /// A circle in a plane. It starts at the centre, at rest, and its radius grows smoothly.

@@ -5,10 +5,12 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "burnish/mpc/mpc.hpp"
+#include "burnish/mpc/surface_estimate.hpp"
 
 namespace burnish {
 
@@ -67,6 +69,15 @@ struct TaskTarget {
   double force = 0.0;
 };
 
+/// The surface that a round tip presses on, as the task believes it to be.
+struct PressedSurface {
+  SurfaceShape shape = {};
+  Eigen::Vector3d point_world = Eigen::Vector3d::Zero();    ///< m, of it
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< there, of any length
+  double tip_radius = 0.02;                                 ///< m
+  SurfaceEstimateOptions estimate = {};
+};
+
 /// Put into MpcSpec::task. Its event is "contact": a measured normal force above the
 /// specification's threshold and the sensor's noise, which is found out while nothing touches
 /// (where there is no such phase, while contact is due). Where the noise comes near the threshold,
@@ -76,6 +87,9 @@ struct PressingTask {
   std::vector<Touch> touch = {};                       ///< one for each phase of the schedule
   std::function<TaskTarget(double time)> target = {};  ///< by time of the schedule, each tick
   ToolLimits limits = {};
+  /// What contacts that follow a surface follow, from the start as believed and while the tool
+  /// slides as estimated. None: references and normal are the specification's.
+  std::optional<PressedSurface> surface = {};
 
   /// Throws Error for entries of touch that the schedule has no phases for, or the reverse, for no
   /// target, and for limits out of range.

@@ -1,0 +1,76 @@
+// The surface under a sliding tool, estimated from the tool's own path: what is known of it stays
+// as believed where the tool has not been.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "burnish/dynamics/surface_shape.hpp"
+
+namespace burnish {
+
+/// Standard deviations of what is believed at first, and of what is measured.
+struct SurfaceEstimateOptions {
+  bool enabled = true;     ///< estimate it; else what is believed is what is known
+  double height = 0.02;    ///< m, of the surface
+  double tilt = 0.1;       ///< rad, of the normal about each tangent
+  double curvature = 0.3;  ///< 1/m, and a quarter of what the surface is believed to bend by
+  /// 1/m per square root of a metre of way, by which curvatures wander
+  double bend_change = 0.5;
+  double position_noise = 3e-5;  ///< m, of the tip's position along the normal
+  /// m of way after which that noise is another: an encoder's step seen from the tip
+  double noise_length = 1e-4;
+  double force_noise = 0.3;  ///< N, of the force along the normal
+  double compliance = 1e-3;  ///< m/N, of the surface under the tip
+};
+
+/// A Kalman filter over the way of the tip. With phi the distance to the surface as believed (that
+/// of the tip's centre: `tip_radius` outside of it), t the way along its tangents and f the force
+/// along the normal, the tip is at
+///   phi = h + s . t + t . K t / 2 - c f,
+/// h, s and K being what height, slope and curvature of the surface differ by from what is believed
+/// and c its compliance. Slope and curvature of places to come follow from those here.
+class SurfaceEstimator {
+ public:
+  /// Throws Error for deviations that are not positive numbers.
+  SurfaceEstimator(const Surface& believed, double tip_radius,
+                   const SurfaceEstimateOptions& options, double tick_period);
+
+  void reset() noexcept;
+  /// A tick: the tip's centre, m, and the surface's force on it, N, along its normal. Where it does
+  /// not touch nothing is learnt, but the surface is known for where the tip is. No allocation.
+  void update(const Eigen::Vector3d& p, double force, bool touches) noexcept;
+
+  /// Of the tip's centre, near the last tick's: zero on the surface that the tip slides on,
+  /// unloaded.
+  const Quadric& surface() const { return surface_; }
+  const Eigen::Vector3d& normal() const { return normal_; }  ///< at the tip, of length one
+  /// Deviation of the normal's angle, rad, about the tangent that is known worst.
+  double normal_deviation() const;
+  double compliance() const { return x_[c_]; }  ///< m/N
+
+ private:
+  static constexpr int n_ = 7;  ///< h, s (2), K (uu, uw, ww), c
+  static constexpr int h_ = 0, s_ = 1, k_ = 3, c_ = 6;
+  using State = Eigen::Matrix<double, n_, 1>;
+  using Covariance = Eigen::Matrix<double, n_, n_>;
+
+  void move_to(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept;
+  void measure(double distance, double force, double way) noexcept;
+  void tell(const Eigen::Vector3d& p) noexcept;
+
+  Surface believed_;
+  double radius_;
+  SurfaceEstimateOptions options_;
+  int window_;                ///< ticks that are averaged into a measurement
+  Eigen::Matrix3d tangents_;  ///< columns: t_u, t_w and the believed normal, at place_
+  State x_;
+  Covariance P_;
+  Eigen::Vector3d place_, sum_p_;  ///< m, of the state; of the ticks of a window
+  double sum_f_ = 0.0;
+  int ticks_ = 0;
+  bool placed_ = false;
+  Quadric surface_;
+  Eigen::Vector3d normal_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,280 @@
+#include "burnish/dynamics/surface_shape.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+#include "burnish/dynamics/reference.hpp"
+
+namespace burnish {
+namespace {
+
+using Kind = SurfaceShape::Kind;
+constexpr double tiny = 1e-12;  // m, 1/m: no direction leads there
+
+/// Unit vector from an axis, and around it, at a point off it; any where it is on it.
+struct Around {
+  double distance;
+  Eigen::Vector3d out, along;
+};
+Around around_z(const Eigen::Vector3d& y) {
+  const double distance = std::hypot(y.x(), y.y());
+  const Eigen::Vector3d out = distance > tiny
+                                  ? Eigen::Vector3d(y.x() / distance, y.y() / distance, 0.0)
+                                  : Eigen::Vector3d::UnitX();
+  return {std::max(distance, tiny), out, Eigen::Vector3d::UnitZ().cross(out)};
+}
+
+SurfaceDistance of_sphere(double radius, const Eigen::Vector3d& y) {
+  const double length = std::max(y.norm(), tiny);
+  const Eigen::Vector3d n =
+      y.norm() > tiny ? Eigen::Vector3d(y / length) : Eigen::Vector3d::UnitZ();
+  return {y.norm() - radius, n, (Eigen::Matrix3d::Identity() - n * n.transpose()) / length};
+}
+
+/// About z.
+SurfaceDistance of_cylinder(double radius, const Eigen::Vector3d& y) {
+  const Around at = around_z(y);
+  return {at.distance - radius, at.out, at.along * at.along.transpose() / at.distance};
+}
+
+/// Opening along z from the origin, and its mirror image.
+SurfaceDistance of_cone(double half_angle, const Eigen::Vector3d& y) {
+  const Around at = around_z(y);
+  const double c = std::cos(half_angle), s = std::sin(half_angle);
+  const double side = y.z() < 0.0 ? -1.0 : 1.0;
+  return {at.distance * c - std::abs(y.z()) * s, c * at.out - side * s * Eigen::Vector3d::UnitZ(),
+          c / at.distance * at.along * at.along.transpose()};
+}
+
+/// A ring about z.
+SurfaceDistance of_torus(double ring, double radius, const Eigen::Vector3d& y) {
+  const Around at = around_z(y);
+  const double out = at.distance - ring;
+  const double length = std::max(std::hypot(out, y.z()), tiny);
+  const Eigen::Vector3d n = (out * at.out + y.z() * Eigen::Vector3d::UnitZ()) / length;
+  const Eigen::Vector3d across = n.cross(at.along);
+  return {length - radius, n,
+          across * across.transpose() / length +
+              out / (length * at.distance) * at.along * at.along.transpose()};
+}
+
+/// Zeros of F(y) = y^T A y / 2 + b^T y + c with A diagonal. The nearest point p has
+/// y = p + m grad F(p), so that p(m) = (1 + m A)^-1 (y - m b), and F(p(m)) = 0 is solved for m by
+/// Newton's method: dF/dm = -grad F^T (1 + m A)^-1 grad F.
+SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, double c,
+                           const Eigen::Vector3d& y) {
+  constexpr int most = 30;
+  double m = 0.0;
+  Eigen::Vector3d p = y, g = A.cwiseProduct(p) + b;
+  for (int i = 0; i < most; ++i) {
+    const Eigen::Vector3d scale = (1.0 + m * A.array()).max(1e-6).inverse();
+    p = scale.cwiseProduct(y - m * b);
+    g = A.cwiseProduct(p) + b;
+    const double F = 0.5 * p.dot(A.cwiseProduct(p)) + b.dot(p) + c;
+    const double slope = g.dot(scale.cwiseProduct(g));
+    if (!(slope > tiny)) break;
+    const double step = F / slope;
+    m += step;
+    if (std::abs(step) * g.norm() < 1e-15) break;
+  }
+  const double length = std::max(g.norm(), tiny);
+  const Eigen::Vector3d n = g / length;
+  const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
+  const Eigen::Matrix3d here = tangent * A.asDiagonal() * tangent / length;
+  const double distance = n.dot(y - p);
+  // Of the surface that is this far away.
+  const Eigen::Matrix3d there = (Eigen::Matrix3d::Identity() + distance * here).inverse() * here;
+  return {distance, n, 0.5 * (there + there.transpose())};
+}
+
+void check_length(const std::string& who, const char* what, double length) {
+  if (!(length > 0.0) || !std::isfinite(length))
+    throw Error(who + ": its " + what + " is " + number(length) + " m; wanted a positive number");
+}
+
+Eigen::Matrix3d turned_axes(const Eigen::Vector3d& normal, double turn_deg) {
+  return Reference::surface_with_normal(normal).rotation *
+         Eigen::AngleAxisd(turn_deg * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ())
+             .toRotationMatrix();
+}
+
+}  // namespace
+
+std::string name_of(Kind kind) { return surface_kinds()[static_cast<std::size_t>(kind)]; }
+const std::vector<std::string>& surface_kinds() {
+  static const std::vector<std::string> names{"plane", "sphere",    "cylinder", "cone",
+                                              "torus", "ellipsoid", "saddle"};
+  return names;
+}
+
+Quadric SurfaceDistance::quadric(const Eigen::Vector3d& x, double offset) const {
+  Quadric result{.Q = bend, .b = normal - bend * x};
+  result.c = distance - offset - normal.dot(x) + 0.5 * x.dot(bend * x);
+  return result;
+}
+
+void SurfaceShape::check(const std::string& who) const {
+  const std::string what = who + ": " + name_of(kind);
+  if (!std::isfinite(turn_deg)) throw Error(what + ": its turn is not finite");
+  switch (kind) {
+    case Kind::Plane:
+      if (hollow) throw Error(what + ": it is hollow, which a plane cannot be");
+      return;
+    case Kind::Saddle:
+      if (hollow)
+        throw Error(what + ": it is hollow; wanted curvatures of the other signs in its place");
+      if (!curvature.allFinite()) throw Error(what + ": its curvatures are not finite");
+      return;
+    case Kind::Ellipsoid:
+      for (const double length : semi_axes) check_length(what, "semi-axis", length);
+      return;
+    case Kind::Torus:
+      check_length(what, "ring", ring);
+      check_length(what, "radius", radius);
+      if (!(radius < ring))
+        throw Error(what + ": its tube of radius " + number(radius) + " m runs along a ring of " +
+                    number(ring) + " m; wanted a tube that is thinner than that");
+      return;
+    case Kind::Cone:
+      if (!(half_angle > 0.0 && half_angle < 1.5))
+        throw Error(what + ": its half angle is " + number(half_angle) +
+                    " rad; wanted above 0 and below 1.5");
+      check_length(what, "radius", radius);
+      return;
+    case Kind::Sphere:
+    case Kind::Cylinder:
+      check_length(what, "radius", radius);
+  }
+}
+
+std::string SurfaceShape::text() const {
+  const auto metres = [](double length) { return number(length) + " m"; };
+  const std::string name = (hollow ? "hollow " : "") + name_of(kind);
+  switch (kind) {
+    case Kind::Sphere:
+    case Kind::Cylinder:
+      return name + " of radius " + metres(radius);
+    case Kind::Cone:
+      return name + " of half angle " + number(half_angle) + " rad, " + metres(radius) +
+             " from its axis";
+    case Kind::Torus:
+      return name + " of radius " + metres(radius) + " along a ring of " + metres(ring);
+    case Kind::Ellipsoid:
+      return name + " of semi-axes " + number(semi_axes.x()) + ", " + number(semi_axes.y()) + ", " +
+             metres(semi_axes.z());
+    case Kind::Saddle:
+      return name + " of curvatures " + number(curvature.x()) + ", " + number(curvature.y()) +
+             " 1/m";
+    case Kind::Plane:
+      break;
+  }
+  return name;
+}
+
+Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
+                 const Eigen::Vector3d& normal)
+    : shape_(shape), center_(point), axes_(turned_axes(normal, shape.turn_deg)), point_(point) {
+  shape.check("the surface");
+  normal_ = axes_.col(2);
+  const Eigen::Vector3d x = axes_.col(0), y = axes_.col(1), n = normal_;
+  const double into = shape.hollow ? -1.0 : 1.0;  // of the middle, against the normal
+  switch (shape.kind) {
+    case Kind::Plane:
+    case Kind::Saddle:
+      break;
+    case Kind::Sphere:
+      center_ -= into * shape.radius * n;
+      break;
+    case Kind::Cylinder:
+      center_ -= into * shape.radius * n;
+      axes_ << y, n, x;
+      break;
+    case Kind::Cone: {  // its own z along the axis: x turned into the material by the half angle
+      const double c = std::cos(shape.half_angle), s = std::sin(shape.half_angle);
+      const Eigen::Vector3d z = c * x - into * s * n;
+      center_ -= shape.radius / std::tan(shape.half_angle) * x;
+      axes_ << y, z.cross(y), z;
+      break;
+    }
+    case Kind::Torus:  // touched where its ring is farthest out
+      center_ -= into * (shape.ring + shape.radius) * n;
+      axes_ << n, x, n.cross(x);
+      break;
+    case Kind::Ellipsoid:
+      center_ -= into * shape.semi_axes.z() * n;
+      break;
+  }
+}
+
+SurfaceDistance Surface::at(const Eigen::Vector3d& x) const noexcept {
+  const Eigen::Vector3d y = axes_.transpose() * (x - center_);
+  SurfaceDistance result;
+  switch (shape_.kind) {
+    case Kind::Plane:
+      result.distance = y.z();
+      break;
+    case Kind::Sphere:
+      result = of_sphere(shape_.radius, y);
+      break;
+    case Kind::Cylinder:
+      result = of_cylinder(shape_.radius, y);
+      break;
+    case Kind::Cone:
+      result = of_cone(shape_.half_angle, y);
+      break;
+    case Kind::Torus:
+      result = of_torus(shape_.ring, shape_.radius, y);
+      break;
+    case Kind::Ellipsoid: {
+      const double least = shape_.semi_axes.minCoeff();
+      result = of_quadric(least * shape_.semi_axes.array().square().inverse(),
+                          Eigen::Vector3d::Zero(), -0.5 * least, y);
+      break;
+    }
+    case Kind::Saddle:
+      result = of_quadric({-shape_.curvature.x(), -shape_.curvature.y(), 0.0},
+                          Eigen::Vector3d::UnitZ(), 0.0, y);
+      break;
+  }
+  const double sign = shape_.hollow ? -1.0 : 1.0;
+  return {sign * result.distance, sign * axes_ * result.normal,
+          sign * axes_ * result.bend * axes_.transpose()};
+}
+
+Eigen::Vector3d Surface::along_normal(const Eigen::Vector3d& x) const noexcept {
+  constexpr int most = 50;
+  Eigen::Vector3d p = x - normal_.dot(x - point_) * normal_;  // in the tangent plane
+  for (int i = 0; i < most; ++i) {
+    const SurfaceDistance here = at(p);
+    const double slope = std::max(here.normal.dot(normal_), 0.1);
+    p -= here.distance / slope * normal_;
+    if (std::abs(here.distance) < 1e-14) break;
+  }
+  return p;
+}
+
+double Surface::most_concave() const {
+  switch (shape_.kind) {
+    case Kind::Plane:
+      return 0.0;
+    case Kind::Saddle:
+      return std::max({0.0, shape_.curvature.x(), shape_.curvature.y()});
+    case Kind::Torus:  // outside of a full one it is its inner side, which paths do not come to
+      return shape_.hollow ? 1.0 / shape_.radius : 0.0;
+    case Kind::Ellipsoid: {
+      const double longest = shape_.semi_axes.maxCoeff(), least = shape_.semi_axes.minCoeff();
+      return shape_.hollow ? longest / (least * least) : 0.0;
+    }
+    case Kind::Sphere:
+    case Kind::Cylinder:
+    case Kind::Cone:
+      return shape_.hollow ? 1.0 / shape_.radius : 0.0;
+  }
+  return 0.0;
+}
+
+}  // namespace burnish

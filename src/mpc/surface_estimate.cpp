@@ -1,0 +1,153 @@
+#include "burnish/mpc/surface_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpc/descriptions.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double window_time = 5e-3;  // s
+
+/// The axes turned by the least rotation that takes their third to n: carried without spin.
+Eigen::Matrix3d carried(const Eigen::Matrix3d& axes, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d c = axes.col(2).cross(n);
+  const double share = 1.0 / std::max(1.0 + axes.col(2).dot(n), 1e-6);
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d once = c.cross(axes.col(i));
+    result.col(i) = (axes.col(i) + once + share * c.cross(once)).normalized();
+  }
+  result.col(2) = n;
+  return result;
+}
+
+}  // namespace
+
+SurfaceEstimator::SurfaceEstimator(const Surface& believed, double tip_radius,
+                                   const SurfaceEstimateOptions& options, double tick_period)
+    : believed_(believed),
+      radius_(tip_radius),
+      options_(options),
+      window_(std::max(1, static_cast<int>(std::lround(window_time / tick_period)))) {
+  check_ranges(description_of(&options), &options,
+               [](const std::string& entry) { return "surface estimate: " + entry; });
+  reset();
+}
+
+void SurfaceEstimator::reset() noexcept {
+  x_.setZero();
+  P_.setZero();
+  const auto square = [](double deviation) { return deviation * deviation; };
+  P_(h_, h_) = square(options_.height);
+  P_(s_, s_) = P_(s_ + 1, s_ + 1) = square(options_.tilt);
+  P_(c_, c_) = square(options_.compliance);
+  placed_ = false;
+  ticks_ = 0;
+  sum_p_.setZero();
+  sum_f_ = 0.0;
+  surface_ = Quadric{};
+  normal_ = surface_.b;
+}
+
+void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touches) noexcept {
+  if (!p.allFinite() || !std::isfinite(force)) return;
+  if (!options_.enabled || !touches) {
+    ticks_ = 0;
+    sum_p_.setZero();
+    sum_f_ = 0.0;
+  } else {
+    sum_p_ += p;
+    sum_f_ += force;
+    if (++ticks_ == window_) {
+      const Eigen::Vector3d mean = sum_p_ / window_;
+      const SurfaceDistance believed = believed_.at(mean);
+      const double way = placed_ ? (mean - place_).norm() : 0.0;
+      move_to(mean, believed);
+      measure(believed.distance - radius_, sum_f_ / window_, way);
+      ticks_ = 0;
+      sum_p_.setZero();
+      sum_f_ = 0.0;
+    }
+  }
+  tell(p);
+}
+
+/// With d the step along the tangents, h += s . d + d . K d / 2 and s += K d.
+void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept {
+  if (!placed_) {
+    Eigen::Vector3d seed = Eigen::Vector3d::UnitX();
+    if (std::abs(believed.normal.x()) > 0.9) seed = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d t = seed.cross(believed.normal).normalized();
+    tangents_ << t, believed.normal.cross(t), believed.normal;
+    place_ = p;
+    placed_ = true;
+    const double bend = options_.curvature + 0.25 * believed.bend.norm();
+    for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend * bend;
+    return;
+  }
+  const Eigen::Vector2d d = tangents_.leftCols<2>().transpose() * (p - place_);
+  Covariance F = Covariance::Identity();
+  F(h_, s_) = d[0];
+  F(h_, s_ + 1) = d[1];
+  F(h_, k_) = 0.5 * d[0] * d[0];
+  F(h_, k_ + 1) = d[0] * d[1];
+  F(h_, k_ + 2) = 0.5 * d[1] * d[1];
+  F(s_, k_) = F(s_ + 1, k_ + 1) = d[0];
+  F(s_, k_ + 1) = F(s_ + 1, k_ + 2) = d[1];
+  x_ = F * x_;
+  P_ = F * P_ * F.transpose();
+  const double wander = options_.bend_change * options_.bend_change * d.norm();
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) += wander;
+  tangents_ = carried(tangents_, believed.normal);
+  place_ = p;
+}
+
+void SurfaceEstimator::measure(double distance, double force, double way) noexcept {
+  State H = State::Zero();
+  H[h_] = 1.0;
+  H[c_] = -force;
+  // The noise of encoders is another one only once the tip has moved.
+  const double repeats = std::max(1.0, options_.noise_length / std::max(way, 1e-9));
+  const double give = x_[c_] * options_.force_noise;
+  const double R =
+      options_.position_noise * options_.position_noise * std::min(repeats, 1e6) + give * give;
+  const State PH = P_ * H;
+  const double S = H.dot(PH) + R;
+  const State gain = PH / S;
+  const double innovation = distance - H.dot(x_);
+  x_ += gain * innovation;
+  // Joseph's form stays symmetric and positive.
+  const Covariance keep = Covariance::Identity() - gain * H.transpose();
+  P_ = keep * P_ * keep.transpose() + R * gain * gain.transpose();
+}
+
+void SurfaceEstimator::tell(const Eigen::Vector3d& p) noexcept {
+  const SurfaceDistance here = believed_.at(p);
+  surface_ = here.quadric(p, radius_);
+  if (placed_ && options_.enabled) {
+    const auto T = tangents_.leftCols<2>();
+    Eigen::Matrix2d K;
+    K << x_[k_], x_[k_ + 1], x_[k_ + 1], x_[k_ + 2];
+    const Eigen::Vector2d d = T.transpose() * (p - place_);
+    const Eigen::Vector2d s = x_.segment<2>(s_) + K * d;
+    surface_.Q -= T * K * T.transpose();
+    const Eigen::Vector3d gradient = here.normal - T * s;
+    surface_.b = gradient - surface_.Q * p;
+    const double height = x_[h_] + x_.segment<2>(s_).dot(d) + 0.5 * d.dot(K * d);
+    surface_.c = here.distance - radius_ - height - gradient.dot(p) + 0.5 * p.dot(surface_.Q * p);
+    normal_ = gradient.normalized();
+  } else {
+    normal_ = here.normal;
+  }
+}
+
+double SurfaceEstimator::normal_deviation() const {
+  const auto slopes = P_.block<2, 2>(s_, s_);
+  const double mean = 0.5 * slopes.trace();
+  const double off = std::hypot(0.5 * (slopes(0, 0) - slopes(1, 1)), slopes(0, 1));
+  return std::sqrt(std::max(0.0, mean + off));
+}
+
+}  // namespace burnish

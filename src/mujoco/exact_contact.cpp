@@ -1,0 +1,40 @@
+#include "mujoco/exact_contact.hpp"
+
+namespace burnish::mujoco {
+
+ExactContact::ExactContact(const SceneSpec& scene, const mjModel& m, int tip_site, int tip_body)
+    : scene_(scene),
+      surface_(surface_of(scene.surface)),
+      contact_{scene.surface.stiffness, scene.surface.damping, scene.surface.friction},
+      site_(tip_site),
+      body_(tip_body),
+      J_(3, m.nv),
+      J_by_M_(3, m.nv) {
+  J_.setZero();
+  J_by_M_.setZero();
+}
+
+Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, bool touched) noexcept {
+  const Eigen::Vector3d tip = Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * site_);
+  const SurfaceDistance at = surface_.at(tip);
+  const double radius = scene_.tip.radius;
+  if (!(at.distance < radius) || !is_over(scene_, tip, touched)) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d point = tip - radius * at.normal;
+  mj_jac(&m, &d, J_.data(), nullptr, point.data(), body_);
+  mj_solveM(&m, &d, J_by_M_.data(), J_.data(), 3);
+  const Eigen::Map<const Eigen::VectorXd> v(d.qvel, m.nv), a(d.qacc_smooth, m.nv);
+  // Joint friction and followers act too: as in the step before, which is near enough for what is
+  // left of velocities at the end of this one.
+  const Eigen::Map<const Eigen::VectorXd> others(d.qfrc_constraint, m.nv);
+  const double dt = m.opt.timestep;
+  TipStep step{.dt = dt, .depth = radius - at.distance, .n = at.normal, .v = {}, .A = {}};
+  step.v = J_ * v + dt * (J_ * a + J_by_M_ * others);
+  step.A = J_by_M_ * J_.transpose();
+  const Eigen::Vector3d force = penalty_force(contact_, step);
+  Eigen::Map<Eigen::VectorXd>(d.qfrc_applied, m.nv).noalias() += J_.transpose() * force;
+  Eigen::Map<Eigen::VectorXd>(d.qfrc_smooth, m.nv).noalias() += J_.transpose() * force;
+  Eigen::Map<Eigen::VectorXd>(d.qacc_smooth, m.nv).noalias() += J_by_M_.transpose() * force;
+  return force;
+}
+
+}  // namespace burnish::mujoco

@@ -1,0 +1,94 @@
+// Surfaces that are data of each knot: at each the problem is the one whose reference follows the
+// surface that it was given.
+#include <gtest/gtest.h>
+
+#include "support/ocp_cases.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+Quadric surface_at(double time) {
+  return Quadric::osculating(Eigen::Vector3d(0.1, 0.2 * time, -0.4), turned_at(0.2 * time),
+                             0.3 + time, -0.1, -0.4 * time);
+}
+
+ProblemSpec pressed(const OcpCase& test, const Model& model, const Quadric& surface) {
+  ProblemSpec spec = bare_problem(test, model);
+  for (ContactSpec& contact : spec.contacts) {
+    if (contact.name != "pad") continue;
+    contact.base = "world";
+    contact.reference = Reference::on(surface_at(0.0), {0.3, 0.1, 0.2});
+    contact.reference.quadric = surface;
+    contact.with_gains(0.0, 5.0);
+  }
+  Stage go{.name = "go", .contacts = {"brace", "pad"}};
+  go.costs = {{.name = "own", .residual = residual::ContactForce{"pad", {}, 1.0}}};
+  Stage touch{.name = "touch", .contacts = {"pad"}, .costs = {{.residual = residual::State{}}}};
+  touch.impact = true;
+  Stage free{.name = "free", .costs = {{.residual = residual::State{}}}};
+  spec.stages = {go, touch, free};
+  spec.horizon = {{"go", native_lanes + 1}, {"touch", 1}, {"free", 1}};
+  return spec;
+}
+
+class SurfaceData : public ::testing::TestWithParam<OcpCase> {
+ protected:
+  Model model = GetParam().robot.model();
+};
+
+TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
+  const ProblemSpec spec = pressed(GetParam(), model, surface_at(0.0));
+  const auto named = std::find_if(spec.contacts.begin(), spec.contacts.end(),
+                                  [](const ContactSpec& c) { return c.name == "pad"; });
+  const int pad = static_cast<int>(named - spec.contacts.begin());
+  Problem problem(spec);
+  for (int k = 0; k <= problem.knots(); ++k)
+    ASSERT_EQ(problem.set_surface(k, pad, surface_at(1.0 + k)), Status::Ok);
+  std::mt19937_64 generator(31);
+  OcpHorizon horizon(problem, generator);
+  horizon.expand(problem);
+  for (int k = 0; k < problem.knots(); ++k) {
+    SCOPED_TRACE(problem.knot_name(k));
+    Problem still(pressed(GetParam(), model, surface_at(1.0 + k)));
+    OcpHorizon wanted = horizon;
+    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
+    wanted.expand(still);
+    const auto at = static_cast<std::size_t>(k);
+    ASSERT_EQ(horizon.values[at].status, Status::Ok);
+    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
+    const int nz = problem.controls(k) + problem.state().ndx, rows = problem.state().nv;
+    EXPECT_EQ(horizon.gradient[at].head(nz), wanted.gradient[at].head(nz));
+    EXPECT_EQ(horizon.dynamics[at].topLeftCorner(rows, nz),
+              wanted.dynamics[at].topLeftCorner(rows, nz));
+  }
+  // Until the knot is set again.
+  problem.set_knot(0, 0, 0.0);
+  const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
+  const Eigen::VectorXd first = problem.forces(0, x, u);
+  ASSERT_EQ(problem.set_surface(0, pad, surface_at(0.0)), Status::Ok);
+  EXPECT_EQ(problem.forces(0, x, u), first);
+  ASSERT_EQ(problem.set_surface(0, pad, surface_at(1.0)), Status::Ok);
+  EXPECT_NE(problem.forces(0, x, u), first);
+}
+
+TEST_P(SurfaceData, IsRefusedWhereThereIsNone) {
+  Problem problem(pressed(GetParam(), model, surface_at(0.0)));
+  const auto words = [](auto&& call, const std::vector<std::string>& wanted) {
+    testing::expect_words(testing::refusal(call), wanted);
+  };
+  const Quadric surface = surface_at(1.0);
+  words([&] { problem.set_surface(-1, 0, surface); }, {"set_surface", "knot -1"});
+  words([&] { problem.set_surface(0, 7, surface); }, {"set_surface", "contact 7 of"});
+  int flat = 0;
+  while (problem.spec().contacts[static_cast<std::size_t>(flat)].name == "pad") ++flat;
+  words([&] { problem.set_surface(0, flat, surface); }, {"follows no surface", "Reference::on"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, SurfaceData,
+                         ::testing::Values(OcpCase{{"arm7", Base::Fixed, "tool"}},
+                                           OcpCase{{"arm7", Base::FreeFlyer, "tool"}}),
+                         [](const auto& test) { return test.param.label(); });
+
+}  // namespace
+}  // namespace burnish::test
