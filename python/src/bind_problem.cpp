@@ -200,6 +200,27 @@ void bind_knots(ProblemClass& c) {
       "Bounds of the controls of a knot, (nu,), Nm (N), or None.");
 }
 
+void bind_surfaces(ProblemClass& c) {
+  c.def(
+      "set_surface",
+      [](ProblemMachine& self, int knot, const std::string& contact, const Quadric& surface) {
+        constexpr const char* call = "Problem.set_surface";
+        const Busy::Lock lock(self.busy, call);
+        const std::vector<ContactSpec>& contacts = self.problem.spec().contacts;
+        const auto named = std::find_if(contacts.begin(), contacts.end(), [&](const auto& of) {
+          return (of.name.empty() ? of.tool : of.name) == contact;
+        });
+        if (named == contacts.end())
+          throw Error(std::string(call) + ": there is no contact '" + contact + "'");
+        require(self.problem.set_surface(knot, static_cast<int>(named - contacts.begin()), surface),
+                call);
+      },
+      py::arg("knot"), py::arg("contact"), py::arg("surface"),
+      "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
+      "reference of a contact (name) follows (Reference.on), until the knot is set or advanced "
+      "again; a stage that does not hold the contact passes it over.");
+}
+
 void bind_setters(ProblemClass& c) {
   c.def_property_readonly(
        "initial_state",
@@ -249,25 +270,6 @@ void bind_setters(ProblemClass& c) {
           py::arg("knot"), py::arg("term"), py::arg("target"),
           "Writes the target of one term (index or name) at one knot until the knot is set or "
           "advanced again: entries as the residual says.")
-      .def(
-          "set_surface",
-          [](ProblemMachine& self, int knot, const std::string& contact, const Quadric& surface) {
-            constexpr const char* call = "Problem.set_surface";
-            const Busy::Lock lock(self.busy, call);
-            const std::vector<ContactSpec>& contacts = self.problem.spec().contacts;
-            const auto named = std::find_if(contacts.begin(), contacts.end(), [&](const auto& of) {
-              return (of.name.empty() ? of.tool : of.name) == contact;
-            });
-            if (named == contacts.end())
-              throw Error(std::string(call) + ": there is no contact '" + contact + "'");
-            require(
-                self.problem.set_surface(knot, static_cast<int>(named - contacts.begin()), surface),
-                call);
-          },
-          py::arg("knot"), py::arg("contact"), py::arg("surface"),
-          "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
-          "reference of a contact (name) follows (Reference.on), until the knot is set or advanced "
-          "again; a stage that does not hold the contact passes it over.")
       .def(
           "set_torque_bias",
           [](ProblemMachine& self, const Vector& torque) {
@@ -422,6 +424,7 @@ void bind_problem(py::module_& m) {
   bind_what_it_is(problem);
   bind_knots(problem);
   bind_setters(problem);
+  bind_surfaces(problem);
   bind_terms(problem);
   bind_values_at_knots(problem);
   bind_statics(problem);

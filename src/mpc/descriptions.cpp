@@ -48,7 +48,9 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
           .field("bend_change", &S::bend_change,
                  "{1/m} per square root of a metre of way, by which curvatures wander", deviation)
           .field("position_noise", &S::position_noise,
-                 "{m}, of the tip's position along the normal", deviation)
+                 "{m}, of the tip's position along the normal, beside what differs from tick to "
+                 "tick, which is found out",
+                 deviation)
           .field("noise_length", &S::noise_length,
                  "{m} of way after which that noise is another: an encoder's step seen from the "
                  "tip",
@@ -147,7 +149,9 @@ const Description& description_of(const Command* /*of*/) {
                  "where the task stands: of an MpcController, its place in the schedule")
           .field("target_force", &C::target_force,
                  "{N}, how hard the surface shall push back along its normal")
-          .field("p_target_world", &C::p_target_world, "{m}, of the tip frame's origin")
+          .field("p_target_world", &C::p_target_world,
+                 "{m}, of the tip frame's origin; where a task presses, on the surface as it is "
+                 "known")
           .field("normal_world", &C::normal_world,
                  "What the controller believes the surface's normal at the tool to be, world axes.")
           .field(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mpc/descriptions.hpp"
 
@@ -9,6 +10,8 @@ namespace burnish {
 namespace {
 
 constexpr double window_time = 5e-3;  // s
+constexpr double noise_time = 0.1;    // s, over which the noise of places is averaged
+constexpr double most_tilts = 5.0;    // deviations that a slope is believed to at most
 
 /// The axes turned by the least rotation that takes their third to n: carried without spin.
 Eigen::Matrix3d carried(const Eigen::Matrix3d& axes, const Eigen::Vector3d& n) {
@@ -25,12 +28,13 @@ Eigen::Matrix3d carried(const Eigen::Matrix3d& axes, const Eigen::Vector3d& n) {
 
 }  // namespace
 
-SurfaceEstimator::SurfaceEstimator(const Surface& believed, double tip_radius,
+SurfaceEstimator::SurfaceEstimator(Surface believed, double tip_radius,
                                    const SurfaceEstimateOptions& options, double tick_period)
-    : believed_(believed),
+    : believed_(std::move(believed)),
       radius_(tip_radius),
       options_(options),
-      window_(std::max(1, static_cast<int>(std::lround(window_time / tick_period)))) {
+      window_(std::max(1, static_cast<int>(std::lround(window_time / tick_period)))),
+      noise_share_(std::min(1.0, tick_period / noise_time)) {
   check_ranges(description_of(&options), &options,
                [](const std::string& entry) { return "surface estimate: " + entry; });
   reset();
@@ -44,6 +48,8 @@ void SurfaceEstimator::reset() noexcept {
   P_(s_, s_) = P_(s_ + 1, s_ + 1) = square(options_.tilt);
   P_(c_, c_) = square(options_.compliance);
   placed_ = false;
+  seen_ = 0;
+  white_ = spread_ = 0.0;
   ticks_ = 0;
   sum_p_.setZero();
   sum_f_ = 0.0;
@@ -53,6 +59,7 @@ void SurfaceEstimator::reset() noexcept {
 
 void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touches) noexcept {
   if (!p.allFinite() || !std::isfinite(force)) return;
+  follow_noise(p);
   if (!options_.enabled || !touches) {
     ticks_ = 0;
     sum_p_.setZero();
@@ -60,34 +67,59 @@ void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touch
   } else {
     sum_p_ += p;
     sum_f_ += force;
-    if (++ticks_ == window_) {
-      const Eigen::Vector3d mean = sum_p_ / window_;
-      const SurfaceDistance believed = believed_.at(mean);
-      const double way = placed_ ? (mean - place_).norm() : 0.0;
-      move_to(mean, believed);
-      measure(believed.distance - radius_, sum_f_ / window_, way);
-      ticks_ = 0;
-      sum_p_.setZero();
-      sum_f_ = 0.0;
-    }
+    if (++ticks_ >= window_) learn();
   }
   tell(p);
 }
 
-/// With d the step along the tangents, h += s . d + d . K d / 2 and s += K d.
-void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept {
+/// From the mean of a window's ticks. Noise moves the tip along the surface and off it at once, as
+/// joints do, which looks like a slope: along the surface the tip has moved once it is clear of
+/// that.
+void SurfaceEstimator::learn() noexcept {
+  constexpr double clear = 6.0;  // deviations of a mean
+  const Eigen::Vector3d mean = sum_p_ / ticks_;
+  const SurfaceDistance believed = believed_.at(mean);
   if (!placed_) {
-    Eigen::Vector3d seed = Eigen::Vector3d::UnitX();
-    if (std::abs(believed.normal.x()) > 0.9) seed = Eigen::Vector3d::UnitY();
-    const Eigen::Vector3d t = seed.cross(believed.normal).normalized();
-    tangents_ << t, believed.normal.cross(t), believed.normal;
-    place_ = p;
-    placed_ = true;
-    const double bend = options_.curvature + 0.25 * believed.bend.norm();
-    for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend * bend;
-    return;
+    start(mean, believed);
+  } else {
+    const Eigen::Vector2d d = tangents_.leftCols<2>().transpose() * (mean - place_);
+    if (d.squaredNorm() * ticks_ >= clear * clear * spread_) move_to(mean, d, believed);
   }
-  const Eigen::Vector2d d = tangents_.leftCols<2>().transpose() * (p - place_);
+  measure(believed.distance - radius_, sum_f_ / ticks_, (mean - last_).norm());
+  last_ = mean;
+  ticks_ = 0;
+  sum_p_.setZero();
+  sum_f_ = 0.0;
+}
+
+/// Of white noise s the second difference has the variance 6 s^2; of a motion it has next to
+/// nothing from tick to tick.
+void SurfaceEstimator::follow_noise(const Eigen::Vector3d& p) noexcept {
+  if (seen_ >= 2) {
+    const Eigen::Vector3d bend = p - 2.0 * before_ + before_that_;
+    const double share = std::max(noise_share_, 1.0 / (seen_ - 1)), along = normal_.dot(bend);
+    white_ += share * (along * along / 6.0 - white_);
+    spread_ += share * (bend.squaredNorm() / 6.0 - spread_);
+  }
+  before_that_ = before_;
+  before_ = p;
+  seen_ = std::min(seen_ + 1, 1 << 20);
+}
+
+void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept {
+  const Eigen::Vector3d seed =
+      std::abs(believed.normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d t = seed.cross(believed.normal).normalized();
+  tangents_ << t, believed.normal.cross(t), believed.normal;
+  place_ = last_ = p;
+  placed_ = true;
+  const double bend = options_.curvature + 0.25 * believed.bend.norm();
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend * bend;
+}
+
+/// With d the step along the tangents, h += s . d + d . K d / 2 and s += K d.
+void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
+                               const SurfaceDistance& believed) noexcept {
   Covariance F = Covariance::Identity();
   F(h_, s_) = d[0];
   F(h_, s_ + 1) = d[1];
@@ -111,8 +143,8 @@ void SurfaceEstimator::measure(double distance, double force, double way) noexce
   // The noise of encoders is another one only once the tip has moved.
   const double repeats = std::max(1.0, options_.noise_length / std::max(way, 1e-9));
   const double give = x_[c_] * options_.force_noise;
-  const double R =
-      options_.position_noise * options_.position_noise * std::min(repeats, 1e6) + give * give;
+  const double R = options_.position_noise * options_.position_noise * std::min(repeats, 1e6) +
+                   give * give + white_ / ticks_;
   const State PH = P_ * H;
   const double S = H.dot(PH) + R;
   const State gain = PH / S;
@@ -121,6 +153,8 @@ void SurfaceEstimator::measure(double distance, double force, double way) noexce
   // Joseph's form stays symmetric and positive.
   const Covariance keep = Covariance::Identity() - gain * H.transpose();
   P_ = keep * P_ * keep.transpose() + R * gain * gain.transpose();
+  const double steepest = most_tilts * options_.tilt, slope = x_.segment<2>(s_).norm();
+  if (slope > steepest) x_.segment<2>(s_) *= steepest / slope;
 }
 
 void SurfaceEstimator::tell(const Eigen::Vector3d& p) noexcept {

@@ -291,6 +291,21 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
   contact.with_gains(0.0, task.contact_kd);
   return contact;
 }
+PressingTask pressing_task(const Task& task, const Setting& setting,
+                           const std::shared_ptr<const Path>& path) {
+  PressingTask pressing{
+      .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
+      .limits = task.tool_limits};
+  pressing.target = [task, setting, path](double time) {
+    const TaskPoint point = task_point(task, setting, *path, time);
+    return TaskTarget{point.p_world, point.force};
+  };
+  if (follows_surface(task))
+    pressing.surface =
+        PressedSurface{task.shape, setting.scene.surface.point, setting.scene.surface.normal,
+                       task.tip_radius, task.surface_estimate};
+  return pressing;
+}
 }  // namespace
 
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
@@ -334,18 +349,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
   mpc.normal_world = setting.scene.surface.normal;
-  PressingTask pressing{
-      .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
-      .limits = task.tool_limits};
-  pressing.target = [task, setting, path](double time) {
-    const TaskPoint point = task_point(task, setting, *path, time);
-    return TaskTarget{point.p_world, point.force};
-  };
-  if (follows_surface(task))
-    pressing.surface =
-        PressedSurface{task.shape, setting.scene.surface.point, setting.scene.surface.normal,
-                       task.tip_radius, task.surface_estimate};
-  mpc.task = pressing;
+  mpc.task = pressing_task(task, setting, path);
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;

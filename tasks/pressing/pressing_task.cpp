@@ -1,6 +1,7 @@
 #include "burnish/tasks/pressing/pressing_task.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/sentence.hpp"
 #include "pressing/descriptions.hpp"
@@ -96,9 +97,20 @@ class Pressing final : public MpcTask {
     const TaskTarget target = target_(time);
     command.target_force = target.force;
     command.p_target_world = target.p_world;
+    if (surface_ && target.force > 0.0) put_on_surface(command.p_target_world);
   }
 
  private:
+  /// Moves a point along the normal at the path's origin onto the surface as it is known now: that
+  /// is where the tip comes to when it is over it.
+  void put_on_surface(Eigen::Vector3d& p) const noexcept {
+    constexpr double farthest = 0.1;  // m
+    const Quadric& known = surface_->surface();
+    const double slope = known.gradient(p).dot(normal_at_first_);
+    const double step = -known.value(p) / slope;
+    if (slope > 0.1 && std::abs(step) < farthest) p += step * normal_at_first_;
+  }
+
   static constexpr double touch_window = 5e-3;  // s, of the mean that tells contact from noise
 
   Touch phase_of(const TaskView& view) const noexcept {

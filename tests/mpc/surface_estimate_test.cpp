@@ -29,6 +29,7 @@ struct Slide {
   double compliance = 1e-5;  ///< m/N
   double step = 5e-5;        ///< m, that places are rounded to
   double force_noise = 0.3;  ///< N, before a filter of 50 Hz
+  double noise = 0.0;        ///< m, of places, anew in every tick
   std::mt19937_64 generator{3};
   double force = 6.0;
 
@@ -40,12 +41,12 @@ struct Slide {
   }
   /// Ticks from begin to end, s: half a second to press, then the way.
   void run(SurfaceEstimator& estimator, double begin, double end) {
-    std::normal_distribution<double> noise(0.0, 1.0);
+    std::normal_distribution<double> drawn(0.0, 1.0);
     for (double t = begin; t < end; t += period) {
       const double pressed = 6.0 + 24.0 * std::min(1.0, t / 0.5);
       Vector3d p = center(t, pressed);
-      for (double& x : p) x = step * std::round(x / step);
-      force += 0.15 * (pressed + force_noise * noise(generator) - force);
+      for (double& x : p) x = step * std::round(x / step) + noise * drawn(generator);
+      force += 0.15 * (pressed + force_noise * drawn(generator) - force);
       estimator.update(p, force, true);
     }
   }
@@ -114,6 +115,15 @@ TEST(SurfaceEstimate, TellsASoftSurfaceFromATiltedOne) {
     EXPECT_LT(slide.worst(estimator, 3.0, 6.0), (compliance < 1e-3 ? 0.3 : 1.0) * degree)
         << compliance;
     EXPECT_NEAR(estimator.compliance(), compliance, 2e-6 + 0.1 * compliance);
+  }
+}
+
+TEST(SurfaceEstimate, IsNotLedAstrayByNoise) {
+  for (const double noise : {1e-4, 7e-4}) {
+    SurfaceEstimator estimator(plane(Vector3d::UnitZ()), radius, {}, period);
+    Slide slide{.is = plane(tilted), .noise = noise};
+    EXPECT_LT(slide.worst(estimator, 0.0, 3.0), 12.0 * degree);
+    EXPECT_LT(slide.worst(estimator, 3.0, 6.0), 2.0 * degree) << noise;
   }
 }
 

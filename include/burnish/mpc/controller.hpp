@@ -24,7 +24,8 @@ struct Command {
   Eigen::VectorXd tau;  ///< nv, Nm or N; zero for a floating base
   int phase = 0;        ///< where the task stands: of an MpcController, its place in the schedule
   double target_force = 0.0;  ///< N, how hard the surface shall push back along its normal
-  Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();  ///< m, of the tip frame's origin
+  /// m, of the tip frame's origin; where a task presses, on the surface as it is known
+  Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();
   /// What the controller believes the surface's normal at the tool to be, world axes.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   /// What the controller believes the surface's force on the tool to be, N, world axes.

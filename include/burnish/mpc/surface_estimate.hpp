@@ -16,7 +16,9 @@ struct SurfaceEstimateOptions {
   double curvature = 0.3;  ///< 1/m, and a quarter of what the surface is believed to bend by
   /// 1/m per square root of a metre of way, by which curvatures wander
   double bend_change = 0.5;
-  double position_noise = 3e-5;  ///< m, of the tip's position along the normal
+  /// m, of the tip's position along the normal, beside what differs from tick to tick, which is
+  /// found out
+  double position_noise = 3e-5;
   /// m of way after which that noise is another: an encoder's step seen from the tip
   double noise_length = 1e-4;
   double force_noise = 0.3;  ///< N, of the force along the normal
@@ -32,8 +34,8 @@ struct SurfaceEstimateOptions {
 class SurfaceEstimator {
  public:
   /// Throws Error for deviations that are not positive numbers.
-  SurfaceEstimator(const Surface& believed, double tip_radius,
-                   const SurfaceEstimateOptions& options, double tick_period);
+  SurfaceEstimator(Surface believed, double tip_radius, const SurfaceEstimateOptions& options,
+                   double tick_period);
 
   void reset() noexcept;
   /// A tick: the tip's centre, m, and the surface's force on it, N, along its normal. Where it does
@@ -54,18 +56,28 @@ class SurfaceEstimator {
   using State = Eigen::Matrix<double, n_, 1>;
   using Covariance = Eigen::Matrix<double, n_, n_>;
 
-  void move_to(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept;
+  void learn() noexcept;
+  void follow_noise(const Eigen::Vector3d& p) noexcept;
+  void start(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept;
+  void move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
+               const SurfaceDistance& believed) noexcept;
   void measure(double distance, double force, double way) noexcept;
   void tell(const Eigen::Vector3d& p) noexcept;
 
   Surface believed_;
   double radius_;
   SurfaceEstimateOptions options_;
-  int window_;                ///< ticks that are averaged into a measurement
-  Eigen::Matrix3d tangents_;  ///< columns: t_u, t_w and the believed normal, at place_
+  int window_;           ///< ticks that are averaged into a measurement, at least
+  double noise_share_;   ///< of a tick, in the mean of white_
+  double white_ = 0.0;   ///< m^2, variance of places along the normal from tick to tick
+  double spread_ = 0.0;  ///< m^2, in all directions
+  int seen_ = 0;         ///< ticks, up to a million
+  Eigen::Vector3d before_, before_that_;  ///< m, the last two ticks' places
+  Eigen::Matrix3d tangents_;              ///< columns: t_u, t_w and the believed normal, at place_
   State x_;
   Covariance P_;
-  Eigen::Vector3d place_, sum_p_;  ///< m, of the state; of the ticks of a window
+  /// m, of the state; of the last window; of the ticks of this one
+  Eigen::Vector3d place_, last_, sum_p_;
   double sum_f_ = 0.0;
   int ticks_ = 0;
   bool placed_ = false;
