@@ -12,6 +12,8 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       normal_at_first_(spec.normal_world),
       contact_threshold_(spec.contact_threshold),
       observer_(spec.problem.model, spec.tool, spec.model_error),
+      felt_(spec),
+      has_sensor_(spec.force_sensor),
       contact_force_(spec) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
@@ -21,6 +23,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
 
 void ErrorEstimate::reset() noexcept {
   observer_.reset();
+  felt_.reset();
   normal_world_ = normal_at_first_;
   acted_.setZero();
   torque_offset_.setZero();
@@ -30,19 +33,28 @@ void ErrorEstimate::reset() noexcept {
   pressed_ = force_error_ = 0.0;
 }
 
+const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const Command& before,
+                                           int stage) noexcept {
+  follow_command(gate, before);
+  felt_.update(gate, acted_, !contact_force_.has_contact(stage));
+  return felt_.force_world();
+}
+
 void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, int stage,
                            double schedule_time) noexcept {
   const Measurement& m = gate.last();
   const double share = -std::expm1(-options_.bandwidth * gate.dt());
-  follow_command(gate, before);
+  if (has_sensor_) follow_command(gate, before);  // else it was, by feel()
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
-    const Status seen = observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt());
+    const Status seen = has_sensor_
+                            ? observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt())
+                            : Status::Ok;
     if (seen <= Status::NotConverged) torque_offset_ += share * (m.tau - acted_ - torque_offset_);
     follow_friction(gate, before, share);
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
-    total_ += observer_.torque_error() - torque_offset_;
+    total_ += model_error() - torque_offset_;
     total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
   }
   if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, share);
@@ -78,7 +90,7 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   // What is larger than the normal force is no friction.
   const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
   gate.body().frame_derivatives(tool_, Reference::centered(), tool_motion_);
-  torque_error_ = observer_.torque_error();
+  torque_error_ = model_error();
   torque_error_.noalias() +=
       ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mpc/contact_force_estimate.hpp"
+#include "mpc/felt_force.hpp"
 #include "mpc/measurement_gate.hpp"
 
 namespace burnish {
@@ -18,6 +19,10 @@ class ErrorEstimate {
   void update(const MeasurementGate& gate, const Command& before, int stage,
               double schedule_time) noexcept;
 
+  /// Without a force sensor, first of all after a good measurement: the force at the tool, N, world
+  /// axes, at the stage that the schedule is in.
+  const Eigen::Vector3d& feel(const MeasurementGate& gate, const Command& before,
+                              int stage) noexcept;
   /// The surface at the tool from now on: its normal, and what contacts that follow it hold.
   void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
     normal_world_ = normal_world;
@@ -37,6 +42,9 @@ class ErrorEstimate {
   double normal_force(const Measurement& m) const noexcept {
     return m.tool_force_world.dot(normal_world_);
   }
+  const Eigen::VectorXd& model_error() const {
+    return has_sensor_ ? observer_.torque_error() : felt_.model_error();
+  }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
   void follow_force_error(const Measurement& m, int stage, double schedule_time,
@@ -47,6 +55,8 @@ class ErrorEstimate {
   Eigen::Vector3d normal_world_, normal_at_first_;
   double contact_threshold_;  ///< N
   TorqueErrorObserver observer_;
+  FeltForce felt_;
+  bool has_sensor_;
   ContactForceEstimate contact_force_;
   int tool_;
   FrameDerivatives tool_motion_;

@@ -7,6 +7,7 @@ namespace burnish {
 MeasurementGate::MeasurementGate(const MpcSpec& spec)
     : limits_(spec.limits),
       tick_period_(spec.tick_period),
+      has_force_(spec.force_sensor),
       q_start_(spec.problem.initial_state.head(spec.problem.model.nq)),
       body_(spec.problem.model) {
   last_.q = q_start_;
@@ -54,15 +55,15 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     return false;
   }
   const double gap = started_ ? m.time - last_.time : 0.0;
-  const bool forces =
-      m.tau.size() == last_.tau.size() && m.tau.allFinite() && m.tool_force_world.allFinite();
+  const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() &&
+                      (!has_force_ || m.tool_force_world.allFinite());
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
     bridge(latch, FaultKind::BadMeasurement, limits_.bad);
     return false;
   }
   last_.tau = m.tau;
-  last_.tool_force_world = m.tool_force_world;
+  if (has_force_) last_.tool_force_world = m.tool_force_world;
   now_ = last_.time = m.time;
   if (gap > limits_.stale) latch.raise(now_, FaultKind::StaleMeasurement, gap, limits_.stale);
   return true;

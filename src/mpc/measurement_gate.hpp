@@ -24,6 +24,8 @@ class MeasurementGate {
   double now() const { return now_; }       ///< s, of this tick
   const Measurement& last() const { return last_; }
   const RigidBody& body() const { return body_; }  ///< at last()
+  /// The force at the tool in place of a sensor's, N, world axes.
+  void feel(const Eigen::Vector3d& force_world) noexcept { last_.tool_force_world = force_world; }
   /// Of the velocity, what stays, where it is of long ago.
   void fade_velocity(double share) noexcept { last_.v *= share; }
 
@@ -34,6 +36,7 @@ class MeasurementGate {
 
   SafetyLimits limits_;
   double tick_period_;
+  bool has_force_;
   Eigen::VectorXd q_start_;
   RigidBody body_;
   Measurement last_;  ///< its time is that of the last good one

@@ -94,6 +94,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
       throw Error("MPC: " + std::string(name) + " is " + std::to_string(factors) +
                   "; wanted at least 1");
   check_torque_limit(spec);
+  if (!spec.force_sensor && spec.model_error.kind != ModelErrorKind::Torque)
+    throw Error(
+        "MPC: without a force sensor the force is told from torques, whose model error has to be "
+        "known; wanted model_error.kind torque");
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);

@@ -112,6 +112,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
 /// What a good measurement tells, up to a new plan if one is due.
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
+  if (!spec.force_sensor) gate.feel(error.feel(gate, command_, horizon.stage_at(schedule.time())));
   const unsigned happened = task->sense(view);
   look_at_surface();
   error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());

@@ -204,6 +204,9 @@ Describe<T>& describe_controller(Describe<T>& task) {
       .field("torque_cutoff", &T::torque_cutoff,
              "{rad/s}, torque lag that plans know of; 0: none; the plant's is in disturbances",
              range::not_negative)
+      .field("force_sensor", &T::force_sensor,
+             "false: the force is told from torques, encoders and velocities, against what they "
+             "said in the air just before")
       .field("axes", &T::axes, "of contact and force: surface, or local (the tool's)")
       .field(
           "weights", &T::weights,

@@ -358,6 +358,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.solver.max_iterations = task.iterations;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
+  mpc.force_sensor = task.force_sensor;
   mpc.limits = task.limits;
   mpc.fallback = task.fallback;
   mpc.feedback = task.feedback;

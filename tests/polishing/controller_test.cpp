@@ -353,6 +353,11 @@ TEST(MpcController, refuses_what_does_not_fit_together) {
   expect_words(with([](S& s) { s.problem.stages.clear(); }), {"no stages"});
   expect_words(with([](S& s) { s.first_iterations = 0; }), {"0 iterations"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
+  expect_words(with([](S& s) {
+                 s.force_sensor = false;
+                 s.model_error.kind = ModelErrorKind::Force;
+               }),
+               {"without a force sensor", "model_error.kind torque"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
   expect_words(with([](S& s) { s.fallback.give = 1.5; }), {"give", "1.5", "between 0 and 1"});
   const auto without = [&](auto&& change) {

@@ -72,6 +72,23 @@ TEST(SurfaceRun, WhatLeansAndBendsOtherwiseThanBelievedIsFoundOut) {
   }
 }
 
+TEST(SurfaceRun, IsPolishedWithoutAForceSensor) {
+  if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
+  RunSpec spec = short_run();
+  spec.task.force_sensor = false;
+  spec.task.disturbances.surface_tilt_deg = {3.0, -2.0};
+  const RunResult result = run_task(spec);
+  EXPECT_TRUE(result.polished) << result.outcome;
+  ASSERT_TRUE(result.metrics.has_value());
+  EXPECT_LT(result.metrics->force_rmse, 2.0);
+  EXPECT_EQ(result.metrics->without_contact, 0.0);
+  // What a sensor says counts for nothing.
+  spec.task.disturbances.force_noise = 50.0;
+  const RunResult deaf = run_task(spec);
+  ASSERT_TRUE(deaf.metrics.has_value());
+  EXPECT_EQ(deaf.metrics->force_rmse, result.metrics->force_rmse);
+}
+
 TEST(SurfaceRun, TheBaselineKnowsTheShapeToo) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   RunSpec spec = short_run(shapes()[1]);

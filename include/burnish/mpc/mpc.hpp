@@ -63,8 +63,11 @@ struct MpcSpec {
   /// That the tool presses along: of the surface, towards the robot. Friction is across it.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   double contact_threshold = 2.0;  ///< N along the normal that count as contact
-  double tick_period = 5e-4;       ///< s
-  double update_period = 0.01;     ///< s between solves, a multiple of the tick
+  /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
+  /// positions and velocities say beyond what they said in the air just before
+  bool force_sensor = true;
+  double tick_period = 5e-4;    ///< s
+  double update_period = 0.01;  ///< s between solves, a multiple of the tick
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
   /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;

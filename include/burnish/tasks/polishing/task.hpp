@@ -104,6 +104,9 @@ struct Task {
   /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
   /// reach, it is the mean over 5 ms that counts, against six of its own deviations.
   double contact_threshold = 2.0;
+  /// false: the force is told from torques, encoders and velocities, against what they said in the
+  /// air just before
+  bool force_sensor = true;
   Fallback fallback = {};
   Weights weights = {};
   PlanLimits constraints = {};
