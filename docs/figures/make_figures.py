@@ -169,6 +169,61 @@ def surface():
     return page
 
 
+# ---- 4b. curved surfaces --------------------------------------------------------------
+
+def arc(centre, radius, begin, end, steps=60):
+    """In the plane y = 0, degrees from z towards x."""
+    angles = [math.radians(begin + (end - begin) * k / steps) for k in range(steps + 1)]
+    return [add(centre, (radius * math.sin(a), 0.0, radius * math.cos(a))) for a in angles]
+
+
+def curved():
+    page = Page("curved", 980, 430, "Curved surfaces: the axes follow the normal")
+    ball, tip, lean = 0.42, 0.05, 38.0
+    panel(page, 20, 20, 460, 390, "Known: the tip\u2019s centre on a ball")
+    camera, centre = side_view((195, 470), 600), ORIGIN
+    page.polyline([camera(q) for q in arc(centre, ball, -24, 62)], INK, 3)
+    page.polyline([camera(q) for q in arc(centre, ball + tip, -24, 62)], MUTED, 1.8, "2 5")
+    for angle, opacity in ((0.0, 0.4), (lean, 1.0)):
+        rotation = UPRIGHT.then(Y, angle)
+        at = scale(ball + tip, rotation(Z))
+        page.put(f'<g opacity="{opacity}">')
+        page.circle(camera(at), tip * 600, "none", INK, 2)
+        triad(page, camera, at, rotation, (0.12, 0.1, 0.15), size=17)
+        page.put("</g>")
+    at = scale(ball + tip, UPRIGHT.then(Y, lean)(Z))
+    arrow(page, camera, at, scale(0.1, UPRIGHT.then(Y, lean)(Z)), FORCE, "\u03bb_z", 6, size=17, aside=(26, 26))
+    page.text(camera((-0.03, 0, ball + tip + 0.19)), "near", 16, MUTED, "end", bold=True, halo=PANEL)
+    page.text((250, 386), f"Turned with the normal by {lean:.0f}\u00b0. On the way the bend", 15, MUTED,
+              "middle", halo=PANEL)
+    page.text((250, 404), "is in the acceleration that is held.", 15, MUTED, "middle", halo=PANEL)
+
+    tilt, bend = 24.0, 1.0  # degrees, 1/m
+    panel(page, 500, 20, 460, 390, "Unknown: what the tip\u2019s own path says")
+    camera = side_view((590, 290), 620)
+
+    def height(x):
+        return math.tan(math.radians(tilt)) * x - 0.5 * bend * x * x
+
+    page.polyline([camera((x / 50, 0, 0)) for x in range(-4, 28)], FAINT, 2.4, WRONG)
+    page.text(camera((0.42, 0, -0.035)), "believed", 15, MUTED, "middle", halo=PANEL)
+    page.polyline([camera((x / 50, 0, height(x / 50))) for x in range(-4, 28)], INK, 3)
+    for k in range(12):
+        page.circle(camera((0.025 * k, 0, height(0.025 * k) + 0.004)), 3.4, MOTION)
+    x = 0.275
+    slope = math.degrees(math.atan(math.tan(math.radians(tilt)) - bend * x))
+    at = (x, 0, height(x))
+    triad(page, camera, at, UPRIGHT.then(Y, -slope), (0.13, 0.1, 0.17), size=17)
+    triad(page, camera, ORIGIN, UPRIGHT, (0.09, 0.1, 0.16), width=2.6, size=14)
+    ahead = [(q / 50, 0, height(q / 50)) for q in range(14, 28)]
+    page.polyline([camera(add(q, (0, 0, 0.012))) for q in ahead], MOTION, 2, "2 5")
+    page.text(camera((0.45, 0, height(0.45) + 0.06)), "ahead", 15, RATE, "middle", halo=PANEL)
+    page.text((730, 386), "Slope and bend of where it has been: the plan holds", 15, MUTED, "middle",
+              halo=PANEL)
+    page.text((730, 404), "the force along them, and along what follows ahead.", 15, MUTED, "middle", halo=PANEL)
+    return page
+
+
 # ---- 5. World -------------------------------------------------------------------------
 
 def world():
@@ -405,7 +460,7 @@ def errors():
 
 def main():
     folder = Path(__file__).resolve().parent
-    for draw in (overview, local, centered, surface, world, two_bodies, directions, drift, signs, errors):
+    for draw in (overview, local, centered, surface, curved, world, two_bodies, directions, drift, signs, errors):
         draw().write(folder)
 
 
