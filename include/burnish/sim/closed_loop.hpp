@@ -30,6 +30,8 @@ struct ClosedLoopOptions {
 ///     q_<joint>, measured_q_<joint>, v_<joint>, measured_v_<joint>
 ///     tau_command_<joint>, tau_applied_<joint>, tau_measured_<joint>, tau_friction_<joint>
 ///     tool_force_x|y|z_world [N]                       true, of the surface on the tool
+///     surface_normal_x|y|z_world [-]                   true, at the tool
+///     believed_normal_x|y|z_world [-]                  what the controller believes it to be
 ///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
 ///     solve_time [s], iterations [-], missed_deadline [-]
 ///     tick [-]                                         1 where the controller ticked
