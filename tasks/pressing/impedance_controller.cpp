@@ -100,6 +100,7 @@ void ImpedanceController::reset() noexcept {
   command_.tau.setZero();
   phase_ = Phase::Approach;
   command_.phase = number_of(phase_);
+  command_.normal_world = spec_.normal_world;
   command_.status = Status::Ok;
 }
 

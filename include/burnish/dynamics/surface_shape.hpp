@@ -9,11 +9,13 @@
 
 namespace burnish {
 
-/// The signed distance of a point to a surface, and its first two derivatives by the point.
+/// The signed distance of a point to a surface, and its first two derivatives by the point, in the
+/// axes that the point is given in.
 struct SurfaceDistance {
   double distance = 0.0;                              ///< m, above zero outside of the material
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length one
-  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();     ///< 1/m
+  /// of the distance by the point twice, 1/m, in the point's axes; symmetric, zero along the normal
+  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
 
   /// The surface that is `offset` m outside, to second order at x: of which the centre of a round
   /// tip of that radius is a point while the tip touches.

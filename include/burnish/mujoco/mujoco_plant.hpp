@@ -1,16 +1,15 @@
 // MuJoCo as a plant: an engine that shares no code with this library. Only where it was found when
 // the library was built (target burnish::mujoco).
 //
-// Torques enter without delay. The contact is one of two:
-// - Exact, for every shape: a spring and damper of K and D, N/m and Ns/m, over how deep the tip is
-// in
-//   the exact surface, and Coulomb friction, both solved for at the end of the step.
-// - Engine: MuJoCo's own, of planes, spheres, cylinders and ellipsoids that are not hollow. A
-// spring
-//   and damper in series with an apparent mass: with d the impedance and A MuJoCo's inverse inertia
-//   of the tip, R = (1 - d)/d A and solref = (-K R d, -D R d) give K and D. Elliptic friction
-//   cones, which lift a sliding tip by mu * damping * speed: contact is lost unless that is below
-//   the force.
+// Torques enter without delay. The contact is one of two.
+//
+// Exact, for every shape: a spring and damper of K and D, N/m and Ns/m, over how deep the tip is in
+// the exact surface, and Coulomb friction, both solved for at the end of the step.
+//
+// Engine, MuJoCo's own, of planes, spheres, cylinders and ellipsoids that are not hollow: a spring
+// and damper in series with an apparent mass. With d the impedance and A MuJoCo's inverse inertia
+// of the tip, R = (1 - d)/d A and solref = (-K R d, -D R d) give K and D. Its elliptic friction
+// cones lift a sliding tip by mu * damping * speed: contact is lost unless that is below the force.
 #pragma once
 
 #include <memory>
