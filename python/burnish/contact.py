@@ -13,7 +13,7 @@ from ._signal import Signal
 from ._spec import Spec, identity
 
 __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Quadric", "Reference",
-           "SurfaceKind", "SurfaceShape"]
+           "SlidingFriction", "SurfaceKind", "SurfaceShape"]
 
 
 # Described classes stand here (scripts/describe).

@@ -268,6 +268,20 @@ void bind_contacts(DynamicsClass& of) {
           "Another Quadric in the place of the one that a contact's reference follows (name or "
           "number; Reference.on), for states evaluated from then on. Results before it are gone.")
       .def(
+          "set_friction",
+          [](Dynamics& self, const NumberOrName& contact, double coefficient) {
+            constexpr const char* call = "ContactDynamics.set_friction";
+            const Busy::Lock lock(self.busy, call);
+            const int number = contact_number(call, contact, self.names);
+            self.evaluated = 0;
+            if (self.machine.set_friction(number, coefficient) != Status::Ok)
+              throw Error(std::string(call) + ": the coefficient is " +
+                          std::to_string(coefficient) + "; wanted at least 0");
+          },
+          py::arg("contact"), py::arg("coefficient"),
+          "Another coefficient of the friction of a contact (name or number), for states evaluated "
+          "from then on. Results before it are gone.")
+      .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(

@@ -200,25 +200,40 @@ void bind_knots(ProblemClass& c) {
       "Bounds of the controls of a knot, (nu,), Nm (N), or None.");
 }
 
-void bind_surfaces(ProblemClass& c) {
+/// Which contact of a problem is called so.
+int contact_number(const char* call, const Problem& problem, const std::string& name) {
+  std::vector<std::string> known;
+  for (const ContactSpec& contact : problem.spec().contacts) {
+    known.push_back(contact.name.empty() ? contact.tool : contact.name);
+    if (known.back() == name) return static_cast<int>(known.size()) - 1;
+  }
+  throw Error(std::string(call) + ": there is no contact '" + name + "'" +
+              did_you_mean(name, known));
+}
+
+void bind_contacts_of_knots(ProblemClass& c) {
   c.def(
-      "set_surface",
-      [](ProblemMachine& self, int knot, const std::string& contact, const Quadric& surface) {
-        constexpr const char* call = "Problem.set_surface";
-        const Busy::Lock lock(self.busy, call);
-        const std::vector<ContactSpec>& contacts = self.problem.spec().contacts;
-        const auto named = std::find_if(contacts.begin(), contacts.end(), [&](const auto& of) {
-          return (of.name.empty() ? of.tool : of.name) == contact;
-        });
-        if (named == contacts.end())
-          throw Error(std::string(call) + ": there is no contact '" + contact + "'");
-        require(self.problem.set_surface(knot, static_cast<int>(named - contacts.begin()), surface),
-                call);
-      },
-      py::arg("knot"), py::arg("contact"), py::arg("surface"),
-      "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
-      "reference of a contact (name) follows (Reference.on), until the knot is set or advanced "
-      "again; a stage that does not hold the contact passes it over.");
+       "set_surface",
+       [](ProblemMachine& self, int knot, const std::string& contact, const Quadric& surface) {
+         constexpr const char* call = "Problem.set_surface";
+         const Busy::Lock lock(self.busy, call);
+         const int number = contact_number(call, self.problem, contact);
+         require(self.problem.set_surface(knot, number, surface), call);
+       },
+       py::arg("knot"), py::arg("contact"), py::arg("surface"),
+       "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
+       "reference of a contact (name) follows (Reference.on), until the knot is set or advanced "
+       "again; a stage that does not hold the contact passes it over.")
+      .def(
+          "set_friction",
+          [](ProblemMachine& self, int knot, const std::string& contact, double coefficient) {
+            constexpr const char* call = "Problem.set_friction";
+            const Busy::Lock lock(self.busy, call);
+            const int number = contact_number(call, self.problem, contact);
+            require(self.problem.set_friction(knot, number, coefficient), call);
+          },
+          py::arg("knot"), py::arg("contact"), py::arg("coefficient"),
+          "Gives a knot another coefficient of the friction of a contact (name), likewise.");
 }
 
 void bind_setters(ProblemClass& c) {
@@ -424,7 +439,7 @@ void bind_problem(py::module_& m) {
   bind_what_it_is(problem);
   bind_knots(problem);
   bind_setters(problem);
-  bind_surfaces(problem);
+  bind_contacts_of_knots(problem);
   bind_terms(problem);
   bind_values_at_knots(problem);
   bind_statics(problem);

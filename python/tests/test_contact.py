@@ -70,6 +70,26 @@ class TestReferences:
         with pytest.raises(burnish.Error, match="follows no surface"):
             flat.set_surface("pad", plane)
 
+    def test_rub_where_they_slide(self) -> None:
+        friction = burnish.SlidingFriction(coefficient=0.3, speed=0.01)
+        spec = ContactSpec("pad", tool="tool", directions="z", friction=friction)
+        smooth, rubbing = dynamics_of(spec.replace(friction=None)), dynamics_of(spec)
+        q, zero = ROBOT.posture("tilt_45"), np.zeros(ROBOT.model.nv)
+        smooth.inverse(q, zero, zero, [30.0])
+        v = 0.3 * np.ones(ROBOT.model.nv)
+        for dynamics in (smooth, rubbing):
+            dynamics.inverse(q, v, zero, [30.0])
+        x, y, z = rubbing.force("pad").value[:3]
+        np.testing.assert_allclose([np.hypot(x, y), z], [9.0, 30.0], rtol=0.02)
+        np.testing.assert_allclose(smooth.force("pad").value[:3], [0.0, 0.0, 30.0], atol=1e-12)
+        rubbing.set_friction("pad", 0.0)
+        rubbing.inverse(q, v, zero, [30.0])
+        np.testing.assert_allclose(rubbing.tau, smooth.tau, atol=1e-9)
+        with pytest.raises(burnish.Error, match="has no friction"):
+            smooth.set_friction("pad", 0.1)
+        with pytest.raises(burnish.Error, match="wanted at least 0"):
+            rubbing.set_friction("pad", -0.1)
+
     def test_own_their_rotation(self) -> None:
         rotation = np.eye(3)
         reference = Reference.local(rotation)

@@ -38,6 +38,7 @@ struct CompiledContact {
   std::vector<int> directions;          ///< the held ones, ascending, 0 to 5
   bool proportional, damped;            ///< some held direction has kp or kd
   bool holds_rotation;                  ///< some held direction is angular
+  bool rubs = false;                    ///< spec.friction; of the held rows the first is its normal
   std::vector<ContactSupport> support;  ///< moves tool or base; ascending in v
   /// The same and what moves the reference alone: by these the acceleration changes that is held.
   std::vector<ContactSupport> influences;
@@ -47,5 +48,8 @@ struct CompiledContact {
   std::vector<int> coupled;
   std::vector<int> influenced;  ///< the same of `influences`
 };
+
+/// Throws Error, named after the call, for a contact without friction.
+void check_rubs(const std::string& call, const CompiledContact& contact);
 
 }  // namespace burnish

@@ -6,6 +6,7 @@
 
 #include "burnish/base/status.hpp"
 #include "contact/delassus.hpp"
+#include "contact/friction_coupling.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
@@ -28,14 +29,19 @@ class ConstrainedDynamics {
   /// Another surface in the place of the one that a contact's reference follows, likewise.
   void set_surface(int contact, const CurvedSurface<S>& surface) { surfaces_[contact] = surface; }
 
+  /// Another coefficient of a contact's friction, likewise.
+  void set_friction(int contact, const S& coefficient) { coefficients_[contact] = coefficient; }
+
   /// Loads a state: lane l of q (nq) and v (nv). Lanes that are not finite or not normalised are
   /// marked and computed at the neutral posture instead.
   void set_state(const S* q, const S* v);
 
-  /// a and lambda at joint torques tau (nv), eq. (3). Needs set_state.
+  /// a and lambda at joint torques tau (nv), eq. (3), with what friction adds to J^T lambda
+  /// (friction_coupling.hpp); SingularContacts where a tool jams. Needs set_state.
   void forward(const S* tau);
 
-  /// tau = M a + b - J^T lambda, eq. (5), with a: nv, lambda: rows of the active contacts.
+  /// tau = M a + b - J^T lambda less the torques of friction, eq. (5), with a: nv, lambda: rows of
+  /// the active contacts.
   void inverse(const S* a, const S* lambda);
 
   /// alpha + kd nu + kp e of the active rows at joint accelerations a (nv), without solving for a.
@@ -58,6 +64,8 @@ class ConstrainedDynamics {
   bool moves_no_mass(int k, int lane) const {
     return factorized_ && Lanes<S>::get(mass_.inverse_diagonal[k], lane) == 0.0;
   }
+  /// What a SingularContacts is to blame on where it is not that: the tool of a contact jams.
+  bool jams(int contact, int lane) const;
   /// What a SingularContacts is to blame on: the active row depends on those before it.
   bool is_dependent(int row, int lane) const {
     return factorized_ && Lanes<S>::get(delassus_.inverse_diagonal[row], lane) == 0.0;
@@ -87,6 +95,9 @@ class ConstrainedDynamics {
   const Kinematics<S>& kinematics() const { return kinematics_; }
   const MassMatrix<S>& mass() const { return mass_; }
   const Delassus<S>& delassus() const { return delassus_; }
+  /// Of the last forward.
+  FrictionCoupling<S>& friction() { return friction_; }
+  const FrictionCoupling<S>& friction() const { return friction_; }
   InverseDynamics<S>& inverse_dynamics() { return id_; }
   /// Loads `a` into the inverse dynamics stage and applies the contact forces to its bodies.
   void apply_forces();
@@ -103,7 +114,10 @@ class ConstrainedDynamics {
   void drift(S* out);
   /// Calls visit(k, r) for every entry k of v that is coupled to the contact of an active row r.
   void for_each_coupled(const auto& visit) const;
+  /// lambda from column 0 of rho_, and the responses to friction from the others.
   void solve_lambda();
+  void update_friction();
+  void add_friction();
 
   Tree tree_;
   ContactSet set_;
@@ -113,8 +127,14 @@ class ConstrainedDynamics {
   std::vector<char> is_active_;
   std::vector<Mat3<S>> reference_axes_;     ///< per contact, in the body that they are fixed in
   std::vector<CurvedSurface<S>> surfaces_;  ///< per contact, read where its reference is curved
+  std::vector<S> coefficients_;             ///< per contact, read where it rubs
   std::vector<S> q_neutral_;
-  std::vector<S> q_, v_, rho_, lambda_before_;
+  std::vector<S> q_, v_, drift_;
+  /// rows x stride_: right-hand sides and solutions of the contact-space system, that of the forces
+  /// first and those of friction behind it
+  std::vector<S> rho_, solved_, solved_before_;
+  int stride_;
+  std::vector<int> columns_;          ///< those that are solved for
   std::vector<S> at_rest_;            ///< nv zeros
   std::vector<Status> state_status_;  ///< per lane, of the state and its factors
   std::vector<Status> status_;        ///< per lane, of the last evaluation
@@ -122,8 +142,8 @@ class ConstrainedDynamics {
   Kinematics<S> kinematics_;
   MassMatrix<S> mass_;
   Delassus<S> delassus_;
+  FrictionCoupling<S> friction_;
   InverseDynamics<S> id_;
-  std::vector<int> one_column_{0};
 };
 
 }  // namespace burnish

@@ -29,14 +29,14 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       is_active_(static_cast<std::size_t>(set.size()), 1),
       q_(static_cast<std::size_t>(model.nq), S(0.0)),
       v_(static_cast<std::size_t>(model.nv), S(0.0)),
-      rho_(static_cast<std::size_t>(set.rows()), S(0.0)),
-      lambda_before_(static_cast<std::size_t>(set.rows()), S(0.0)),
+      drift_(static_cast<std::size_t>(set.rows()), S(0.0)),
       at_rest_(static_cast<std::size_t>(model.nv), S(0.0)),
       state_status_(static_cast<std::size_t>(lanes), Status::Ok),
       status_(static_cast<std::size_t>(lanes), Status::Ok),
       kinematics_(tree_),
       mass_(tree_),
       delassus_(tree_, set_),
+      friction_(tree_, set_),
       id_(tree_) {
   solver.check();
   for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
@@ -46,8 +46,14 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
     const CompiledReference& reference = set.contacts()[i].reference;
     reference_axes_.push_back(lift<S>(reference.axes));
     surfaces_.push_back({lift<S>(reference.Q), lift<S>(reference.b)});
+    const auto& friction = set.contacts()[i].spec.friction;
+    coefficients_.push_back(S(friction ? friction->coefficient : 0.0));
     set_active(i, true);
   }
+  stride_ = 1 + friction_.most;
+  for (auto* block : {&rho_, &solved_, &solved_before_})
+    block->assign(static_cast<std::size_t>(set.rows() * stride_), S(0.0));
+  columns_.reserve(static_cast<std::size_t>(stride_));
 }
 
 template <class S>
@@ -66,6 +72,7 @@ void ConstrainedDynamics<S>::set_active(int contact, bool active) {
     active_.first_row[i] = active_.rows;
     active_.rows += static_cast<int>(set_.contacts()[i].directions.size());
   }
+  choose_rubbing(set_, active_, friction_);
 }
 
 template <class S>
@@ -139,7 +146,8 @@ void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
   update_mass_and_bias(tree_, kinematics_, mass_);
   for (const int c : active_.contacts) {
     const CompiledContact& contact = set_.contacts()[c];
-    update_contact(contact, reference_axes_[c], surfaces_[c], kinematics_, contact_states[c]);
+    update_contact(contact, reference_axes_[c], surfaces_[c], coefficients_[c], kinematics_,
+                   contact_states[c]);
     contact_jacobian(contact, kinematics_, contact_states[c],
                      delassus_.jacobian_by_v.data() + active_.first_row[c], delassus_.stride);
   }
@@ -171,32 +179,87 @@ void ConstrainedDynamics<S>::for_each_coupled(const auto& visit) const {
 template <class S>
 void ConstrainedDynamics<S>::solve_lambda() {
   const int m = active_.rows;
-  for (int r = 0; r < m; ++r) lambda[r] = rho_[r];
-  solve_delassus(delassus_, m, one_column_, lambda.data(), 1);
+  const std::span<const int> columns(columns_);
+  const auto for_each_entry = [&](const auto& visit) {
+    for (int r = 0; r < m; ++r)
+      for (const int c : columns_) visit(r * stride_ + c, c);
+  };
+  for_each_entry([&](int i, int) { solved_[i] = rho_[i]; });
+  solve_delassus(delassus_, m, columns, solved_.data(), stride_);
   proximal_iterations = 0;
   lane_iterations[0] = proximal_residual[0] = S(0.0);
-  if (!(solver_.mu > 0.0) || solver_.max_proximal_iterations == 0) return;
-  const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
-  auto open = less(S(0.0), S(1.0));
-  // Lanes that have converged are frozen, so that a lane's result does not depend on the others.
-  while (any(open) && proximal_iterations < solver_.max_proximal_iterations) {
-    ++proximal_iterations;
-    for (int r = 0; r < m; ++r) {
-      lambda_before_[r] = lambda[r];
-      lambda[r] = rho_[r] + lambda[r] * mu;
+  if (solver_.mu > 0.0 && solver_.max_proximal_iterations > 0) {
+    const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
+    auto open = less(S(0.0), S(1.0));
+    // Lanes that have converged are frozen, so that a lane's result does not depend on the others.
+    while (any(open) && proximal_iterations < solver_.max_proximal_iterations) {
+      ++proximal_iterations;
+      for_each_entry([&](int i, int) {
+        solved_before_[i] = solved_[i];
+        solved_[i] = rho_[i] + solved_[i] * mu;
+      });
+      solve_delassus(delassus_, m, columns, solved_.data(), stride_);
+      S largest(0.0);
+      for_each_entry([&](int i, int c) {
+        S change = absolute(S((solved_[i] - solved_before_[i]) * mu));
+        // A response counts as what the normal force makes of it.
+        if (c > 0) change = change * absolute(solved_[friction_.rows[c - 1] * stride_]);
+        largest = select(less(largest, change), change, largest);
+        solved_[i] = select(open, solved_[i], solved_before_[i]);
+      });
+      proximal_residual[0] = select(open, largest, proximal_residual[0]);
+      lane_iterations[0] += select(open, S(1.0), S(0.0));
+      open = mask_and(open, less(tolerance, largest));
     }
-    solve_delassus(delassus_, m, one_column_, lambda.data(), 1);
-    S largest(0.0);
-    for (int r = 0; r < m; ++r) {
-      const S change = absolute(S((lambda[r] - lambda_before_[r]) * mu));
-      largest = select(less(largest, change), change, largest);
-      lambda[r] = select(open, lambda[r], lambda_before_[r]);
-    }
-    proximal_residual[0] = select(open, largest, proximal_residual[0]);
-    lane_iterations[0] += select(open, S(1.0), S(0.0));
-    open = mask_and(open, less(tolerance, largest));
+    mark(open, Status::NotConverged, status_);
   }
-  mark(open, Status::NotConverged, status_);
+  for (int r = 0; r < m; ++r) lambda[r] = solved_[r * stride_];
+}
+
+/// Right-hand sides J M^-1 F_j behind that of the forces.
+template <class S>
+void ConstrainedDynamics<S>::update_friction() {
+  const S* const T = delassus_.T.data();
+  for (int j = 0; j < friction_.size(); ++j) {
+    const int c = friction_.contacts[j];
+    const CompiledContact& contact = set_.contacts()[c];
+    friction_torque(contact, kinematics_, contact_states[c], friction_.torque_of(j));
+    S* const w = friction_.transformed_of(j);
+    for (const int k : contact.coupled) w[k] = friction_.torque_of(j)[k];
+    delassus_detail::transform_coupled(tree_, contact, mass_, w, 1, 1);
+    for (int r = 0; r < active_.rows; ++r) rho_[r * stride_ + 1 + j] = S(0.0);
+    for_each_coupled(
+        [&](int k, int r) { rho_[r * stride_ + 1 + j] += T[k * delassus_.stride + r] * w[k]; });
+    columns_.push_back(1 + j);
+  }
+}
+
+/// The forces with friction, from those without it.
+template <class S>
+void ConstrainedDynamics<S>::add_friction() {
+  const int n = friction_.size();
+  if (n == 0) return;
+  for (int r = 0; r < active_.rows; ++r)
+    for (int j = 0; j < n; ++j)
+      friction_.response[r * friction_.most + j] = solved_[r * stride_ + 1 + j];
+  mark(factorize_friction(friction_), Status::SingularContacts, status_);
+  for (int j = 0; j < n; ++j) friction_.normal[j] = lambda[friction_.rows[j]];
+  solve_friction(friction_);
+  for (int j = 0; j < n; ++j) {
+    for (int r = 0; r < active_.rows; ++r)
+      lambda[r] -= friction_.response[r * friction_.most + j] * friction_.normal[j];
+    const S* const w = friction_.transformed_of(j);
+    for (const int k : set_.contacts()[friction_.contacts[j]].coupled)
+      a[k] += w[k] * friction_.normal[j];
+  }
+}
+
+template <class S>
+bool ConstrainedDynamics<S>::jams(int contact, int lane) const {
+  for (int j = 0; j < friction_.size(); ++j)
+    if (friction_.contacts[j] == contact)
+      return Lanes<S>::get(friction_.factor[j * (friction_.size() + 1)], lane) == 0.0;
+  return false;
 }
 
 template <class S>
@@ -218,12 +281,15 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
   for (int i = 0; i < n; ++i) a[i] -= mass_.bias[i];
   solve_transposed(tree_, mass_, a.data());
   if (m > 0) {
-    drift(rho_.data());
-    for (int r = 0; r < m; ++r) rho_[r] = -rho_[r];
+    drift(drift_.data());
+    for (int r = 0; r < m; ++r) rho_[r * stride_] = -drift_[r];
     const S* const T = delassus_.T.data();
     const int stride = delassus_.stride;
-    for_each_coupled([&](int k, int r) { rho_[r] -= T[k * stride + r] * a[k]; });
+    for_each_coupled([&](int k, int r) { rho_[r * stride_] -= T[k * stride + r] * a[k]; });
+    columns_.assign(1, 0);
+    update_friction();
     solve_lambda();
+    add_friction();
     for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   }
   solve_factor(tree_, mass_, a.data());
@@ -247,7 +313,9 @@ void ConstrainedDynamics<S>::impact(const S* q, const S* v_before) {
   const S* const J = delassus_.jacobian_by_v.data();
   const S* const T = delassus_.T.data();
   const int stride = delassus_.stride;
-  for_each_coupled([&](int k, int r) { rho_[r] -= J[k * stride + r] * velocity_after[k]; });
+  for_each_coupled(
+      [&](int k, int r) { rho_[r * stride_] -= J[k * stride + r] * velocity_after[k]; });
+  columns_.assign(1, 0);
   solve_lambda();
   for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   solve_factor(tree_, mass_, a.data());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/compiled_contact.hpp"
+#include "contact/sliding_friction.hpp"
 #include "dynamics/curved_axes.hpp"
 #include "dynamics/frame.hpp"
 #include "dynamics/reference.hpp"
@@ -25,6 +26,7 @@ struct ContactState {
   S rotation_angle;        ///< its length
   Force<S> force_world;    ///< on the tool by the base, moment about the world's origin
   CurvedAxes<S> curved;    ///< world axes; valid if the reference is curved
+  Sliding<S> sliding;      ///< valid if the contact rubs
 };
 
 /// Angle, rad, by which axes that follow a surface turn beyond those of the base, per unit rate of
@@ -35,11 +37,16 @@ BURNISH_INLINE Vec3<S> curved_turn(const ContactState<S>& state, const Motion<S>
 }
 
 /// Everything of the state but the force. `axes` are those of the reference in their body; the
-/// surface is read where the reference follows one.
+/// surface is read where the reference follows one, the coefficient where the contact rubs.
 template <class S>
 void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
-                    const CurvedSurface<S>& surface, const Kinematics<S>& kinematics,
-                    ContactState<S>& state);
+                    const CurvedSurface<S>& surface, const S& friction,
+                    const Kinematics<S>& kinematics, ContactState<S>& state);
+
+/// Torques (nv entries, those of the support) of friction on the joints for lambda of one.
+template <class S>
+void friction_torque(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                     const ContactState<S>& state, S* out);
 
 /// C2 and C1, without what moves them.
 CompiledFrame tool_of(const CompiledContact& contact);
@@ -66,8 +73,28 @@ void contact_velocity(const CompiledContact& contact, const ContactState<S>& sta
 template <class S>
 void contact_error(const CompiledContact& contact, const ContactState<S>& state, S* out);
 
-/// The world wrench of lambda (held rows) and its generalised meaning: fills state.force_world.
+/// The world wrench of lambda (held rows), and of the friction that goes with it: fills
+/// state.force_world and state.sliding.normal_force.
 template <class S>
 void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state);
+
+/// Of state.force_world, what the held rows alone exert: it moves with the reference.
+template <class S>
+BURNISH_INLINE Force<S> held_force(const CompiledContact& contact, const ContactState<S>& state) {
+  if (!contact.rubs) return state.force_world;
+  return state.force_world - state.sliding.per_normal * state.sliding.normal_force;
+}
+
+/// Derivative by q_k, at constant lambda, of the rest. The entry moves tool and base by these axes
+/// (-1: not), and turns the reference's by w_axes.
+template <class S>
+BURNISH_INLINE Force<S> friction_by_q(const CompiledContact& contact, const ContactState<S>& state,
+                                      int tool_axis, int base_axis, const Vec3<S>& w_axes,
+                                      const Kinematics<S>& kinematics) {
+  const SlidingEntry<S> entry =
+      sliding_entry(tool_axis, base_axis, w_axes, state.v_tool, state.v_base, kinematics);
+  return sliding_by_q(*contact.spec.friction, state.sliding, state.p, entry) *
+         state.sliding.normal_force;
+}
 
 }  // namespace burnish

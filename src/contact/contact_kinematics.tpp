@@ -87,8 +87,8 @@ void update_error(const CompiledContact& contact, const Pose<S>& base, ContactSt
 
 template <class S>
 void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
-                    const CurvedSurface<S>& surface, const Kinematics<S>& kinematics,
-                    ContactState<S>& state) {
+                    const CurvedSurface<S>& surface, const S& friction,
+                    const Kinematics<S>& kinematics, ContactState<S>& state) {
   using namespace contact_detail;
   const Pose<S> tool = pose_of<S>(contact.tool_body, contact.tool_R, contact.tool_p, kinematics);
   const auto twist = [&](int body) {
@@ -120,6 +120,9 @@ void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
       state.eta = turning_at(tool.p, state.v_tool.angular);
       break;
   }
+  if (contact.rubs)
+    update_sliding(*contact.spec.friction, friction, column(state.axes, contact.directions.front()),
+                   state.p, state.nu, state.sliding);
   if (!contact.proportional) return;
   update_error(contact, pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics),
                state);
@@ -139,6 +142,15 @@ void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinem
     for (const int d : contact.directions)
       out[r++] = contact_detail::component(state.axes, axis, d);
   }
+}
+
+template <class S>
+void friction_torque(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                     const ContactState<S>& state, S* out) {
+  for (const ContactSupport& entry : contact.support)
+    out[entry.v] = entry.carries_both() ? S(0.0)
+                                        : dot(contact_detail::relative_axis(entry, kinematics),
+                                              state.sliding.per_normal);
 }
 
 template <class S>
@@ -188,6 +200,9 @@ void set_contact_force(const CompiledContact& contact, const S* lambda, ContactS
   int r = 0;
   for (const int d : contact.directions) parts[d / 3] += column(state.axes, d % 3) * lambda[r++];
   state.force_world = {parts[0], parts[1] + cross(state.origin, parts[0])};
+  if (!contact.rubs) return;
+  state.sliding.normal_force = lambda[0];
+  state.force_world += state.sliding.per_normal * lambda[0];
 }
 
 }  // namespace burnish

@@ -34,6 +34,15 @@ void check(const ContactSpec& spec) {
   if (!spec.kp.allFinite() || !spec.kd.allFinite() || spec.kp.minCoeff() < 0.0 ||
       spec.kd.minCoeff() < 0.0)
     throw Error(who + "a gain is negative or not finite; wanted kp, kd >= 0");
+  if (!spec.friction) return;
+  check_ranges(description_of(&*spec.friction), &*spec.friction,
+               [&](const std::string& entry) { return who + "friction: " + entry; });
+  const Directions held{
+      static_cast<std::uint8_t>(spec.directions.bits & Directions::linear().bits)};
+  if (held.count() != 1)
+    throw Error(who + "it has friction and holds " +
+                (held.bits == 0 ? std::string("no direction of translation") : held.text()) +
+                "; wanted one of x, y, z, along the normal that friction goes with");
 }
 
 std::vector<ContactSupport> influences(const Model& model, const CompiledContact& contact) {
@@ -97,6 +106,7 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   }
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
+  c.rubs = spec.friction.has_value();
   c.proportional = c.damped = c.holds_rotation = false;
   for (int d = 0; d < 6; ++d) {
     if (!spec.directions.has(d)) continue;
@@ -122,6 +132,12 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
 void ContactSolver::check() const {
   check_ranges(description_of(this), this,
                [](const std::string& entry) { return "contact solver: " + entry; });
+}
+
+void check_rubs(const std::string& call, const CompiledContact& contact) {
+  if (!contact.rubs)
+    throw Error(call + ": contact '" + contact.spec.name +
+                "' has no friction; wanted one with ContactSpec::friction");
 }
 
 CompiledFrame tool_of(const CompiledContact& contact) {

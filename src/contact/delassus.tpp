@@ -30,26 +30,33 @@ Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
 
 namespace delassus_detail {
 
-/// Block of T = L^-T J^T for one contact: its rows outside the coupled entries are zero and stay
-/// so.
+/// X <- L^-T X of columns that are zero outside the entries that a contact is coupled to, and stay
+/// so: x[v * stride + column].
+template <class S>
+void transform_coupled(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
+                       S* x, int stride, int columns) {
+  const int n = tree.nv;
+  for (std::size_t s = contact.coupled.size(); s-- > 0;) {
+    const int i = contact.coupled[s];
+    S* ti = x + i * stride;
+    for (int r = 0; r < columns; ++r) ti[r] = ti[r] * mass.inverse_diagonal[i];
+    for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j]) {
+      const S l = mass.factor[i * n + j];
+      S* tj = x + j * stride;
+      for (int r = 0; r < columns; ++r) tj[r] -= l * ti[r];
+    }
+  }
+}
+
+/// Block of T = L^-T J^T for one contact.
 template <class S>
 void transform_jacobian(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
                         int first, Delassus<S>& d) {
   const int rows = static_cast<int>(contact.directions.size());
-  const int n = tree.nv;
   for (const int k : contact.coupled)
     for (int r = first; r < first + rows; ++r)
       d.T[k * d.stride + r] = d.jacobian_by_v[k * d.stride + r];
-  for (std::size_t s = contact.coupled.size(); s-- > 0;) {
-    const int i = contact.coupled[s];
-    S* ti = &d.T[i * d.stride + first];
-    for (int r = 0; r < rows; ++r) ti[r] = ti[r] * mass.inverse_diagonal[i];
-    for (int j = tree.parent_of_v[i]; j >= 0; j = tree.parent_of_v[j]) {
-      const S l = mass.factor[i * n + j];
-      S* tj = &d.T[j * d.stride + first];
-      for (int r = 0; r < rows; ++r) tj[r] -= l * ti[r];
-    }
-  }
+  transform_coupled(tree, contact, mass, d.T.data() + first, d.stride, rows);
 }
 
 /// What the pivots of a contact's rows must exceed: the part of them that is as long, in the metric

@@ -76,6 +76,24 @@ const Description& description_of(const SurfaceShape* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SlidingFriction* /*of*/) {
+  using F = SlidingFriction;
+  static const Description all =
+      Describe<F>("contact", "SlidingFriction",
+                  "Coulomb's, of a tool that slides: beside lambda along the held normal, on the "
+                  "tool acts -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2), v_t being the "
+                  "velocity across the normal, seen from the base, of the tool's point where it "
+                  "acts.")
+          .field("coefficient", &F::coefficient, "0: none, until it is set", range::not_negative)
+          .field("speed", &F::speed,
+                 "{m/s}, below which it fades, so that it has a derivative at rest",
+                 range::positive)
+          .field("radius", &F::radius,
+                 "{m} from the tool's origin against the normal to where it acts: of a round tip",
+                 range::not_negative);
+  return all;
+}
+
 const Description& description_of(const ContactSpec* /*of*/) {
   using C = ContactSpec;
   static const Description all =
@@ -94,7 +112,8 @@ const Description& description_of(const ContactSpec* /*of*/) {
           .field("error", &C::error)
           .field("kp", &C::kp, "{1/s^2}, by direction; only entries of held directions are used")
           .field("kd", &C::kd, "{1/s}")
-          .field("target", &C::target, "Placement of C2 in C1 that the error is measured from.");
+          .field("target", &C::target, "Placement of C2 in C1 that the error is measured from.")
+          .field("friction", &C::friction, "none: the tool slides freely");
   return all;
 }
 

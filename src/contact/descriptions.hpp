@@ -14,6 +14,7 @@ const Words& words_of(PoseError);
 const Description& description_of(const Quadric*);
 const Words& words_of(SurfaceShape::Kind);
 const Description& description_of(const SurfaceShape*);
+const Description& description_of(const SlidingFriction*);
 const Description& description_of(const ContactSpec*);
 const Description& description_of(const ContactSolver*);
 const Description& description_of(const ContactForce*);

@@ -47,6 +47,10 @@ class ConstrainedDerivatives {
   void fill_contact_rows(ConstrainedDynamics<S>& dynamics,
                          const std::vector<CompiledContact>& contacts);
   void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
+  /// What friction changes in the joints' rows with v.
+  void subtract_friction(ConstrainedDynamics<S>& dynamics);
+  /// Turns the results of the system without friction into those with it.
+  void add_friction(ConstrainedDynamics<S>& dynamics);
   /// The same of an impact.
   void fill_impact_rows(ConstrainedDynamics<S>& dynamics);
   void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
@@ -72,6 +76,7 @@ class ConstrainedDerivatives {
   std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
   std::vector<S> Z_;               ///< J M^-1, rows x nv
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
+  std::vector<S> by_friction_;     ///< da by each normal force of friction, nv entries each
   std::vector<S> solved_, before_, frozen_;
 };
 

@@ -60,6 +60,7 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
   const auto entries = static_cast<std::size_t>(all_rows * n_);
   for (auto* matrix : {&rhs_q, &rhs_v, &d_dq, &d_dv, &d_dtau}) matrix->assign(entries, S(0.0));
   if (!tree.deep) factor_inverse_.assign(static_cast<std::size_t>(n_ * n_), S(0.0));
+  by_friction_.assign(static_cast<std::size_t>(dynamics.friction().most * n_), S(0.0));
   const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
   for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_, &frozen_})
     matrix->assign(contact_entries, S(0.0));
@@ -129,7 +130,10 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
     const CompiledContact& contact = dynamics.set().contacts()[c];
     if (!transport_couples_branches(contact)) continue;
     for (const ContactSupport& row : contact.support)
-      for (const ContactSupport& column : contact.influences) rhs_q[row.v * n_ + column.v] = S(0.0);
+      for (const ContactSupport& column : contact.influences) {
+        rhs_q[row.v * n_ + column.v] = S(0.0);
+        if (contact.rubs) rhs_v[row.v * n_ + column.v] = S(0.0);
+      }
   }
   inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
                                dynamics.inverse_dynamics(), coriolis_, rhs_q.data(), rhs_v.data());
@@ -139,10 +143,45 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
 }
 
 template <class S>
+void ConstrainedDerivatives<S>::subtract_friction(ConstrainedDynamics<S>& dynamics) {
+  for (const int c : dynamics.friction().contacts)
+    subtract_friction_by_v(dynamics.set().contacts()[c], dynamics.kinematics(),
+                           dynamics.contact_states[c], rhs_v.data(), n_);
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::add_friction(ConstrainedDynamics<S>& dynamics) {
+  // Of the system without friction, whose a and lambda the columns are so far, and at the torques
+  // of friction for a normal force of one: da = P F_j, dlambda = -R_j.
+  FrictionCoupling<S>& f = dynamics.friction();
+  const int m = dynamics.rows();
+  for (int j = 0; j < f.size(); ++j) {
+    S* const da = by_friction_.data() + j * n_;
+    for (int k = 0; k < n_; ++k) da[k] = S(0.0);
+    const S* const F = f.torque_of(j);
+    for (const ContactSupport& entry : dynamics.set().contacts()[f.contacts[j]].support)
+      for (int k = 0; k < n_; ++k) da[k] += d_dtau[k * n_ + entry.v] * F[entry.v];
+  }
+  for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) {
+    S* const X = matrix->data();
+    for (int column = 0; column < n_; ++column) {
+      for (int j = 0; j < f.size(); ++j) f.normal[j] = X[(n_ + f.rows[j]) * n_ + column];
+      solve_friction(f);
+      for (int j = 0; j < f.size(); ++j) {
+        for (int k = 0; k < n_; ++k) X[k * n_ + column] += by_friction_[j * n_ + k] * f.normal[j];
+        for (int r = 0; r < m; ++r)
+          X[(n_ + r) * n_ + column] -= f.response[r * f.most + j] * f.normal[j];
+      }
+    }
+  }
+}
+
+template <class S>
 void ConstrainedDerivatives<S>::inverse(ConstrainedDynamics<S>& dynamics) {
   adapt_to_active(dynamics);
   dynamics.apply_forces();
   fill_joint_rows(dynamics);
+  subtract_friction(dynamics);
   for (auto* matrix : {&rhs_q, &rhs_v}) dynamics.clear_failed(*matrix);
 }
 
@@ -334,9 +373,11 @@ void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   dynamics.apply_forces();
   fill_contact_rows(dynamics, dynamics.set().contacts());
   fill_joint_rows(dynamics);
+  subtract_friction(dynamics);
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
+  if (dynamics.friction().size() > 0) add_friction(dynamics);
   for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }
 

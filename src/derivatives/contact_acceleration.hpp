@@ -42,6 +42,12 @@ template <class S>
 void subtract_force_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const ContactState<S>& state, S* dtau_dq, int stride);
 
+/// Subtracts from dtau_dv (nv x nv row-major) how the friction of a contact that rubs changes with
+/// v.
+template <class S>
+void subtract_friction_by_v(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                            const ContactState<S>& state, S* dtau_dv, int stride);
+
 /// True when subtract_force_transport couples entries of v that are not on one branch.
 bool transport_couples_branches(const CompiledContact& contact);
 

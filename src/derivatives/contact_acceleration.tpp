@@ -337,6 +337,7 @@ template <class S>
 void subtract_general_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                                 const ContactState<S>& state, S* dtau_dq, int stride) {
   const Force<S>& W = state.force_world;
+  const Force<S> held = held_force(contact, state);
   for (const ContactSupport& column : contact.influences) {
     const Motion<S> zero = Motion<S>::zero();
     const Motion<S> tool = column.moves_tool() ? kinematics.axes[column.tool_axis].axis : zero;
@@ -344,7 +345,10 @@ void subtract_general_transport(const CompiledContact& contact, const Kinematics
     Motion<S> reference = reference_twist(column.reference, state.origin, kinematics);
     if (contact.reference.is_curved && !column.carries_both())
       reference += turning_at(state.p, curved_turn(state, relative_axis(column, kinematics)));
-    const Force<S> dW = cross(reference, W);
+    Force<S> dW = cross(reference, held);
+    if (contact.rubs)
+      dW += friction_by_q(contact, state, column.tool_axis, column.base_axis, reference.angular,
+                          kinematics);
     const Force<S> on_tool = dW - cross(tool, W);
     const Force<S> on_base = dW - cross(base, W);
     for (const ContactSupport& row : contact.support) {
@@ -362,10 +366,24 @@ void subtract_force_transport(const CompiledContact& contact, const Kinematics<S
                               const ContactState<S>& state, S* dtau_dq, int stride) {
   using namespace contact_detail;
   if (!moves_with_tool_alone(contact) || contact.tool_body < 0 || !contact.reference.at_tool ||
-      contact.reference.is_curved) {
+      contact.reference.is_curved || contact.rubs) {
     subtract_general_transport(contact, kinematics, state, dtau_dq, stride);
   } else if (contact.reference.axes_body != contact.tool_body) {
     subtract_turning_axes(contact, kinematics, state, dtau_dq, stride);
+  }
+}
+
+template <class S>
+void subtract_friction_by_v(const CompiledContact& contact, const Kinematics<S>& kinematics,
+                            const ContactState<S>& state, S* dtau_dv, int stride) {
+  using contact_detail::relative_axis;
+  for (const ContactSupport& column : contact.support) {
+    if (column.carries_both()) continue;
+    const Force<S> dW =
+        sliding_by_v(state.sliding, relative_axis(column, kinematics)) * state.sliding.normal_force;
+    for (const ContactSupport& row : contact.support)
+      if (!row.carries_both())
+        dtau_dv[row.v * stride + column.v] -= dot(relative_axis(row, kinematics), dW);
   }
 }
 

@@ -159,6 +159,15 @@ Status ContactDynamics::set_surface(int contact, const Quadric& surface) {
   return Status::Ok;
 }
 
+Status ContactDynamics::set_friction(int contact, double coefficient) {
+  impl_->check("set_friction", contact);
+  check_rubs("set_friction", impl_->set.contacts()[contact]);
+  if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
+  impl_->evaluated = Evaluated::Nothing;
+  impl_->dynamics.set_friction(contact, coefficient);
+  return Status::Ok;
+}
+
 std::vector<std::string> ContactDynamics::row_names() const {
   std::vector<std::string> names;
   for (const int c : impl_->dynamics.active().contacts) {
@@ -176,7 +185,10 @@ std::string ContactDynamics::explanation() const {
     if (impl_->dynamics.moves_no_mass(k, 0)) joints.push_back(impl_->joint_names[k]);
   for (std::size_t r = 0; r < names.size(); ++r)
     if (impl_->dynamics.is_dependent(static_cast<int>(r), 0)) rows.push_back(names[r]);
-  return explain(impl_->dynamics.status(), joints, rows);
+  std::vector<std::string> jammed;
+  for (int c = 0; c < impl_->set.size(); ++c)
+    if (impl_->dynamics.jams(c, 0)) jammed.push_back(impl_->set.contacts()[c].spec.name);
+  return explain(impl_->dynamics.status(), joints, rows, jammed);
 }
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,
@@ -335,9 +347,13 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   for (int k = 0; k < nv; ++k) {
     const bool moves = next != impl_->entries.end() && next->v == k;
     const WrenchEntry entry = moves ? *next++ : WrenchEntry{k, {}, {}};
-    store(out.dq, k,
-          wrench_rate(pose, entry, state, kinematics, change(impl_->derivatives.d_dq, k)));
-    store(out.dv, k, in_reference(pose, change(impl_->derivatives.d_dv, k)));
+    store(
+        out.dq, k,
+        wrench_rate(compiled, pose, entry, state, kinematics, change(impl_->derivatives.d_dq, k)));
+    const ContactSupport pushed{k, entry.tool_axis, entry.base_axis};
+    store(out.dv, k,
+          wrench_rate_by_v(compiled, pose, pushed, state, kinematics,
+                           change(impl_->derivatives.d_dv, k)));
     store(out.dtau, k, in_reference(pose, change(impl_->derivatives.d_dtau, k)));
   }
 }

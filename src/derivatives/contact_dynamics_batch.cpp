@@ -121,10 +121,13 @@ struct ContactDynamicsBatch::Impl {
     }
   }
 
-  /// Notes the entries of v that move no mass and, behind them, the rows that cannot be held.
+  /// Notes the entries of v that move no mass and, behind them, the rows that cannot be held, and
+  /// as 2 those of contacts whose tools jam.
   void blame(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {
     for (int k = 0; k < nv; ++k) out[k] = dynamics.moves_no_mass(k, lane) ? 1 : 0;
     for (int r = 0; r < dynamics.rows(); ++r) out[nv + r] = dynamics.is_dependent(r, lane) ? 1 : 0;
+    for (const int c : dynamics.friction().contacts)
+      if (dynamics.jams(c, lane)) out[nv + dynamics.active().first_row[c]] = 2;
   }
 
   void store(const Worker& from, std::ptrdiff_t first, int lanes, bool with_derivatives) {
@@ -194,16 +197,19 @@ std::string ContactDynamicsBatch::explanation(int state) const {
   const Status status = impl_->status.at(state);
   const char* const blamed =
       impl_->blamed.data() + static_cast<std::ptrdiff_t>(state) * (impl_->nv + impl_->set.rows());
-  std::vector<std::string> joints, rows;
-  if (status == Status::Ok) return explain(status, joints, rows);
+  std::vector<std::string> joints, rows, jammed;
+  if (status == Status::Ok) return explain(status, joints, rows, jammed);
   for (int k = 0; k < impl_->nv; ++k)
     if (blamed[k] != 0) joints.push_back(impl_->joint_names[k]);
   int row = 0;
   for (const int c : impl_->workers.front().dynamics.active().contacts)
-    for (const int d : impl_->set.contacts()[c].directions)
-      if (blamed[impl_->nv + row++] != 0)
-        rows.push_back(impl_->set.contacts()[c].spec.name + "/" + std::string(direction_names[d]));
-  return explain(status, joints, rows);
+    for (const int d : impl_->set.contacts()[c].directions) {
+      const ContactSpec& spec = impl_->set.contacts()[c].spec;
+      const char blame = blamed[impl_->nv + row++];
+      if (blame == 1) rows.push_back(spec.name + "/" + std::string(direction_names[d]));
+      if (blame == 2) jammed.push_back(spec.name);
+    }
+  return explain(status, joints, rows, jammed);
 }
 VectorView ContactDynamicsBatch::a(int state) const {
   return {impl_->a.data() + static_cast<std::ptrdiff_t>(state) * impl_->nv, impl_->nv};

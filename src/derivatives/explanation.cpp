@@ -6,7 +6,7 @@
 
 namespace burnish {
 std::string explain(Status status, const std::vector<std::string>& joints,
-                    const std::vector<std::string>& rows) {
+                    const std::vector<std::string>& rows, const std::vector<std::string>& jammed) {
   if (status == Status::SingularMass && !joints.empty()) {
     std::vector<std::string> once = joints;
     once.erase(std::unique(once.begin(), once.end()), once.end());
@@ -24,6 +24,10 @@ std::string explain(Status status, const std::vector<std::string>& joints,
            ", or the rows before hold " + them +
            " already; call diagnose() for which, or set mu > 0";
   }
+  if (status == Status::SingularContacts && !jammed.empty())
+    return listed("the tool of contact", jammed) + (jammed.size() == 1 ? " jams" : " jam") +
+           ": pressing harder, sliding as it does, friction would press it harder than its inertia "
+           "holds against; only less friction or another posture lets it slide";
   return std::string(describe(status));
 }
 

@@ -9,8 +9,9 @@
 namespace burnish {
 
 /// describe(status), which for a SingularMass names the joints that move no mass, each once, and
-/// for SingularContacts the rows ("pad/z") that depend on those before them.
+/// for SingularContacts the rows ("pad/z") that depend on those before them, or the contacts whose
+/// tool jams.
 std::string explain(Status status, const std::vector<std::string>& joints,
-                    const std::vector<std::string>& rows);
+                    const std::vector<std::string>& rows, const std::vector<std::string>& jammed);
 
 }  // namespace burnish

@@ -14,7 +14,7 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
         v,
         by.reference,
         {moving_axis(tree, asked.origin_body, v), moving_axis(tree, asked.axes_body, v)}};
-    if (contact.reference.is_curved) {
+    if (contact.reference.is_curved || contact.rubs) {
       entry.tool_axis = by.tool_axis;
       entry.base_axis = by.base_axis;
     }

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "burnish/dynamics/placement.hpp"
+#include "contact/descriptions.hpp"
+#include "files/described.hpp"
 #include "robots/known_robots.hpp"
 
 namespace burnish::files {
@@ -57,7 +59,7 @@ std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader) {
 ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
                          const Eigen::VectorXd& q, const fs::path* tables) {
   std::vector<std::string> keys{"tool",  "base", "reference", "directions", "acceleration",
-                                "error", "kp",   "kd",        "target"};
+                                "error", "kp",   "kd",        "target",     "friction"};
   if (name.empty()) keys.emplace_back("name");
   reader.allow_only(keys);
   ContactSpec spec{.name = name, .tool = reader["tool"].text()};
@@ -81,6 +83,8 @@ ContactSpec read_contact(const std::string& name, const Reader& reader, const Mo
     spec.error = kind->named([&] { return parse_pose_error(kind->text()); });
   if (const auto kp = reader.find("kp")) spec.kp = read_gains(*kp);
   if (const auto kd = reader.find("kd")) spec.kd = read_gains(*kd);
+  if (const auto friction = reader.find("friction"))
+    read_described(description_of(&spec.friction.emplace()), &*spec.friction, *friction);
   const auto target = reader.find("target");
   spec.target = target && !target->is("here") ? read_placement(*target) : base.inverse() * tool;
   return spec;

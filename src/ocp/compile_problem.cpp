@@ -110,10 +110,12 @@ void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
                 " s or the exact discretisation");
 }
 
-/// The references of active contacts that turn over time.
-void turn_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
+/// What is data of each knot of the active contacts: rotations, surfaces and friction.
+void place_contacts(const ProblemSpec& spec, const ContactSet& contacts, CompiledStage& stage) {
   for (std::size_t c = 0; c < spec.contacts.size(); ++c) {
     if (stage.active[c] == 0) continue;
+    if (const auto& friction = spec.contacts[c].friction)
+      stage.frictions.push_back({friction->coefficient, stage.targets++, static_cast<int>(c)});
     const Reference& reference = spec.contacts[c].reference;
     add_turning(reference, static_cast<int>(c),
                 "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
@@ -147,7 +149,7 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   }
   if (given.impact && given.contacts.empty())
     throw Error(place + ": an impact makes no contact; wanted at least one");
-  turn_contacts(spec, problem.contacts, stage);
+  place_contacts(spec, problem.contacts, stage);
   set_filter(spec, stage);
   compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
@@ -215,7 +217,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;
-  turn_contacts(spec, contacts, terminal);
+  place_contacts(spec, contacts, terminal);
   compile_terms(spec, *this, spec.terminal, spec.terminal_constraints, "terminal", terminal);
   stages.push_back(std::move(terminal));
   check_weights(stages);

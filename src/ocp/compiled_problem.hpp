@@ -54,6 +54,12 @@ struct CompiledSurface {
 /// Q: xx, xy, xz, yy, yz, zz; b.
 constexpr int surface_size = 9;
 
+/// A contact's coefficient of friction, likewise: one of the stage's targets.
+struct CompiledFriction {
+  double coefficient = 0.0;
+  int target = 0, contact = 0;
+};
+
 struct CompiledStage {
   std::string name;
   std::vector<char> active;  ///< per contact of the problem
@@ -61,6 +67,7 @@ struct CompiledStage {
   std::vector<std::string> frame_names;
   std::vector<CompiledTurning> turnings;
   std::vector<CompiledSurface> surfaces;
+  std::vector<CompiledFriction> frictions;
   std::vector<CompiledTerm> terms;           ///< costs, then constraints
   std::size_t costs = 0;                     ///< how many are costs
   std::vector<double> row_lower, row_upper;  ///< of all constraints, one after the other
@@ -72,7 +79,7 @@ struct CompiledStage {
   std::vector<RowBend> bends;  ///< ShootingProblem::row_bends
   int bend_rows = 0;           ///< their b
   int coefficient_rows = 0;    ///< of all constraints, those that are no entries of z
-  int targets = 0;             ///< entries of all targets, turnings and surfaces
+  int targets = 0;             ///< entries of all targets, turnings, surfaces and frictions
   int nu = 0;
   bool terminal = false, impact = false;
   bool solves_contacts = true;  ///< accelerations and forces are needed

@@ -81,14 +81,7 @@ Status Problem::set_target(int knot, int term, const ConstVectorRef& target) {
 }
 
 Status Problem::set_surface(int knot, int contact, const Quadric& surface) {
-  if (knot < 0 || knot > knots())
-    throw Error("set_surface: knot " + std::to_string(knot) + "; wanted 0 to " +
-                std::to_string(knots()));
-  const ContactSet& contacts = impl_->compiled.contacts;
-  if (contact < 0 || contact >= contacts.size())
-    throw Error("set_surface: contact " + std::to_string(contact) + " of " +
-                std::to_string(contacts.size()));
-  const CompiledContact& given = contacts.contacts()[contact];
+  const CompiledContact& given = impl_->contact_at("set_surface", knot, contact);
   if (!given.reference.is_curved)
     throw Error("set_surface: the reference of contact " + in_quotes(given.spec.name) +
                 " follows no surface; wanted one of Reference::on");
@@ -96,6 +89,14 @@ Status Problem::set_surface(int knot, int contact, const Quadric& surface) {
   for (const ocp::CompiledSurface& followed : impl_->stage(knot).surfaces)
     if (followed.contact == contact)
       ocp::store_surface(surface, impl_->targets_of(knot) + followed.target);
+  return Status::Ok;
+}
+
+Status Problem::set_friction(int knot, int contact, double coefficient) {
+  check_rubs("set_friction", impl_->contact_at("set_friction", knot, contact));
+  if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
+  for (const ocp::CompiledFriction& friction : impl_->stage(knot).frictions)
+    if (friction.contact == contact) impl_->targets_of(knot)[friction.target] = coefficient;
   return Status::Ok;
 }
 

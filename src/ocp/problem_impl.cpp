@@ -216,6 +216,17 @@ std::vector<ContactSpec> Problem::Impl::contacts_of(int stage) const {
   return contacts_at(spec.contacts, times[static_cast<std::size_t>(knot)]);
 }
 
+const CompiledContact& Problem::Impl::contact_at(const char* call, int knot, int contact) const {
+  if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
+    throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(stage_of.size() - 1));
+  const ContactSet& contacts = compiled.contacts;
+  if (contact < 0 || contact >= contacts.size())
+    throw Error(std::string(call) + ": contact " + std::to_string(contact) + " of " +
+                std::to_string(contacts.size()));
+  return contacts.contacts()[static_cast<std::size_t>(contact)];
+}
+
 const ocp::CompiledTerm& Problem::Impl::term(const char* call, int knot, int term) const {
   if (knot < 0 || knot >= static_cast<int>(stage_of.size()))
     throw Error(std::string(call) + ": knot " + std::to_string(knot) + "; wanted 0 to " +

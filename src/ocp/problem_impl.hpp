@@ -49,6 +49,8 @@ struct Problem::Impl {
   std::vector<ContactSpec> contacts_of(int stage) const;
   /// Throws Error("<call>: ...") for a knot or a term that there is not.
   const ocp::CompiledTerm& term(const char* call, int knot, int term) const;
+  /// Likewise for a knot or a contact that there is not.
+  const CompiledContact& contact_at(const char* call, int knot, int contact) const;
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
                                                  const ConstVectorRef& u);
   KnotValue roll(int index, int knot, const double* x, const double* u, double* next, double* rows);

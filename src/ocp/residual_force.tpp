@@ -39,8 +39,13 @@ void WrenchView::evaluate(const KnotState<S>& knot, S* w, S* J) const {
       J[d * nz + c] = sum;
     }
   for (const WrenchEntry& entry : entries)
-    add_column(wrench_rate(pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
+    add_column(wrench_rate(compiled, pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
                J + layout.column_q() + entry.v, nz);
+  if (!compiled.rubs) return;
+  for (const ContactSupport& entry : compiled.support)
+    add_column(
+        wrench_rate_by_v(compiled, pose, entry, state, dynamics.kinematics(), Force<S>::zero()),
+        J + layout.column_v() + entry.v, nz);
 }
 
 template <class S>

@@ -86,6 +86,8 @@ void StageDynamics<S>::turn(const CompiledStage& stage, const S* targets) {
     dynamics_.set_surface(followed.contact, surface);
     if (stage.impact) impact_->dynamics.set_surface(followed.contact, surface);
   }
+  for (const CompiledFriction& friction : stage.frictions)
+    dynamics_.set_friction(friction.contact, targets[friction.target]);
 }
 
 template <class S>

@@ -44,6 +44,8 @@ void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scra
   }
   for (const CompiledSurface& followed : stage.surfaces)
     store_surface(followed.surface, out + followed.target);
+  for (const CompiledFriction& friction : stage.frictions)
+    out[friction.target] = friction.coefficient;
 }
 
 void store_surface(const Quadric& surface, double* out) {

@@ -85,6 +85,23 @@ TEST_F(ProblemFiles, ContactsFollowCurvedSurfaces) {
             std::string::npos);
 }
 
+TEST_F(ProblemFiles, ToolsRub) {
+  const ProblemFile file =
+      read(small("directions: z", "directions: z, friction: {coefficient: 0.4, radius: 0.02}"));
+  const auto& friction = file.spec.contacts[0].friction;
+  ASSERT_TRUE(friction.has_value());
+  EXPECT_EQ(friction->coefficient, 0.4);
+  EXPECT_EQ(friction->speed, SlidingFriction().speed);
+  EXPECT_EQ(friction->radius, 0.02);
+  const auto refused = [&](const std::string& keys) {
+    return refusal([&] { read(small("directions: z", keys)); });
+  };
+  expect_words(refused("directions: z, friction: {coeficient: 0.4}"),
+               {"did you mean 'coefficient'"});
+  expect_words(refused("directions: z, friction: {speed: 0}"), {"friction.speed", "0"});
+  expect_words(refused("directions: linear, friction: {}"), {"has friction and holds x,y,z"});
+}
+
 TEST_F(ProblemFiles, RotationsOverTimeThatAreNoneAreRefused) {
   const auto refused = [&](const std::string& path) {
     return refusal(

@@ -32,6 +32,23 @@ ProblemSpec pressed(const OcpCase& test, const Model& model, const Quadric& surf
   return spec;
 }
 
+/// The same, held along the normal alone, where it rubs.
+ProblemSpec rubbing(const OcpCase& test, const Model& model, double coefficient) {
+  ProblemSpec spec = pressed(test, model, surface_at(0.0));
+  for (ContactSpec& contact : spec.contacts) {
+    if (contact.name != "pad") continue;
+    contact.directions = Directions::z();
+    contact.friction = SlidingFriction{coefficient, 0.1, 0.02};
+  }
+  return spec;
+}
+
+int number_of_pad(const ProblemSpec& spec) {
+  const auto named = std::find_if(spec.contacts.begin(), spec.contacts.end(),
+                                  [](const ContactSpec& c) { return c.name == "pad"; });
+  return static_cast<int>(named - spec.contacts.begin());
+}
+
 class SurfaceData : public ::testing::TestWithParam<OcpCase> {
  protected:
   Model model = GetParam().robot.model();
@@ -39,9 +56,7 @@ class SurfaceData : public ::testing::TestWithParam<OcpCase> {
 
 TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
   const ProblemSpec spec = pressed(GetParam(), model, surface_at(0.0));
-  const auto named = std::find_if(spec.contacts.begin(), spec.contacts.end(),
-                                  [](const ContactSpec& c) { return c.name == "pad"; });
-  const int pad = static_cast<int>(named - spec.contacts.begin());
+  const int pad = number_of_pad(spec);
   Problem problem(spec);
   for (int k = 0; k <= problem.knots(); ++k)
     ASSERT_EQ(problem.set_surface(k, pad, surface_at(1.0 + k)), Status::Ok);
@@ -70,6 +85,37 @@ TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
   EXPECT_EQ(problem.forces(0, x, u), first);
   ASSERT_EQ(problem.set_surface(0, pad, surface_at(1.0)), Status::Ok);
   EXPECT_NE(problem.forces(0, x, u), first);
+}
+
+TEST_P(SurfaceData, CoefficientsOfFrictionAreDataOfEachKnotToo) {
+  const ProblemSpec spec = rubbing(GetParam(), model, 0.1);
+  const int pad = number_of_pad(spec);
+  Problem problem(spec);
+  for (int k = 0; k <= problem.knots(); ++k)
+    ASSERT_EQ(problem.set_friction(k, pad, 0.02 * (1 + k)), Status::Ok);
+  std::mt19937_64 generator(33);
+  OcpHorizon horizon(problem, generator);
+  horizon.expand(problem);
+  for (int k = 0; k < problem.knots(); ++k) {
+    SCOPED_TRACE(problem.knot_name(k));
+    Problem still(rubbing(GetParam(), model, 0.02 * (1 + k)));
+    OcpHorizon wanted = horizon;
+    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
+    wanted.expand(still);
+    const auto at = static_cast<std::size_t>(k);
+    ASSERT_EQ(horizon.values[at].status, Status::Ok);
+    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
+    const int nz = problem.controls(k) + problem.state().ndx, rows = problem.state().nv;
+    EXPECT_EQ(horizon.dynamics[at].topLeftCorner(rows, nz),
+              wanted.dynamics[at].topLeftCorner(rows, nz));
+  }
+  const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
+  const Eigen::VectorXd first = problem.forces(0, x, u);
+  ASSERT_EQ(problem.set_friction(0, pad, 0.6), Status::Ok);
+  EXPECT_NE(problem.forces(0, x, u), first);
+  EXPECT_EQ(problem.set_friction(0, pad, -1.0), Status::NotFinite);
+  testing::expect_words(testing::refusal([&] { problem.set_friction(0, pad == 0 ? 1 : 0, 0.1); }),
+                        {"set_friction", "has no friction"});
 }
 
 TEST_P(SurfaceData, IsRefusedWhereThereIsNone) {

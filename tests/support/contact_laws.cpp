@@ -30,8 +30,9 @@ const std::vector<LawRobot>& law_robots() {
 }
 
 const std::vector<std::string>& law_references() {
-  static const std::vector<std::string> names{"local",     "centered", "surface", "world", "third",
-                                              "elsewhere", "ball",     "barrel",  "saddle"};
+  static const std::vector<std::string> names{"local",  "centered",  "surface",     "world",
+                                              "third",  "elsewhere", "ball",        "barrel",
+                                              "saddle", "rubbing",   "rubbing_ball"};
   return names;
 }
 
@@ -73,10 +74,15 @@ State random_state(const Model& model, std::mt19937_64& generator) {
           uniform(model.nv, 10.0, generator)};
 }
 
+bool may_rub(const Directions& held) {
+  return Directions{static_cast<std::uint8_t>(held.bits & Directions::linear().bits)}.count() == 1;
+}
+
 Reference reference_of(const std::string& name, const Model& model, const ContactSpec& contact) {
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  if (name == "surface") return Reference::surface(tilt);
+  if (name == "surface" || name == "rubbing") return Reference::surface(tilt);
+  if (name == "rubbing_ball") return reference_of("ball", model, contact);
   if (name == "ball" || name == "barrel" || name == "saddle") {
     const Eigen::Vector3d center(0.2, -0.3, -2.5);
     const Quadric surface = name == "ball"     ? Quadric::sphere(center, 0.3)
@@ -102,6 +108,7 @@ ContactSpec contact_of(const Model& model, const LawRobot& robot, const std::str
   spec.reference = reference_of(reference, model, spec);
   spec.directions = directions;
   spec.acceleration = acceleration;
+  if (reference.starts_with("rubbing")) spec.friction = {0.4, 0.2, 0.03};
   if (gains == Gains::None) return spec;
   spec.error = gains == Gains::Log6 ? PoseError::Log6 : PoseError::Split;
   spec.kp << 90.0, 100.0, 110.0, 80.0, 120.0, 95.0;
@@ -364,6 +371,7 @@ std::vector<LawRow> sweep(const LawRobot& robot, const std::string& reference, i
   std::vector<LawRow> rows;
   for (const Directions& directions : law_directions())
     for (const bool two_bodies : {false, true}) {
+      if (reference.starts_with("rubbing") && !may_rub(directions)) continue;
       LawRow row;
       row.directions = directions;
       row.two_bodies = two_bodies;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,17 @@ std::string name_of(PoseError error);
 Acceleration parse_acceleration(const std::string& name);
 PoseError parse_pose_error(const std::string& name);
 
+/// Coulomb's, of a tool that slides: beside lambda along the held normal n, on the tool acts
+///   -coefficient lambda v_t / sqrt(|v_t|^2 + speed^2),
+/// v_t being the velocity across n, seen from the base, of the tool's point where it acts. Contacts
+/// that hold one direction of translation, their normal. Impacts are without friction.
+struct SlidingFriction {
+  double coefficient = 0.3;
+  double speed = 0.01;  ///< m/s, below which it fades, so that it has a derivative at rest
+  /// m from the tool's origin against the normal to where it acts: of a round tip
+  double radius = 0.0;
+};
+
 /// The contact holds alpha + kd nu + kp e = 0 along its directions, where nu and alpha are velocity
 /// and acceleration of the tool relative to the base, written in the reference.
 struct ContactSpec {
@@ -86,6 +98,7 @@ struct ContactSpec {
   Vector6 kd = Vector6::Zero();  ///< 1/s
   /// Placement of C2 in C1 that the error is measured from.
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
+  std::optional<SlidingFriction> friction = {};  ///< none: the tool slides freely
 
   /// The same gains in every direction. `kp` in 1/s^2, `kd` in 1/s.
   ContactSpec& with_gains(double kp_all, double kd_all);

@@ -53,6 +53,9 @@ class ContactDynamics {
   /// follows (Reference::on), likewise: NotFinite for one that holds a NaN or an infinity, which
   /// changes nothing. Throws Error for an unknown index and a reference that follows none.
   Status set_surface(int contact, const Quadric& surface);
+  /// Another coefficient of a contact's friction, likewise: NotFinite for one that is no number of
+  /// at least zero. Throws Error for an unknown index and a contact without friction.
+  Status set_friction(int contact, double coefficient);
   /// Names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
 

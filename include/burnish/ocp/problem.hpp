@@ -60,6 +60,9 @@ class Problem final : public ShootingProblem {
   /// NaN or an infinity, which changes nothing, or Ok. Throws Error for a knot or contact that
   /// there is not, and for a reference that follows no surface.
   Status set_surface(int knot, int contact, const Quadric& surface);
+  /// Gives a knot another coefficient of a contact's friction, likewise: NotFinite for one that is
+  /// no number of at least zero. Throws Error for a contact without friction.
+  Status set_friction(int knot, int contact, double coefficient);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
   Status set_torque_bias(const ConstVectorRef& torque);
