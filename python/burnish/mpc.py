@@ -19,7 +19,7 @@ from .solver import DdpOptions, LimitOptions, StepUpdate
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
-    "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
+    "FrictionEstimateOptions", "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
     "MpcSpec", "SafetyLimits", "Schedule", "SchedulePhase", "TorqueErrorObserver",
 ]
 

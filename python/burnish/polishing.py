@@ -45,7 +45,7 @@ from ._core import (
 from ._spec import Spec
 from .contact import SurfaceShape
 from .model import Robot
-from .mpc import Fallback, ModelErrorOptions, SafetyLimits
+from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, SafetyLimits
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,

@@ -22,7 +22,8 @@ ContactForceEstimate::ContactForceEstimate(const MpcSpec& spec)
       dynamics_(spec.problem.model,
                 without_gains(contacts_at(spec.problem.contacts, spec.problem.start_time)),
                 {.mu = 1e-9}),
-      following_(contacts_on_surface(spec)) {
+      following_(contacts_on_surface(spec)),
+      rubbing_(contacts_that_rub(spec)) {
   const ProblemSpec& problem = spec.problem;
   for (const ContactSpec& contact : problem.contacts)
     rotations_.push_back(contact.reference.rotation_over_time);
@@ -38,6 +39,10 @@ ContactForceEstimate::ContactForceEstimate(const MpcSpec& spec)
 
 void ContactForceEstimate::set_surface(const Quadric& surface) noexcept {
   for (const int contact : following_) (void)dynamics_.set_surface(contact, surface);
+}
+
+void ContactForceEstimate::set_friction(double coefficient) noexcept {
+  for (const int contact : rubbing_) (void)dynamics_.set_friction(contact, coefficient);
 }
 
 bool ContactForceEstimate::has_contact(int stage) const noexcept {

@@ -11,6 +11,8 @@ class ContactForceEstimate {
   explicit ContactForceEstimate(const MpcSpec& spec);
   /// MpcTask::surface.
   void set_surface(const Quadric& surface) noexcept;
+  /// The coefficient of the tool's contacts with friction.
+  void set_friction(double coefficient) noexcept;
   bool has_contact(int stage) const noexcept;
   /// Of all contacts of the stage, N, world axes, at tau (nv), their references as they are at a
   /// time of the schedule, s. False and zero where it has none, or the dynamics no solution.
@@ -24,6 +26,7 @@ class ContactForceEstimate {
   Eigen::VectorXd xyzw_;
   ContactDynamics dynamics_;
   std::vector<int> following_;            ///< contacts_on_surface()
+  std::vector<int> rubbing_;              ///< contacts_that_rub()
   std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
 };
 

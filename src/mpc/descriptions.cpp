@@ -60,6 +60,31 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
   return all;
 }
 
+const Description& description_of(const FrictionEstimateOptions* /*of*/) {
+  using F = FrictionEstimateOptions;
+  static const Description all =
+      Describe<F>(
+          "mpc", "FrictionEstimateOptions",
+          "How the coefficient of friction between a tool and the surface that it slides on "
+          "is estimated: deviations of what is believed at first, and of what is measured.")
+          .field("enabled", &F::enabled, "estimate it; else what is believed is what is known")
+          .field("coefficient", &F::coefficient,
+                 "believed at first; plans know friction if that "
+                 "is above 0, or estimated",
+                 range::not_negative)
+          .field("deviation", &F::deviation, "of that", range::positive)
+          .field("wander", &F::wander, "per square root of a metre of way, by which it changes",
+                 range::not_negative)
+          .field("force_noise", &F::force_noise,
+                 "{N}, of the force along the surface, independent every `noise_time`",
+                 range::positive)
+          .field("noise_time", &F::noise_time, "{s}", range::not_negative)
+          .field("speed", &F::speed,
+                 "{m/s}, below which what is felt may be stiction and tells little",
+                 range::positive);
+  return all;
+}
+
 const Description& description_of(const SafetyLimits* /*of*/) {
   using S = SafetyLimits;
   constexpr Range limit = range::positive_or_infinite, count = range::from(1);
@@ -157,6 +182,8 @@ const Description& description_of(const Command* /*of*/) {
           .field(
               "force_estimate_world", &C::force_estimate_world,
               "What the controller believes the surface's force on the tool to be, N, world axes.")
+          .field("friction", &C::friction,
+                 "What it believes the coefficient of friction between tool and surface to be.")
           .field("status", &C::status)
           .field("solve_time", &C::solve_time,
                  "{s} of wall clock, where an optimal control problem was solved")
@@ -264,6 +291,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "{Nm} (N), nv: what is sent stays within, and within the robot's effort limits; "
                  "empty: those")
           .field("model_error", &M::model_error)
+          .field("friction_estimate", &M::friction_estimate,
+                 "Of the tool's contacts with friction (ContactSpec.friction): their coefficient.")
           .field("limits", &M::limits)
           .field("fallback", &M::fallback)
           .field("feedback", &M::feedback,

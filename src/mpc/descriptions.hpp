@@ -13,6 +13,7 @@ const Description& description_of(const SafetyLimits*);
 const Description& description_of(const Fallback*);
 const Description& description_of(const ModelErrorOptions*);
 const Description& description_of(const SurfaceEstimateOptions*);
+const Description& description_of(const FrictionEstimateOptions*);
 const Words& words_of(FaultKind);
 const Description& description_of(const Measurement*);
 const Description& description_of(const Command*);

@@ -18,6 +18,12 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
   body.frame_derivatives(tool_, Reference::centered(), tool_motion_);  // sized here, not in a tick
+  const std::vector<int> rubbing = contacts_that_rub(spec);
+  if (!rubbing.empty()) {
+    friction_.emplace(spec.friction_estimate);
+    planned_speed_ =
+        spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->speed;
+  }
   acted_ = torque_offset_ = torque_error_ = total_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
@@ -31,6 +37,7 @@ void ErrorEstimate::reset() noexcept {
   friction_force_.setZero();
   force_world_.setZero();
   pressed_ = force_error_ = 0.0;
+  if (friction_) friction_->reset();
 }
 
 const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const Command& before,
@@ -53,6 +60,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
                             : Status::Ok;
     if (seen <= Status::NotConverged) torque_offset_ += share * (m.tau - acted_ - torque_offset_);
     follow_friction(gate, before, share);
+    contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
     total_ += model_error() - torque_offset_;
     total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
@@ -84,7 +92,8 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const Measurement& m = gate.last();
   const Eigen::Vector3d& n = normal_world_;
   pressed_ += share * (normal_force(m) - pressed_);
-  friction_force_ += share * (m.tool_force_world - normal_force(m) * n - friction_force_);
+  const Eigen::Vector3d across = m.tool_force_world - normal_force(m) * n;
+  friction_force_ += share * (across - explained_friction(gate, across) - friction_force_);
   const double asked = std::max(before.target_force, 0.0);
   const bool presses = pressed_ > contact_threshold_;
   // What is larger than the normal force is no friction.
@@ -93,6 +102,21 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   torque_error_ = model_error();
   torque_error_.noalias() +=
       ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
+}
+
+/// Of the force along the surface, what the contacts' own friction says, N: the same that plans
+/// know. What the coefficient learns leaves the rest, whose sum with it stays what it was.
+Eigen::Vector3d ErrorEstimate::explained_friction(const MeasurementGate& gate,
+                                                  const Eigen::Vector3d& across) noexcept {
+  if (!friction_) return Eigen::Vector3d::Zero();
+  const double force = normal_force(gate.last());
+  const Eigen::Vector3d v = gate.body().velocity(tool_, Reference::centered()).head<3>();
+  const Eigen::Vector3d v_across = v - normal_world_ * normal_world_.dot(v);
+  const Eigen::Vector3d s = sliding_direction(v_across, planned_speed_);
+  const double known = friction_->coefficient();
+  if (pressed_ > contact_threshold_) friction_->update(force, across, v_across, gate.dt());
+  friction_force_ += (friction_->coefficient() - known) * pressed_ * s;
+  return -friction_->coefficient() * force * s;
 }
 
 void ErrorEstimate::follow_force_error(const Measurement& m, int stage, double schedule_time,

@@ -29,6 +29,8 @@ class ErrorEstimate {
     contact_force_.set_surface(surface);
   }
   const Eigen::Vector3d& normal_world() const { return normal_world_; }
+  /// Of the tool's contacts with friction: their coefficient; 0 without them.
+  double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
@@ -47,6 +49,8 @@ class ErrorEstimate {
   }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
+  Eigen::Vector3d explained_friction(const MeasurementGate& gate,
+                                     const Eigen::Vector3d& across) noexcept;
   void follow_force_error(const Measurement& m, int stage, double schedule_time,
                           double share) noexcept;
 
@@ -63,7 +67,10 @@ class ErrorEstimate {
   Eigen::VectorXd acted_;  ///< nv, torque that the model believes to act
   Eigen::VectorXd torque_offset_, torque_error_, total_;
   double pressed_ = 0.0;  ///< N, normal force behind the bandwidth
-  Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();  ///< N, along the surface, alike
+  /// N, along the surface, alike: what the contacts' own friction does not explain
+  Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();
+  std::optional<FrictionEstimator> friction_;
+  double planned_speed_ = 0.0;  ///< m/s, SlidingFriction::speed of plans
   Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();
   double force_error_ = 0.0;
 };

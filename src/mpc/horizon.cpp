@@ -14,11 +14,22 @@ std::vector<int> contacts_on_surface(const MpcSpec& spec) {
   return result;
 }
 
+std::vector<int> contacts_that_rub(const MpcSpec& spec) {
+  std::vector<int> result;
+  const std::vector<ContactSpec>& contacts = spec.problem.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts[c].friction && contacts[c].tool == spec.tool && contacts[c].base == "world")
+      result.push_back(static_cast<int>(c));
+  return result;
+}
+
 Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule)
     : problem_(problem),
       schedule_(schedule),
       step_(spec.problem.stages.front().step),
       following_(contacts_on_surface(spec)),
+      rubbing_(contacts_that_rub(spec)),
+      friction_(spec.friction_estimate.coefficient),
       corrects_force_(spec.model_error.kind == ModelErrorKind::Force),
       force_terms_(spec.problem.stages.size()),
       force_targets_(spec.problem.stages.size()),
@@ -54,6 +65,7 @@ void Horizon::place_knot(int knot, double schedule_time) {
   problem_.set_knot(knot, stage, schedule_time);
   if (surface_)
     for (const int contact : following_) (void)problem_.set_surface(knot, contact, *surface_);
+  for (const int contact : rubbing_) (void)problem_.set_friction(knot, contact, friction_);
   if (!corrects_force_ || knot == problem_.knots()) return;
   const auto& terms = force_terms_[static_cast<std::size_t>(stage)];
   for (std::size_t t = 0; t < terms.size(); ++t) {

@@ -9,6 +9,8 @@ namespace burnish {
 
 /// Those that are given MpcTask::surface.
 std::vector<int> contacts_on_surface(const MpcSpec& spec);
+/// Those of the tool with the world that have friction.
+std::vector<int> contacts_that_rub(const MpcSpec& spec);
 
 class Horizon {
  public:
@@ -24,6 +26,8 @@ class Horizon {
   /// MpcTask::surface, for all knots that are placed from then on.
   void set_surface(const Quadric& surface) noexcept { surface_ = surface; }
   void forget_surface() noexcept { surface_.reset(); }
+  /// The coefficient of the tool's contacts with friction, likewise.
+  void set_friction(double coefficient) noexcept { friction_ = coefficient; }
 
   /// Stage and time of a knot, of all of them. May throw what targets throw.
   void place_knot(int knot, double schedule_time);
@@ -48,6 +52,8 @@ class Horizon {
   std::vector<int> stage_of_phase_;
   std::vector<int> following_;  ///< contacts_on_surface()
   std::optional<Quadric> surface_;
+  std::vector<int> rubbing_;  ///< contacts_that_rub()
+  double friction_;
   bool corrects_force_;
   double force_error_ = 0.0;
   std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row

@@ -117,6 +117,8 @@ void MpcController::Impl::see() noexcept {
   look_at_surface();
   error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());
   command_.force_estimate_world = error.force_world();
+  command_.friction = error.friction();
+  horizon.set_friction(command_.friction);
   if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   policy.take_over(gate.now());

@@ -63,6 +63,7 @@ std::vector<TraceColumn> columns_of(const Model& model) {
     add_entries_of_v(columns, model, what, "Nm", "N");
   add_axes(columns, "tool_force", "N");
   for (const char* what : {"surface_normal", "believed_normal"}) add_axes(columns, what, "-");
+  columns.push_back({"believed_friction", "-"});
   for (const char* what : {"in_contact", "plant_status", "limited_joints", "held_command"})
     columns.push_back({what, "-"});
   columns.push_back({"solve_time", "s"});
@@ -237,6 +238,7 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(plant->contact_force_world());
   row.put(normal_at(plant->scene(), p_tool_world));
   row.put(command.normal_world);
+  row.put(command.friction);
   row.put(plant->in_contact());
   row.put(status);
   row.put(static_cast<double>(actuation.step().limited));

@@ -201,6 +201,9 @@ Describe<T>& describe_controller(Describe<T>& task) {
              "between plans follow their Riccati gains, not just their torques")
       .field("contact_kd", &T::contact_kd, "{1/s}, damping of the contact constraint (Baumgarte)",
              range::not_negative)
+      .field("friction_speed", &T::friction_speed,
+             "{m/s} of sliding below which the friction of plans fades: their steps bear no less",
+             range::positive)
       .field("torque_cutoff", &T::torque_cutoff,
              "{rad/s}, torque lag that plans know of; 0: none; the plant's is in disturbances",
              range::not_negative)
@@ -218,7 +221,9 @@ Describe<T>& describe_controller(Describe<T>& task) {
              "What measurements say that the model gets wrong, given back to it before each plan.")
       .field(
           "surface_estimate", &T::surface_estimate,
-          "What the tip's own path says of the surface, given to each plan: not with axes: local.");
+          "What the tip's own path says of the surface, given to each plan: not with axes: local.")
+      .field("friction_estimate", &T::friction_estimate,
+             "The coefficient of friction between tool and surface, given to each plan.");
   pressing::describe_limits(task).group("").field(
       "fallback", &T::fallback,
       "What holds the arm after a fault: gravity compensation, a damper, and a spring that "

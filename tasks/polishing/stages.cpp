@@ -288,6 +288,8 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
         frame_placement(setting.robot.model, setting.q_start, task.tool).linear();
     contact.reference = Reference::local(R.transpose() * setting.surface_axes);
   }
+  if (task.friction_estimate.enabled || task.friction_estimate.coefficient > 0.0)
+    contact.friction = SlidingFriction{task.friction_estimate.coefficient, task.friction_speed};
   contact.with_gains(0.0, task.contact_kd);
   return contact;
 }
@@ -358,6 +360,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.solver.max_iterations = task.iterations;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
+  mpc.friction_estimate = task.friction_estimate;
   mpc.force_sensor = task.force_sensor;
   mpc.limits = task.limits;
   mpc.fallback = task.fallback;

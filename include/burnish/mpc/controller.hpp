@@ -30,6 +30,8 @@ struct Command {
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   /// What the controller believes the surface's force on the tool to be, N, world axes.
   Eigen::Vector3d force_estimate_world = Eigen::Vector3d::Zero();
+  /// What it believes the coefficient of friction between tool and surface to be.
+  double friction = 0.0;
   Status status = Status::Ok;
   double solve_time = 0.0;       ///< s of wall clock, where an optimal control problem was solved
   int iterations = 0;            ///< of its solver

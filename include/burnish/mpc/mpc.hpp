@@ -12,6 +12,7 @@
 #include "burnish/mpc/controller.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/mpc/feedback.hpp"
+#include "burnish/mpc/friction_estimate.hpp"
 #include "burnish/mpc/model_error.hpp"
 #include "burnish/mpc/task.hpp"
 #include "burnish/ocp/problem.hpp"
@@ -82,6 +83,8 @@ struct MpcSpec {
   /// Nm (N), nv: what is sent stays within, and within the robot's effort limits; empty: those
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
+  /// Of the tool's contacts with friction (ContactSpec::friction): their coefficient.
+  FrictionEstimateOptions friction_estimate = {};
   SafetyLimits limits = {};
   Fallback fallback = {};
   bool feedback = true;  ///< the Riccati policy between solves; without, the planned torque is held

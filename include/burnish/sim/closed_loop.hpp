@@ -32,6 +32,7 @@ struct ClosedLoopOptions {
 ///     tool_force_x|y|z_world [N]                       true, of the surface on the tool
 ///     surface_normal_x|y|z_world [-]                   true, at the tool
 ///     believed_normal_x|y|z_world [-]                  what the controller believes it to be
+///     believed_friction [-]                            and the coefficient of friction there
 ///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
 ///     solve_time [s], iterations [-], missed_deadline [-]
 ///     tick [-]                                         1 where the controller ticked

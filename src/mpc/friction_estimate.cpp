@@ -1,0 +1,46 @@
+#include "burnish/mpc/friction_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+#include "mpc/descriptions.hpp"
+
+namespace burnish {
+
+Eigen::Vector3d sliding_direction(const Eigen::Vector3d& v_across, double speed) noexcept {
+  return v_across / std::sqrt(v_across.squaredNorm() + speed * speed);
+}
+
+FrictionEstimator::FrictionEstimator(const FrictionEstimateOptions& options) : options_(options) {
+  check_ranges(description_of(&options_), &options_,
+               [](const std::string& entry) { return "the friction estimate's " + entry; });
+  reset();
+}
+
+void FrictionEstimator::reset() noexcept {
+  mu_ = options_.coefficient;
+  variance_ = options_.deviation * options_.deviation;
+}
+
+double FrictionEstimator::deviation() const { return std::sqrt(variance_); }
+
+void FrictionEstimator::update(double normal_force, const Eigen::Vector3d& force_across,
+                               const Eigen::Vector3d& v_across, double dt) noexcept {
+  if (!options_.enabled || !(normal_force > 0.0) || !(dt > 0.0)) return;
+  const Eigen::Vector3d s = sliding_direction(v_across, options_.speed);
+  // Measured along s: -f . s = mu f |s|^2, the noise of that N rms of any direction times |s|.
+  const double share = s.squaredNorm();
+  const double sensitivity = normal_force * share;
+  const double noise =
+      options_.force_noise * options_.force_noise * share * std::max(1.0, options_.noise_time / dt);
+  const double innovation = -force_across.dot(s) - sensitivity * mu_;
+  if (!std::isfinite(innovation) || !(noise > 0.0)) return;
+  variance_ += options_.wander * options_.wander * v_across.norm() * dt;
+  const double gain = variance_ * sensitivity / (sensitivity * sensitivity * variance_ + noise);
+  mu_ = std::max(0.0, mu_ + gain * innovation);
+  variance_ *= 1.0 - gain * sensitivity;
+}
+
+}  // namespace burnish
