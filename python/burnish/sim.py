@@ -34,7 +34,7 @@ from .contact import SurfaceShape
 __all__ = [
     "Actuation", "ActuationStep", "CirclePath", "ClosedLoop", "ClosedLoopOptions", "Disturbances",
     "IdealPlantOptions", "ImpedanceSpec", "MujocoContact", "MujocoPlantOptions", "Plant", "PlantSnapshot", "Push",
-    "SceneSpec", "Sensing", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "check_disturbances",
+    "SceneSpec", "Sensing", "SurfaceMotion", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "check_disturbances",
     "checked_scene", "gap", "has_mujoco", "make_ideal_plant", "make_impedance_controller",
     "make_mujoco_plant", "plant_model", "plant_scene", "push_at", "scene_under_tip",
 ]

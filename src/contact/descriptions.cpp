@@ -47,7 +47,8 @@ const Words& words_of(SurfaceShape::Kind /*of*/) {
                           {"cone", "opening along the first tangent"},
                           {"torus", "the outside of a ring that runs along the first tangent"},
                           {"ellipsoid", "at the end of its third semi-axis"},
-                          {"saddle", "of any two curvatures along the tangents"}}};
+                          {"saddle", "of any two curvatures along the tangents"},
+                          {"ridge", "two planes that meet in an edge across the first tangent"}}};
   return all;
 }
 
@@ -57,7 +58,8 @@ const Description& description_of(const SurfaceShape* /*of*/) {
       Describe<S>("contact", "SurfaceShape",
                   "What a surface is beyond a point of it and its normal there: the lengths and "
                   "angles of a shape that touches the tangent plane at that point.")
-          .field("kind", &S::kind, "plane, sphere, cylinder, cone, torus, ellipsoid or saddle")
+          .field("kind", &S::kind,
+                 "plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge")
           .field("radius", &S::radius,
                  "{m}: of a sphere; of a cylinder; of a cone, from the point to its axis along the "
                  "normal; of the tube of a torus",
@@ -69,6 +71,10 @@ const Description& description_of(const SurfaceShape* /*of*/) {
                  "{m}, of an ellipsoid, along the tangents and the normal")
           .field("curvature", &S::curvature,
                  "{1/m}, of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2")
+          .field("edge", &S::edge,
+                 "{m}, of a ridge: from the point to its edge along the first tangent")
+          .field("slope", &S::slope,
+                 "{rad}, of a ridge: by which its second plane falls off behind the edge")
           .field("hollow", &S::hollow,
                  "the material is outside: the tool works in it, as in a bowl")
           .field("turn_deg", &S::turn_deg,

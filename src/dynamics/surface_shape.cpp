@@ -91,6 +91,21 @@ SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, d
   return {distance, n, 0.5 * (there + there.transpose())};
 }
 
+/// The planes z = 0 and, from x = edge on, one that falls off by the slope: the material is under
+/// both. Nearest is one of them, or the edge where neither's foot is on it.
+SurfaceDistance of_ridge(double edge, double slope, const Eigen::Vector3d& y) {
+  const double x = y.x() - edge, c = std::cos(slope), s = std::sin(slope);
+  const double second = x * s + y.z() * c, along = x * c - y.z() * s;
+  if (x > 0.0 && along < 0.0 && y.z() > 0.0) {  // over the edge
+    const double length = std::max(std::hypot(x, y.z()), tiny);
+    const Eigen::Vector3d n = Eigen::Vector3d(x, 0.0, y.z()) / length;
+    const Eigen::Vector3d around(n.z(), 0.0, -n.x());
+    return {length, n, around * around.transpose() / length};
+  }
+  if (second > y.z()) return {second, {s, 0.0, c}, Eigen::Matrix3d::Zero()};
+  return {y.z(), Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
+}
+
 void check_length(const std::string& who, const char* what, double length) {
   if (!(length > 0.0) || !std::isfinite(length))
     throw Error(who + ": its " + what + " is " + number(length) + " m; wanted a positive number");
@@ -107,7 +122,7 @@ Eigen::Matrix3d turned_axes(const Eigen::Vector3d& normal, double turn_deg) {
 std::string name_of(Kind kind) { return surface_kinds()[static_cast<std::size_t>(kind)]; }
 const std::vector<std::string>& surface_kinds() {
   static const std::vector<std::string> names{"plane", "sphere",    "cylinder", "cone",
-                                              "torus", "ellipsoid", "saddle"};
+                                              "torus", "ellipsoid", "saddle",   "ridge"};
   return names;
 }
 
@@ -128,6 +143,13 @@ void SurfaceShape::check(const std::string& who) const {
       if (hollow)
         throw Error(what + ": it is hollow; wanted curvatures of the other signs in its place");
       if (!curvature.allFinite()) throw Error(what + ": its curvatures are not finite");
+      return;
+    case Kind::Ridge:
+      if (!std::isfinite(edge))
+        throw Error(what + ": the way to its edge is not finite; wanted a number in m");
+      if (!(slope > 0.0 && slope < 1.5))
+        throw Error(what + ": its slope is " + number(slope) +
+                    " rad; wanted above 0 and below 1.5 (hollow: it rises)");
       return;
     case Kind::Ellipsoid:
       for (const double length : semi_axes) check_length(what, "semi-axis", length);
@@ -169,6 +191,9 @@ std::string SurfaceShape::text() const {
     case Kind::Saddle:
       return name + " of curvatures " + number(curvature.x()) + ", " + number(curvature.y()) +
              " 1/m";
+    case Kind::Ridge:
+      return name + " that " + (hollow ? "rises" : "falls") + " by " + number(slope) +
+             " rad behind an edge " + metres(edge) + " away";
     case Kind::Plane:
       break;
   }
@@ -204,6 +229,9 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
       center_ -= into * (shape.ring + shape.radius) * n;
       axes_ << n, x, n.cross(x);
       break;
+    case Kind::Ridge:
+      if (shape.hollow) axes_ << x, -y, -n;
+      break;
     case Kind::Ellipsoid:
       center_ -= into * shape.semi_axes.z() * n;
       break;
@@ -235,6 +263,9 @@ SurfaceDistance Surface::at(const Eigen::Vector3d& x) const noexcept {
                           Eigen::Vector3d::Zero(), -0.5 * least, y);
       break;
     }
+    case Kind::Ridge:
+      result = of_ridge(shape_.edge, shape_.slope, y);
+      break;
     case Kind::Saddle:
       result = of_quadric({-shape_.curvature.x(), -shape_.curvature.y(), 0.0},
                           Eigen::Vector3d::UnitZ(), 0.0, y);
@@ -260,6 +291,7 @@ Eigen::Vector3d Surface::along_normal(const Eigen::Vector3d& x) const noexcept {
 double Surface::most_concave() const {
   switch (shape_.kind) {
     case Kind::Plane:
+    case Kind::Ridge:  // a tip of any size lies in a valley, on both of its planes
       return 0.0;
     case Kind::Saddle:
       return std::max({0.0, shape_.curvature.x(), shape_.curvature.y()});

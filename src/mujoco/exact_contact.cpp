@@ -14,21 +14,27 @@ ExactContact::ExactContact(const SceneSpec& scene, const mjModel& m, int tip_sit
   J_by_M_.setZero();
 }
 
-Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, bool touched) noexcept {
-  const Eigen::Vector3d tip = Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * site_);
+Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, double time,
+                                   bool touched) noexcept {
+  const double dt = m.opt.timestep;
+  const SurfaceMotion& motion = scene_.surface.motion;
+  const double moved = motion.way(time);
+  const Eigen::Vector3d& along = scene_.surface.normal;
+  const Eigen::Vector3d tip_world = Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * site_);
+  // Seen from the surface, which has moved.
+  const Eigen::Vector3d tip = tip_world - moved * along;
   const SurfaceDistance at = surface_.at(tip);
   const double radius = scene_.tip.radius;
   if (!(at.distance < radius) || !is_over(scene_, tip, touched)) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d point = tip - radius * at.normal;
+  const Eigen::Vector3d point = tip_world - radius * at.normal;
   mj_jac(&m, &d, J_.data(), nullptr, point.data(), body_);
   mj_solveM(&m, &d, J_by_M_.data(), J_.data(), 3);
   const Eigen::Map<const Eigen::VectorXd> v(d.qvel, m.nv), a(d.qacc_smooth, m.nv);
   // Joint friction and followers act too: as in the step before, which is near enough for what is
   // left of velocities at the end of this one.
   const Eigen::Map<const Eigen::VectorXd> others(d.qfrc_constraint, m.nv);
-  const double dt = m.opt.timestep;
   TipStep step{.dt = dt, .depth = radius - at.distance, .n = at.normal, .v = {}, .A = {}};
-  step.v = J_ * v + dt * (J_ * a + J_by_M_ * others);
+  step.v = J_ * v + dt * (J_ * a + J_by_M_ * others) - (motion.way(time + dt) - moved) / dt * along;
   step.A = J_by_M_ * J_.transpose();
   const Eigen::Vector3d force = penalty_force(contact_, step);
   Eigen::Map<Eigen::VectorXd>(d.qfrc_applied, m.nv).noalias() += J_.transpose() * force;

@@ -12,9 +12,9 @@ class ExactContact {
   ExactContact(const SceneSpec& scene, const mjModel& m, int tip_site, int tip_body);
 
   /// Between mj_fwdAcceleration() and mj_fwdConstraint(): puts the force of the surface into
-  /// qfrc_applied and qacc_smooth. `touched`: whether it pushed in the step before. The force on
-  /// the tip, N, world axes.
-  Eigen::Vector3d push(const mjModel& m, mjData& d, bool touched) noexcept;
+  /// qfrc_applied and qacc_smooth. `time`: of the step's begin, s. `touched`: whether it pushed in
+  /// the step before. The force on the tip, N, world axes.
+  Eigen::Vector3d push(const mjModel& m, mjData& d, double time, bool touched) noexcept;
 
  private:
   SceneSpec scene_;

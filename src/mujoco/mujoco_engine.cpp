@@ -40,8 +40,13 @@ std::string geom_of(const SurfaceSpec& surface, double half_side) {
   }
 }
 
-void check_engine_has(const SurfaceShape& shape) {
+void check_engine_has(const SurfaceSpec& surface) {
   using Kind = SurfaceShape::Kind;
+  const SurfaceShape& shape = surface.shape;
+  if (!surface.motion.is_at_rest())
+    throw Error(
+        "MuJoCo's own contact has no surface that moves; wanted one at rest, or contact: "
+        "exact");
   const bool has = shape.kind == Kind::Plane || shape.kind == Kind::Sphere ||
                    shape.kind == Kind::Cylinder || shape.kind == Kind::Ellipsoid;
   if (!has || shape.hollow)
@@ -140,7 +145,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
           mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
       tip_body(m->geom_bodyid[tip_geom]),
       own_contact(options.contact == MujocoContact::Engine) {
-  if (own_contact) check_engine_has(scene.surface.shape);
+  if (own_contact) check_engine_has(scene.surface);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_followers(*m);

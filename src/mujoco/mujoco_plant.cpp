@@ -107,7 +107,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
   const Eigen::Vector3d force =
-      is_exact_ ? exact_.push(*m, *d, in_contact_) : Eigen::Vector3d::Zero();
+      is_exact_ ? exact_.push(*m, *d, time(), in_contact_) : Eigen::Vector3d::Zero();
   mj_fwdConstraint(m, d);
   if (!usable(d->qacc, m->nv)) {
     load_moment(before_.data());

@@ -236,7 +236,9 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   Row row(to);
   row.put(plant->friction_torque());
   row.put(plant->contact_force_world());
-  row.put(normal_at(plant->scene(), p_tool_world));
+  const SurfaceSpec& surface = plant->scene().surface;
+  const double moved = surface.motion.way(plant->time());
+  row.put(normal_at(plant->scene(), p_tool_world - moved * surface.normal));
   row.put(command.normal_world);
   row.put(command.friction);
   row.put(plant->in_contact());

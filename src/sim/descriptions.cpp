@@ -12,6 +12,19 @@ const Description& description_of(const Push* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SurfaceMotion* /*of*/) {
+  using M = SurfaceMotion;
+  static const Description all =
+      Describe<M>("sim", "SurfaceMotion",
+                  "How a surface moves along its normal, as a plant has it: by amplitude sin(2 pi "
+                  "frequency s) + drift s, s being the time since its start; before, it rests.")
+          .field("amplitude", &M::amplitude, "{m}", range::not_negative)
+          .field("frequency", &M::frequency, "{Hz}", range::positive)
+          .field("drift", &M::drift, "{m/s}, out of the material")
+          .field("start", &M::start, "{s}, of the plant's time", range::not_negative);
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Disturbances* /*of*/) {
   using D = Disturbances;
@@ -80,6 +93,12 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("surface_curvature", &D::surface_curvature,
                  "how much more the surface bends than the scene's: its lengths are divided by it",
                  range::positive)
+          .field(
+              "surface_shape", &D::surface_shape,
+              "what the surface is about its point in place of what it is thought to be, or none")
+          .in_code("what the surface is about its point in place of the scene's shape")
+          .word("none")
+          .field("surface_motion", &D::surface_motion, "of the surface along its normal")
           .field("surface_friction", &D::surface_friction,
                  "Coulomb coefficient in place of the surface's, or none", size)
           .in_code("Coulomb coefficient in place of the scene's")
@@ -107,6 +126,7 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
           .more(
               "MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding tip by mu * damping * "
               "speed.")
+          .field("motion", &S::motion, "along the normal at its point")
           .field("extent", &S::extent,
                  "{m}, half the side of the square about `point` that is there to be touched, its "
                  "sides along the columns of Reference::surface_with_normal(); infinite: the plane "

@@ -34,6 +34,7 @@ void check_disturbances(const Model& model, const Disturbances& d) {
                [](const std::string& entry) { return "the disturbance " + in_quotes(entry); });
   check_size("torque_scale", d.torque_scale, model.nv);
   check_size("torque_bias", d.torque_bias, model.nv);
+  if (d.surface_shape) d.surface_shape->check("the disturbance 'surface_shape'");
 }
 
 const std::vector<std::string>& disturbance_presets() {
@@ -90,11 +91,13 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
     surface.normal = Eigen::AngleAxisd(tilt[0], axes.col(0)) *
                      (Eigen::AngleAxisd(tilt[1], axes.col(1)) * axes.col(2));
   SurfaceShape& shape = surface.shape;
+  shape = disturbances.surface_shape.value_or(shape);
   const double bends = disturbances.surface_curvature;
   shape.radius /= bends;
   shape.ring /= bends;
   shape.semi_axes /= bends;
   shape.curvature *= bends;
+  surface.motion = disturbances.surface_motion;
   surface.friction = disturbances.surface_friction.value_or(surface.friction);
   return result;
 }

@@ -26,7 +26,11 @@ void check(const IdealPlantOptions& options) {
                [](const std::string& entry) { return "the ideal plant's " + entry; });
 }
 
-void check_flat(const SceneSpec& scene) {
+void check_surface(const SceneSpec& scene) {
+  if (!scene.surface.motion.is_at_rest())
+    throw Error(
+        "the ideal plant's surface moves; it knows surfaces at rest alone: wanted one, or "
+        "MuJoCo as the plant");
   if (!scene.surface.shape.is_flat())
     throw Error("the ideal plant's surface is a " + scene.surface.shape.text() +
                 "; it knows planes alone: wanted one, or MuJoCo as the plant");
@@ -127,7 +131,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
     : model_(model),
       tree_(model),
       scene_(checked_scene(model, scene)),
-      options_((check(options), check_flat(scene_), options)),
+      options_((check(options), check_surface(scene_), options)),
       axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
       dynamics_(model, {contact_of(scene_, options)}),
       body_(model),

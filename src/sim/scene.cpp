@@ -1,6 +1,8 @@
 #include "burnish/sim/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -8,6 +10,12 @@
 #include "sim/descriptions.hpp"
 
 namespace burnish {
+
+double SurfaceMotion::way(double time) const noexcept {
+  const double since = std::max(0.0, time - start);
+  return amplitude * std::sin(2.0 * std::numbers::pi * frequency * since) + drift * since;
+}
+
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   const SurfaceSpec& surface = scene.surface;
   check_ranges(description_of(&surface), &surface,

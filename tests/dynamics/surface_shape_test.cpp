@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "burnish/dynamics/reference.hpp"
@@ -130,6 +133,37 @@ TEST(Surfaces, BendAsTheirRadiiSay) {
   near(curvatures({.kind = Kind::Cone, .radius = 0.5, .half_angle = 0.7}), 0.0, 2.0);
 }
 
+TEST(Surfaces, ARidgeIsAsFarAsTheNearestOfItsTwoHalfPlanes) {
+  const Eigen::Matrix3d axes = Reference::surface_with_normal(upwards).rotation;
+  constexpr double edge = 0.03, slope = 0.3;
+  for (const bool hollow : {false, true}) {
+    const SurfaceShape shape{
+        .kind = Kind::Ridge, .edge = edge, .slope = slope, .hollow = hollow, .turn_deg = 25.0};
+    const Surface surface(shape, place, upwards);
+    const Eigen::AngleAxisd turn(25.0 * std::numbers::pi / 180.0, Vector3d::UnitZ());
+    const Eigen::Matrix3d own = axes * turn.toRotationMatrix();
+    const double rise = hollow ? std::tan(slope) : -std::tan(slope);
+    std::mt19937_64 generator(11);
+    std::uniform_real_distribution<double> across(-0.06, 0.12), above(-0.05, 0.05);
+    for (int i = 0; i < 200; ++i) {
+      const double x = across(generator), z = above(generator);
+      const SurfaceDistance at = surface.at(place + own * Vector3d(x, above(generator), z));
+      const double height = x > edge ? rise * (x - edge) : 0.0;
+      EXPECT_EQ(at.distance > 0.0, z > height);
+      // Half planes as points, a micrometre of distance apart.
+      double nearest = 1.0;
+      for (double u = -0.3; u < 0.3; u += 2e-5)
+        nearest = std::min(nearest, std::hypot(x - u, z - (u > edge ? rise * (u - edge) : 0.0)));
+      EXPECT_NEAR(std::abs(at.distance), nearest, 1e-6 + 1e-5 * 1e-5 / std::max(nearest, 1e-6));
+      EXPECT_NEAR(at.normal.norm(), 1.0, 1e-14);
+    }
+    EXPECT_LT((surface.at(place + own * Vector3d(0.1, 0.0, rise * (0.1 - edge))).normal -
+               own * Vector3d(-rise, 0.0, 1.0).normalized())
+                  .norm(),
+              1e-12);
+  }
+}
+
 TEST(Surfaces, AreRefusedInASentence) {
   const auto refused = [](const SurfaceShape& shape, const char* words) {
     const std::string sentence = testing::refusal([&] { Surface(shape, place, upwards); });
@@ -140,6 +174,7 @@ TEST(Surfaces, AreRefusedInASentence) {
   refused({.kind = Kind::Cone, .half_angle = 2.0}, "half angle is 2 rad");
   refused({.kind = Kind::Plane, .hollow = true}, "which a plane cannot be");
   refused({.kind = Kind::Saddle, .hollow = true}, "curvatures of the other signs");
+  refused({.kind = Kind::Ridge, .slope = -0.1}, "its slope is -0.1 rad");
   refused({.kind = Kind::Ellipsoid, .semi_axes = {0.1, 0.0, 0.1}}, "semi-axis is 0 m");
   EXPECT_NE(testing::refusal([] { Surface({}, place, Vector3d::Zero()); }).find("normal"),
             std::string::npos);

@@ -175,6 +175,104 @@ TEST(MujocoPlant, the_engines_own_contact_is_refused_for_what_it_has_not) {
                         {"0.02 m does not fit into the hollow sphere", "smaller tip"});
 }
 
+/// The tip's velocity that joint velocities make along a direction alone, by the least of them.
+Eigen::VectorXd moving_along(const Model& model, const Eigen::VectorXd& q,
+                             const Eigen::Vector3d& v_world) {
+  RigidBody body(model);
+  FrameDerivatives motion;
+  EXPECT_EQ(body.update(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
+  Eigen::VectorXd twist = Eigen::VectorXd::Zero(6);
+  twist.head<3>() = v_world;
+  return motion.jacobian.completeOrthogonalDecomposition().solve(twist);
+}
+
+TEST(MujocoPlant, a_surface_that_moves_pushes_as_one_at_rest_that_is_moved_into) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  const Eigen::Vector3d normal = Eigen::Vector3d(-0.6, 0.0, 0.8);
+  SceneSpec rest = scene_under_tip(model, q, normal, {}, -1e-4);  // 10 N deep
+  SceneSpec moves = rest;
+  moves.surface.motion = {.drift = 0.02};  // 10 N by damping
+  const auto force = [&](const SceneSpec& scene, const Eigen::VectorXd& v) {
+    const auto plant = make_mujoco_plant(model, scene, {.dt = 1e-5});
+    EXPECT_EQ(plant->reset(q, v), Status::Ok);
+    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
+    return plant->contact_force_world();
+  };
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
+  const Eigen::Vector3d pushed = force(moves, still);
+  const Eigen::Vector3d met = force(rest, moving_along(model, q, -0.02 * normal));
+  EXPECT_LT((pushed - met).norm(), 1e-3 * met.norm());
+  EXPECT_GT(pushed.norm(), 1.5 * force(rest, still).norm());
+}
+
+TEST(MujocoPlant, a_surface_carries_the_tip_that_is_pressed_on_it) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
+  scene.surface.motion = {.amplitude = 2e-3, .frequency = 2.0, .drift = 5e-3, .start = 0.1};
+  const auto plant = make_mujoco_plant(model, scene);
+  ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  RigidBody body(model);
+  FrameDerivatives motion;
+  while (plant->time() < 1.0) {
+    ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+    body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
+    const double height = body.placement(body.frame("tool")).translation().z();
+    const double surface = scene.surface.point.z() + scene.surface.motion.way(plant->time());
+    if (plant->time() > 0.05) {
+      EXPECT_TRUE(plant->in_contact()) << plant->time();
+      EXPECT_NEAR(height - surface, scene.tip.radius, 6e-4) << plant->time();
+    }
+    Eigen::VectorXd tau = body.gravity_torque() - 3.0 * plant->v();
+    tau += motion.jacobian.topRows(3).transpose() * Eigen::Vector3d(0.0, 0.0, -30.0);
+    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  }
+  EXPECT_EQ(scene.surface.motion.way(0.1), 0.0);
+  EXPECT_NEAR(scene.surface.motion.way(0.225), 2e-3 + 0.125 * 5e-3, 1e-12);
+}
+
+TEST(MujocoPlant, an_edge_pushes_along_the_plane_that_is_touched_and_between_them_over_it) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  constexpr double slope = 0.3, radius = 0.02;
+  const auto direction = [&](double edge) {
+    SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
+    scene.surface.shape = {.kind = SurfaceShape::Kind::Ridge, .edge = edge, .slope = slope};
+    // Sunk by a tenth of a millimetre, wherever the nearest point is.
+    const double above = gap(scene, frame_placement(model, q, "tool").translation());
+    scene.surface.point.z() += (above + 1e-4) / std::cos(edge < -radius ? slope : 0.0);
+    const auto plant = make_mujoco_plant(model, scene);
+    EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
+    EXPECT_TRUE(plant->in_contact()) << edge;
+    const Eigen::Vector3d force = plant->contact_force_world().normalized();
+    const Eigen::Matrix3d axes = Reference::surface_with_normal({0.0, 0.0, 1.0}).rotation;
+    const Eigen::Vector3d seen = axes.transpose() * force;
+    EXPECT_NEAR(seen.y(), 0.0, 1e-12);
+    return std::atan2(seen.x(), seen.z());
+  };
+  EXPECT_NEAR(direction(0.01), 0.0, 1e-12);
+  EXPECT_NEAR(direction(-0.05), slope, 1e-12);
+  const double over = direction(-0.5 * radius * std::sin(slope));
+  EXPECT_GT(over, 0.1 * slope);
+  EXPECT_LT(over, 0.9 * slope);
+}
+
+TEST(MujocoPlant, surfaces_that_move_are_refused_where_they_cannot) {
+  Eigen::VectorXd q;
+  const Model model = plant_model(right_arm(&q), {});
+  SceneSpec scene;
+  scene.surface.motion.amplitude = 1e-3;
+  testing::expect_words(testing::refusal([&] {
+                          make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine});
+                        }),
+                        {"no surface that moves", "contact: exact"});
+  testing::expect_words(testing::refusal([&] { make_ideal_plant(model, scene); }),
+                        {"surface moves", "MuJoCo as the plant"});
+}
+
 TEST(MujocoPlant, answers_a_torque_that_blows_up_with_a_status) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);

@@ -79,6 +79,8 @@ Task unusual_task() {
   d.surface_tilt_deg = {-6.0, 2.5};
   d.surface_friction = 0.5;
   d.surface_height = -0.002;
+  d.surface_shape = SurfaceShape{.kind = SurfaceShape::Kind::Ridge, .slope = 0.2, .hollow = true};
+  d.surface_motion = {.amplitude = 1e-3, .frequency = 2.5, .drift = -0.01, .start = 0.5};
   d.pushes = {{1.0, 0.2, {0.0, 0.0, -20.0}}, {2.5, 0.1, {5.0, 0.0, 0.0}}};
   return task;
 }
@@ -105,6 +107,10 @@ TEST_F(TaskFile, WhatIsWrittenReadsBackAsItWas) {
   EXPECT_EQ(back.disturbances.torque_scale, task.disturbances.torque_scale);
   EXPECT_EQ(back.disturbances.surface_tilt_deg, task.disturbances.surface_tilt_deg);
   EXPECT_EQ(*back.disturbances.surface_friction, 0.5);
+  ASSERT_TRUE(back.disturbances.surface_shape.has_value());
+  EXPECT_EQ(back.disturbances.surface_shape->kind, SurfaceShape::Kind::Ridge);
+  EXPECT_TRUE(back.disturbances.surface_shape->hollow);
+  EXPECT_EQ(back.disturbances.surface_motion.drift, -0.01);
   ASSERT_EQ(back.disturbances.pushes.size(), 2U);
   EXPECT_EQ(back.disturbances.pushes[0].force_world, Eigen::Vector3d(0.0, 0.0, -20.0));
 }

@@ -25,8 +25,8 @@ struct SurfaceDistance {
 /// What a surface is beyond a point of it and its normal there: the lengths and angles of a shape
 /// that touches the tangent plane at that point.
 struct SurfaceShape {
-  enum class Kind { Plane, Sphere, Cylinder, Cone, Torus, Ellipsoid, Saddle };
-  Kind kind = Kind::Plane;  ///< plane, sphere, cylinder, cone, torus, ellipsoid or saddle
+  enum class Kind { Plane, Sphere, Cylinder, Cone, Torus, Ellipsoid, Saddle, Ridge };
+  Kind kind = Kind::Plane;  ///< plane, sphere, cylinder, cone, torus, ellipsoid, saddle or ridge
   /// m: of a sphere; of a cylinder; of a cone, from the point to its axis along the normal; of the
   /// tube of a torus
   double radius = 0.3;
@@ -36,6 +36,8 @@ struct SurfaceShape {
   Eigen::Vector3d semi_axes = {0.4, 0.3, 0.3};
   /// 1/m, of a saddle: its height over the tangents is (k_0 x^2 + k_1 y^2) / 2
   Eigen::Vector2d curvature = {1.0, -1.0};
+  double edge = 0.03;     ///< m, of a ridge: from the point to its edge along the first tangent
+  double slope = 0.1;     ///< rad, of a ridge: by which its second plane falls off behind the edge
   bool hollow = false;    ///< the material is outside: the tool works in it, as in a bowl
   double turn_deg = 0.0;  ///< by which the shape is turned about the normal, degrees
 
@@ -49,7 +51,8 @@ struct SurfaceShape {
 std::string name_of(SurfaceShape::Kind kind);
 const std::vector<std::string>& surface_kinds();  ///< names of all, in their order
 
-/// A shape in its place. No call allocates.
+/// A shape in its place. No call allocates. A ridge has an edge: its normal turns at once where its
+/// planes meet, and outside around the edge itself; hollow, as a valley, its second plane rises.
 class Surface {
  public:
   Surface() : Surface(SurfaceShape{}, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()) {}

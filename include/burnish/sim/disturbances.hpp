@@ -64,6 +64,9 @@ struct Disturbances {
   double surface_height = 0.0;  ///< m along the normal; before the tilt
   /// how much more the surface bends than the scene's: its lengths are divided by it
   double surface_curvature = 1.0;
+  /// what the surface is about its point in place of the scene's shape
+  std::optional<SurfaceShape> surface_shape = {};
+  SurfaceMotion surface_motion = {};            ///< of the surface along its normal
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
   std::vector<Push> pushes = {};                ///< on the tool
 };

@@ -10,6 +10,19 @@
 
 namespace burnish {
 
+/// How a surface moves along its normal, as a plant has it: by
+/// amplitude sin(2 pi frequency s) + drift s, s being the time since its start; before, it rests.
+struct SurfaceMotion {
+  double amplitude = 0.0;  ///< m
+  double frequency = 1.0;  ///< Hz
+  double drift = 0.0;      ///< m/s, out of the material
+  double start = 0.0;      ///< s, of the plant's time
+
+  bool is_at_rest() const { return amplitude == 0.0 && drift == 0.0; }
+  /// m that it has moved out of the material at a time, s.
+  double way(double time) const noexcept;
+};
+
 /// A plane or a curved surface, or what of it stands over a square. All vectors in the world.
 struct SurfaceSpec {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< any point on it, m; of a square, its middle
@@ -21,6 +34,7 @@ struct SurfaceSpec {
   /// Ns/m; rigid plants pass it over. MuJoCo's own contact (MujocoContact.ENGINE) lifts a sliding
   /// tip by mu * damping * speed.
   double damping = 500.0;
+  SurfaceMotion motion = {};  ///< along the normal at its point
   /// m, half the side of the square about `point` that is there to be touched, its sides along the
   /// columns of Reference::surface_with_normal(); infinite: the plane has no end
   double extent = std::numeric_limits<double>::infinity();
