@@ -66,7 +66,8 @@ from .sim import Disturbances, SceneSpec, has_mujoco
 from .solver import StepUpdate
 
 __all__ = [
-    "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes",
+    "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes", "ForceProfile",
+    "ForceProfileKind",
     "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanLimits", "PlanRecord",
     "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions", "ReachProblem",
     "ReachReport",

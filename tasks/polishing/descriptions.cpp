@@ -28,6 +28,41 @@ const Words& words_of(ForceAxes /*of*/) {
   return all;
 }
 
+const Words& words_of(ForceProfile::Kind /*of*/) {
+  static const Words all{"polishing",
+                         "ForceProfileKind",
+                         "What the wanted force does from when the path begins.",
+                         {{"constant"},
+                          {"steps", "from one point's force to the next one's at once"},
+                          {"lines", "straight between points"},
+                          {"sine", "about the task's force"}}};
+  return all;
+}
+
+const Description& description_of(const ForceProfile* /*of*/) {
+  using F = ForceProfile;
+  static const Description all =
+      Describe<F>("polishing", "ForceProfile",
+                  "What the wanted force does from when the path begins.")
+          .field("kind", &F::kind, "constant, steps, lines or sine")
+          .field("points", &F::points,
+                 "[[s since the path began, N], ...] (steps: the force from then on; lines: joined "
+                 "by straight lines)")
+          .more(
+              "before the first one it is the task's force that holds, from which the first line "
+              "leads")
+          .field("amplitude", &F::amplitude, "{N}, about the task's force (sine)",
+                 range::not_negative)
+          .field("frequency", &F::frequency, "{Hz} (sine)", range::positive)
+          .field("start", &F::start,
+                 "{s} since the path began, until which the force is constant (sine)",
+                 range::not_negative)
+          .field("preview", &F::preview,
+                 "plans know the force that is to come; false: they take that of now for all that "
+                 "is ahead");
+  return all;
+}
+
 const Description& description_of(const PathSpec* /*of*/) {
   using P = PathSpec;
   constexpr Range positive = range::positive;
@@ -159,7 +194,9 @@ Describe<T>& describe_place(Describe<T>& task) {
       .in_code("plane, or what the surface is about its point")
       .field("search", &T::search, "What a posture that is searched keeps to.")
       .field("path", &T::path,
-             "In the plane of the surface, from the point under the start, beginning at rest.");
+             "In the plane of the surface, from the point under the start, beginning at rest.")
+      .field("force_profile", &T::force_profile,
+             "What the force does from when the path begins; until then it rises to `force`.");
 }
 
 /// When, and what it is to come to.

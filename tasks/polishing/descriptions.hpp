@@ -10,6 +10,8 @@ namespace burnish::polishing {
 
 const Words& words_of(PathKind);
 const Words& words_of(ForceAxes);
+const Words& words_of(ForceProfile::Kind);
+const Description& description_of(const ForceProfile*);
 const Description& description_of(const PathSpec*);
 const Description& description_of(const PlanarPoint*);
 const Description& description_of(const Weights*);

@@ -39,7 +39,9 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
       visited = std::min(s, visited + options.spacing);
       const double share = length > 0.0 ? (visited - s_before) / length : 1.0;
       const Eigen::Vector2d point = before + std::max(0.0, share) * (here - before);
-      if (!walk.visit({point_on(task, setting, {.p = point}).p_world, visited, task.force})) return;
+      if (!walk.visit({point_on(task, setting, {.p = point}).p_world, visited,
+                       task.force_profile.most(task.force)}))
+        return;
     }
     before = here;
   }
@@ -63,9 +65,13 @@ Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
 }
 
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {
-  const pressing::PressingPlace place{task.tool,        task.tool_axis,  task.normal_world,
-                                      task.point_world, task.tip_radius, task.clearance,
-                                      task.force};
+  const pressing::PressingPlace place{task.tool,
+                                      task.tool_axis,
+                                      task.normal_world,
+                                      task.point_world,
+                                      task.tip_radius,
+                                      task.clearance,
+                                      task.force_profile.most(task.force)};
   return pressing::search_posture(
       place, robot.model, pressing::known_postures(robot), options, [&](const Eigen::VectorXd& q) {
         return check_reach(task, make_setting(task, robot, q), options.reach);

@@ -1,6 +1,7 @@
 #include "burnish/tasks/polishing/stages.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -26,6 +27,8 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
+  /// s of the schedule that plans may know the force until: without preview, now.
+  std::shared_ptr<const std::atomic<double>> known = {};
 
   Eigen::VectorXd state_target() const {
     const int filtered = task.torque_cutoff > 0.0 ? model.nv : 0;
@@ -44,10 +47,11 @@ struct Builder {
         });
   }
   Signal force() const {
-    return Signal::over_time(
-        1, [task = task, setting = setting, path = path](double t, Eigen::Ref<Eigen::VectorXd> f) {
-          f[0] = task_point(task, setting, *path, t).force;
-        });
+    return Signal::over_time(1, [task = task, setting = setting, path = path, known = known](
+                                    double t, Eigen::Ref<Eigen::VectorXd> f) {
+      if (known && t > setting.ramp_end) t = std::clamp(t, setting.ramp_end, known->load());
+      f[0] = task_point(task, setting, *path, t).force;
+    });
   }
   /// Of the tool: that of the start, turned with the normal of where it shall be.
   Signal rotation() const {
@@ -106,8 +110,9 @@ struct Builder {
       result.constraints.push_back(rows);
     if (!contact) return result;
     result.contacts = {"surface"};
-    result.constraints.push_back(pressing::force_limit(
-        force(), std::min(task.touch_force, task.force), task.force, task.constraints));
+    const double least = task.force_profile.least(task.force);
+    result.constraints.push_back(pressing::force_limit(force(), std::min(task.touch_force, least),
+                                                       task.force, task.constraints));
     return result;
   }
 };
@@ -256,8 +261,10 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
   } else if (time < setting.track_end) {
     result = on_surface(time - setting.ramp_end);
     const double first = std::min(task.touch_force, task.force);
-    result.force = first + (task.force - first) *
-                               pressing::smooth((time - setting.touch) / task.ramp_duration);
+    result.force = time < setting.ramp_end
+                       ? first + (task.force - first) *
+                                     pressing::smooth((time - setting.touch) / task.ramp_duration)
+                       : task.force_profile.at(task.force, time - setting.ramp_end);
   } else {
     result = on_surface(task.polish_duration);
     result.v_world.setZero();
@@ -294,11 +301,13 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
   return contact;
 }
 PressingTask pressing_task(const Task& task, const Setting& setting,
-                           const std::shared_ptr<const Path>& path) {
+                           const std::shared_ptr<const Path>& path,
+                           const std::shared_ptr<std::atomic<double>>& known) {
   PressingTask pressing{
       .touch = {Touch::Free, Touch::Due, Touch::Wanted, Touch::Wanted, Touch::Leaving},
       .limits = task.tool_limits};
-  pressing.target = [task, setting, path](double time) {
+  pressing.target = [task, setting, path, known](double time) {
+    if (known) *known = std::max(time, setting.ramp_end);
     const TaskPoint point = task_point(task, setting, *path, time);
     return TaskTarget{point.p_world, point.force};
   };
@@ -313,7 +322,9 @@ PressingTask pressing_task(const Task& task, const Setting& setting,
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
-  const Builder build{task, setting, model, path};
+  std::shared_ptr<std::atomic<double>> known;
+  if (!task.force_profile.preview) known = std::make_shared<std::atomic<double>>(setting.ramp_end);
+  const Builder build{task, setting, model, path, known};
 
   MpcSpec mpc;
   mpc.problem.model = model;
@@ -351,7 +362,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
   mpc.normal_world = setting.scene.surface.normal;
-  mpc.task = pressing_task(task, setting, path);
+  mpc.task = pressing_task(task, setting, path, known);
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
@@ -376,7 +387,6 @@ ImpedanceSpec make_baseline(const Task& task, const Setting& setting) {
   // The baseline has its own reach and ramp: its clock starts with the path.
   spec.task = [task, setting, path](double t) {
     TaskPoint point = task_point(task, setting, *path, setting.ramp_end + std::max(0.0, t));
-    point.force = task.force;
     return point;
   };
   spec.posture = setting.q_start;

@@ -112,7 +112,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     form.reads("surface", "name", read_surface_name).word("surface", "name");
     form.reads<Task>("path", "points",
                      [](Task& task, const Reader& reader) { read_points(task.path, reader); })
-        .word("path", "kind");
+        .word("path", "kind")
+        .word("force_profile", "kind");
     pressing::read_presets<Task>(form);
     form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
         .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")
@@ -173,8 +174,14 @@ void check_task(const Task& task) {
   if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
     refuse_together("solver_delay is " + number(task.solver_delay) + " s; wanted at most the " +
                     number(1.0 / task.update_rate) + " s between two updates");
-  if (task.tool_limits.force <= task.force)
-    refuse_together("the force of " + number(task.force) + " N reaches limits.force of " +
+  try {
+    task.force_profile.check(task.force);
+  } catch (const Error& error) {
+    refuse_together(error.what());
+  }
+  const double most = task.force_profile.most(task.force);
+  if (task.tool_limits.force <= most)
+    refuse_together("the force of " + number(most) + " N reaches limits.force of " +
                     number(task.tool_limits.force) + " N; wanted less");
   const Path path(task.path);
 }

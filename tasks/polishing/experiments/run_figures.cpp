@@ -139,7 +139,8 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   f.ticks = result.ticks;
   f.metrics = result.metrics;
   if (!result.metrics) return f;
-  f.force_error_mean = result.metrics->force_mean - task.force;
+  if (task.force_profile.is_constant())
+    f.force_error_mean = result.metrics->force_mean - task.force;
   f.tool_to_normal = tool_to_normal(task, result);
   return f;
 }

@@ -39,6 +39,8 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
 /// at the path's origin: place, velocity, acceleration and the surface's normal.
 TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point);
 
+/// Without a preview of the force (ForceProfile::preview) plans take it from a clock that
+/// controllers made of one specification share: make a specification for each.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 /// The baseline on the same task.
 ImpedanceSpec make_baseline(const Task& task, const Setting& setting);

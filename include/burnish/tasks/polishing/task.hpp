@@ -8,6 +8,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/scene.hpp"
+#include "burnish/tasks/polishing/force_profile.hpp"
 #include "burnish/tasks/polishing/path.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
@@ -76,6 +77,7 @@ struct Task {
   double force = 30.0;  ///< N, that the tool presses with
   /// N, at once where contact is made, so that the tool does not rebound; the ramp starts there
   double touch_force = 6.0;
+  ForceProfile force_profile = {};
   PathSpec path = {};
   double clearance = 0.02;        ///< m between tool and surface where the reach ends
   double reach_duration = 0.5;    ///< s
