@@ -103,8 +103,9 @@ std::optional<CampaignFile> CampaignFile::read(const fs::path& folder) {
 
 void check_campaign(const Campaign& campaign, bool strict) {
   const polishing::Experiment& experiment = polishing::experiment_named(campaign.name);
-  if (experiment.name != "robots" && !(campaign.robots.empty() && campaign.tools.empty()))
-    throw Error("--robot and --tool are for the experiment 'robots'; for " +
+  const bool any_robot = experiment.name == "robots" || experiment.name == "force_test";
+  if (!any_robot && !(campaign.robots.empty() && campaign.tools.empty()))
+    throw Error("--robot and --tool are for the experiments 'robots' and 'force_test'; for " +
                 fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
   if (campaign.tools.size() > campaign.robots.size())
     throw Error(

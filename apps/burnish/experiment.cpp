@@ -173,9 +173,9 @@ std::string list_of_experiments() {
 void add_words(CLI::App& command, Campaign& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
-      .add_option(
-          "--seeds", a.seeds,
-          "Number of seeds: of runs that differ in what is drawn [paper 5, robots 5, seeds 200]")
+      .add_option("--seeds", a.seeds,
+                  "Number of seeds: of runs that differ in what is drawn [paper, robots and "
+                  "force_test 5, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
@@ -188,12 +188,14 @@ void add_words(CLI::App& command, Campaign& a) {
       ->allow_extra_args(false);
   command
       .add_option("--robot", a.robots,
-                  "Robot or URDF file in place of those that come along; again for more (robots)")
+                  "Robot or URDF file in place of those that come along; again for more (robots, "
+                  "force_test)")
       ->type_name("ROBOT")
       ->allow_extra_args(false);
   command
-      .add_option("--tool", a.tools,
-                  "Frame that holds the tool, for each --robot in its turn [tool] (robots)")
+      .add_option(
+          "--tool", a.tools,
+          "Frame that holds the tool, for each --robot in its turn [tool] (robots, force_test)")
       ->type_name("FRAME")
       ->allow_extra_args(false);
   command
@@ -261,6 +263,7 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  burnish experiment paper --seeds 3\n"
       "  burnish experiment orientation --set path.radius=0.04\n"
+      "  burnish experiment force_test --robot my_arm.urdf --tool flange\n"
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
       "  burnish experiment seeds --shard 2/4 --out part_2 --resume\n"
       "\n"

@@ -18,6 +18,15 @@ inline Eigen::VectorXd along(const Trace& trace, const std::string& what,
          trace.column(what + "_z_world") * direction.z();
 }
 
+/// The same columns along the surface's true normal, as it is in each row.
+inline Eigen::VectorXd along_normal(const Trace& trace, const std::string& what) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(trace.rows());
+  for (const char* axis : {"_x_world", "_y_world", "_z_world"})
+    sum +=
+        trace.column(what + axis).cwiseProduct(trace.column(std::string("surface_normal") + axis));
+  return sum;
+}
+
 /// First row of a phase and the one behind its last; equal if there is none.
 inline std::pair<Eigen::Index, Eigen::Index> rows_of_phase(const Trace& trace, double phase) {
   const Eigen::VectorXd phases = trace.column("phase");

@@ -298,6 +298,53 @@ TEST(ScaledRobot, HasTheMassAskedForAndTheProportionsOfBefore) {
   expect_words(refusal([] { scaled_robot(load_robot("crane"), 3.0); }), {"does not turn"});
 }
 
+TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
+  if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
+  ExperimentSpec spec = quick();
+  spec.robots = {"arm7"};
+  const ExperimentReport report = experiment_named("force_test").perform(spec);
+  expect_complete(report);
+  const ResultTable& summary = table_named(report, "summary");
+  const auto row_of = [&](const std::string& test, const std::string& figure) {
+    for (std::size_t row = 0; row < summary.rows.size(); ++row)
+      if (std::get<std::string>(summary.rows[row][0]) == test &&
+          std::get<std::string>(summary.rows[row][1]) == figure)
+        return row;
+    throw Error("no figure " + figure + " of " + test);
+  };
+  for (const char* controller : {"mpc", "mpc without preview", "baseline"}) {
+    EXPECT_LT(std::abs(number_at(summary, row_of("step up", "steady_error"), controller)), 1.5);
+    EXPECT_GT(number_at(summary, row_of("step up", "rise_time"), controller), 0.0);
+    EXPECT_GT(number_at(summary, row_of("sine sweep", "bandwidth_3db"), controller), 0.0);
+  }
+  // Foreseen or not is the only difference.
+  EXPECT_LT(number_at(summary, row_of("ramp", "lag"), "mpc"),
+            number_at(summary, row_of("ramp", "lag"), "mpc without preview"));
+  for (const char* test : {"impact at 30 mm/s", "push along the normal", "edge that falls",
+                           "edge that rises", "curved, unknown", "surface swings"})
+    for (const char* controller : {"mpc", "baseline"}) {
+      const std::string figure = test[0] == 'i' ? "impact_peak" : "force_peak";
+      EXPECT_GT(number_at(summary, row_of(test, figure), controller), 0.0) << test;
+    }
+  // What others put theirs beside: a row has who, what and in which unit, then the runs.
+  const ResultTable& figures = report.tables.front();
+  EXPECT_EQ(figures.columns.size(), 6U + 1U + 3U);
+  for (const auto& row : figures.rows) EXPECT_EQ(std::get<std::string>(row[0]), "arm7");
+}
+
+TEST(Experiments, TheForceTestShowsWhoFailsAndWhy) {
+  ExperimentSpec spec = quick();
+  spec.plant = PlantKind::Ideal;  // which has no edges and no surface that moves
+  spec.overrides = {"limits.tool_speed=0.005"};  // which no plan keeps
+  const ExperimentReport report = experiment_named("force_test").perform(spec);
+  std::string all;
+  for (const std::string& finding : report.findings) all += finding + " ";
+  expect_words(all, {"mpc, step: no figures, as seed 0: fault: ", "speed",
+                     "baseline, surface swings: no figures", "surfaces at rest alone",
+                     "baseline, edge that falls: no figures", "it knows planes alone"});
+  EXPECT_FALSE(report.failures.empty());
+}
+
 TEST(Experiments, TickTimesEveryRate) {
   const ExperimentReport report = experiment_named("tick").perform(quick());
   expect_complete(report);

@@ -75,6 +75,12 @@ void expect_same(const RunFigures& a, const RunFigures& b) {
     EXPECT_EQ(a.metrics->tightest_joint, b.metrics->tightest_joint);
     EXPECT_EQ(a.metrics->impact_peak, b.metrics->impact_peak);
   }
+  ASSERT_EQ(a.measured.size(), b.measured.size());
+  for (std::size_t i = 0; i < a.measured.size(); ++i) {
+    EXPECT_EQ(a.measured[i].test, b.measured[i].test);
+    EXPECT_EQ(a.measured[i].figure, b.measured[i].figure);
+    EXPECT_EQ(a.measured[i].value, b.measured[i].value);
+  }
   ASSERT_EQ(a.curves.has_value(), b.curves.has_value());
   if (!a.curves) return;
   EXPECT_EQ(a.curves->force.x, b.curves->force.x);
@@ -105,6 +111,7 @@ TEST(RunStore, ReadsBackWhatWasKept) {
   run.curves.emplace();
   run.curves->force = {.name = "null", .x = Eigen::Vector2d(0, 1), .y = Eigen::Vector2d(2, NAN)};
   run.curves->target.dashed = true;
+  run.measured = {{"step up", "overshoot", 1.0 / 3.0}, {"step up", "delay", -2.0}};
   EXPECT_FALSE(store.find("x"));
   store.keep("x", run);
   const std::optional<RunFigures> found = store.find("x");

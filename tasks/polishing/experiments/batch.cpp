@@ -140,6 +140,7 @@ RunFigures make_run(const BatchRun& run, const std::function<bool(double, double
       figure.outcome = "ended by its time limit";
     } else {
       figure = figures_of(run.name, spec.task, result);
+      if (run.measure && figure.polished) figure.measured = run.measure(result);
       if (!run.curves.empty()) figure.curves = curves_of(result, run.curves);
     }
     figure.made = figure.late || !result.interrupted;

@@ -13,6 +13,8 @@ struct BatchRun {
   std::string name;
   RunSpec spec;
   std::string curves = {};  ///< name of the curves to keep; empty: none
+  /// What is measured besides, of a run that came to its end; empty: nothing.
+  std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure = {};
 };
 
 /// Calls `work` with 0 to count - 1, from `threads` threads (0: one per core). What a call throws

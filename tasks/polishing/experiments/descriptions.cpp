@@ -12,7 +12,8 @@ const Description& description_of(const ExperimentSpec* /*of*/) {
           .field("threads", &E::threads, "runs at once; 0: as many as there are cores")
           .field("quick", &E::quick, "few and short runs, to see whether it works")
           .field("surfaces", &E::surfaces, "empty: the experiment's own")
-          .field("robots", &E::robots, "of the experiment `robots`; empty: its own")
+          .field("robots", &E::robots,
+                 "of the experiments `robots` and `force_test`; empty: their own")
           .field(
               "tools", &E::tools,
               "the frame that each of these holds its tool with; \"tool\" for those that lack one")
@@ -78,7 +79,9 @@ const Description& description_of(const ExperimentReport* /*of*/) {
       Describe<E>("polishing", "ExperimentReport", "What came out of an experiment.")
           .result()
           .field("title", &E::title)
-          .field("tables", &E::tables, "the first one has a row for every run")
+          .field(
+              "tables", &E::tables,
+              "the first one has a row for every run (force_test: for every figure and controller)")
           .field("figures", &E::figures)
           .field("tasks", &E::tasks)
           .field("findings", &E::findings, "sentences")

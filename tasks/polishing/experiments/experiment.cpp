@@ -13,6 +13,7 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec);
 ExperimentReport perform_frames(const ExperimentSpec& spec);
 ExperimentReport perform_seeds(const ExperimentSpec& spec);
 ExperimentReport perform_robots(const ExperimentSpec& spec);
+ExperimentReport perform_force_test(const ExperimentSpec& spec);
 ExperimentReport perform_tick(const ExperimentSpec& spec);
 
 const std::vector<Experiment>& experiments() {
@@ -26,6 +27,8 @@ const std::vector<Experiment>& experiments() {
       {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
       {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg",
        perform_robots},
+      {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",
+       perform_force_test},
       {"tick", "computing times at several rates of new plans", perform_tick}};
   return all;
 }

@@ -31,7 +31,7 @@ struct ExperimentSpec {
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
   std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
-  /// Of the experiment `robots`; empty: its own.
+  /// Of the experiments `robots` and `force_test`; empty: their own.
   std::vector<std::string> robots = {};
   /// The frame that each of these holds its tool with; "tool" for those that lack one.
   std::vector<std::string> tools = {};
@@ -75,7 +75,7 @@ struct NamedTask {
 
 struct ExperimentReport {
   std::string title;
-  /// The first one has a row for every run.
+  /// The first one has a row for every run (force_test: for every figure and controller).
   std::vector<ResultTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<NamedTask> tasks = {};
@@ -91,7 +91,7 @@ struct Experiment {
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// paper, orientation, frames, seeds, robots, tick.
+/// paper, orientation, frames, seeds, robots, force_test, tick.
 const std::vector<Experiment>& experiments();
 /// Throws Error with the nearest known name.
 const Experiment& experiment_named(const std::string& name);

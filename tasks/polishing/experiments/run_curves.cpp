@@ -29,7 +29,7 @@ RunCurves curves_of(const RunResult& result, const std::string& name) {
   const Eigen::VectorXd since = time.segment(first, size).array() - time[first];
   const Eigen::Matrix3d& axes = result.setting.surface_axes;
   const Eigen::VectorXd force =
-      moving_mean(along(trace, "tool_force", axes.col(2)), samples_in(MetricsSpec{}.average, dt));
+      moving_mean(along_normal(trace, "tool_force"), samples_in(MetricsSpec{}.average, dt));
   // The force is still settling at first; its last means reach into the retreat.
   const Eigen::Index from = size > 2 * std::lround(0.5 / dt) ? std::lround(0.5 / dt) : 0;
   const Eigen::Index kept = size - from - std::min<Eigen::Index>(size / 4, std::lround(0.02 / dt));

@@ -8,6 +8,12 @@
 
 namespace burnish::polishing {
 
+/// A figure that an experiment measures of a run besides, NaN where there is none.
+struct MeasuredFigure {
+  std::string test, figure;
+  double value;
+};
+
 struct RunFigures {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::string name = {};
@@ -27,6 +33,7 @@ struct RunFigures {
   Eigen::VectorXd q_start = {};                        ///< nq; empty where it was refused
   Eigen::Vector3d p_center = Eigen::Vector3d::Zero();  ///< see Setting::p_center
   std::optional<RunCurves> curves = {};                ///< where they were asked for
+  std::vector<MeasuredFigure> measured = {};           ///< see BatchRun::measure
   double computing = 0.0;                              ///< s of a core
   std::string kernels = {};                            ///< see instruction_set()
 

@@ -120,6 +120,25 @@ RunCurves curves_in(const Reader& map) {
   return curves;
 }
 
+Node measured_node(const std::vector<MeasuredFigure>& measured) {
+  Node list{.kind = Kind::List};
+  for (const MeasuredFigure& figure : measured) {
+    Node map{.kind = Kind::Map};
+    put(map, "test", text_node(figure.test));
+    put(map, "figure", text_node(figure.figure));
+    put(map, "value", number_node(figure.value));
+    list.values.push_back(std::move(map));
+  }
+  return list;
+}
+
+std::vector<MeasuredFigure> measured_in(const Reader& list) {
+  std::vector<MeasuredFigure> measured;
+  for (const Reader& map : list.entries())
+    measured.push_back({text_in(map["test"]), text_in(map["figure"]), number_in(map["value"])});
+  return measured;
+}
+
 FaultKind fault_named(const Reader& value) {
   std::vector<std::string> names;
   for (int kind = 0; kind <= static_cast<int>(FaultKind::Watched); ++kind) {
@@ -145,6 +164,7 @@ Node result_node(const RunFigures& run) {
   put(map, "figures", figures_node(run, run_table));
   if (run.metrics) put(map, "metrics", figures_node(*run.metrics, metric_table));
   if (run.curves) put(map, "curves", curves_node(*run.curves));
+  if (!run.measured.empty()) put(map, "measured", measured_node(run.measured));
   return map;
 }
 
@@ -176,6 +196,7 @@ RunFigures read_result(const fs::path& result, const fs::path& times) {
   read_figures(map["figures"], run, run_table);
   if (map.has("metrics")) read_figures(map["metrics"], run.metrics.emplace(), metric_table);
   if (map.has("curves")) run.curves = curves_in(map["curves"]);
+  if (map.has("measured")) run.measured = measured_in(map["measured"]);
   const Reader measured = Reader::load(times);
   run.kernels = text_in(measured["kernels"]);
   run.computing = number_in(measured["computing"]);
