@@ -271,7 +271,7 @@ void bind_runs_and_experiments(py::module_& m) {
           all.push_back({experiment.name, experiment.summary});
         return all;
       },
-      "Experiment of each: paper, orientation, frames, seeds, tick.");
+      "Experiment of each: paper, orientation, frames, seeds, robots, force_test, tick.");
   m.def(
       "perform_experiment", &perform, py::arg("name"), py::arg("spec") = py::none(),
       "ExperimentReport of an experiment by its name, performed as an ExperimentSpec says. A "

@@ -334,7 +334,7 @@ TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
 
 TEST(Experiments, TheForceTestShowsWhoFailsAndWhy) {
   ExperimentSpec spec = quick();
-  spec.plant = PlantKind::Ideal;  // which has no edges and no surface that moves
+  spec.plant = PlantKind::Ideal;                 // which has no edges and no surface that moves
   spec.overrides = {"limits.tool_speed=0.005"};  // which no plan keeps
   const ExperimentReport report = experiment_named("force_test").perform(spec);
   std::string all;
