@@ -164,7 +164,7 @@ TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
 }
 
 TEST(Experiments, AreFoundByName) {
-  EXPECT_EQ(experiments().size(), 6U);
+  EXPECT_EQ(experiments().size(), 7U);
   EXPECT_EQ(experiment_named("tick").name, "tick");
   expect_words(refusal([] { experiment_named("papr"); }),
                {"experiment 'papr' is not known", "did you mean 'paper'?"});
@@ -318,8 +318,8 @@ TEST(Experiments, TheForceTestMeasuresEveryControllerOnAnyRobot) {
     EXPECT_GT(number_at(summary, row_of("sine sweep", "bandwidth_3db"), controller), 0.0);
   }
   // Foreseen or not is the only difference.
-  EXPECT_LT(number_at(summary, row_of("ramp", "lag"), "mpc"),
-            number_at(summary, row_of("ramp", "lag"), "mpc without preview"));
+  EXPECT_LT(number_at(summary, row_of("ramp", "force_peak"), "mpc"),
+            number_at(summary, row_of("ramp", "force_peak"), "mpc without preview"));
   for (const char* test : {"impact at 30 mm/s", "push along the normal", "edge that falls",
                            "edge that rises", "curved, unknown", "surface swings"})
     for (const char* controller : {"mpc", "baseline"}) {
@@ -339,7 +339,7 @@ TEST(Experiments, TheForceTestShowsWhoFailsAndWhy) {
   const ExperimentReport report = experiment_named("force_test").perform(spec);
   std::string all;
   for (const std::string& finding : report.findings) all += finding + " ";
-  expect_words(all, {"mpc, step: no figures, as seed 0: fault: ", "speed",
+  expect_words(all, {"mpc, step: no figures, as seed 0: speed limit",
                      "baseline, surface swings: no figures", "surfaces at rest alone",
                      "baseline, edge that falls: no figures", "it knows planes alone"});
   EXPECT_FALSE(report.failures.empty());

@@ -155,7 +155,7 @@ void Catalogue::add_ramp() {
 void Catalogue::add_sines() {
   const std::vector<double> frequencies =
       quick ? std::vector<double>{2.0, 8.0}
-            : std::vector<double>{1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 24.0, 32.0};
+            : std::vector<double>{1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0};
   const double amplitude = force() / 6.0;
   for (const double frequency : frequencies) {
     // Settled after half a second and a period; over whole periods of a second at least.
