@@ -117,13 +117,14 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
     });
     const std::string name = own_name.empty() ? reference.name() : own_name;
     for (const auto& [taken, other] : request.forces_in)
-      if (taken == name && other.rotation != reference.rotation)
+      if (taken == name &&
+          (other.rotation != reference.rotation || other.quadric || reference.quadric))
         entry.refuse("two references are called " + in_quotes(name) +
                      "; wanted an object of references by names of their own");
     request.forces_in.emplace_back(name, reference);
   };
-  const bool is_reference =
-      reader.has("origin") || reader.has("axes") || reader.has("surface") || reader.has("local");
+  const bool is_reference = reader.has("origin") || reader.has("axes") || reader.has("surface") ||
+                            reader.has("local") || reader.has("near");
   if (reader.is_list()) {
     for (const Reader& entry : reader.entries()) add("", entry);
   } else if (reader.is_map() && !is_reference) {

@@ -75,9 +75,10 @@ class Reference(Spec):
     """quaternions x, y, z, w of length 1 in place of `rotation`, of which q and -q are one rotation. For
     the knots of a problem, each of which holds the rotation of its time; None: `rotation`"""
     quadric: Optional[Quadric] = None
-    """a surface in the axes of the base, which the axes follow as the tool moves over it: at a normal n
-    they are `rotation` turned by the least rotation that takes its third column to n. For the references
-    of contacts at the tool, with axes fixed in the base"""
+    """a surface in the frame that the axes are fixed in, which they follow as the tool moves over it: at a
+    normal n they are `rotation` turned by the least rotation that takes its third column to n. Those of
+    contacts are at the tool, with axes fixed in the base; others may have any origin, and axes fixed in
+    all but the tool"""
 
     @classmethod
     def local(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
@@ -101,10 +102,11 @@ class Reference(Spec):
         return _core.surface_with_normal(normal)
 
     @classmethod
-    def on(cls, surface: Quadric, near: ArrayLike) -> Reference:
+    def on(cls, surface: Quadric, near: ArrayLike, along: Optional[ArrayLike] = None) -> Reference:
         """Axes that follow a curved surface of the base: those of surface_with_normal() at `near` (3), a
-        point in the axes of the base where the tool is to be, and turned with the normal elsewhere."""
-        return _core.reference_on(surface, near)
+        point in the axes of the base where the tool is to be, and turned with the normal elsewhere.
+        `along` (3): the tangent that leads along it, as the first axis at `near`."""
+        return _core.reference_on(surface, near, along)
 
     @classmethod
     def world(cls, rotation: ArrayLike = np.eye(3)) -> Reference:
@@ -114,6 +116,11 @@ class Reference(Spec):
     def at(self, time: float) -> Reference:
         """As it is at a time, s, with that rotation. Raises Error where it has none there, to 1e-6."""
         return _core.reference_at(self, time)
+
+    def at_point(self, point: ArrayLike) -> Reference:
+        """As it is with the tool at a point (3) of the frame that the axes are fixed in, m: axes that
+        follow no surface. Raises Error where that has no normal, or one half a turn away."""
+        return _core.reference_at_point(self, point)
 
     @classmethod
     def parse(cls, name: str) -> Reference:

@@ -15,8 +15,8 @@ from ._spec import Spec, items
 from .contact import Reference
 
 __all__ = ["CenterOfMass", "CenterOfPressure", "CentroidalMomentum", "ContactForce", "ContactForceRate",
-           "Control", "Custom", "FrameDistance", "FramePlacement", "FramePosition", "FrameRotation", "FrameVelocity",
-           "FrictionCone", "JointPosition", "JointTorque", "JointTorqueRate", "JointVelocity", "Residual",
+           "Control", "Custom", "FrameDistance", "FrameHeight", "FrameInclination", "FramePlacement", "FramePosition",
+           "FrameRotation", "FrameVelocity", "FrictionCone", "JointPosition", "JointTorque", "JointTorqueRate", "JointVelocity", "Residual",
            "State", "SupportMargin", "UserResidual", "custom"]
 
 
@@ -64,6 +64,6 @@ def custom(user: UserResidual) -> Custom:
 
 Residual = Union[
     State, Control, JointPosition, JointVelocity, JointTorque, JointTorqueRate, FramePosition,
-    FrameDistance, FrameRotation, FramePlacement, FrameVelocity, ContactForce, ContactForceRate,
-    FrictionCone, CenterOfPressure, CenterOfMass, SupportMargin, CentroidalMomentum, Custom,
+    FrameDistance, FrameRotation, FrameInclination, FrameHeight, FramePlacement, FrameVelocity,
+    ContactForce, ContactForceRate, FrictionCone, CenterOfPressure, CenterOfMass, SupportMargin, CentroidalMomentum, Custom,
 ]

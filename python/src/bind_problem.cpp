@@ -200,40 +200,50 @@ void bind_knots(ProblemClass& c) {
       "Bounds of the controls of a knot, (nu,), Nm (N), or None.");
 }
 
-/// Which contact of a problem is called so.
-int contact_number(const char* call, const Problem& problem, const std::string& name) {
-  std::vector<std::string> known;
-  for (const ContactSpec& contact : problem.spec().contacts) {
-    known.push_back(contact.name.empty() ? contact.tool : contact.name);
-    if (known.back() == name) return static_cast<int>(known.size()) - 1;
-  }
-  throw Error(std::string(call) + ": there is no contact '" + name + "'" +
-              did_you_mean(name, known));
+std::vector<std::string> contact_names(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const ContactSpec& of : problem.spec().contacts)
+    names.push_back(of.name.empty() ? of.tool : of.name);
+  return names;
 }
 
 void bind_contacts_of_knots(ProblemClass& c) {
   c.def(
-       "set_surface",
-       [](ProblemMachine& self, int knot, const std::string& contact, const Quadric& surface) {
-         constexpr const char* call = "Problem.set_surface";
-         const Busy::Lock lock(self.busy, call);
-         const int number = contact_number(call, self.problem, contact);
-         require(self.problem.set_surface(knot, number, surface), call);
-       },
-       py::arg("knot"), py::arg("contact"), py::arg("surface"),
-       "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
-       "reference of a contact (name) follows (Reference.on), until the knot is set or advanced "
-       "again; a stage that does not hold the contact passes it over.")
-      .def(
-          "set_friction",
-          [](ProblemMachine& self, int knot, const std::string& contact, double coefficient) {
-            constexpr const char* call = "Problem.set_friction";
-            const Busy::Lock lock(self.busy, call);
-            const int number = contact_number(call, self.problem, contact);
-            require(self.problem.set_friction(knot, number, coefficient), call);
-          },
-          py::arg("knot"), py::arg("contact"), py::arg("coefficient"),
-          "Gives a knot another coefficient of the friction of a contact (name), likewise.");
+      "set_surface",
+      [](ProblemMachine& self, int knot, const Name& contact, const Quadric& surface) {
+        constexpr const char* call = "Problem.set_surface";
+        const Busy::Lock lock(self.busy, call);
+        std::vector<std::string> names;
+        for (const ContactSpec& of : self.problem.spec().contacts)
+          names.push_back(of.name.empty() ? of.tool : of.name);
+        require(self.problem.set_surface(knot, contact_number(call, contact, names), surface),
+                call);
+      },
+      py::arg("knot"), py::arg("contact"), py::arg("surface"),
+      "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "
+      "reference of a contact (index or name) follows (Reference.on), until the knot is set or "
+      "advanced again; a stage that does not hold the contact passes it over.");
+  c.def(
+      "set_term_surface",
+      [](ProblemMachine& self, int knot, const Name& term, const Quadric& surface) {
+        constexpr const char* call = "Problem.set_term_surface";
+        const Busy::Lock lock(self.busy, call);
+        require(self.problem.set_term_surface(knot, term_index(self.problem, call, knot, term),
+                                              surface),
+                call);
+      },
+      py::arg("knot"), py::arg("term"), py::arg("surface"),
+      "The same of the surface that the reference of one term (index or name) follows.");
+  c.def(
+      "set_friction",
+      [](ProblemMachine& self, int knot, const Name& contact, double coefficient) {
+        constexpr const char* call = "Problem.set_friction";
+        const Busy::Lock lock(self.busy, call);
+        const int number = contact_number(call, contact, contact_names(self.problem));
+        require(self.problem.set_friction(knot, number, coefficient), call);
+      },
+      py::arg("knot"), py::arg("contact"), py::arg("coefficient"),
+      "Gives a knot another coefficient of the friction of a contact (index or name), likewise.");
 }
 
 void bind_setters(ProblemClass& c) {

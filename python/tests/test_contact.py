@@ -58,6 +58,27 @@ class TestReferences:
         with pytest.raises(burnish.Error, match="the sphere's radius is -1 m"):
             burnish.Quadric.sphere(near, -1.0)
 
+    def test_follow_a_surface_for_frames_and_forces_too(self) -> None:
+        ball, near = burnish.Quadric.sphere([0.5, 0.1, -0.3], 0.4), [0.5, 0.1, 0.1]
+        curved = Reference.on(ball, near, along=[0.0, 1.0, 0.3])
+        np.testing.assert_allclose(np.asarray(curved.rotation)[:, 0], [0.0, 1.0, 0.0], atol=1e-15)
+        with pytest.raises(burnish.Error, match="no tangent leads along"):
+            Reference.on(ball, near, along=[0.0, 0.0, 1.0])
+        dynamics = dynamics_of(ContactSpec("pad", tool="tool", reference=Reference.centered()))
+        force = dynamics.force("pad")
+        there = dynamics.force("pad", curved)
+        np.testing.assert_allclose(there.axes()[:, 2], ball.normal(force.tool_position), atol=1e-12)
+        np.testing.assert_allclose(there.value, force.in_(curved).value, atol=1e-9)
+        flat = curved.at_point(force.tool_position)
+        assert flat.quadric is None
+        np.testing.assert_allclose(there.axes(), flat.rotation, atol=1e-12)
+        body, q, v = burnish.RigidBody(ROBOT.model), ROBOT.posture("tilt_45"), np.full(ROBOT.model.nv, 0.3)
+        body.update(q, v)
+        np.testing.assert_allclose(body.velocity("tool", curved), body.velocity("tool", flat), atol=1e-12)
+        assert np.abs(body.acceleration("tool", curved) - body.acceleration("tool", flat)).max() > 1e-3
+        with pytest.raises(burnish.Error, match="moves with the tool itself"):
+            body.velocity("tool", curved.replace(axes="tool"))
+
     def test_are_given_another_surface(self) -> None:
         near = np.array([0.5, 0.1, 0.1])
         ball, plane = burnish.Quadric.sphere([0.5, 0.1, -0.3], 0.4), burnish.Quadric.plane(near, [0.0, 0.6, 0.8])

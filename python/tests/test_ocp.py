@@ -272,6 +272,48 @@ def test_complaints_are_sentences(robot):
     assert any("tool" in sentence for sentence in bn.complaints(bn.Problem(far)))
 
 
+def over_a_ball(robot, below=0.4):
+    """A contact that follows a ball, whose top is `below` m under the tool, and costs that do."""
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    ball = bn.Quadric.sphere(tool - [0.0, 0.0, 0.3 + below], 0.3)
+    on = bn.Reference.on(ball, tool)
+    costs = [bn.CostTerm(residual.FrameHeight("tool", on), name="height"),
+             bn.CostTerm(residual.FrameInclination("tool", on, axis=[0, 0, 1]), name="lean"),
+             bn.CostTerm(residual.FrameRotation("tool", [0, 0, 0, 1], on), name="turn")]
+    spec = spec_of(robot, costs)
+    spec.contacts = [bn.ContactSpec("pad", tool="tool", directions="z", reference=on)]
+    spec.stages[0].contacts = ["pad"]
+    return spec
+
+
+def test_costs_and_contacts_follow_surfaces_that_knots_are_given(robot):
+    problem = bn.Problem(over_a_ball(robot))
+    x, u = at_rest(robot), np.zeros(7)
+    np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.4], atol=1e-12)
+    assert problem.residual(2, "lean", x, u).shape == (2,) and problem.residual(2, "turn", x, u).shape == (3,)
+    tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]
+    problem.set_term_surface(2, "height", bn.Quadric.plane(tool - [0.0, 0.0, 0.1], [0, 0, 1]))
+    np.testing.assert_allclose(problem.residual(2, "height", x, u), [0.1], atol=1e-12)
+    np.testing.assert_allclose(problem.residual(3, "height", x, u), [0.4], atol=1e-12)
+    plane = bn.Quadric.plane(tool, [0, 0, 1])
+    problem.set_surface(2, "pad", plane)
+    problem.set_surface(2, 0, plane)
+    with pytest.raises(bn.Error, match="unknown contact 'pd'; did you mean 'pad'"):
+        problem.set_surface(2, "pd", plane)
+    flat = bn.Problem(spec_of(robot, base_costs()))
+    with pytest.raises(bn.Error, match="follows no surface"):
+        flat.set_term_surface(0, 0, plane)
+    with pytest.raises(bn.Error, match="follows no surface to be above"):
+        one_term(robot, residual.FrameHeight("tool"))
+
+
+def test_a_start_off_its_surface_is_a_complaint(robot):
+    assert bn.complaints(bn.Problem(over_a_ball(robot, 0.0))) == []
+    off = bn.complaints(bn.Problem(over_a_ball(robot, 0.02)))
+    assert len(off) == 1 and "0.02 m above the surface that contact 'pad' follows" in off[0], off
+    assert "m below the surface" in bn.complaints(bn.Problem(over_a_ball(robot, -0.01)))[0]
+
+
 def test_the_check_reports_progress_and_lets_exceptions_through(robot):
     problem = bn.Problem(spec_of(robot, base_costs()))
     calls = []

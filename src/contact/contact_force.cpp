@@ -82,6 +82,17 @@ ContactForce ContactForce::in(const Reference& other) const {
                 other.name() + " are; wanted tool, base or world, or ask the dynamics");
   ContactForce result = *this;
   result.reference = other;
+  if (other.quadric) {
+    // The place of the axes' frame is known of these alone.
+    const bool of_base = other.axes == Anchor::Base;
+    if (!of_base && other.axes != Anchor::World)
+      throw Error("contact force of '" + contact + "': it does not know where the surface of " +
+                  other.axes.text() + " is; wanted one of the base or world, or ask the dynamics");
+    const Eigen::Vector3d x =
+        of_base ? Eigen::Vector3d(base_rotation.transpose() * (tool_position - base_position))
+                : tool_position;
+    result.reference = other.at(x);
+  }
   const Force<double> there = in_reference(pose_of(result), force_in_world(*this));
   result.value << to_eigen(there.linear), to_eigen(there.angular);
   return result;

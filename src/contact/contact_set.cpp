@@ -26,7 +26,11 @@ void check(const ContactSpec& spec) {
   const std::string who = "contact '" + spec.name + "': ";
   if (spec.directions.bits == 0 || spec.directions.bits > 63)
     throw Error(who + "the set of directions is empty; wanted at least one of x,y,z,rx,ry,rz");
-  spec.reference.check("contact '" + spec.name + "'");
+  const Reference& reference = spec.reference;
+  reference.check("contact '" + spec.name + "'");
+  if (reference.quadric && (reference.origin != Anchor::Tool || reference.axes != Anchor::Base))
+    throw Error(who + "the reference that follows a curved surface is '" + reference.name() +
+                "'; wanted axes of the base at the tool, as Reference::on makes them");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||
       (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6 || T.determinant() < 0.0)
@@ -93,17 +97,8 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   c.tool_p = tool.p;
   c.base_R = base.R;
   c.base_p = base.p;
-  Reference fixed = spec.reference;
-  fixed.quadric.reset();
-  c.reference =
-      compiled(spec, "reference", [&] { return compile_reference(model, fixed, tool, base); });
-  if (spec.reference.quadric) {
-    c.reference.is_curved = true;
-    c.reference.is_aligned = false;
-    c.reference.place = base.p;
-    c.reference.Q = from_eigen(spec.reference.quadric->Q);
-    c.reference.b = from_eigen(spec.reference.quadric->b);
-  }
+  c.reference = compiled(spec, "reference",
+                         [&] { return compile_reference(model, spec.reference, tool, base); });
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
   c.rubs = spec.friction.has_value();

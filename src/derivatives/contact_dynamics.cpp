@@ -278,17 +278,7 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
 }
 
 ContactForce ContactDynamics::force(int contact) const {
-  Reference reference = impl_->references.at(static_cast<std::size_t>(contact));
-  if (reference.quadric) {
-    // The axes that follow the surface, as they are now.
-    const CompiledContact& compiled = impl_->set.contacts().at(contact);
-    const auto base = contact_detail::pose_of<double>(
-        compiled.base_body, compiled.base_R, compiled.base_p, impl_->dynamics.kinematics());
-    reference.quadric.reset();
-    reference.rotation =
-        to_eigen(transpose_times(base.R, impl_->dynamics.contact_states[contact].axes));
-  }
-  return force(contact, reference);
+  return force(contact, impl_->references.at(static_cast<std::size_t>(contact)));
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
@@ -298,16 +288,22 @@ ContactForce ContactDynamics::force(int contact, const Reference& reference) con
   const auto base = contact_detail::pose_of<double>(compiled.base_body, compiled.base_R,
                                                     compiled.base_p, kinematics);
   const CompiledReference asked = compile_reference(impl_->model, reference, compiled);
+  const Mat3<double> fixed_in = reference_axes(asked, asked.fixed_in, kinematics);
+  Reference now = reference;
+  if (now.quadric) {  // a force is written in the axes that follow the surface as they are
+    now.quadric.reset();
+    now.rotation = to_eigen(transpose_times(fixed_in, reference_pose(asked, kinematics).R));
+  }
   return {compiled.spec.name,
           compiled.spec.tool,
           compiled.spec.base,
-          reference,
+          now,
           wrench(contact, reference),
           to_eigen(state.tool_R),
           to_eigen(base.R),
           to_eigen(state.p),
           to_eigen(base.p),
-          to_eigen(reference_axes(asked, asked.fixed_in, kinematics)),
+          to_eigen(fixed_in),
           to_eigen(reference_origin(asked, kinematics))};
 }
 

@@ -12,7 +12,7 @@ void frame_velocity_derivative(const CompiledFrame& frame, const FrameReference<
                                int stride) {
   const ReferencePose<S>& at = reference.pose;
   for_each_entry(frame, reference.support, [&](int v, int k, const ReferenceAxes& by) {
-    Motion<S> seen = -reference_twist(by, at.p, kinematics);
+    Motion<S> seen = -reference_twist(by, at, kinematics);
     if (k >= 0) seen += kinematics.axes[k].axis;
     Motion<S> rate = cross(seen, state.v);
     if (k >= 0) rate += kinematics.axes[k].parent_rate;
@@ -29,11 +29,11 @@ void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameRefer
   const Motion<S> a_minus_gravity = kinematics.bodies[frame.body].a_bias + id.a_joint[frame.body];
   const CompiledReference& compiled = reference.compiled;
   const ReferencePose<S>& at = reference.pose;
-  const Motion<S> V = reference_twist(compiled, at.p, kinematics);
+  const Motion<S> V = reference_twist(compiled, at, kinematics);
   const Motion<S> seen = state.a - cross(V, state.v);
   for_each_entry(frame, reference.support, [&](int v, int k, const ReferenceAxes& by) {
-    const Motion<S> V_k = reference_twist(by, at.p, kinematics);
-    const Motion<S> V_by_q = reference_twist_by_q(compiled, by, at.p, kinematics);
+    const Motion<S> V_k = reference_twist(by, at, kinematics);
+    const Motion<S> V_by_q = reference_twist_by_q(compiled, by, at, kinematics);
     Motion<S> by_q = -cross(V_by_q, state.v) - cross(V_k, seen);
     Motion<S> by_v = -cross(V_k, state.v);
     if (k >= 0) {

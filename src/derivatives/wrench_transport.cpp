@@ -9,16 +9,18 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
   for (int v = 0; v < tree.nv; ++v) {
     const bool known = next != contact.influences.end() && next->v == v;
     const ContactSupport none{v, -1, -1};
-    const ContactSupport& by = known ? *next++ : none;
+    const ContactSupport& own = known ? *next++ : none;
     WrenchEntry entry{
         v,
-        by.reference,
+        own.reference,
         {moving_axis(tree, asked.origin_body, v), moving_axis(tree, asked.axes_body, v)}};
+    if (asked.is_curved) entry.asked.tool = moving_axis(tree, asked.tool_body, v);
     if (contact.reference.is_curved || contact.rubs) {
-      entry.tool_axis = by.tool_axis;
-      entry.base_axis = by.base_axis;
+      entry.tool_axis = own.tool_axis;
+      entry.base_axis = own.base_axis;
     }
-    if (known || entry.asked.origin >= 0 || entry.asked.axes >= 0) out.push_back(entry);
+    const ReferenceAxes& by = entry.asked;
+    if (known || by.origin >= 0 || by.axes >= 0 || by.tool >= 0) out.push_back(entry);
   }
 }
 

@@ -34,7 +34,7 @@ Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pos
     const Motion<S> relative = axis(entry.tool_axis) - axis(entry.base_axis);
     own += turning_at(state.p, curved_turn(state, relative));
   }
-  const Motion<S> asked = reference_twist(entry.asked, pose.p, kinematics);
+  const Motion<S> asked = reference_twist(entry.asked, pose, kinematics);
   if (!contact.rubs) return in_reference(pose, dlambda + cross(own - asked, state.force_world));
   const Force<S> friction =
       friction_by_q(contact, state, entry.tool_axis, entry.base_axis, own.angular, kinematics);

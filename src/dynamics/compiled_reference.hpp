@@ -15,17 +15,19 @@ struct CompiledReference {
   bool at_world = false;    ///< it is the world's
   bool is_aligned = false;  ///< the axes are the world's
   /// The axes follow a surface (curved_axes.hpp), in those that the rotation starts from; `place`
-  /// is their origin in the axes' body, m.
+  /// is their origin in the axes' body, m, and `tool` the point that they look at it from, in its.
   bool is_curved = false;
-  Vec3<double> place;
+  int tool_body = -1;
+  Vec3<double> place, tool;
   Mat3<double> Q;
   Vec3<double> b;
+  double c = 0.0;
 };
 
-/// The axes (tree.hpp) by which an entry of v moves a reference's origin and turns its axes; -1
-/// where it does not.
+/// The axes (tree.hpp) by which an entry of v moves a reference's origin, turns what its axes are
+/// fixed in and moves the tool, which matters where they follow a surface; -1 where it does not.
 struct ReferenceAxes {
-  int origin = -1, axes = -1;
+  int origin = -1, axes = -1, tool = -1;
 };
 
 }  // namespace burnish

@@ -31,7 +31,7 @@ void update_frame_acceleration(const Tree& tree, const CompiledFrame& frame,
 template <class S>
 Motion<S> frame_acceleration(const CompiledReference& reference, const ReferencePose<S>& at,
                              const Kinematics<S>& kinematics, const FrameState<S>& state) {
-  const Motion<S> V = reference_twist(reference, at.p, kinematics);
+  const Motion<S> V = reference_twist(reference, at, kinematics);
   return in_reference(reference, at, state.a - cross(V, state.v));
 }
 

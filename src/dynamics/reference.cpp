@@ -9,6 +9,11 @@
 #include "dynamics/reference.hpp"
 
 namespace burnish {
+namespace {
+constexpr const char* moves_with_tool =
+    "the reference follows a curved surface that moves with the tool itself; wanted axes of the "
+    "base, of the world or of another frame";
+}  // namespace
 
 Anchor Anchor::parse(const std::string& text) {
   if (text == "tool") return Tool;
@@ -68,6 +73,34 @@ Reference Reference::on(const Quadric& surface, const Eigen::Vector3d& near) {
   return result;
 }
 
+Reference Reference::on(const Quadric& surface, const Eigen::Vector3d& near,
+                        const Eigen::Vector3d& along) {
+  Reference result = on(surface, near);
+  const Eigen::Vector3d n = result.rotation.col(2);
+  const Eigen::Vector3d tangent = along - n.dot(along) * n;
+  if (!along.allFinite() || !(tangent.norm() > 1e-6 * along.norm()))
+    throw Error("on: no tangent leads along [" + number(along.x()) + ", " + number(along.y()) +
+                ", " + number(along.z()) + "]; wanted a direction that is not the normal's");
+  const Eigen::Vector3d x = tangent.normalized();
+  result.rotation << x, n.cross(x), n;
+  return result;
+}
+
+Reference Reference::at(const Eigen::Vector3d& point) const {
+  if (!quadric) return *this;
+  check("at");
+  const Eigen::Vector3d n0 = rotation.col(2), n = quadric->normal(point);
+  if (n0.dot(n) < -1.0 + 1e-9)
+    throw Error("the surface's normal at [" + number(point.x()) + ", " + number(point.y()) + ", " +
+                number(point.z()) +
+                "] is half a turn from that of the axes, which leaves no least "
+                "rotation to it");
+  Reference result = *this;
+  result.quadric.reset();
+  result.rotation = Eigen::Quaterniond::FromTwoVectors(n0, n).toRotationMatrix() * rotation;
+  return result;
+}
+
 std::string Reference::name() const {
   if (origin == Anchor::World && axes == Anchor::World) return "world";
   if (origin == Anchor::Tool && axes == Anchor::Tool) return "local";
@@ -93,9 +126,7 @@ void Reference::check(const std::string& who) const {
     throw Error(who + ": the reference's rotation is not a rotation matrix");
   if (quadric) {
     quadric->check(who);
-    if (origin != Anchor::Tool || axes != Anchor::Base)
-      throw Error(who + ": the reference that follows a curved surface is '" + name() +
-                  "'; wanted axes of the base at the tool, as Reference::on makes them");
+    if (axes == Anchor::Tool) throw Error(who + ": " + moves_with_tool);
     if (!rotation_over_time.empty())
       throw Error(
           who +
@@ -119,6 +150,11 @@ Reference Reference::at(double time) const {
     throw Error("its rotation has length " + number(xyzw.norm()) + " at " + number(time) +
                 " s; wanted a quaternion of length 1");
   return {origin, axes, rotation_matrix(xyzw)};
+}
+
+Reference asked_for_positions(Reference reference) {
+  if (reference.quadric && reference.origin == Anchor::Tool) reference.origin = reference.axes;
+  return reference;
 }
 
 bool is_rotation(const Eigen::Matrix3d& matrix) {
@@ -163,9 +199,8 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
     throw Error(
         "its rotation changes over time, which the knots of a problem have; wanted that of "
         "one time: Reference::at");
-  if (reference.quadric)
-    throw Error(
-        "it follows a curved surface, which references of contacts do alone; wanted fixed axes");
+  if (reference.quadric && reference.axes == Anchor::Tool)
+    throw Error(std::string(moves_with_tool));
   const Place origin = place_of(model, reference.origin, tool, base);
   const Place axes = place_of(model, reference.axes, tool, base);
   CompiledReference result{};
@@ -177,6 +212,15 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
   result.at_tool = origin.body == tool.body && is_same(origin.p, tool.p);
   result.at_world = origin.body < 0 && is_same(origin.p, Vec3<double>::zero());
   result.is_aligned = axes.body < 0 && to_eigen(result.axes).isIdentity(0.0);
+  if (!reference.quadric) return result;
+  result.is_curved = true;
+  result.is_aligned = false;
+  result.tool_body = tool.body;
+  result.tool = tool.p;
+  result.place = axes.p;
+  result.Q = from_eigen(reference.quadric->Q);
+  result.b = from_eigen(reference.quadric->b);
+  result.c = reference.quadric->c;
   return result;
 }
 

@@ -35,11 +35,23 @@ Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
   return result;
 }
 
-Eigen::Vector3d position_here(const Model& model, const Eigen::VectorXd& q,
+Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference) {
   const Kinematics<double> kinematics = at_rest(Tree(model), q);
   const CompiledFrame seen = compile_frame(model, frame);
   const CompiledReference in = compile_reference(model, reference, seen, world_frame());
+  FrameState<double> state;
+  update_frame(seen, kinematics, state);
+  const ReferencePose<double> pose = reference_pose(in, kinematics);
+  return Eigen::Quaterniond(to_eigen(transpose_times(pose.R, state.R))).coeffs();
+}
+
+Eigen::Vector3d position_here(const Model& model, const Eigen::VectorXd& q,
+                              const std::string& frame, const Reference& reference) {
+  const Kinematics<double> kinematics = at_rest(Tree(model), q);
+  const CompiledFrame seen = compile_frame(model, frame);
+  const CompiledReference in =
+      compile_reference(model, asked_for_positions(reference), seen, world_frame());
   FrameState<double> state;
   update_frame(seen, kinematics, state);
   return to_eigen(transpose_times(reference_axes(in, in.fixed_in, kinematics),

@@ -65,6 +65,14 @@ struct CostReader {
     return residual;
   }
 
+  /// The residual with the reference that is stated, if it is.
+  template <class Frame>
+  Frame against(Frame residual) const {
+    if (const auto given = reader.find("reference"))
+      residual.reference = read_reference(*given, residual.reference, &scope.folder);
+    return residual;
+  }
+
   /// Frame, reference and target of what a frame's position in a reference is asked for.
   template <class Frame>
   Frame seen_from() const {
@@ -205,11 +213,32 @@ struct CostReader {
     return result;
   }
   Residual frame_rotation() {
-    keys({"frame", "target"});
+    keys({"frame", "target", "reference"});
     rows.rows = direction_rows(Directions::angular());
-    const std::string name = frame();
-    return residual::FrameRotation{
-        name, target(placement_here(model(), scope.q, name).tail(4), TargetSpace::Kind::Rotation)};
+    residual::FrameRotation result{.frame = frame()};
+    result = against(result);
+    const Eigen::VectorXd here = reader.named([&] {
+      return rotation_here(model(), scope.q, result.frame,
+                           result.reference.at(scope.spec.start_time));
+    });
+    result.target = target(here, TargetSpace::Kind::Rotation);
+    return result;
+  }
+  Residual frame_inclination() {
+    keys({"frame", "reference", "axis", "target"});
+    rows.rows = {{"lead", 1}, {"tilt", 1}};
+    residual::FrameInclination result = against(residual::FrameInclination{.frame = frame()});
+    if (const auto axis = reader.find("axis")) result.axis = axis->vector3();
+    result.target = target({});
+    return result;
+  }
+  Residual frame_height() {
+    keys({"frame", "reference", "target"});
+    rows.rows = {{"height", 1}};
+    residual::FrameHeight result{.frame = frame()};
+    result.reference = read_reference(reader["reference"], result.reference, &scope.folder);
+    result.target = target({});
+    return result;
   }
   Residual frame_placement() {
     keys({"frame", "target"});
@@ -342,6 +371,8 @@ constexpr CostType types[] = {
     {"frame_position", &CostReader::frame_position},
     {"frame_distance", &CostReader::frame_distance},
     {"frame_rotation", &CostReader::frame_rotation},
+    {"frame_inclination", &CostReader::frame_inclination},
+    {"frame_height", &CostReader::frame_height},
     {"frame_placement", &CostReader::frame_placement},
     {"frame_velocity", &CostReader::frame_velocity},
     {"contact_force", &CostReader::contact_force},

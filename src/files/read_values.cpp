@@ -69,14 +69,20 @@ Quadric read_shape(const std::string& kind, const Reader& reader) {
   });
 }
 
-/// {near: a point, and one of the shapes}; nothing where none is stated.
-std::optional<Reference> read_curved(const Reader& reader) {
+/// {near: a point, along: the first tangent there, and one of the shapes}, and keys of `others`;
+/// nothing where no shape is stated.
+std::optional<Reference> read_curved(const Reader& reader, std::vector<std::string> others = {}) {
   for (const std::string& kind : shapes) {
     const auto shape = reader.find(kind);
     if (!shape) continue;
-    reader.allow_only({kind, "near"});
+    others.insert(others.end(), {kind, "near", "along"});
+    reader.allow_only(others);
     const Quadric surface = read_shape(kind, *shape);
-    return reader.named([&] { return Reference::on(surface, reader["near"].vector3()); });
+    return reader.named([&] {
+      const Eigen::Vector3d near = reader["near"].vector3();
+      const auto along = reader.find("along");
+      return along ? Reference::on(surface, near, along->vector3()) : Reference::on(surface, near);
+    });
   }
   return {};
 }
@@ -124,6 +130,11 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
     const auto given = reader.find(key);
     return given ? Anchor::parse(given->text()) : unstated;
   };
+  if (auto curved = read_curved(reader, {"origin", "axes"})) {
+    curved->origin = anchor("origin", curved->origin);
+    curved->axes = anchor("axes", curved->axes);
+    return *curved;
+  }
   return turned({anchor("origin", otherwise.origin), anchor("axes", otherwise.axes)}, reader,
                 {"surface", "local", "origin", "axes"}, tables);
 }

@@ -10,7 +10,8 @@ using document::read_placement;
 using document::read_rotation;
 /// local, centered, world, surface, or {surface: {normal: [...]}}, {surface: {rpy: [...]}} and so
 /// on, or {origin: ..., axes: ...}, each tool, base, world or the name of a frame, with the same
-/// keys if they are turned; what is not said is that of `otherwise`. Of a problem, whose tables are
+/// keys if they are turned, or with a curved surface that the axes follow; what is not said is that
+/// of `otherwise`, or for a curved surface of Reference::on. Of a problem, whose tables are
 /// in the folder `tables`, {over_time: path} is such a key too.
 Reference read_reference(const Reader& reader, const Reference& otherwise = Reference::centered(),
                          const std::filesystem::path* tables = nullptr);

@@ -119,9 +119,7 @@ void place_contacts(const ProblemSpec& spec, const ContactSet& contacts, Compile
     const Reference& reference = spec.contacts[c].reference;
     add_turning(reference, static_cast<int>(c),
                 "contact " + in_quotes(contacts.contacts()[c].spec.name), stage);
-    if (!reference.quadric) continue;
-    stage.surfaces.push_back({*reference.quadric, stage.targets, static_cast<int>(c)});
-    stage.targets += surface_size;
+    add_surface(reference, {.surface = {}, .contact = static_cast<int>(c)}, stage);
   }
 }
 

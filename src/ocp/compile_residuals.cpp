@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/sentence.hpp"
+#include "dynamics/reference.hpp"
 #include "model/followers.hpp"
 #include "ocp/friction_pyramid.hpp"
 #include "ocp/position_limits.hpp"
@@ -152,7 +153,7 @@ void TermBuilder::operator()(const residual::JointTorqueRate& r) {
 
 FramePositionError TermBuilder::position(const std::string& name, const Reference& reference) {
   const int f = frame(name);
-  FramePositionError result{f, view(f, reference)};
+  FramePositionError result{f, view(f, asked_for_positions(reference))};
   if (result.view.reference.at_tool)
     refuse(
         "the reference's origin is the frame itself, which is nowhere else; wanted the world or "
@@ -186,8 +187,42 @@ void TermBuilder::operator()(const residual::FrameRotation& r) {
   target(r.target, 4, {}, CompiledTerm::Load::Rotation);
   unit_quaternion(0);
   const int f = frame(r.frame);
-  term.residual = FrameRotationError{f};
-  dense_block(3, support_columns(f));
+  const FrameRotationError error{f, turned(f, r.reference)};
+  term.residual = error;
+  dense_block(3, columns(layout().column_q(), error.view.entries));
+}
+
+FrameView TermBuilder::turned(int frame, Reference reference) {
+  reference.origin = Anchor::Tool;  // it does not matter
+  const FrameView result = view(frame, reference);
+  if (reference.axes == Anchor::Tool)
+    refuse(
+        "the reference's axes are the frame's own, against which it never turns; wanted those of "
+        "the world or of another frame");
+  return result;
+}
+
+void TermBuilder::operator()(const residual::FrameInclination& r) {
+  if (!r.axis.allFinite() || !(r.axis.norm() > 1e-9))
+    refuse("the axis is not finite or has no length; wanted a direction of the frame");
+  term.rows = 2;
+  zero_target(r.target, 2);
+  const int f = frame(r.frame);
+  const FrameInclinationError error{f, turned(f, r.reference),
+                                    from_eigen(Eigen::Vector3d(r.axis.normalized()))};
+  term.residual = error;
+  dense_block(2, columns(layout().column_q(), error.view.entries));
+}
+
+void TermBuilder::operator()(const residual::FrameHeight& r) {
+  if (!r.reference.quadric)
+    refuse("the reference follows no surface to be above; wanted one of Reference::on");
+  term.rows = 1;
+  zero_target(r.target, 1);
+  const int f = frame(r.frame);
+  const FrameHeightError error{f, turned(f, r.reference)};
+  term.residual = error;
+  dense_block(1, columns(layout().column_q(), error.view.entries));
 }
 
 void TermBuilder::operator()(const residual::FramePlacement& r) {

@@ -44,15 +44,14 @@ struct CompiledTurning {
   std::string of;    ///< for messages, such as "contact 'pad'"
 };
 
-/// A surface that a contact's reference follows, whose numbers are data of each knot: surface_size
-/// of the stage's targets.
+/// A surface that a reference follows, whose numbers are data of each knot: surface_size of the
+/// stage's targets.
 struct CompiledSurface {
-  Quadric surface;  ///< where nothing else is said
-  int target = 0;   ///< first entry in the stage's targets
-  int contact = 0;
+  Quadric surface;   ///< where nothing else is said
+  int target = 0;    ///< first entry in the stage's targets
+  int contact = -1;  ///< whose it is; -1: a term's
+  int term = -1;     ///< of the stage; -1: a contact's
 };
-/// Q: xx, xy, xz, yy, yz, zz; b.
-constexpr int surface_size = 9;
 
 /// A contact's coefficient of friction, likewise: one of the stage's targets.
 struct CompiledFriction {
@@ -127,6 +126,9 @@ void store_target(const CompiledTerm& term, const ConstVectorRef& value, double*
 /// largest signal, at least 4. What is no rotation becomes NaN.
 void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scratch, double* out);
 void store_surface(const Quadric& surface, double* out);
+/// Makes room for the surface that a reference follows among the stage's targets; `followed` is
+/// whose. -1 for a reference that follows none.
+int add_surface(const Reference& reference, CompiledSurface followed, CompiledStage& stage);
 /// Makes room for a rotation over time among the stage's targets; -1 for a reference that stays.
 int add_turning(const Reference& reference, int contact, const std::string& of,
                 CompiledStage& stage);

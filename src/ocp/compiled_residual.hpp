@@ -53,12 +53,14 @@ struct TorqueRate {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// A reference that may turn from knot to knot.
+/// A reference that may turn from knot to knot, or follow another surface on each.
 struct TurningReference : CompiledReference {
   int turning = -1;  ///< first entry of its rotation in the targets; -1: it has its own
+  int followed = 0;  ///< first entry of its surface there, if it is curved
   template <class S>
   ReferencePose<S> pose(const KnotState<S>& knot) const {
     const Kinematics<S>& kinematics = knot.dynamics->kinematics();
+    if (is_curved) return reference_pose(*this, surface_of(knot.targets + followed), kinematics);
     if (turning < 0) return reference_pose(*this, kinematics);
     return reference_pose(*this, rotation_of(knot.targets + turning), kinematics);
   }
@@ -93,6 +95,20 @@ struct FrameDistance {
 /// Targets are nine entries of a rotation by columns; with placement three of a position before.
 struct FrameRotationError {
   int frame;
+  FrameView view;
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
+struct FrameInclinationError {
+  int frame;
+  FrameView view;
+  Vec3<double> axis;  ///< of unit length, in the frame
+  template <class S>
+  void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
+};
+struct FrameHeightError {
+  int frame;
+  FrameView view;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
@@ -197,8 +213,9 @@ inline int FrameDistance::bend_rows() const {
 
 using CompiledResidual =
     std::variant<StateDifference, Selection, TorqueRate, FramePositionError, FrameDistance,
-                 FrameRotationError, FramePlacementError, FrameVelocityError, OwnForceError,
-                 ForceRate, WrenchError, ConeMargin, PyramidMargin, PressureMargin, ComError,
-                 SupportMargin, MomentumError, CustomResidual>;
+                 FrameRotationError, FrameInclinationError, FrameHeightError, FramePlacementError,
+                 FrameVelocityError, OwnForceError, ForceRate, WrenchError, ConeMargin,
+                 PyramidMargin, PressureMargin, ComError, SupportMargin, MomentumError,
+                 CustomResidual>;
 
 }  // namespace burnish::ocp

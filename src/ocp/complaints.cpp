@@ -7,6 +7,7 @@
 #include "burnish/base/error.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/diagnosis.hpp"
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/check.hpp"
 #include "ocp/problem_impl.hpp"
 #include "ocp/reach.hpp"
@@ -223,6 +224,38 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
+/// As residual::FrameHeight has it.
+double height_above(const Quadric& surface, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d g = surface.gradient(x);
+  const double phi = surface.value(x), squared = g.squaredNorm();
+  const double bend = g.dot(surface.Q * g) / squared;
+  return 2.0 * phi / (g.norm() + std::sqrt(std::max(squared - 2.0 * phi * bend, 0.01 * squared)));
+}
+
+/// A contact holds the rate of the distance from its surface alone, so that a start away from it
+/// stays as far away.
+void about_surfaces(const Problem& problem, std::vector<std::string>& sentences) {
+  constexpr double near = 1e-3;  // m
+  const auto& impl = ProblemInside::of(problem);
+  const ocp::CompiledStage& stage = impl.stage(0);
+  const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
+  const std::vector<ContactSpec> contacts = impl.compiled.contacts.specs();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const ContactSpec& contact = contacts[c];
+    const std::optional<Quadric>& surface = contact.reference.quadric;
+    if (!surface || stage.active[c] == 0 || !contact.directions.has(2)) continue;
+    const Eigen::Vector3d tool = frame_placement(problem.model(), q, contact.base).inverse() *
+                                 frame_placement(problem.model(), q, contact.tool).translation();
+    const double height = height_above(*surface, tool);
+    if (!(std::abs(height) > near)) continue;
+    sentences.push_back("stage " + in_quotes(stage.name) +
+                        ", initial posture: " + in_quotes(contact.tool) + " is about " +
+                        number(std::abs(height)) + (height > 0.0 ? " m above" : " m below") +
+                        " the surface that contact " + in_quotes(contact.name) +
+                        " follows, and is held at that distance; wanted a start on it");
+  }
+}
+
 /// False where joints move no mass, which leaves nothing to say of contacts.
 bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
@@ -240,6 +273,7 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_targets(problem, sentences);
   about_initial_state(problem, sentences);
   about_bounds(problem, sentences);
+  about_surfaces(problem, sentences);
   if (about_mass(problem, sentences)) about_contacts(problem, sentences);
   return sentences;
 }

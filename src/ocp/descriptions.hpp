@@ -17,6 +17,8 @@ const Description& description_of(const JointTorqueRate*);
 const Description& description_of(const FramePosition*);
 const Description& description_of(const FrameDistance*);
 const Description& description_of(const FrameRotation*);
+const Description& description_of(const FrameInclination*);
+const Description& description_of(const FrameHeight*);
 const Description& description_of(const FramePlacement*);
 const Description& description_of(const FrameVelocity*);
 const Description& description_of(const ContactForce*);

@@ -16,6 +16,13 @@ Mat3<S> rotation_of(const S* entries) {
           {entries[6], entries[7], entries[8]}};
 }
 
+/// Ten entries, as targets hold a surface: Q, of which xx, xy, xz, yy, yz and zz, b and c.
+constexpr int surface_size = 10;
+template <class S>
+CurvedSurface<S> surface_of(const S* n) {
+  return {{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}}, {n[6], n[7], n[8]}};
+}
+
 /// Filled by StageDynamics. Pointers that a stage has no use for are null.
 template <class S>
 struct KnotState {

@@ -100,6 +100,19 @@ Status Problem::set_friction(int knot, int contact, double coefficient) {
   return Status::Ok;
 }
 
+Status Problem::set_term_surface(int knot, int term, const Quadric& surface) {
+  const ocp::CompiledTerm& compiled = impl_->term("set_term_surface", knot, term);
+  const std::vector<ocp::CompiledSurface>& followed = impl_->stage(knot).surfaces;
+  const auto found = std::find_if(followed.begin(), followed.end(),
+                                  [&](const auto& of) { return of.term == term; });
+  if (found == followed.end())
+    throw Error("set_term_surface: the reference of term " + in_quotes(compiled.name) +
+                " follows no surface; wanted one of Reference::on");
+  if (!surface.is_finite()) return Status::NotFinite;
+  ocp::store_surface(surface, impl_->targets_of(knot) + found->target);
+  return Status::Ok;
+}
+
 Status Problem::set_torque_bias(const ConstVectorRef& torque) {
   std::vector<double>& bias = impl_->compiled.torque_bias;
   if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;

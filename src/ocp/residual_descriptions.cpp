@@ -72,7 +72,10 @@ const Description& description_of(const FramePosition* /*of*/) {
   static const Description all =
       Describe<F>("residual", "FramePosition",
                   "Origin of a frame minus the target, 3 rows, m, written in the axes of the "
-                  "reference, whose base is the world. Its origin must not be the frame itself.")
+                  "reference, whose base is the world. Its origin must not be the frame itself; "
+                  "where its axes follow a surface at the frame (Reference.on) it is that of what "
+                  "the surface is fixed in, and the first two rows are how far the target is along "
+                  "the tangents at the frame.")
           .field("frame", &F::frame)
           .field("target", &F::target,
                  "3, {m}: from the reference's origin, in the axes that its rotation is fixed in; "
@@ -102,9 +105,44 @@ const Description& description_of(const FrameDistance* /*of*/) {
 const Description& description_of(const FrameRotation* /*of*/) {
   using F = FrameRotation;
   static const Description all =
-      Describe<F>("residual", "FrameRotation", "log(R_target^T R), 3 rows, rad, target axes.")
+      Describe<F>("residual", "FrameRotation",
+                  "log(R_target^T A^T R), 3 rows, rad, target axes: how far the frame is from the "
+                  "target, which is a rotation from the axes A of the reference, whose base is the "
+                  "world; its origin does not matter.")
           .field("frame", &F::frame)
-          .field("target", &F::target, "quaternion x, y, z, w, of unit length");
+          .field("target", &F::target, "quaternion x, y, z, w, of unit length")
+          .field("reference", &F::reference);
+  return all;
+}
+
+const Description& description_of(const FrameInclination* /*of*/) {
+  using F = FrameInclination;
+  static const Description all =
+      Describe<F>("residual", "FrameInclination",
+                  "Lead and tilt of an axis of a frame minus the target, 2 rows, rad: the angles "
+                  "by which it leans from the third axis of the reference, whose base is the "
+                  "world, towards the first and towards the second: atan2(e_x, e_z) and "
+                  "atan2(e_y, e_z), with e the axis in the reference. How it is turned about "
+                  "itself does not matter. With Reference.on the third axis is a surface's normal.")
+          .field("frame", &F::frame)
+          .field("reference", &F::reference)
+          .field("axis", &F::axis, "3, of any length, in the frame")
+          .field("target", &F::target, "lead and tilt, {rad}; None: zero");
+  return all;
+}
+
+const Description& description_of(const FrameHeight* /*of*/) {
+  using F = FrameHeight;
+  static const Description all =
+      Describe<F>("residual", "FrameHeight",
+                  "Height of a frame's origin above the surface that the reference follows "
+                  "(Reference.on), minus the target, 1 row, m: how far away the surface is along "
+                  "its normal at the frame, below zero in the material. Exact for planes, spheres "
+                  "and cylinders, to first order for others; far outside of a surface that the "
+                  "normal there misses it only grows.")
+          .field("frame", &F::frame)
+          .field("reference", &F::reference)
+          .field("target", &F::target, "{m}; None: zero");
   return all;
 }
 

@@ -38,6 +38,20 @@ void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& ent
       J[i * columns + first + static_cast<int>(k)] = full[i * nv + number(entries[k])];
 }
 
+/// Calls visit(turn) for every entry of v that moves a frame or the reference that it is seen in:
+/// the angle by which the frame turns against the reference, world axes, rad.
+template <class S>
+void for_each_turn(const KnotState<S>& knot, int frame, const FrameReference<S>& seen,
+                   const auto& visit) {
+  const Kinematics<S>& kinematics = knot.dynamics->kinematics();
+  for_each_entry(knot.compiled_frames[frame], seen.support,
+                 [&](int, int k, const ReferenceAxes& by) {
+                   Vec3<S> turn = -reference_twist(by, seen.pose, kinematics).angular;
+                   if (k >= 0) turn += kinematics.axes[k].axis.angular;
+                   visit(turn);
+                 });
+}
+
 }  // namespace frame_detail
 
 template <class S>
@@ -63,13 +77,16 @@ void FramePositionError::evaluate(const KnotState<S>& knot, const S* target, S* 
                           p_target;
   frame_detail::store(transpose_times(at.R, state.p - p_target), r);
   if (J == nullptr) return;
-  // In the reference a point that moves with m in the world moves with m - V_k.
+  // In the reference a point that moves with m in the world moves with m - V_k. The target stands
+  // still in what the axes are fixed in, about which those that follow a surface turn.
   const int columns = static_cast<int>(view.entries.size());
   S* out = J;
   for_each_entry(knot.compiled_frames[frame], seen.support,
                  [&](int, int k, const ReferenceAxes& by) {
                    Motion<S> m = -reference_twist(by, at.p, kinematics);
                    if (k >= 0) m += kinematics.axes[k].axis;
+                   if (at.is_curved)
+                     m = m - turning_at(p_target, turn_over_surface(by, at, kinematics));
                    store_column(transpose_times(at.R, at_point(m, state.p).linear), out++, columns);
                  });
 }
@@ -109,15 +126,74 @@ void FrameDistance::evaluate(const KnotState<S>& knot, const S* target, S* r, S*
 template <class S>
 void FrameRotationError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const FrameState<S>& state = knot.frames[frame];
-  const FrameError<S> error = frame_error(state, rotation_of(target), Vec3<S>::zero());
+  const FrameReference<S> seen = view.at(knot, frame);
+  Mat3<S> wanted = rotation_of(target);
+  if (!view.reference.is_aligned) wanted = seen.pose.R * wanted;
+  const FrameError<S> error = frame_error(state, wanted, Vec3<S>::zero());
   frame_detail::store(error.rotation, r);
   if (J == nullptr) return;
-  const CompiledFrame& compiled = knot.compiled_frames[frame];
-  const int nv = knot.layout->nv;
-  frame_rotation_error_derivative(compiled, knot.dynamics->kinematics(), state, error, knot.scratch,
-                                  nv);
-  frame_detail::keep_columns(knot.scratch, 3, nv, compiled.support, J,
-                             static_cast<int>(compiled.support.size()), 0);
+  const int columns = static_cast<int>(view.entries.size());
+  frame_detail::for_each_turn(knot, frame, seen, [&](const Vec3<S>& turn) {
+    const Vec3<S> turning = transpose_times(state.R, turn);
+    store_column(d_log_rotation(error.terms, error.rotation, turning), J++, columns);
+  });
+}
+
+template <class S>
+void FrameInclinationError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const FrameState<S>& state = knot.frames[frame];
+  const FrameReference<S> seen = view.at(knot, frame);
+  const Vec3<S> along = state.R * lift<S>(axis);
+  const Vec3<S> e = transpose_times(seen.pose.R, along);
+  r[0] = arc_tangent2(e.x, e.z) - target[0];
+  r[1] = arc_tangent2(e.y, e.z) - target[1];
+  if (J == nullptr) return;
+  // Along an axis of the reference an angle is none: it changes by nothing there.
+  const S tiny(1e-30);
+  const S by_lead = S(1.0) / (e.x * e.x + e.z * e.z + tiny);
+  const S by_tilt = S(1.0) / (e.y * e.y + e.z * e.z + tiny);
+  const int columns = static_cast<int>(view.entries.size());
+  frame_detail::for_each_turn(knot, frame, seen, [&](const Vec3<S>& turn) {
+    const Vec3<S> de = transpose_times(seen.pose.R, cross(turn, along));
+    J[0] = (e.z * de.x - e.x * de.z) * by_lead;
+    J[columns] = (e.z * de.y - e.y * de.z) * by_tilt;
+    ++J;
+  });
+}
+
+/// Along the normal n from the point, phi is phi - d |g| + d^2 k / 2, k = n . H n, of which d is
+/// the lesser root 2 phi / (|g| + s), s^2 = |g|^2 - 2 phi k. Where there is none, or hardly one, s
+/// is a tenth of |g|.
+template <class S>
+void FrameHeightError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
+  const Kinematics<S>& kinematics = knot.dynamics->kinematics();
+  const FrameReference<S> seen = view.at(knot, frame);
+  const ReferencePose<S>& at = seen.pose;
+  const CurvedAxes<S>& curved = at.curved;
+  const S* const numbers = knot.targets + view.reference.followed;
+  const CurvedSurface<S> surface = surface_of(numbers);
+  const ReferencePose<S> base = frame_of_surface(view.reference, kinematics);
+  const Vec3<S> x = transpose_times(base.R, at.tool - base.p);
+  const S phi = dot(x, surface.Q * x) * S(0.5) + dot(surface.b, x) + numbers[surface_size - 1];
+  const S length = S(1.0) / curved.per_gradient;
+  const Vec3<S> Hn = curved.H * curved.n;
+  const S bend = dot(curved.n, Hn);
+  const S squared = length * length - phi * bend * S(2.0), least = length * length * S(0.01);
+  const auto meets = less(least, squared);
+  const S root = square_root(select(meets, squared, least));
+  const S height = phi * S(2.0) / (length + root);
+  r[0] = height - target[0];
+  if (J == nullptr) return;
+  const Vec3<S> bend_by_x = (curved.H * Hn - Hn * bend) * (curved.per_gradient * S(2.0));
+  const Vec3<S> met =
+      (Hn * length - curved.n * (length * bend) - bend_by_x * phi) * (S(1.0) / root);
+  const auto chosen = [&](const S& a, const S& b) { return select(meets, a, b * S(0.1)); };
+  const Vec3<S> root_by_x{chosen(met.x, Hn.x), chosen(met.y, Hn.y), chosen(met.z, Hn.z)};
+  const Vec3<S> by_x =
+      (curved.n * (length * S(2.0)) - (Hn + root_by_x) * height) * (S(1.0) / (length + root));
+  for_each_entry(knot.compiled_frames[frame], seen.support, [&](int, int, const ReferenceAxes& by) {
+    *J++ = dot(by_x, step_over_surface(by, at, kinematics));
+  });
 }
 
 template <class S>

@@ -33,6 +33,8 @@ struct RowNames {
   Names operator()(const FramePositionError&) const { return directions(0, 3); }
   Names operator()(const FrameDistance&) const { return {"distance"}; }
   Names operator()(const FrameRotationError&) const { return directions(3, 3); }
+  Names operator()(const FrameInclinationError&) const { return {"lead", "tilt"}; }
+  Names operator()(const FrameHeightError&) const { return {"height"}; }
   Names held(int contact) const {
     Names names;
     const auto& contacts = ProblemInside::of(problem).compiled.contacts.contacts();

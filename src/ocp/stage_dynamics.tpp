@@ -80,9 +80,8 @@ void StageDynamics<S>::turn(const CompiledStage& stage, const S* targets) {
     if (stage.impact) impact_->dynamics.set_reference_rotation(turning.contact, rotation);
   }
   for (const CompiledSurface& followed : stage.surfaces) {
-    const S* const n = targets + followed.target;
-    const CurvedSurface<S> surface{{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}},
-                                   {n[6], n[7], n[8]}};
+    if (followed.contact < 0) continue;
+    const CurvedSurface<S> surface = surface_of(targets + followed.target);
     dynamics_.set_surface(followed.contact, surface);
     if (stage.impact) impact_->dynamics.set_surface(followed.contact, surface);
   }

@@ -51,8 +51,17 @@ void load_targets(const CompiledStage& stage, double time, Eigen::VectorXd& scra
 void store_surface(const Quadric& surface, double* out) {
   const Eigen::Matrix3d& Q = surface.Q;
   for (const double entry : {Q(0, 0), Q(0, 1), Q(0, 2), Q(1, 1), Q(1, 2), Q(2, 2), surface.b[0],
-                             surface.b[1], surface.b[2]})
+                             surface.b[1], surface.b[2], surface.c})
     *out++ = entry;
+}
+
+int add_surface(const Reference& reference, CompiledSurface followed, CompiledStage& stage) {
+  if (!reference.quadric) return -1;
+  followed.surface = *reference.quadric;
+  followed.target = stage.targets;
+  stage.surfaces.push_back(followed);
+  stage.targets += surface_size;
+  return followed.target;
 }
 
 int add_turning(const Reference& reference, int contact, const std::string& of,

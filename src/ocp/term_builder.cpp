@@ -87,6 +87,8 @@ TurningReference TermBuilder::turning(const Reference& reference, const Compiled
         compile_reference(problem.model, reference.at(spec.start_time), tool, base)};
     result.turning = add_turning(reference, -1, "reference", stage);
     if (result.turning >= 0) result.is_aligned = false;
+    const int term_index = static_cast<int>(stage.terms.size());
+    result.followed = add_surface(reference, {.surface = {}, .term = term_index}, stage);
     return result;
   } catch (const Error& error) {
     refuse("reference: " + std::string(error.what()));

@@ -55,6 +55,8 @@ struct TermBuilder {
   void operator()(const residual::FramePosition& r);
   void operator()(const residual::FrameDistance& r);
   void operator()(const residual::FrameRotation& r);
+  void operator()(const residual::FrameInclination& r);
+  void operator()(const residual::FrameHeight& r);
   void operator()(const residual::FramePlacement& r);
   void operator()(const residual::FrameVelocity& r);
   void operator()(const residual::ContactForce& r);
@@ -72,8 +74,11 @@ struct TermBuilder {
   std::vector<int> velocity_entries(const std::vector<std::string>& joints) const;
   /// Of these joints, or of all that have one.
   std::vector<int> actuators(const std::vector<std::string>& joints) const;
-  /// Of a frame in a reference with another origin.
+  /// Of a frame in a reference with another origin; axes of a surface at the tool have that of the
+  /// frame that it is fixed in.
   FramePositionError position(const std::string& name, const Reference& reference);
+  /// Of a frame in axes that it turns against.
+  FrameView turned(int frame, Reference reference);
   void needs(int c, Directions wanted) const;
 
   // compile_terms.cpp: what a cost or a constraint has beside its residual.

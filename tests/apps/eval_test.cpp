@@ -1,4 +1,5 @@
 // burnish eval from outside: answers, exit codes and refusals.
+#include <Eigen/Core>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -328,6 +329,44 @@ TEST(Eval, ForcesAreWrittenInAnyReference) {
   // Six directions are held, at rest: the reference of the contact changes nothing else.
   for (const auto& [reference, name] : {std::pair{slope, "board"}, std::pair{link, "link"}})
     expect_near(named[name]["value"], forces(reference, Json::array())["value"], 1e-9, name);
+}
+
+TEST(Eval, ForcesAreWrittenInTheAxesOfACurvedSurface) {
+  const Json ball{{"sphere", {{"center", {0.5, 0.1, -0.1}}, {"radius", 0.3}}},
+                  {"near", {0.5, 0.1, 0.2}}};
+  const auto asked = [&](const Json& forces_in) {
+    return Json{{"robot", "arm7"},
+                {"contacts", {{{"tool", "tool"}, {"reference", "centered"}}}},
+                {"compute", {"forces", "frames"}},
+                {"forces_in", forces_in},
+                {"states", {{{"q", "ready"}, {"tau", {{"joint_2", 9.0}}}}}}};
+  };
+  const Json state = answer_to(asked({{"ball", {{"surface", ball}}}}))["states"][0];
+  const auto vector = [](const Json& numbers) {
+    return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  };
+  const Eigen::Vector3d tool = vector(state["frames"]["tool"]["xyz"]);
+  const Eigen::Vector3d n = (tool - Eigen::Vector3d(0.5, 0.1, -0.1)).normalized();
+  const Json& force = state["forces"][0];
+  const Eigen::Vector3d world = vector(force["value"]),
+                        there = vector(force["in"]["ball"]["value"]);
+  EXPECT_GT(world.norm(), 1.0);
+  EXPECT_NEAR(there.z(), n.dot(world), 1e-9 * world.norm());
+  EXPECT_NEAR(there.norm(), world.norm(), 1e-9 * world.norm());
+  // Beside keys of its own, fixed in any frame; and what it cannot be.
+  Json on_a_link = ball;
+  on_a_link["axes"] = "link_2";
+  EXPECT_EQ(answer_to(asked(on_a_link))["states"][0]["status"], "ok");
+  Json on_the_tool = ball;
+  on_the_tool["axes"] = "tool";
+  Json nowhere{{"surface", ball}};
+  nowhere["surface"].erase("near");
+  for (const auto& [bad, words] : {std::pair(on_the_tool, "moves with the tool itself"),
+                                   std::pair(nowhere, "key 'near' is missing")}) {
+    const Outcome outcome = run("eval -", asked(bad).dump());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
 }
 
 TEST(Eval, FilesThatCannotBeRead) {

@@ -80,6 +80,17 @@ class WrenchIn : public ::testing::TestWithParam<Touch> {
   std::vector<Reference> references() const {
     return all_references(model_, GetParam().tool, GetParam().base);
   }
+  /// That follow a surface of the base, of the world and of a third body.
+  std::vector<Reference> curved_references() const {
+    const std::string third = far_frame(model_, {GetParam().tool, GetParam().base});
+    std::vector<Reference> result{{Anchor::Tool, Anchor::Base, tilt()},
+                                  {Anchor::Base, Anchor::World, tilt()},
+                                  {Anchor::Tool, third, tilt()}};
+    result[0].quadric = Quadric::sphere({0.1, 0.2, -4.0}, 2.0);
+    result[1].quadric = Quadric::cylinder({0.1, 4.0, -3.0}, {1.0, 0.3, 0.2}, 0.5);
+    result[2].quadric = Quadric::osculating({0.3, 0.0, 0.2}, tilt(), 0.2, 0.1, -0.15);
+    return result;
+  }
   Model model_ = robot(GetParam().robot);
   std::mt19937_64 generator_{41};
 };
@@ -97,7 +108,9 @@ TEST_P(WrenchIn, every_reference_equals_the_converted_force) {
     Vector6 held;
     held << lambda[0], 0.0, lambda[1], 0.0, lambda[2], 0.0;
     EXPECT_LT((force.value - held).norm(), 1e-13 * held.norm());
-    for (const Reference& other : references()) {
+    std::vector<Reference> others = references();
+    for (const Reference& curved : curved_references()) others.push_back(curved);
+    for (const Reference& other : others) {
       const ContactForce there = dynamics.force(0, other);
       const bool known = other.axes.of != Anchor::Frame && other.origin.of != Anchor::Frame;
       const Vector6 converted = known ? force.in(other).value : there.value;
@@ -167,8 +180,9 @@ WrenchDerivatives differences(const Model& model, ContactDynamics& dynamics, con
 }
 
 TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
-  std::vector<Reference> owns = references();
+  std::vector<Reference> owns = references(), asked = references();
   owns.push_back(Reference::on(Quadric::sphere({0.1, 0.2, -3.0}, 2.0), {0.3, 0.0, 0.2}));
+  for (const Reference& curved : curved_references()) asked.push_back(curved);
   for (const Reference& own : owns) {
     ContactSpec spec = contact(GetParam().tool, GetParam().base, own, Directions::parse("x,z,ry"));
     spec.with_gains(60.0, 9.0);
@@ -176,7 +190,7 @@ TEST_P(WrenchIn, every_reference_has_derivatives_that_equal_differences) {
     const RobotState state = regular_state(model_, dynamics, generator_, 1e-2);
     ASSERT_EQ(dynamics.forward(state.q, state.v, state.tau), Status::Ok);
     ASSERT_EQ(dynamics.forward_derivatives(), Status::Ok);
-    for (const Reference& target : references()) {
+    for (const Reference& target : asked) {
       WrenchDerivatives got;
       dynamics.wrench_derivatives(0, target, got);
       const WrenchDerivatives want = differences(model_, other, state, target);

@@ -9,6 +9,7 @@ namespace burnish::test {
 namespace {
 
 using Eigen::Vector3d;
+using testing::refusal;
 
 TEST(Quadrics, HaveTheNormalsOfTheirShapes) {
   const Vector3d center(0.1, -0.2, 0.3), axis = Vector3d(1.0, 2.0, -0.5).normalized();
@@ -65,8 +66,15 @@ TEST(Quadrics, AreRefusedInASentence) {
   ContactDynamics dynamics(model, {contact("tool")});
   dynamics.acceleration(Eigen::VectorXd::Zero(7), Eigen::VectorXd::Zero(7),
                         Eigen::VectorXd::Zero(7));
+  reference.axes = Anchor::Tool;
+  refused([&] { return dynamics.wrench(0, reference); }, "moves with the tool itself");
+  refused([&] { return reference.at(Vector3d(1.0, 0.0, 0.0)); }, "moves with the tool itself");
   reference.axes = Anchor::Base;
-  refused([&] { return dynamics.wrench(0, reference); }, "references of contacts do alone");
+  refused([&] { return reference.at(Vector3d(-1.0, 0.0, 0.0)); }, "is half a turn from");
+  refused([&] { return reference.at(zero); }, "no normal at [0, 0, 0]");
+  // A force knows its tool and base, and no other frame.
+  reference.axes = "link_3";
+  refused([&] { return dynamics.force(0).in(reference); }, "wanted tool, base or world");
 }
 
 struct CurvedCase {

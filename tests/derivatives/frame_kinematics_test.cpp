@@ -14,13 +14,33 @@ Eigen::Matrix3d tilted() {
   return Eigen::AngleAxisd(0.8, Eigen::Vector3d(0.3, -1.0, 0.4).normalized()).toRotationMatrix();
 }
 
-/// The four kinds, turned, and those whose origin or axes go with another body.
+/// Axes that follow a surface, fixed in what `reference` has its axes fixed in.
+Reference following(Reference reference, const Quadric& surface) {
+  reference.rotation = tilted();
+  reference.quadric = surface;
+  return reference;
+}
+
+/// The four kinds, turned, those whose origin or axes go with another body, and those that follow a
+/// surface of the world or of another body.
 std::vector<Reference> frame_references(const Model& model, const std::string& frame) {
   const std::string other = far_frame(model, {frame});
-  return {Reference::local(),         Reference::centered(),      Reference::world(),
-          Reference::local(tilted()), Reference::world(tilted()), {Anchor::Tool, other, tilted()},
-          {other, Anchor::Tool},      {other, other, tilted()},   {other, Anchor::World},
-          {Anchor::World, other}};
+  const Quadric saddle = Quadric::osculating({0.3, 0.0, 0.2}, tilted(), 0.2, 0.1, -0.15);
+  return {Reference::local(),
+          Reference::centered(),
+          Reference::world(),
+          Reference::local(tilted()),
+          Reference::world(tilted()),
+          {Anchor::Tool, other, tilted()},
+          {other, Anchor::Tool},
+          {other, other, tilted()},
+          {other, Anchor::World},
+          {Anchor::World, other},
+          following({Anchor::Tool, Anchor::Base}, Quadric::sphere({0.2, -0.3, -4.0}, 0.3)),
+          following({Anchor::Tool, other}, Quadric::cylinder({0.2, 4.0, -3.0}, {1, 0.3, 0.2}, 1.0)),
+          following({Anchor::World, other}, saddle),
+          following({other, Anchor::World}, saddle),
+          following({other, other}, Quadric::sphere({0.2, -0.3, 5.0}, 2.0, true))};
 }
 
 /// A reference of a frame, with what moves it.

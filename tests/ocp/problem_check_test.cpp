@@ -143,6 +143,7 @@ ProblemSpec calm_spec(const Model& model) {
   spec.initial_state = Eigen::VectorXd::Zero(14);
   spec.initial_state.head(7) = (model.q_lower + model.q_upper).cwiseMax(-1e3).cwiseMin(1e3) / 2.0;
   spec.contacts = ocp_contacts(model, "tool");
+  spec.contacts[2].reference = Reference::surface(tilt());  // wherever the tool is
   spec.stages = {
       {.name = "go",
        .costs = {{.name = "position",
@@ -182,6 +183,28 @@ TEST(Complaints, OfTargetsBeyondReach) {
   flying.initial_state.head(14) = afloat.q_neutral;
   for (const std::string& sentence : complaints(Problem(flying)))
     EXPECT_EQ(sentence.find("from joint"), std::string::npos) << sentence;
+}
+
+TEST(Complaints, OfAStartOffTheSurfaceThatIsFollowed) {
+  const Model model = arm.robot.model();
+  ProblemSpec spec = calm_spec(model);
+  const Eigen::Vector3d tool =
+      frame_placement(model, spec.initial_state.head(7), "tool").translation();
+  const auto over = [&](double height) {
+    const Eigen::Vector3d center = tool - Eigen::Vector3d(0.0, 0.0, 0.3 + height);
+    spec.contacts = {contact("tool", "world", Reference::on(Quadric::sphere(center, 0.3), tool),
+                             Directions::z())};
+    spec.contacts[0].name = "pad";
+    spec.stages[0].contacts = {"pad"};
+    return spec;
+  };
+  EXPECT_EQ(complaints(Problem(over(0.0))), std::vector<std::string>{});
+  testing::expect_words(only_complaint(over(0.02)),
+                        {"stage 'go'", "'tool' is about 0.02", "m above the surface", "'pad'",
+                         "held at that distance"});
+  testing::expect_words(only_complaint(over(-0.02)), {"m below the surface"});
+  spec.contacts[0].directions = Directions::x();  // which holds no height
+  EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
 }
 
 TEST(Complaints, ReachIsNeverLessThanWhatTheArmReaches) {

@@ -61,7 +61,8 @@ TEST_P(ResidualLaw, DerivativesEqualDifferences) {
   for (int s = 0; s + 1 < static_cast<int>(problem.stage_names().size()); ++s) {
     const int knot = s * native_lanes;
     SCOPED_TRACE(problem.knot_name(knot));
-    const OcpState at = random_ocp_state(problem, generator);
+    const Residual& residual = problem.spec().stages[static_cast<std::size_t>(s)].costs[0].residual;
+    const OcpState at = state_off_cuts(problem, knot, 0, residual, generator);
     const double floor = 1e-3 * problem.residual(knot, 0, at.x, at.u).cwiseAbs().maxCoeff() + 1e-3;
     expect_close(problem.residual_derivative(knot, 0, at.x, at.u), by_differences(knot, 0, at),
                  1e-6, floor);
@@ -69,7 +70,8 @@ TEST_P(ResidualLaw, DerivativesEqualDifferences) {
   for (std::size_t t = 0; t < problem.term_names(last).size(); ++t) {
     const int term = static_cast<int>(t);
     SCOPED_TRACE("terminal, " + problem.term_names(last)[t]);
-    const OcpState at = random_ocp_state(problem, generator);
+    const OcpState at =
+        state_off_cuts(problem, last, term, problem.spec().terminal[t].residual, generator);
     const double floor =
         1e-3 * problem.residual(last, term, at.x, at.u).cwiseAbs().maxCoeff() + 1e-3;
     const RowMatrix J = problem.residual_derivative(last, term, at.x, at.u);

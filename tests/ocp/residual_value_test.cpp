@@ -194,5 +194,81 @@ TEST_F(ResidualValue, DistanceOfZeroHasADerivativeOfZero) {
   EXPECT_LT(derivative(here).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+/// Lead and tilt lean towards the first and the second tangent at the tool, spin does not matter.
+TEST_F(ResidualValue, InclinationIsLeadAndTiltAgainstTheNormal) {
+  const Eigen::Vector3d center = tool - 0.4 * Eigen::Vector3d(0.3, -0.2, 1.0).normalized();
+  const Reference on =
+      Reference::on(Quadric::sphere(center, 0.4), center + Eigen::Vector3d(0, 0, 1),
+                    Eigen::Vector3d(0.3, 1.0, 0.0));
+  const Eigen::Matrix3d A = on.at(tool).rotation;
+  EXPECT_LT((A.col(2) - (tool - center).normalized()).norm(), 1e-12);
+  const Eigen::Matrix3d R = frame_placement(model, q, "tool").linear();
+  const double lead = 0.4, tilt = -0.2;
+  const Eigen::Vector3d axis =
+      R.transpose() * A * Eigen::Vector3d(std::tan(lead), std::tan(tilt), 1.0);
+  residual::FrameInclination inclination{"tool", on, 3.0 * axis};
+  Problem problem = with(inclination);
+  const auto values = [&](Problem& of, const Eigen::VectorXd& at) {
+    Eigen::VectorXd x = of.spec().initial_state;
+    x.head(model.nq) = at;
+    return of.residual(0, 0, x, Eigen::VectorXd::Zero(model.nv));
+  };
+  EXPECT_LT((values(problem, q) - Eigen::Vector2d(lead, tilt)).norm(), 1e-12);
+  inclination.target = Eigen::Vector2d(lead, tilt);
+  EXPECT_NEAR(value(inclination), 0.0, 1e-12);
+  // Turned about itself, an axis leans as before: that of the last joint.
+  Eigen::VectorXd turned = q;
+  turned[model.nq - 1] += 0.3;
+  const Eigen::Matrix3d R2 = frame_placement(model, turned, "tool").linear();
+  const Eigen::Vector3d own = Eigen::AngleAxisd(Eigen::Matrix3d(R.transpose() * R2)).axis();
+  Problem spun = with(
+      residual::FrameInclination{"tool", Reference::surface_with_normal({0.3, 0.1, 1.0}), own});
+  EXPECT_LT((values(spun, turned) - values(spun, q)).norm(), 1e-9);
+}
+
+TEST_F(ResidualValue, HeightIsTheDistanceFromPlanesSpheresAndCylinders) {
+  const Eigen::Vector3d up = Eigen::Vector3d(0.2, -0.4, 1.0).normalized(),
+                        across = up.unitOrthogonal();
+  for (const double height : {-0.1, 0.0, 0.05, 0.7}) {
+    const auto above = [&](const Quadric& surface) {
+      return value(residual::FrameHeight{"tool", Reference::on(surface, tool + 0.1 * up)});
+    };
+    EXPECT_NEAR(above(Quadric::plane(tool - height * up, 2.0 * up)), height, 1e-12);
+    const Eigen::Vector3d middle = tool - (0.4 + height) * up;
+    EXPECT_NEAR(above(Quadric::sphere(middle, 0.4)), height, 1e-12);
+    EXPECT_NEAR(above(Quadric::cylinder(middle + 3.0 * across, across, 0.4)), height, 1e-12);
+    const Eigen::Vector3d inside = tool + (0.9 - height) * up;
+    EXPECT_NEAR(above(Quadric::sphere(inside, 0.9, true)), height, 1e-12);
+  }
+  // Along its axis an ellipsoid is met by the normal too; far aside it is not, where it only grows.
+  const Quadric egg =
+      Quadric::ellipsoid(tool - 0.5 * up, Eigen::Matrix3d::Identity(), {0.3, 0.3, 0.3});
+  EXPECT_NEAR(value(residual::FrameHeight{"tool", Reference::on(egg, tool)}), 0.2, 1e-12);
+  const Quadric needle = Quadric::ellipsoid(tool - Eigen::Vector3d(2.0, 2.0, 0.0),
+                                            Eigen::Matrix3d::Identity(), {1.0, 0.01, 1.0});
+  const double far = value(residual::FrameHeight{"tool", Reference::on(needle, tool)});
+  EXPECT_TRUE(std::isfinite(far));
+  EXPECT_GT(far, 0.5);
+}
+
+/// Tool and surface turn together: a rotation against a surface is the same at another place of it.
+TEST_F(ResidualValue, RotationAgainstASurfaceIsFromItsAxesAtTheTool) {
+  const Eigen::Vector3d center = tool - 0.4 * Eigen::Vector3d(0.3, -0.2, 1.0).normalized();
+  const Reference on =
+      Reference::on(Quadric::sphere(center, 0.4), center + Eigen::Vector3d(0, 0, 1));
+  const Eigen::Matrix3d R = frame_placement(model, q, "tool").linear();
+  const Eigen::Matrix3d relative = on.at(tool).rotation.transpose() * R;
+  const Eigen::Vector4d same = Eigen::Quaterniond(relative).coeffs();
+  Problem problem = with(residual::FrameRotation{"tool", same, on});
+  const Eigen::VectorXd x = problem.spec().initial_state, none = Eigen::VectorXd::Zero(model.nv);
+  EXPECT_LT(problem.residual(0, 0, x, none).norm(), 1e-7);
+  Problem flat = with(residual::FrameRotation{"tool", same, on.at(tool)});
+  EXPECT_LT(flat.residual(0, 0, x, none).norm(), 1e-7);
+  // Curvature turns the axes as the tool moves.
+  EXPECT_GT(
+      (problem.residual_derivative(0, 0, x, none) - flat.residual_derivative(0, 0, x, none)).norm(),
+      0.1);
+}
+
 }  // namespace
 }  // namespace burnish::test

@@ -118,6 +118,50 @@ TEST_P(SurfaceData, CoefficientsOfFrictionAreDataOfEachKnotToo) {
                         {"set_friction", "has no friction"});
 }
 
+/// A cost's own reference likewise, in each lane of a pack.
+TEST_P(SurfaceData, OfATermIsTheSurfaceThatItWasGiven) {
+  const auto over = [&](const Quadric& surface) {
+    ProblemSpec spec = pressed(GetParam(), model, surface_at(0.0));
+    Reference reference = Reference::on(surface_at(0.0), {0.3, 0.1, 0.2});
+    reference.quadric = surface;
+    spec.stages[0].costs = {
+        {.name = "height", .residual = residual::FrameHeight{"tool", reference}},
+        {.name = "lean", .residual = residual::FrameInclination{"tool", reference}},
+        {.name = "push", .residual = residual::ContactForce{"pad", reference, 1.0}}};
+    return spec;
+  };
+  Problem problem(over(surface_at(0.0)));
+  const int knots = native_lanes + 1;
+  for (int k = 0; k < knots; ++k)
+    for (int term = 0; term < 3; ++term)
+      ASSERT_EQ(problem.set_term_surface(k, term, surface_at(1.0 + k)), Status::Ok);
+  std::mt19937_64 generator(32);
+  OcpHorizon horizon(problem, generator);
+  horizon.expand(problem);
+  for (int k = 0; k < knots; ++k) {
+    SCOPED_TRACE(problem.knot_name(k));
+    Problem still(over(surface_at(1.0 + k)));
+    OcpHorizon wanted = horizon;
+    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
+    wanted.expand(still);
+    const auto at = static_cast<std::size_t>(k);
+    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
+    const int nz = problem.controls(k) + problem.state().ndx;
+    EXPECT_EQ(horizon.gradient[at].head(nz), wanted.gradient[at].head(nz));
+    const Eigen::VectorXd x = horizon.x_of(problem, k), u = horizon.u_of(problem, k);
+    for (int term = 0; term < 3; ++term)
+      EXPECT_EQ(problem.residual(k, term, x, u), still.residual(k, term, x, u));
+  }
+  Quadric bad = surface_at(1.0);
+  bad.c = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(problem.set_term_surface(0, 0, bad), Status::NotFinite);
+  testing::expect_words(testing::refusal([&] {
+                          Problem own(pressed(GetParam(), model, surface_at(0.0)));
+                          own.set_term_surface(0, 0, surface_at(1.0));
+                        }),
+                        {"set_term_surface", "'own'", "follows no surface"});
+}
+
 TEST_P(SurfaceData, IsRefusedWhereThereIsNone) {
   Problem problem(pressed(GetParam(), model, surface_at(0.0)));
   const auto words = [](auto&& call, const std::vector<std::string>& wanted) {

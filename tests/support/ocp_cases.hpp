@@ -134,6 +134,16 @@ inline Reference turning_reference(const Anchor& origin, const Anchor& axes) {
   return {.origin = origin, .axes = axes, .rotation_over_time = turning()};
 }
 
+/// Axes that follow a surface of the world, or of another frame, from where `origin` is.
+inline Reference following(const Quadric& surface, const Anchor& axes = Anchor::Base,
+                           const Anchor& origin = Anchor::Tool) {
+  Reference result{origin, axes, tilt()};
+  result.quadric = surface;
+  return result;
+}
+inline Quadric saddle() { return Quadric::osculating({0.3, 0.0, 0.2}, tilt(), 0.15, 0.06, -0.2); }
+inline Quadric ball() { return Quadric::sphere({0.2, -0.3, -4.0}, 0.4); }
+
 struct ResidualCase {
   std::string name;
   std::function<Residual(const OcpSetup&)> make;
@@ -219,11 +229,75 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
          return R::FrameDistance{s.tool, s.random(3), Directions::x() | Directions::z(),
                                  turning_reference(Anchor::World, s.other())};
        }},
+      {"rotation against another frame",
+       [](Setup s) {
+         return R::FrameRotation{s.tool, s.quaternion(), {Anchor::Tool, s.other(), tilt()}};
+       }},
+      {"rotation against a surface",
+       [](Setup s) {
+         return R::FrameRotation{s.tool, s.quaternion(), following(saddle())};
+       },
+       abs},
+      {"rotation in turning axes",
+       [](Setup s) {
+         return R::FrameRotation{s.tool, s.quaternion(),
+                                 turning_reference(Anchor::World, Anchor::World)};
+       }},
+      {"inclination",
+       [](Setup s) {
+         return R::FrameInclination{s.tool, following(ball()), s.random(3), s.random(2)};
+       },
+       abs},
+      {"inclination on a surface of another frame",
+       [](Setup s) {
+         return R::FrameInclination{s.tool, following(saddle(), s.other()), s.random(3)};
+       }},
+      {"inclination in the world", [](Setup s) { return R::FrameInclination{s.tool}; }, inside},
+      {"height",
+       [](Setup s) {
+         return R::FrameHeight{s.tool, following(ball()), 0.1};
+       },
+       inside},
+      {"height above a surface of another frame",
+       [](Setup s) {
+         return R::FrameHeight{s.tool, following(saddle(), s.other())};
+       }},
+      {"position along a surface",
+       [](Setup s) {
+         return R::FramePosition{s.tool, s.random(3), following(saddle())};
+       }},
+      {"position along a surface of another frame",
+       [](Setup s) {
+         return R::FramePosition{s.tool, s.random(3), following(ball(), s.other(), Anchor::World)};
+       }},
+      {"distance along a surface",
+       [](Setup s) {
+         return R::FrameDistance{s.tool, s.random(3), Directions::x() | Directions::y(),
+                                 following(saddle())};
+       }},
+      {"velocity along a surface",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, following(saddle()), s.random(6)};
+       }},
+      {"velocity along a surface of another frame",
+       [](Setup s) {
+         return R::FrameVelocity{s.tool, following(ball(), s.other(), s.other())};
+       }},
       {"force",
        [](Setup s) {
          return R::ContactForce{"pad", {}, s.random(6)};
        },
        abs, at_the_end},
+      {"force along a surface",
+       [](Setup s) {
+         return R::ContactForce{"pad", following(ball(), s.other()), s.random(6)};
+       },
+       abs, at_the_end},
+      {"cone about a surface's normal",
+       [](Setup) {
+         return R::FrictionCone{"pad", 0.7, 2, following(saddle(), Anchor::Base, Anchor::World)};
+       },
+       square, at_the_end},
       {"brace", [](Setup) { return R::ContactForce{"brace"}; }, square, at_the_end},
       {"local force",
        [](Setup) {
@@ -377,6 +451,29 @@ inline OcpState random_ocp_state(const Problem& problem, std::mt19937_64& genera
   OcpState state{Eigen::VectorXd(l.nx()), uniform(l.nu, 5.0, generator)};
   state.x << s.q, s.v, uniform(l.filtered, 5.0, generator), uniform(l.remembered, 5.0, generator);
   return state;
+}
+
+/// Whether the values `r` of a residual are within 0.1 rad of the cut of a logarithm or an angle,
+/// over which differences jump.
+inline bool at_a_cut(const Residual& residual, const Eigen::VectorXd& r) {
+  constexpr double largest = M_PI - 0.1;
+  if (std::holds_alternative<residual::FrameRotation>(residual)) return r.norm() > largest;
+  if (std::holds_alternative<residual::FramePlacement>(residual)) return r.tail(3).norm() > largest;
+  if (const auto* of = std::get_if<residual::FrameInclination>(&residual)) {
+    Eigen::VectorXd target = Eigen::VectorXd::Zero(2);
+    if (!of->target.empty()) of->target.at(0.0, target);
+    return (r + target).cwiseAbs().maxCoeff() > largest;
+  }
+  return false;
+}
+/// A random state at which a term is at no cut.
+inline OcpState state_off_cuts(Problem& problem, int knot, int term, const Residual& residual,
+                               std::mt19937_64& generator) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    OcpState state = random_ocp_state(problem, generator);
+    if (!at_a_cut(residual, problem.residual(knot, term, state.x, state.u))) return state;
+  }
+  throw Error("every state is at the cut of an angle");
 }
 
 /// Trajectories of a whole horizon, and room for its expansion.

@@ -49,9 +49,10 @@ struct Reference {
   /// rotation. For the knots of a problem, each of which holds the rotation of its time; empty:
   /// `rotation`, which is the identity otherwise.
   Signal rotation_over_time = {};
-  /// A surface in the axes of the base, which the reference's axes follow as the tool moves over
+  /// A surface in the frame that the axes are fixed in, which they follow as the tool moves over
   /// it: at a normal n they are `rotation` turned by the least rotation that takes its third column
-  /// to n. For the references of contacts at the tool, with axes fixed in the base.
+  /// to n. Those of contacts are at the tool, with axes fixed in the base; others may have any
+  /// origin, and axes fixed in all but the tool.
   std::optional<Quadric> quadric = {};
 
   /// The tool's own axes at the tool's origin (the paper's LOCAL), turned by `rotation` if given.
@@ -67,6 +68,10 @@ struct Reference {
   /// point in the axes of the base where the tool is to be, and turned with the normal elsewhere.
   /// Within half a turn of there.
   static Reference on(const Quadric& surface, const Eigen::Vector3d& near);
+  /// The same with the tangent that leads along a direction, such as that of travel, as the first
+  /// axis at `near`. Throws Error for the direction of the normal.
+  static Reference on(const Quadric& surface, const Eigen::Vector3d& near,
+                      const Eigen::Vector3d& along);
   /// The same at the world's origin: the true WORLD twist and wrench.
   static Reference world(const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
 
@@ -76,6 +81,9 @@ struct Reference {
   static Reference parse(const std::string& name);
   /// As it is at a time, s, with that rotation. Throws Error where it has none there, to 1e-6.
   Reference at(double time) const;
+  /// As it is with the tool at a point of the frame that the axes are fixed in, m: axes that follow
+  /// no surface. Throws Error where that has no normal, or one half a turn away.
+  Reference at(const Eigen::Vector3d& point) const;
   /// Throws Error("<who>: ...") unless `rotation` is a rotation matrix, to 1e-6, and the one that
   /// is stated.
   void check(const std::string& who) const;

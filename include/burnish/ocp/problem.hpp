@@ -63,6 +63,9 @@ class Problem final : public ShootingProblem {
   /// Gives a knot another coefficient of a contact's friction, likewise: NotFinite for one that is
   /// no number of at least zero. Throws Error for a contact without friction.
   Status set_friction(int knot, int contact, double coefficient);
+  /// The same of the surface that the reference of one term follows. Throws Error for a knot or
+  /// term that there is not, and for one whose reference follows no surface.
+  Status set_term_surface(int knot, int term, const Quadric& surface);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
   Status set_torque_bias(const ConstVectorRef& torque);

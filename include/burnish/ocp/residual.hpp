@@ -61,7 +61,9 @@ struct JointTorqueRate {
 };
 
 /// Origin of a frame minus the target, 3 rows, m, written in the axes of the reference, whose base
-/// is the world. Its origin must not be the frame itself.
+/// is the world. Its origin must not be the frame itself; where its axes follow a surface at the
+/// frame (Reference::on) it is that of what the surface is fixed in, and the first two rows are how
+/// far the target is along the tangents at the frame.
 struct FramePosition {
   std::string frame = {};
   /// 3 entries, m: from the reference's origin, in the axes that its rotation is fixed in; of
@@ -82,10 +84,34 @@ struct FrameDistance {
   Reference reference = Reference::world();
 };
 
-/// log(R_target^T R), 3 rows, rad, target axes.
+/// log(R_target^T A^T R), 3 rows, rad, target axes: how far the frame is from the target, which is
+/// a rotation from the axes A of the reference, whose base is the world; its origin does not
+/// matter.
 struct FrameRotation {
   std::string frame = {};
   Signal target = {};  ///< quaternion x, y, z, w, of unit length
+  Reference reference = Reference::world();
+};
+
+/// Lead and tilt of an axis of a frame minus the target, 2 rows, rad: the angles by which it leans
+/// from the third axis of the reference, whose base is the world, towards the first and towards the
+/// second: atan2(e_x, e_z) and atan2(e_y, e_z), with e the axis in the reference. How it is turned
+/// about itself does not matter. With Reference::on the third axis is a surface's normal.
+struct FrameInclination {
+  std::string frame = {};
+  Reference reference = Reference::world();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length, in the frame
+  Signal target = {};                               ///< lead and tilt, rad; empty: zero
+};
+
+/// Height of a frame's origin above the surface that the reference follows (Reference::on), minus
+/// the target, 1 row, m: how far away the surface is along its normal at the frame, below zero in
+/// the material. Exact for planes, spheres and cylinders, to first order for others; far outside of
+/// a surface that the normal there misses it only grows.
+struct FrameHeight {
+  std::string frame = {};
+  Reference reference = Reference::world();
+  Signal target = {};  ///< m; empty: zero
 };
 
 /// SE(3) logarithm of the frame in the target: 3 rows m, 3 rows rad, target axes.
@@ -203,10 +229,10 @@ using Residual =
     std::variant<residual::State, residual::Control, residual::JointPosition,
                  residual::JointVelocity, residual::JointTorque, residual::JointTorqueRate,
                  residual::FramePosition, residual::FrameDistance, residual::FrameRotation,
-                 residual::FramePlacement, residual::FrameVelocity, residual::ContactForce,
-                 residual::ContactForceRate, residual::FrictionCone, residual::CenterOfPressure,
-                 residual::CenterOfMass, residual::SupportMargin, residual::CentroidalMomentum,
-                 residual::Custom>;
+                 residual::FrameInclination, residual::FrameHeight, residual::FramePlacement,
+                 residual::FrameVelocity, residual::ContactForce, residual::ContactForceRate,
+                 residual::FrictionCone, residual::CenterOfPressure, residual::CenterOfMass,
+                 residual::SupportMargin, residual::CentroidalMomentum, residual::Custom>;
 
 /// Such as "frame position", for messages.
 std::string name_of(const Residual& residual);
