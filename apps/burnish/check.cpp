@@ -15,7 +15,7 @@ namespace {
 struct CheckArguments {
   RobotArguments robot;
   CheckOptions options;
-  std::vector<std::string> contacts;
+  std::vector<std::string> contacts, surfaces;
   bool all_accelerations = false;
   bool json = false;
 };
@@ -64,6 +64,12 @@ int check(const CheckArguments& arguments) {
   const Eigen::VectorXd q = robot.reference_configuration();
   for (const std::string& text : arguments.contacts)
     options.contacts.push_back(parse_contact(text, robot.model, q));
+  if (!arguments.surfaces.empty()) {
+    options.references.clear();
+    options.surfaces.clear();
+    for (const std::string& text : arguments.surfaces)
+      options.surfaces.push_back(SurfaceShape::parse(text));
+  }
   if (arguments.all_accelerations) {
     options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial,
                              Acceleration::Classical};
@@ -92,6 +98,13 @@ void add_options(CLI::App& command, CheckArguments& arguments) {
       ->type_name("SPEC")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--surface", arguments.surfaces,
+                  "Check axes that follow this surface instead of the sweep's references; several "
+                  "one after the other if repeated")
+      ->type_name("SHAPE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--all-accelerations", arguments.all_accelerations,
                    "Also the spatial and the classical acceleration");
   command.add_option("--states", options.states, "Random states per row [20]")->type_name("N");
@@ -112,17 +125,24 @@ void add_check(CLI::App& app, int& exit_code) {
   arguments->robot.add_to(*command);
   add_options(*command, *arguments);
   command->footer(
-      "Without --contact, one tool is checked in four references, eight sets of directions, with\n"
-      "and without gains. A contact's SPEC is a list of key=value: tool (needed), name, base,\n"
-      "reference (local, centered, surface, world), normal (of a surface, x,y,z), directions\n"
-      "(x y z rx ry rz all linear angular pad_x|y|z), acceleration (time_derivative, spatial,\n"
-      "classical), error (split, log6), kp, kd (1 or 6 numbers); or what a problem file states, "
-      "in\n"
-      "braces. Its target, unless said, is where the tool is at the reference posture.\n"
+      "Without --contact, one tool is checked in four references and on a saddle, in eight sets "
+      "of\n"
+      "directions, with and without gains. A SHAPE is sphere:RADIUS, cylinder:RADIUS,\n"
+      "cone:RADIUS:HALF_ANGLE, torus:RADIUS:RING, ellipsoid:A:B:C or saddle:K:K (m, rad, 1/m),\n"
+      "with :hollow behind where the tool is inside; it is fixed in the base.\n"
+      "\n"
+      "A contact's SPEC is a list of key=value: tool (needed), name, base, reference (local,\n"
+      "centered, surface, world), normal (of a surface, x,y,z), directions (x y z rx ry rz all\n"
+      "linear angular pad_x|y|z), acceleration (time_derivative, spatial, classical), error "
+      "(split,\n"
+      "log6), kp, kd (1 or 6 numbers); or what a problem file states, in braces. Its target, "
+      "unless\n"
+      "said, is where the tool is at the reference posture.\n"
       "\n"
       "Examples:\n"
       "  burnish check arm7\n"
       "  burnish check talos:right_arm --tool tool --states 100\n"
+      "  burnish check arm7 --surface sphere:0.3 --surface torus:0.1:0.5:hollow\n"
       "  burnish check crane --tool left_tip --base right_tip --all-accelerations\n"
       "  burnish check talos --contact tool=left_sole_link --contact tool=right_sole_link \\\n"
       "    --contact tool=tool,reference=surface,normal=0,0.2,1,directions=z,rx,ry,kd=50\n"

@@ -15,18 +15,19 @@ from ._core import (
     default_check_directions,
     default_check_gains,
     default_check_references,
+    default_check_surfaces,
     diagnose,
     pack_width,
 )
 from ._spec import Spec, items
-from .contact import Acceleration, ContactSpec, PoseError, Reference
+from .contact import Acceleration, ContactSpec, PoseError, Reference, SurfaceShape
 
 __all__ = [
     "CheckEntry", "CheckGains", "CheckOptions", "CheckReport", "CheckRow", "ContactDiagnosis",
     "ContactDynamics", "ContactDynamicsBatch", "FrameDerivatives", "PlacementDerivatives",
     "RedundantRow", "RigidBody", "WrenchDerivatives", "check_derivatives",
-    "default_check_directions", "default_check_gains", "default_check_references", "diagnose",
-    "pack_width",
+    "default_check_directions", "default_check_gains", "default_check_references",
+    "default_check_surfaces", "diagnose", "pack_width",
 ]
 
 
@@ -35,8 +36,8 @@ __all__ = [
 
 @dataclass(eq=False, repr=False)
 class CheckOptions(Spec):
-    """What check_derivatives() checks: one tool in every combination of references, directions,
-    accelerations and gains, or the contacts given."""
+    """What check_derivatives() checks: one tool in every combination of references or surfaces,
+    directions, accelerations and gains, or the contacts given."""
 
     tool: str = ""
     """frame; empty: the frame named "tool" if it moves, or else the last frame of the model that is
@@ -44,6 +45,9 @@ class CheckOptions(Spec):
     base: str = "world"
     """frame; on a moving body, every row is a contact between two bodies"""
     references: List[Reference] = field(default_factory=lambda: default_check_references())
+    surfaces: List[SurfaceShape] = field(default_factory=lambda: default_check_surfaces())
+    """curved surfaces of the base, which the axes of further contacts follow: at each state one of that
+    shape is within 2 cm of the tool"""
     directions: List[str] = field(default_factory=lambda: default_check_directions())
     accelerations: List[Acceleration] = field(default_factory=lambda: [Acceleration.TIME_DERIVATIVE])
     gains: List[CheckGains] = field(default_factory=lambda: default_check_gains())

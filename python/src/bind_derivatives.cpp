@@ -63,6 +63,8 @@ void bind_derivatives(py::module_& m) {
         "the values. Raises Error for options that cannot be used.");
   m.def("default_check_references", &default_check_references,
         "References that check_derivatives() tries: all four, the surface tilted.");
+  m.def("default_check_surfaces", &default_check_surfaces,
+        "Curved surfaces that check_derivatives() tries: a saddle.");
   m.def("default_check_directions", &default_check_directions,
         "Directions that check_derivatives() tries.");
   m.def("default_check_gains", &default_check_gains,

@@ -213,11 +213,8 @@ void bind_contacts_of_knots(ProblemClass& c) {
       [](ProblemMachine& self, int knot, const Name& contact, const Quadric& surface) {
         constexpr const char* call = "Problem.set_surface";
         const Busy::Lock lock(self.busy, call);
-        std::vector<std::string> names;
-        for (const ContactSpec& of : self.problem.spec().contacts)
-          names.push_back(of.name.empty() ? of.tool : of.name);
-        require(self.problem.set_surface(knot, contact_number(call, contact, names), surface),
-                call);
+        const int number = contact_number(call, contact, contact_names(self.problem));
+        require(self.problem.set_surface(knot, number, surface), call);
       },
       py::arg("knot"), py::arg("contact"), py::arg("surface"),
       "Gives a knot another Quadric, in the axes of the base, in the place of the one that the "

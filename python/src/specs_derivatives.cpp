@@ -8,6 +8,7 @@ const SpecTable& AsDataclass<CheckOptions>::table() {
                                       .field("tool", &CheckOptions::tool)
                                       .field("base", &CheckOptions::base)
                                       .field("references", &CheckOptions::references)
+                                      .field("surfaces", &CheckOptions::surfaces)
                                       .field("directions", &CheckOptions::directions)
                                       .field("accelerations", &CheckOptions::accelerations)
                                       .field("gains", &CheckOptions::gains)

@@ -257,6 +257,15 @@ class TestChecker:
         assert max(row.worst_error for row in report.rows) < 1e-6
         assert report.rows[0].worst.block and report.robot in report.text()
 
+    def test_passes_on_curved_surfaces(self) -> None:
+        options = burnish.CheckOptions(states=2, references=[], directions=["z"], gains=[burnish.CheckGains()],
+                                       surfaces=[burnish.SurfaceShape("sphere", radius=0.2, hollow=True)])
+        report = burnish.check_derivatives(MODEL, options)
+        assert report.pass_ and [row.reference for row in report.rows] == ["hollow sphere of radius 0.2 m"]
+        bad = options.replace(surfaces=[burnish.SurfaceShape("torus", radius=0.6, ring=0.5)])
+        with pytest.raises(burnish.Error, match="wanted a tube that is thinner"):
+            burnish.check_derivatives(MODEL, bad)
+
     def test_fails_where_the_tolerance_is_out_of_reach(self) -> None:
         report = burnish.check_derivatives(MODEL, burnish.CheckOptions(
             contacts=[TIP], states=2, tolerance=1e-15))
@@ -268,6 +277,7 @@ class TestChecker:
         assert options.references == burnish.default_check_references()
         assert options.directions == burnish.default_check_directions()
         assert options.gains == burnish.default_check_gains()
+        assert options.surfaces == burnish.default_check_surfaces()
         assert "all" in options.directions or "x,y,z,rx,ry,rz" in options.directions
 
     def test_refuses_options_with_a_sentence(self) -> None:

@@ -5,15 +5,11 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
-#include "burnish/dynamics/quadric.hpp"
-#include "burnish/dynamics/surface_shape.hpp"
+#include "dynamics/descriptions.hpp"
 
 namespace burnish {
 const Words& words_of(Acceleration);
 const Words& words_of(PoseError);
-const Description& description_of(const Quadric*);
-const Words& words_of(SurfaceShape::Kind);
-const Description& description_of(const SurfaceShape*);
 const Description& description_of(const SlidingFriction*);
 const Description& description_of(const ContactSpec*);
 const Description& description_of(const ContactSolver*);

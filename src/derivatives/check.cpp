@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -24,9 +25,18 @@ std::string default_tool(const Model& model) {
 
 namespace {
 
+/// What a row of the report is about.
+struct Checked {
+  std::vector<ContactSpec> contacts;
+  std::optional<SurfaceShape> surface = {};  ///< that the only contact follows
+};
+
+/// Where the axes of surfaces and the tilted one start.
+const Eigen::Vector3d tilted_normal(-0.4, 0.3, 0.8);
+
 /// One entry per row of the report.
-std::vector<std::vector<ContactSpec>> sweep(const Model& model, const CheckOptions& options) {
-  if (!options.contacts.empty()) return {options.contacts};
+std::vector<Checked> sweep(const Model& model, const CheckOptions& options) {
+  if (!options.contacts.empty()) return {{options.contacts}};
   ContactSpec spec;
   spec.tool = options.tool.empty() ? default_tool(model) : options.tool;
   spec.base = options.base.empty() ? "world" : options.base;
@@ -34,20 +44,28 @@ std::vector<std::vector<ContactSpec>> sweep(const Model& model, const CheckOptio
     return frame_placement(model, model.q_neutral, frame);
   };
   spec.target = at(spec.base).inverse() * at(spec.tool);
-  std::vector<std::vector<ContactSpec>> rows;
-  for (const Reference& reference : options.references)
+  std::vector<Checked> rows;
+  const auto add = [&](const Reference& reference, const std::optional<SurfaceShape>& surface) {
+    spec.reference = reference;
     for (const Directions& directions : options.directions)
       for (const Acceleration acceleration : options.accelerations)
         for (const CheckGains& gains : options.gains) {
-          spec.reference = reference;
           spec.directions = directions;
           spec.acceleration = acceleration;
           spec.kp = gains.kp;
           spec.kd = gains.kd;
           spec.error = gains.error;
-          rows.push_back({spec});
+          rows.push_back({{spec}, surface});
         }
-  if (rows.empty()) throw Error("check: references, directions, accelerations or gains are empty");
+  };
+  for (const Reference& reference : options.references) add(reference, {});
+  const Eigen::Vector3d tool = spec.target.translation();
+  for (const SurfaceShape& shape : options.surfaces) {
+    const Surface there(shape, tool, tilted_normal);  // refuses what is no such shape
+    add(Reference::on(there.at(tool).quadric(tool, 0.0), tool), shape);
+  }
+  if (rows.empty())
+    throw Error("check: references and surfaces, directions, accelerations or gains are empty");
   return rows;
 }
 
@@ -83,9 +101,13 @@ std::string joined(const std::vector<ContactSpec>& contacts,
   return same ? first : text;
 }
 
-CheckRow describe_row(const std::vector<ContactSpec>& contacts) {
+CheckRow describe_row(const Checked& checked) {
+  const std::vector<ContactSpec>& contacts = checked.contacts;
   CheckRow row;
-  row.reference = joined(contacts, [](const auto& spec) { return spec.reference.name(); });
+  row.reference = joined(contacts, [](const auto& spec) {
+    return (spec.reference.quadric ? "curved " : "") + spec.reference.name();
+  });
+  if (checked.surface) row.reference = checked.surface->text();
   row.directions = joined(contacts, [](const auto& spec) { return spec.directions.text(); });
   row.bodies = joined(contacts, [](const auto& spec) { return spec.tool + " on " + spec.base; });
   row.acceleration = joined(contacts, [](const auto& spec) { return name_of(spec.acceleration); });
@@ -106,12 +128,12 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
   return dynamics.explanation();
 }
 
-CheckRow check_row(const Model& model, const CheckOptions& options,
-                   const std::vector<ContactSpec>& contacts, bool forward,
-                   const TamperWithBlocks& tamper) {
-  CheckRow row = describe_row(contacts);
+CheckRow check_row(const Model& model, const CheckOptions& options, const Checked& checked,
+                   bool forward, const TamperWithBlocks& tamper) {
+  const std::vector<ContactSpec>& contacts = checked.contacts;
+  CheckRow row = describe_row(checked);
   ContactDynamics dynamics(model, contacts);
-  CheckStates source(model, options.seed);
+  CheckStates source(model, options.seed, checked.surface);
   std::optional<std::vector<CheckState>> states = source.draw(dynamics, options.states, forward);
   if (!states && forward) {
     row.mu = source.compliance(dynamics);
@@ -121,8 +143,8 @@ CheckRow check_row(const Model& model, const CheckOptions& options,
   if (!states) {
     throw Error(
         "check: contact '" + contacts.front().tool +
-        "': the tool stays within 0.1 rad of "
-        "half a turn from its target, where the rotation error jumps; give a closer target");
+        "': the tool stays within 0.1 rad of half a turn from its target, where the rotation error "
+        "jumps, or where the surface that it follows has no axes; give a closer target or surface");
   }
   CheckValues values(model, dynamics.contacts(), {.mu = row.mu});
   row.states = options.states;
@@ -154,8 +176,12 @@ void check_options(const Model& model, const CheckOptions& options) {
 }  // namespace
 
 std::vector<Reference> default_check_references() {
-  return {Reference::local(), Reference::centered(),
-          Reference::surface_with_normal({-0.4, 0.3, 0.8}), Reference::world()};
+  return {Reference::local(), Reference::centered(), Reference::surface_with_normal(tilted_normal),
+          Reference::world()};
+}
+
+std::vector<SurfaceShape> default_check_surfaces() {
+  return {{.kind = SurfaceShape::Kind::Saddle, .curvature = {2.0, -3.0}}};
 }
 
 std::vector<Directions> default_check_directions() {
@@ -182,15 +208,14 @@ std::vector<CheckGains> default_check_gains() {
 CheckReport run_check(const Model& model, const CheckOptions& options,
                       const TamperWithBlocks& tamper) {
   check_options(model, options);
-  const std::vector<std::vector<ContactSpec>> rows = sweep(model, options);
+  const std::vector<Checked> rows = sweep(model, options);
   CheckReport report;
   report.robot = model.name;
   report.tolerance = options.tolerance;
   report.singular_mass = singular_mass(model, options.seed);
   report.pass = report.singular_mass.empty();
-  for (const std::vector<ContactSpec>& contacts : rows) {
-    report.rows.push_back(
-        check_row(model, options, contacts, report.singular_mass.empty(), tamper));
+  for (const Checked& checked : rows) {
+    report.rows.push_back(check_row(model, options, checked, report.singular_mass.empty(), tamper));
     report.pass = report.pass && report.rows.back().pass;
     if (options.progress) {
       options.progress(static_cast<int>(report.rows.size()), static_cast<int>(rows.size()));

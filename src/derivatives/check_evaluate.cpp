@@ -159,6 +159,11 @@ class Blocks {
 
 std::vector<DerivativeBlock> derivative_blocks(const Model& model, ContactDynamics& dynamics,
                                                CheckValues& values, const CheckState& state) {
+  if (state.surface) {
+    if (dynamics.set_surface(0, *state.surface) != Status::Ok)
+      throw Error("check: the surface at a state holds a NaN or an infinity");
+    values.set_surface(*state.surface);
+  }
   return Blocks(model, dynamics, values, state).all();
 }
 

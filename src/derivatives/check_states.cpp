@@ -13,6 +13,16 @@ namespace {
 constexpr double largest_angle = std::numbers::pi - 0.1;  // rad, to the target
 constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, rows by their reach
 constexpr int tries_per_state = 20;
+constexpr double nearest_surface = 0.02;  // m, of the tool in each direction, at most
+constexpr double most_tilted = 0.6;       // added to each entry of a normal of length one, at most
+constexpr double half_turn = -0.9;        // cosine from which axes that follow a normal jump
+
+/// Where the tool of a contact is in its base.
+Eigen::Vector3d tool_in_base(const Model& model, const ContactSpec& contact,
+                             const Eigen::VectorXd& q) {
+  return frame_placement(model, q, contact.base).inverse() *
+         frame_placement(model, q, contact.tool).translation();
+}
 
 }  // namespace
 
@@ -27,6 +37,12 @@ Eigen::VectorXd CheckStates::uniform(Eigen::Index size, double reach) {
 
 bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const {
   for (const CompiledContact& contact : set.contacts()) {
+    const Reference& reference = contact.spec.reference;
+    if (reference.quadric && !shape_) {
+      const Eigen::Vector3d g = reference.quadric->gradient(tool_in_base(model_, contact.spec, q));
+      const bool has_axes = g.dot(reference.rotation.col(2)) > half_turn * g.norm();
+      if (!(g.norm() > 1e-3) || !has_axes) return false;
+    }
     if (!contact.proportional) continue;
     if (!contact.holds_rotation && contact.spec.error == PoseError::Split) continue;
     const Eigen::Isometry3d target =
@@ -36,6 +52,16 @@ bool CheckStates::far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q
     if (std::abs(apart.angle()) > largest_angle) return false;
   }
   return true;
+}
+
+Quadric CheckStates::surface_near(const ContactSpec& contact, const Eigen::VectorXd& q) {
+  const Eigen::Vector3d tool = tool_in_base(model_, contact, q);
+  const Eigen::Vector3d normal =
+      contact.reference.rotation.col(2) + Eigen::Vector3d(uniform(3, most_tilted));
+  const double bend = Surface(*shape_, tool, normal).at(tool).bend.norm();
+  const double reach = std::min(nearest_surface, 0.1 / std::max(bend, 1e-6));
+  const Surface near(*shape_, tool + Eigen::Vector3d(uniform(3, reach)), normal);
+  return near.at(tool).quadric(tool, 0.0);
 }
 
 std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynamics, int count,
@@ -50,6 +76,10 @@ std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynami
     CheckState state;
     state.q = random_configuration(model_, generator_);
     if (!far_from_jumps(set, state.q)) continue;
+    if (shape_) {
+      state.surface = surface_near(set.contacts()[0].spec, state.q);
+      if (dynamics.set_surface(0, *state.surface) != Status::Ok) continue;
+    }
     if (rigid &&
         !(condition_by_reach(set, contact_rows(model_, dynamics, state.q)) < largest_condition))
       continue;

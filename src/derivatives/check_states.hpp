@@ -5,6 +5,7 @@
 #include <random>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/dynamics/surface_shape.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -12,12 +13,15 @@ namespace burnish {
 /// Arguments of forward (q, v, tau), inverse (q, v, a, lambda) and acceleration (q, v, a).
 struct CheckState {
   Eigen::VectorXd q, v, tau, a, lambda;
+  std::optional<Quadric> surface = {};  ///< that the first contact follows there
 };
 
 /// Draws states of one model.
 class CheckStates {
  public:
-  CheckStates(const Model& model, std::uint64_t seed) : model_(model), generator_(seed) {}
+  /// Where a shape is given, the only contact follows a surface of it.
+  CheckStates(const Model& model, std::uint64_t seed, std::optional<SurfaceShape> shape = {})
+      : model_(model), shape_(shape), generator_(seed) {}
 
   /// `count` states for the contacts of `dynamics`: q within limits, away from jumps of the pose
   /// error and, for a rigid contact, from singular postures; v and a up to 1 and 5 rad/s^2 (m),
@@ -33,8 +37,11 @@ class CheckStates {
  private:
   Eigen::VectorXd uniform(Eigen::Index size, double reach);
   bool far_from_jumps(const ContactSet& set, const Eigen::VectorXd& q) const;
+  /// What osculates a surface of the shape near the tool.
+  Quadric surface_near(const ContactSpec& contact, const Eigen::VectorXd& q);
 
   const Model& model_;
+  std::optional<SurfaceShape> shape_;
   std::mt19937_64 generator_;
 };
 

@@ -73,6 +73,11 @@ Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluat
   return result;
 }
 
+void CheckValues::set_surface(const Quadric& surface) {
+  dynamics_.set_surface(
+      0, {lift<NativePack>(from_eigen(surface.Q)), lift<NativePack>(from_eigen(surface.b))});
+}
+
 /// Of the bias: along every axis the product of the lengths that its scalar product is made of.
 Eigen::VectorXd CheckValues::bias_sizes() const {
   const Tree& tree = dynamics_.tree();

@@ -33,6 +33,9 @@ class CheckValues {
   /// not wanted is zero, what has no status Ok is NaN.
   Eigen::MatrixXd at(const CheckColumns& states, int n, const Evaluations& wanted);
 
+  /// Another one that the first contact follows.
+  void set_surface(const Quadric& surface);
+
   /// At one state; a and lambda zero where M is singular.
   CheckSizes sizes(const CheckState& state);
 

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
+#include "base/parse_number.hpp"
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/dynamics/reference.hpp"
+#include "dynamics/descriptions.hpp"
 
 namespace burnish {
 namespace {
@@ -119,11 +122,61 @@ Eigen::Matrix3d turned_axes(const Eigen::Vector3d& normal, double turn_deg) {
 
 }  // namespace
 
-std::string name_of(Kind kind) { return surface_kinds()[static_cast<std::size_t>(kind)]; }
-const std::vector<std::string>& surface_kinds() {
-  static const std::vector<std::string> names{"plane", "sphere",    "cylinder", "cone",
-                                              "torus", "ellipsoid", "saddle",   "ridge"};
-  return names;
+std::string name_of(Kind kind) { return words_of(kind).words[static_cast<std::size_t>(kind)].word; }
+std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
+
+namespace {
+/// What a text states of each kind after its name, in this order.
+std::vector<double*> stated_of(SurfaceShape& shape) {
+  switch (shape.kind) {
+    case Kind::Sphere:
+    case Kind::Cylinder:
+      return {&shape.radius};
+    case Kind::Cone:
+      return {&shape.radius, &shape.half_angle};
+    case Kind::Torus:
+      return {&shape.radius, &shape.ring};
+    case Kind::Ellipsoid:
+      return {&shape.semi_axes[0], &shape.semi_axes[1], &shape.semi_axes[2]};
+    case Kind::Saddle:
+      return {&shape.curvature[0], &shape.curvature[1]};
+    case Kind::Ridge:
+      return {&shape.edge, &shape.slope};
+    case Kind::Plane:
+      break;
+  }
+  return {};
+}
+}  // namespace
+
+SurfaceShape SurfaceShape::parse(const std::string& text) {
+  const std::string who = "surface " + in_quotes(text);
+  std::vector<std::string> pieces;
+  std::istringstream stream(text);
+  for (std::string piece; std::getline(stream, piece, ':');) pieces.push_back(piece);
+  SurfaceShape shape;
+  const std::string name = pieces.empty() ? "" : pieces.front();
+  const std::vector<std::string> known = surface_kinds();
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end())
+    throw Error(who + ": there is no shape " + in_quotes(name) + "; wanted such as sphere:0.3" +
+                did_you_mean(name, known));
+  shape.kind = static_cast<Kind>(found - known.begin());
+  shape.hollow = pieces.size() > 1 && pieces.back() == "hollow";
+  const std::vector<double*> numbers = stated_of(shape);
+  const std::size_t stated = pieces.size() - 1 - (shape.hollow ? 1 : 0);
+  if (stated != 0 && stated != numbers.size())
+    throw Error(who + ": it states " + std::to_string(stated) + " numbers; a " + name + " has " +
+                std::to_string(numbers.size()));
+  for (std::size_t i = 0; i < stated; ++i) {
+    const std::optional<double> number = parse_number(pieces[i + 1]);
+    if (!number)
+      throw Error(who + ": " + in_quotes(pieces[i + 1]) + " is no number; wanted such as " + name +
+                  ":0.3, and ':hollow' at the end of one that is worked in");
+    *numbers[i] = *number;
+  }
+  shape.check(who);
+  return shape;
 }
 
 Quadric SurfaceDistance::quadric(const Eigen::Vector3d& x, double offset) const {

@@ -188,7 +188,7 @@ TEST(Check, PassesWithExitCodeZero) {
   const Outcome outcome = run("check arm7 --states 2");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "") << "progress is for terminals";
-  EXPECT_NE(outcome.out.find("pass: all 96 rows, worst error "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("pass: all 120 rows, worst error "), std::string::npos) << outcome.out;
 }
 
 TEST(Check, NeedsAUrdfFileAndNoMore) {
@@ -198,10 +198,24 @@ TEST(Check, NeedsAUrdfFileAndNoMore) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST(Check, CoversCurvedSurfaces) {
+  const Outcome outcome =
+      run("check arm7 --surface sphere:0.3 --surface torus:0.1:0.5:hollow --states 1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* words : {"sphere of radius 0.3 m", "hollow torus of radius 0.1 m along a ring",
+                            "pass: all 48 rows, worst error "})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
+  expect_refused(
+      run("check arm7 --surface spere:0.3"),
+      "surface 'spere:0.3': there is no shape 'spere'; wanted such as sphere:0.3; did you "
+      "mean 'sphere'?");
+  expect_refused(run("check arm7 --surface sphere:-1"), "its radius is -1 m");
+}
+
 TEST(Check, FailsWithExitCodeOne) {
   const Outcome outcome = run("check arm7 --states 1 --tolerance 1e-18");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("FAIL: 96 of 96 rows\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("FAIL: 120 of 120 rows\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find(", differences say "), std::string::npos);
 }
 

@@ -20,6 +20,7 @@ Model model_of(const std::string& name) { return test::named_robot(name); }
 CheckOptions quick() {
   CheckOptions options;
   options.references = {Reference::centered()};
+  options.surfaces = {};
   options.directions = {Directions::pad_z()};
   options.gains = {default_check_gains()[1]};
   options.states = 2;
@@ -43,7 +44,7 @@ TEST_P(CheckRobots, PassWithMargin) {
   options.states = 3;
   const CheckReport report = check_derivatives(model_of(GetParam()), options);
   EXPECT_TRUE(report.pass) << report.text();
-  EXPECT_EQ(report.rows.size(), 4U * 8U * 3U);
+  EXPECT_EQ(report.rows.size(), 5U * 8U * 3U);
   for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
 }
 
@@ -72,6 +73,64 @@ TEST(Check, PassesForAllAccelerationsBetweenTwoBodies) {
   const CheckReport report = check_derivatives(model_of(two_tips().robot), options);
   EXPECT_TRUE(report.pass) << report.text();
   EXPECT_EQ(report.rows.front().bodies, options.tool + " on " + options.base);
+}
+
+std::vector<SurfaceShape> every_shape() {
+  std::vector<SurfaceShape> all;
+  for (const char* text : {"plane", "sphere:0.3", "sphere:0.1:hollow", "cylinder:0.2",
+                           "cylinder:0.05:hollow", "cone:0.2:0.4", "torus:0.1:0.5",
+                           "torus:0.2:0.4:hollow", "ellipsoid:0.4:0.3:0.2", "saddle:3:-2"})
+    all.push_back(SurfaceShape::parse(text));
+  return all;
+}
+
+TEST(Check, CurvedSurfacesPassOnAStandingAndOnAMovingBase) {
+  for (const std::string& base : {std::string("world"), two_tips().other_tip}) {
+    CheckOptions options;
+    options.tool = two_tips().tip;
+    options.base = base;
+    options.references = {};
+    options.surfaces = every_shape();
+    options.directions = {Directions::z(), Directions::parse("x,z,ry")};
+    options.gains = {default_check_gains()[1]};
+    options.accelerations = {Acceleration::TimeDerivative, Acceleration::Spatial};
+    options.states = 2;
+    const CheckReport report = check_derivatives(model_of(two_tips().robot), options);
+    EXPECT_TRUE(report.pass) << report.text();
+    ASSERT_EQ(report.rows.size(), every_shape().size() * 4U);
+    for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
+    EXPECT_EQ(report.rows[8].reference, "hollow sphere of radius 0.1 m");
+  }
+}
+
+/// The check sees that a force turns with the normal and that what is held bends: a flat surface of
+/// the same normal has other derivatives.
+TEST(Check, ACurvedSurfaceIsNoFlatOne) {
+  CheckOptions options = quick();
+  options.references = {};
+  options.surfaces = {SurfaceShape::parse("sphere:0.3")};
+  const Model model = model_of("arm7");
+  std::vector<Eigen::MatrixXd> bent, flat;
+  const auto keep = [](std::vector<Eigen::MatrixXd>& to) {
+    return [&to](std::vector<DerivativeBlock>& blocks) {
+      to.push_back(block_named(blocks, "dlambda_dq").expected);
+    };
+  };
+  EXPECT_TRUE(run_check(model, options, keep(bent)).pass);
+  options.surfaces = {SurfaceShape::parse("plane")};
+  EXPECT_TRUE(run_check(model, options, keep(flat)).pass);
+  EXPECT_GT((bent[0] - flat[0]).norm(), 0.1 * flat[0].norm());
+}
+
+TEST(Check, GivenContactsMayFollowASurface) {
+  CheckOptions options;
+  ContactSpec pad{.tool = "tool", .directions = Directions::pad_z()};
+  pad.reference = Reference::on(Quadric::sphere({0.4, 0.1, 0.0}, 0.3), {0.4, 0.1, 0.3});
+  options.contacts = {pad};
+  options.states = 3;
+  const CheckReport report = check_derivatives(model_of("arm7"), options);
+  EXPECT_TRUE(report.pass) << report.text();
+  EXPECT_EQ(report.rows[0].reference, "curved surface");
 }
 
 TEST(Check, GivenContactsAreCheckedTogether) {
@@ -163,6 +222,7 @@ TEST(Check, DirectionsThatOnlyRoundingMovesAreCheckedWithCompliance) {
   turned.frames = {{"tool", "tip", Eigen::Isometry3d(Eigen::Translation3d(1.0, 0.0, 0.0))}};
   CheckOptions options;
   options.references = {Reference::centered()};
+  options.surfaces = {};
   options.directions = {Directions::y(), Directions::x()};
   const CheckReport report = check_derivatives(build_model(tree, turned), options);
   EXPECT_TRUE(report.pass) << report.text();
@@ -293,10 +353,15 @@ TEST(Check, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(sentence([](auto& o) { o.tolerance = std::nan(""); }),
             "check: tolerance is nan; wanted a positive number");
   EXPECT_EQ(sentence([](auto& o) { o.references.clear(); }),
-            "check: references, directions, accelerations or gains are empty");
+            "check: references and surfaces, directions, accelerations or gains are empty");
   EXPECT_NE(sentence([](auto& o) { o.tool = "tol"; }).find("did you mean 'tool'?"),
             std::string::npos);
   EXPECT_NE(sentence([](auto& o) { o.base = "wrld"; }).find("'wrld'"), std::string::npos);
+  const auto shaped = [&](const SurfaceShape& shape) {
+    return sentence([&](auto& o) { o.surfaces = {shape}; });
+  };
+  EXPECT_EQ(shaped({.kind = SurfaceShape::Kind::Sphere, .radius = -1.0}),
+            "the surface: sphere: its radius is -1 m; wanted a positive number");
 }
 
 TEST(Differences, ExtrapolationIsExactToRounding) {

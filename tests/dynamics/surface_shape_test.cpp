@@ -180,5 +180,30 @@ TEST(Surfaces, AreRefusedInASentence) {
             std::string::npos);
 }
 
+TEST(SurfaceShapes, AreReadFromAText) {
+  const SurfaceShape ball = SurfaceShape::parse("sphere:0.25:hollow");
+  EXPECT_EQ(ball.text(), "hollow sphere of radius 0.25 m");
+  EXPECT_EQ(SurfaceShape::parse("torus:0.1:0.6").text(),
+            "torus of radius 0.1 m along a ring of 0.6 m");
+  EXPECT_EQ(SurfaceShape::parse("cone:0.2:0.5").half_angle, 0.5);
+  EXPECT_EQ(SurfaceShape::parse("ellipsoid:1:2:3").semi_axes, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(SurfaceShape::parse("saddle:1:-2").curvature, Eigen::Vector2d(1.0, -2.0));
+  for (const std::string& name : surface_kinds())
+    EXPECT_EQ(name_of(SurfaceShape::parse(name).kind), name);
+  const auto refused = [](const std::string& text, const std::string& sentence) {
+    EXPECT_EQ(testing::refusal([&] { SurfaceShape::parse(text); }),
+              "surface '" + text + "': " + sentence);
+  };
+  refused("spere:1",
+          "there is no shape 'spere'; wanted such as sphere:0.3; did you mean 'sphere'?");
+  refused("sphere:1:2", "it states 2 numbers; a sphere has 1");
+  refused(
+      "cylinder:wide",
+      "'wide' is no number; wanted such as cylinder:0.3, and ':hollow' at the end of one that is "
+      "worked in");
+  refused("sphere:0", "sphere: its radius is 0 m; wanted a positive number");
+  refused("plane:hollow", "plane: it is hollow, which a plane cannot be");
+}
+
 }  // namespace
 }  // namespace burnish::test

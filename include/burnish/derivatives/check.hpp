@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burnish/contact/contact.hpp"
+#include "burnish/dynamics/surface_shape.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -27,15 +28,20 @@ std::string default_tool(const Model& model);
 std::vector<Reference> default_check_references();   ///< all four, the surface tilted
 std::vector<Directions> default_check_directions();  ///< x; y; z; x,y; linear; pad_z; five; all
 std::vector<CheckGains> default_check_gains();       ///< none; Split; Log6, unequal by direction
+std::vector<SurfaceShape> default_check_surfaces();  ///< a saddle
 
-/// What to check: one tool in every combination of references, directions, accelerations and gains,
-/// or the contacts given.
+/// What to check: one tool in every combination of references or surfaces, directions,
+/// accelerations and gains, or the contacts given.
 struct CheckOptions {
   /// Frame C2. Empty: default_tool().
   std::string tool;
   /// Frame C1. On a moving body, every row is a contact between two bodies.
   std::string base = "world";
   std::vector<Reference> references = default_check_references();
+  /// Curved surfaces of the base, which the axes of further contacts follow. At each state one of
+  /// that shape is within 2 cm of the tool, its normal up to a radian from where the axes start,
+  /// and the contact has what osculates it there.
+  std::vector<SurfaceShape> surfaces = default_check_surfaces();
   std::vector<Directions> directions = default_check_directions();
   std::vector<Acceleration> accelerations{Acceleration::TimeDerivative};
   std::vector<CheckGains> gains = default_check_gains();
@@ -105,7 +111,8 @@ struct CheckReport {
 /// States are passed over where the contact is close to singular (condition of J M^-1 J^T above
 /// 1e5, rows that the joints hardly move counting as the short ones that they are) or, with a
 /// proportional gain on rotations, within 0.1 rad of half a turn from the target, where the
-/// logarithm jumps. Targets of the sweep are at the neutral configuration.
+/// logarithm jumps, or where a surface that a given contact follows has no normal or one about half
+/// a turn from where its axes start. Targets of the sweep are at the neutral configuration.
 ///
 /// Throws Error with one sentence for options that cannot be used.
 CheckReport check_derivatives(const Model& model, const CheckOptions& options = {});

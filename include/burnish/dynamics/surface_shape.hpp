@@ -46,10 +46,15 @@ struct SurfaceShape {
   void check(const std::string& who) const;
   /// Such as "sphere of radius 0.3 m".
   std::string text() const;
+  /// Reads "sphere:0.3" or "torus:0.1:0.5:hollow": a kind, its numbers or none of them (of a sphere
+  /// or cylinder its radius; of a cone radius and half angle; of a torus radius and ring; of an
+  /// ellipsoid three semi-axes; of a saddle two curvatures), and whether it is hollow. Throws Error
+  /// with the nearest known kind, and as check() does.
+  static SurfaceShape parse(const std::string& text);
 };
 
 std::string name_of(SurfaceShape::Kind kind);
-const std::vector<std::string>& surface_kinds();  ///< names of all, in their order
+std::vector<std::string> surface_kinds();  ///< names of all, in their order
 
 /// A shape in its place. No call allocates. A ridge has an edge: its normal turns at once where its
 /// planes meet, and outside around the edge itself; hollow, as a valley, its second plane rises.
