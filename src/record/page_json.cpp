@@ -99,7 +99,12 @@ void add_scene(Json& json, const RunPage& run) {
                      {"true_axes", axes_json(run.surface.true_axes)},
                      {"friction", number_json(run.surface.friction)},
                      {"extent", number_json(run.surface.extent)}};
+  json["surface"]["patch"] = nullptr;
+  if (run.surface.patch)
+    json["surface"]["patch"] = {{"side", run.surface.patch->side},
+                                {"points", packed_json(run.surface.patch->points)}};
   json["path"] = {{"u", floats_json(run.path_u)}, {"w", floats_json(run.path_w)}};
+  if (run.path_h.size() > 0) json["path"]["h"] = floats_json(run.path_h);
   json["path_origin"] = numbers_json(run.path_origin_world);
 }
 

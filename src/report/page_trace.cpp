@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 /// Columns beside those of joints, and signals with envelopes beside torques.
-constexpr int plain_columns = 24, plain_envelopes = 7;
+constexpr int plain_columns = 30, plain_envelopes = 7;
 constexpr double mean_over = 0.010;  // s, of the force's mean
 
 /// Every `stride`th row and the last.
@@ -113,6 +113,21 @@ void add_motion(PageFiller& fill, const RunPage& page, const Trace& trace) {
       (turned("tool_rx_start") + turned("tool_ry_start") + turned("tool_rz_start")).sqrt());
 }
 
+/// The true and the believed normal where they are not those of the surface's axes all the time.
+void add_normals(PageFiller& fill, const RunPage& page, const Trace& trace) {
+  const auto add = [&](const std::string& name, const Eigen::Vector3d& usual) {
+    const char* const axes[] = {"_x", "_y", "_z"};
+    const auto column = [&](int i) { return trace.column(name + axes[i] + "_world"); };
+    double most = 0.0;
+    for (int i = 0; i < 3; ++i)
+      if (trace.rows() > 0) most = std::max(most, (column(i).array() - usual[i]).abs().maxCoeff());
+    if (!(most > 1e-6)) return;
+    for (int i = 0; i < 3; ++i) fill.add(name + axes[i], "-", column(i));
+  };
+  add("surface_normal", page.surface.true_axes.col(2));
+  add("believed_normal", page.surface.axes.col(2));
+}
+
 void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
   for (int k = 0; k < model.nq; ++k) fill.copy("q_" + model.q_name(k), "q_" + model.q_name(k));
   for (int k = 0; k < model.nv; ++k) fill.copy("v_" + model.v_name(k), "v_" + model.v_name(k));
@@ -210,6 +225,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   fill.copy("in_contact", "in_contact");
   add_forces(fill, page, trace);
   add_motion(fill, page, trace);
+  add_normals(fill, page, trace);
   add_joints(fill, model, trace);
   add_limits(fill, trace);
   page.phases = phases_of(trace, page.phase_names);

@@ -12,6 +12,7 @@
 
 #include "burnish/base/trace.hpp"
 #include "burnish/base/views.hpp"
+#include "burnish/dynamics/surface_shape.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/report/plan_record.hpp"
@@ -57,7 +58,14 @@ struct PagePhase {
   double start = 0.0, end = 0.0;  ///< s
 };
 
-/// The plane that is polished. Columns of axes: two tangents and the normal, towards the robot.
+/// A piece of a curved surface as points to draw: `side` rows of as many, m, world.
+struct PagePatch {
+  int side = 0;
+  std::vector<float> points;  ///< x, y, z of each, row by row
+};
+
+/// The surface that is polished. Columns of axes: two tangents and the normal, towards the robot,
+/// of a curved one at its point.
 struct PageSurface {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -66,6 +74,7 @@ struct PageSurface {
   double friction = 0.0;  ///< in the plant
   /// m, half its side about the path's origin; infinite: it has no end.
   double extent = std::numeric_limits<double>::infinity();
+  std::optional<PagePatch> patch = {};  ///< of a curved one as the plant has it
 };
 
 /// One entry per plan, or the fastest and slowest of a few that follow each other.
@@ -102,6 +111,7 @@ struct RunPage {
   double tip_radius = 0.0;  ///< m
   PageSurface surface = {};
   Eigen::VectorXd path_u = {}, path_w = {};  ///< m, the path asked for, about path_origin
+  Eigen::VectorXd path_h = {};  ///< m, of a curved surface over the tangents there; else empty
   Eigen::Vector3d path_origin_world = Eigen::Vector3d::Zero();
   Eigen::VectorXd time = {};  ///< s, of the rows
   std::vector<PageColumn> columns = {};
@@ -118,6 +128,14 @@ struct PageSize {
   double most_megabytes = 6.0;  ///< of columns and envelopes, as text
   int most_plans = 4000;        ///< entries of PageSolver
 };
+
+/// The piece of a surface about the place of it that is nearest to `middle`, m: what stands over a
+/// square in its tangent plane there, half a side long, or where that has no end, as much along the
+/// surface, at most two radii of its strongest bend there.
+PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, double half);
+/// Puts the curved surface of a plant into a page that has the path already: the piece about it,
+/// and how high the path is.
+void add_curved_surface(RunPage& page, const Surface& surface);
 
 /// Every how many rows of a trace the page has one: a multiple of `record_every`, so that its times
 /// are among those of a table that has every `record_every`th row, as large as the size asks for.

@@ -33,6 +33,7 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
                   .true_axes = Reference::surface_with_normal(plant.normal).rotation,
                   .friction = plant.friction,
                   .extent = plant.extent};
+  if (!plant.shape.is_flat()) add_curved_surface(page, surface_of(plant));
   if (!run.plans.time.empty()) page.plans = run.plans;
   add_trace(page, run.trace, record_every);
 }

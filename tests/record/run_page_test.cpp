@@ -1,6 +1,7 @@
 // The data of a page: encoding, columns, envelopes, robots, and the HTML around it.
 #include <gtest/gtest.h>
 
+#include "burnish/dynamics/reference.hpp"
 #include "record/page_data.hpp"
 #include "record/page_json.hpp"
 #include "support/refusal.hpp"
@@ -134,6 +135,65 @@ TEST(RunPage, ForcesAreAlongTheNormalOfEachRow) {
       EXPECT_NEAR(column.values[99], angle, 1e-9);
     }
   }
+}
+
+bool has_column(const RunPage& page, const std::string& name) {
+  return std::any_of(page.columns.begin(), page.columns.end(),
+                     [&](const PageColumn& column) { return column.name == name; });
+}
+
+TEST(RunPage, NormalsAreColumnsWhereTheyAreNotThoseOfTheAxes) {
+  RunPage page = page_of_run();
+  for (const char* of : {"surface_normal_x", "believed_normal_z"})
+    EXPECT_FALSE(has_column(page, of)) << of;
+  page.surface.axes = Reference::surface_with_normal({0.1, 0.0, 1.0}).rotation;
+  add_trace(page, page_trace(page.robot.model, 1000), 10);
+  EXPECT_FALSE(has_column(page, "surface_normal_x"));
+  ASSERT_TRUE(has_column(page, "believed_normal_x"));
+  const Json run = Json::parse(run_page_json(page));
+  EXPECT_EQ(floats_of(named(run["series"]["columns"], "believed_normal_z")["data"])[5], 1.0F);
+}
+
+TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
+  const Eigen::Vector3d point(0.3, 0.2, -0.02), up(0.1, -0.2, 1.0);
+  for (const char* text :
+       {"sphere:0.3", "sphere:0.06:hollow", "cylinder:0.2", "cylinder:0.05", "cone:0.2:0.3",
+        "torus:0.1:0.5", "ellipsoid:0.4:0.3:0.3", "saddle:1:-2"}) {
+    SCOPED_TRACE(text);
+    const Surface surface(SurfaceShape::parse(text), point, up);
+    RunPage page = page_of_run();
+    page.surface.axes = Reference::surface_with_normal(up).rotation;
+    add_curved_surface(page, surface);
+    const Json run = Json::parse(run_page_json(page));
+    const int side = run["surface"]["patch"]["side"];
+    const std::vector<float> points = floats_of(run["surface"]["patch"]["points"]);
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(3 * side * side));
+    double widest = 0.0, longest = 0.0;
+    const auto at = [&](int i, int k) {
+      return Eigen::Vector3f(points.data() + 3 * (i * side + k)).cast<double>();
+    };
+    for (int i = 0; i < side; ++i)
+      for (int k = 0; k < side; ++k) {
+        EXPECT_NEAR(surface.at(at(i, k)).distance, 0.0, 1e-6) << i << " " << k;
+        if (k > 0) longest = std::max(longest, (at(i, k) - at(i, k - 1)).norm());
+        widest = std::max(widest, (at(i, k) - at(side / 2, side / 2)).norm());
+      }
+    EXPECT_LT(longest, 0.08) << "neighbours stay neighbours";
+    EXPECT_GT(widest, 0.05);
+    // The path lies on it.
+    const std::vector<float> heights = floats_of(run["path"]["h"]);
+    ASSERT_EQ(heights.size(), 5U);
+    const Eigen::Matrix3d& axes = page.surface.axes;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const Eigen::Vector3d p = page.path_origin_world - page.tip_radius * axes.col(2) +
+                                page.path_u[static_cast<Eigen::Index>(i)] * axes.col(0) +
+                                static_cast<double>(heights[i]) * axes.col(2);
+      if (std::string(text) == "cylinder:0.05" || std::string(text) == "sphere:0.06:hollow")
+        continue;  // the path is wider than they are
+      EXPECT_NEAR(surface.at(p).distance, 0.0, 1e-6);
+    }
+  }
+  EXPECT_TRUE(Json::parse(run_page_json(page_of_run()))["surface"]["patch"].is_null());
 }
 
 TEST(RunPage, AMeasurementThatIsMissingIsAGap) {

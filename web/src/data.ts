@@ -122,6 +122,8 @@ export interface Surface {
   friction: number;
   /** m, half its side; null without end, missing in pages of before. */
   extent?: number | null;
+  /** a piece of a curved one: side * side points, x, y and z of each; none of a plane */
+  patch?: { side: number; points: Numbers } | null;
 }
 
 export interface Run {
@@ -139,7 +141,8 @@ export interface Run {
   robot: Robot;
   tool: { frame: string; tip_radius: number };
   surface: Surface;
-  path: { u: Numbers; w: Numbers };
+  /** h: of a curved surface over the tangents, m */
+  path: { u: Numbers; w: Numbers; h?: Numbers };
   path_origin: Vec3;
   time: Numbers;
   columns: Map<string, Column>;
@@ -255,6 +258,26 @@ export const column = (run: Run, name: string): Numbers | null =>
 /** Value of a column at a time: of the row next to it. NaN where there is none. */
 export function valueAt(run: Run, name: string, t: number): number {
   return column(run, name)?.[rowAt(run.time, t)] ?? NaN;
+}
+
+/** Two triangles between each four neighbours of a grid: places of their corners in it. */
+export function gridTriangles(side: number): Uint32Array {
+  const corners: number[] = [];
+  for (let i = 0; i + 1 < side; ++i)
+    for (let k = 0; k + 1 < side; ++k) {
+      const at = i * side + k;
+      corners.push(at, at + side, at + 1, at + 1, at + side, at + side + 1);
+    }
+  return new Uint32Array(corners);
+}
+
+/** The surface's normal in a row, as it is or as the controller believes: where it is not the same
+ * all the time it has columns. */
+export function normalAt(run: Run, of: 'surface' | 'believed', row: number): Vec3 {
+  const axes = of === 'surface' ? run.surface.true_axes : run.surface.axes;
+  const [x, y, z] = ['x', 'y', 'z'].map((axis) => column(run, `${of}_normal_${axis}`)?.[row]);
+  if (x === undefined || y === undefined || z === undefined) return [axes[6]!, axes[7]!, axes[8]!];
+  return [x, y, z];
 }
 
 /** Columns of the configuration, in the order of q; null if they do not make up a whole one. */

@@ -2,6 +2,8 @@
 
 import {
   BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
   DoubleSide,
   EdgesGeometry,
   Group,
@@ -15,15 +17,44 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import { column, configurationColumns, rowBefore, valueAt, type Run, type Vec3 } from './data';
+import {
+  column,
+  configurationColumns,
+  gridTriangles,
+  normalAt,
+  rowAt,
+  rowBefore,
+  valueAt,
+  type Run,
+  type Vec3,
+} from './data';
 import { forward, framePlacement, interpolate } from './kinematics';
 import { Arrow, Line, Triad } from './marks';
 import { drawnSolids, ghostMaterial, RobotModel } from './robot_model';
 import { colour, onTheme } from './theme';
 import type { View3D } from './view3d';
 
-export const layers = ['forces', 'triad', 'path', 'trail', 'horizon', 'surface'] as const;
+export const layers = [
+  'forces',
+  'normals',
+  'triad',
+  'path',
+  'trail',
+  'horizon',
+  'surface',
+] as const;
 export type Layer = (typeof layers)[number];
+
+/** Whether a run has anything to draw of a layer. Two normals say something where they may differ. */
+export function hasLayer(run: Run, layer: Layer): boolean {
+  if (layer === 'horizon') return run.horizon !== null;
+  if (layer !== 'normals') return true;
+  const { surface } = run;
+  const moves = ['surface_normal_x', 'believed_normal_x'].some((name) => column(run, name));
+  return (
+    moves || !!surface.patch || axisOf(surface.axes, 2).angleTo(axisOf(surface.true_axes, 2)) > 2e-3
+  );
+}
 
 const vector = (v: ArrayLike<number>): Vector3 => new Vector3(v[0], v[1], v[2]);
 const axisOf = (axes: number[], i: number): Vector3 => vector(axes.slice(3 * i, 3 * i + 3));
@@ -52,13 +83,15 @@ interface Trail {
 
 /** The tip on the surface while in contact, in at most 3000 pieces. */
 function trailOf(run: Run, width: number, colourName: string): Trail {
-  const normal = axisOf(run.surface.true_axes, 2);
   const contact = column(run, 'in_contact');
   const stride = Math.max(1, Math.ceil(run.time.length / 3000));
   const pieces: number[] = [];
   const times: number[] = [];
   const tip = (row: number): Vector3 =>
-    toolAt(run, row).addScaledVector(normal, 0.0012 - run.tool.tip_radius);
+    toolAt(run, row).addScaledVector(
+      vector(normalAt(run, 'surface', row)),
+      0.0012 - run.tool.tip_radius,
+    );
   for (let row = 0; row + stride < run.time.length; row += stride) {
     if (!(contact?.[row] && contact[row + stride])) continue;
     pieces.push(...tip(row).toArray(), ...tip(row + stride).toArray());
@@ -89,6 +122,10 @@ export class RunScene {
     true: new Arrow(0.0062, 'true'),
     estimated: new Arrow(0.0042, 'estimated'),
     target: new Arrow(0.0042, 'target'),
+  };
+  private readonly normals = {
+    true: new Arrow(0.003, 'true', 0.85),
+    believed: new Arrow(0.003, 'estimated', 0.85),
   };
   private readonly ring = new Group();
   private readonly held: Mesh;
@@ -166,9 +203,44 @@ export class RunScene {
     return [held, open];
   }
 
+  /** The piece of a curved surface, seen from both of its sides. */
+  private drawPatch(patch: NonNullable<Run['surface']['patch']>): void {
+    const shape = new BufferGeometry();
+    shape.setAttribute('position', new BufferAttribute(patch.points, 3));
+    shape.setIndex(new BufferAttribute(gridTriangles(patch.side), 1));
+    shape.computeVertexNormals();
+    const material = new MeshStandardMaterial({
+      roughness: 0.9,
+      transparent: true,
+      side: DoubleSide,
+    });
+    const solid = new Mesh(shape, material);
+    solid.receiveShadow = true;
+    const { side, points } = patch;
+    const lines: number[] = [];
+    const corner = (i: number, k: number): number[] =>
+      Array.from(points.subarray(3 * (i * side + k), 3 * (i * side + k) + 3));
+    const every = Math.max(1, (side - 1) >> 3);
+    for (let i = 0; i < side; i += every)
+      for (let k = 0; k + 1 < side; ++k)
+        lines.push(...corner(i, k), ...corner(i, k + 1), ...corner(k, i), ...corner(k + 1, i));
+    const net = new BufferGeometry();
+    net.setAttribute('position', new BufferAttribute(new Float32Array(lines), 3));
+    const edge = new LineBasicMaterial({ transparent: true, opacity: 0.25 });
+    const paint = (): void => {
+      material.color.set(colour('plate'));
+      edge.color.set(colour('ink'));
+    };
+    paint();
+    onTheme(paint);
+    this.plate.add(solid, new LineSegments(net, edge));
+    this.parts.surface.add(this.plate);
+  }
+
   /** A plate as large as the surface, or as the path if that has no end; and the plane that the controller believes in where it differs. */
   private drawPlate(): void {
     const { surface } = this.run;
+    if (surface.patch) return this.drawPatch(surface.patch);
     const half = surface.extent ?? this.extent + 0.11;
     const frame = (axes: number[], at: Vector3): Matrix4 =>
       new Matrix4().makeBasis(axisOf(axes, 0), axisOf(axes, 1), axisOf(axes, 2)).setPosition(at);
@@ -225,7 +297,7 @@ export class RunScene {
           .clone()
           .addScaledVector(t1, path.u[i]!)
           .addScaledVector(t2, path.w[i]!)
-          .addScaledVector(n, 0.002),
+          .addScaledVector(n, 0.002 + (path.h?.[i] ?? 0)),
       );
     const asked = new Line('target', 2, [0.006, 0.004]);
     asked.setPoints(points);
@@ -235,17 +307,19 @@ export class RunScene {
     this.parts.triad.add(this.triad.group);
     const { arrows } = this;
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
+    this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
+    this.parts.normals.visible = this.has('normals');
     this.parts.horizon.add(this.ghost.group, this.ghostLine.object);
     this.group.add(this.robot.group, this.ball, this.ring, ...Object.values(this.parts));
   }
 
   has(layer: Layer): boolean {
-    return layer !== 'horizon' || this.run.horizon !== null;
+    return hasLayer(this.run, layer);
   }
 
   show(layer: Layer, on: boolean): void {
     this.shown[layer] = on;
-    this.parts[layer].visible = on && (layer !== 'horizon' || this.planned);
+    this.parts[layer].visible = on && this.has(layer) && (layer !== 'horizon' || this.planned);
   }
 
   update(t: number): void {
@@ -266,11 +340,28 @@ export class RunScene {
     this.updateHorizon(t);
   }
 
+  /** How far a point is from the surface along its normal there, m. */
+  private above(point: Vector3, normal: Vector3): number {
+    const { patch, true_point: origin } = this.run.surface;
+    const nearest = vector(origin);
+    if (patch) {
+      const candidate = new Vector3();
+      for (let i = 0; i < patch.points.length; i += 3) {
+        candidate.fromArray(patch.points, i);
+        if (candidate.distanceToSquared(point) < nearest.distanceToSquared(point))
+          nearest.copy(candidate);
+      }
+    }
+    return point.clone().sub(nearest).dot(normal);
+  }
+
   private updateContact(t: number, tool: Vector3): void {
-    const { run, normal } = this;
+    const { run } = this;
+    const row = rowAt(run.time, t);
+    const normal = vector(normalAt(run, 'surface', row)).normalize();
     const contact = valueAt(run, 'in_contact', t) > 0.5;
     const point = tool.clone().addScaledVector(normal, -run.tool.tip_radius);
-    const above = point.clone().sub(vector(run.surface.true_point)).dot(normal);
+    const above = this.above(point, normal);
     const foot = point.clone().addScaledVector(normal, -above);
     this.held.visible = contact;
     this.open.visible = !contact;
@@ -283,13 +374,19 @@ export class RunScene {
       const f = valueAt(run, name, t);
       return Number.isFinite(f) ? f * perNewton : 0;
     };
+    // Its parts are along the normal of now and along two tangents at the surface's point.
     const [a1, a2] = [axisOf(run.surface.true_axes, 0), axisOf(run.surface.true_axes, 1)];
-    const acting = normal
+    const [b1, b2, b3] = [a2.clone().cross(normal), normal.clone().cross(a1), a1.clone().cross(a2)];
+    const acting = b3
       .clone()
       .multiplyScalar(force('force_normal'))
-      .addScaledVector(a1, force('force_t1'))
-      .addScaledVector(a2, force('force_t2'));
-    const believed = axisOf(run.surface.axes, 2);
+      .addScaledVector(b1, force('force_t1'))
+      .addScaledVector(b2, force('force_t2'))
+      .divideScalar(Math.max(normal.dot(b3), 0.1));
+    const believed = vector(normalAt(run, 'believed', row)).normalize();
+    const length = 0.16;
+    this.normals.true.set(point, normal.clone().multiplyScalar(length));
+    this.normals.believed.set(point, believed.clone().multiplyScalar(length));
     this.arrows.true.set(point, acting);
     this.arrows.estimated.set(point, believed.clone().multiplyScalar(force('force_estimated')));
     this.arrows.target.set(point, believed.clone().multiplyScalar(force('force_target')));

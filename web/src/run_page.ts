@@ -15,7 +15,7 @@ import {
   jointSpecs,
   shortJoint,
 } from './plot_specs';
-import { forceScale, layers, OtherTool, RunScene, type Layer } from './replay';
+import { forceScale, hasLayer, layers, OtherTool, RunScene, type Layer } from './replay';
 import { runColour, toggleTheme } from './theme';
 import { TimePlot } from './time_plot';
 import { timeline } from './timeline';
@@ -48,7 +48,7 @@ const keys: { title: string; keys: Keys }[] = [
       ['drag, wheel', 'turn, zoom; with the right button move'],
       ['W A S D, Q E', 'turn, zoom, where the view has the focus'],
       ['V', 'next viewpoint'],
-      ['F, H', 'forces, predicted horizon on and off'],
+      ['F, N, H', 'forces, normals, predicted horizon on and off'],
     ],
   },
   {
@@ -62,6 +62,7 @@ const keys: { title: string; keys: Keys }[] = [
 
 const layerNames: Record<Layer, string> = {
   forces: 'Forces',
+  normals: 'Normals, true and believed',
   triad: 'Axes of the surface',
   path: 'Path asked for',
   trail: 'Path drawn',
@@ -118,7 +119,7 @@ class Stage {
     });
     const menu = h('div', { class: 'menu' });
     for (const layer of layers) {
-      if (!this.state.runs.some((run) => layer !== 'horizon' || run.horizon)) continue;
+      if (!this.state.runs.some((run) => hasLayer(run, layer))) continue;
       const box = h('input', { type: 'checkbox', checked: true });
       box.addEventListener('change', () => this.setLayer(layer, box.checked));
       this.boxes.set(layer, box);
@@ -326,6 +327,7 @@ function listenToKeys(state: PageState, stage: Stage, help: HTMLDialogElement): 
       m: span ? () => window.set(...span) : undefined,
       v: () => stage.nextView(),
       f: () => stage.toggle('forces'),
+      n: () => stage.toggle('normals'),
       h: () => stage.toggle('horizon'),
       t: toggleTheme,
       '?': () => help.showModal(),

@@ -1,13 +1,15 @@
-// node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html]
+// node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html]
 // Opens pages from disk in a browser without a screen and uses them as a person would.
 // A page of a robot (burnish show ROBOT --html) is recognised and checked for what it has.
 import { readFileSync } from 'node:fs';
 import { drawn, launch, open, ready } from './browser.mjs';
 import { differing, pixels } from './pixels.mjs';
 
-const [pageFile, traceFile, comparisonFile] = process.argv.slice(2);
+const [pageFile, traceFile, comparisonFile, curvedFile] = process.argv.slice(2);
 if (!pageFile) {
-  console.error('usage: node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html]');
+  console.error(
+    'usage: node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html]',
+  );
   process.exit(2);
 }
 
@@ -315,6 +317,25 @@ async function checkComparison(browser, file) {
   await context.close();
 }
 
+/** A surface that bends is drawn, and so are the two normals: without them the picture is another. */
+async function checkCurved(browser, file) {
+  console.log(file);
+  const { context, page, errors } = await open(browser, file);
+  await ready(page);
+  await api(page, 'b.setTime(2)');
+  const whole = await picture(page);
+  await page.keyboard.press('n');
+  const changed = differing(whole, await picture(page));
+  check('two normals are drawn at the tool', changed > 1e-5, `${(100 * changed).toFixed(3)} %`);
+  await page.keyboard.press('n');
+  await page.locator('.layers summary').click();
+  await page.getByLabel('Surface', { exact: true }).uncheck();
+  const bare = differing(whole, await picture(page));
+  check('a curved surface is drawn', bare > 0.01, `${(100 * bare).toFixed(1)} %`);
+  check('no error on a page of a curved surface', errors.length === 0, errors.join('; '));
+  await context.close();
+}
+
 async function checkPage(browser) {
   console.log(pageFile);
   const { context, page, errors, requests } = await open(browser, pageFile);
@@ -339,6 +360,7 @@ const browser = await launch();
 try {
   await checkPage(browser);
   if (comparisonFile) await checkComparison(browser, comparisonFile);
+  if (curvedFile) await checkCurved(browser, curvedFile);
 } catch (error) {
   check('the page could be used', false, error.message);
 } finally {

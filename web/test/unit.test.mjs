@@ -153,3 +153,32 @@ test('rows are found by time, before and nearest', () => {
     [0, 0, 1, 3, 3],
   );
 });
+
+test('a grid has two triangles between each four neighbours, all turned alike', () => {
+  const triangles = data.gridTriangles(3);
+  assert.equal(triangles.length, 3 * 2 * 4);
+  const area = (a, b, c) => {
+    const [p, q, r] = [a, b, c].map((k) => [Math.floor(k / 3), k % 3]);
+    return 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  };
+  let whole = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const part = area(...triangles.slice(i, i + 3));
+    assert.equal(part, 0.5);
+    whole += part;
+  }
+  assert.equal(whole, 4);
+});
+
+test('normals are those of the axes unless they have columns', () => {
+  const axes = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const columns = new Map(
+    ['x', 'y', 'z'].map((axis, k) => [
+      `believed_normal_${axis}`,
+      { data: [0, 0.6 * (k === 0) + 0.8 * (k === 2)] },
+    ]),
+  );
+  const run = { surface: { axes, true_axes: [0, 1, 0, 0, 0, 1, 1, 0, 0] }, columns };
+  near(data.normalAt(run, 'surface', 1), [1, 0, 0]);
+  near(data.normalAt(run, 'believed', 1), [0.6, 0, 0.8]);
+});

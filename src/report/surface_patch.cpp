@@ -1,0 +1,114 @@
+// A piece of any surface as a grid of points, so that a page draws all shapes alike.
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/dynamics/reference.hpp"
+#include "report/run_page.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr int patch_side = 33;
+constexpr double most_turned = 2.0;  // rad, from the middle to the rim
+constexpr double steepest = 0.3;     // cosine between normals up to which a square shows a surface
+
+/// A place on a surface, with two tangents that are carried along without spin.
+struct Walker {
+  Eigen::Vector3d x, ahead, aside;
+
+  void settle(const Surface& surface) {
+    SurfaceDistance here = surface.at(x);
+    for (int i = 0; i < 4 && std::abs(here.distance) > 1e-12; ++i) {
+      x -= here.distance * here.normal;
+      here = surface.at(x);
+    }
+    const Eigen::Vector3d& n = here.normal;
+    ahead = (ahead - n.dot(ahead) * n).normalized();
+    const Eigen::Vector3d across = n.cross(ahead);
+    aside = across.dot(aside) < 0.0 ? Eigen::Vector3d(-across) : across;
+  }
+  Walker walked(const Surface& surface, double length) const {
+    constexpr int steps = 4;
+    Walker result = *this;
+    for (int i = 0; i < steps; ++i) {
+      result.x += length / steps * result.ahead;
+      result.settle(surface);
+    }
+    return result;
+  }
+  Walker turned() const { return {x, aside, ahead}; }
+};
+
+/// `side` places, evenly spaced along the surface, in whose middle the walker is.
+std::vector<Walker> row_through(const Surface& surface, const Walker& middle, double half) {
+  std::vector<Walker> row(patch_side, middle);
+  const int centre = patch_side / 2;
+  const double step = 2.0 * half / (patch_side - 1);
+  for (int i = 1; i <= centre; ++i) {
+    row[centre + i] = row[centre + i - 1].walked(surface, step);
+    row[centre - i] = row[centre - i + 1].walked(surface, -step);
+  }
+  return row;
+}
+
+/// Where the surface is over or under a point along a direction.
+Eigen::Vector3d along(const Surface& surface, Eigen::Vector3d p, const Eigen::Vector3d& direction) {
+  constexpr int most = 50;
+  for (int i = 0; i < most; ++i) {
+    const SurfaceDistance here = surface.at(p);
+    if (std::abs(here.distance) < 1e-12) break;
+    p -= here.distance / std::max(here.normal.dot(direction), 0.1) * direction;
+  }
+  return p;
+}
+
+}  // namespace
+
+PagePatch surface_patch(const Surface& surface, const Eigen::Vector3d& middle, double half) {
+  const Eigen::Vector3d n = surface.at(middle).normal;
+  const Eigen::Matrix3d axes = Reference::surface_with_normal(n).rotation;
+  Walker here{middle, axes.col(0), axes.col(1)};
+  here.settle(surface);
+  PagePatch patch{patch_side, {}};
+  const auto add = [&](const Eigen::Vector3d& p) {
+    for (const double entry : p) patch.points.push_back(static_cast<float>(entry));
+  };
+  bool is_over_the_square = true;
+  for (int i = 0; i < patch_side; ++i)
+    for (int k = 0; k < patch_side; ++k) {
+      const auto place = [&](int step) { return half * (2.0 * step / (patch_side - 1) - 1.0); };
+      const Eigen::Vector3d p =
+          along(surface, here.x + place(i) * here.ahead + place(k) * here.aside, n);
+      const SurfaceDistance at = surface.at(p);
+      is_over_the_square =
+          is_over_the_square && std::abs(at.distance) < 1e-9 && at.normal.dot(n) > steepest;
+      add(p);
+    }
+  if (is_over_the_square) return patch;
+  patch.points.clear();
+  const double bend = surface.at(here.x).bend.norm();
+  const double reach = std::min(half, most_turned / std::max(bend, 1e-9));
+  for (const Walker& start : row_through(surface, here, reach))
+    for (const Walker& place : row_through(surface, start.turned(), reach)) add(place.x);
+  return patch;
+}
+
+void add_curved_surface(RunPage& page, const Surface& surface) {
+  double reach = 0.05;
+  for (const Eigen::VectorXd* path : {&page.path_u, &page.path_w})
+    for (const double x : *path)
+      if (std::isfinite(x)) reach = std::max(reach, std::abs(x));
+  constexpr double rim = 0.11;  // m, beyond the path
+  const double half = std::isfinite(page.surface.extent) ? page.surface.extent : reach + rim;
+  page.surface.patch = surface_patch(surface, page.path_origin_world, half);
+  const Eigen::Vector3d n = page.surface.axes.col(2);
+  const Eigen::Vector3d origin = page.path_origin_world - page.tip_radius * n;
+  page.path_h.resize(page.path_u.size());
+  for (Eigen::Index i = 0; i < page.path_u.size(); ++i) {
+    const Eigen::Vector3d p = origin + page.path_u[i] * page.surface.axes.col(0) +
+                              page.path_w[i] * page.surface.axes.col(1);
+    page.path_h[i] = n.dot(along(surface, p, n) - p);
+  }
+}
+
+}  // namespace burnish
