@@ -132,7 +132,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
 /// Notes on what is probably not meant, and what the arm has left.
 void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
                   const PolishArguments& arguments) {
-  for (const std::string& note : polishing::task_notes(job.spec.task, job.spec.plant))
+  for (const std::string& note : polishing::task_notes(job.spec.task))
     fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
   if (!arguments.talks() || reach.points == 0) return;
   fmt::print(

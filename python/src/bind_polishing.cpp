@@ -191,8 +191,8 @@ void bind_task(py::module_& m) {
       "Units of the keys of task files that have one, by the keys' paths: 'surface.stiffness'.");
   m.def("write_task", &write_task, py::arg("task"), py::arg("file"),
         "Writes task_text(). Raises Error if the file cannot be written.");
-  m.def("task_notes", &task_notes, py::arg("task"), py::arg("plant"),
-        "Sentences on what is possible but probably not meant, before a run on this plant.");
+  m.def("task_notes", &task_notes, py::arg("task"),
+        "Sentences on what is possible but probably not meant, before a run.");
 }
 
 void bind_setting(py::module_& m) {

@@ -115,8 +115,8 @@ class TestTasks:
 
     def test_what_is_odd_is_noted(self):
         slow = polishing.make_task("table", overrides=["controller.torque_cutoff=60"])
-        assert any("lag" in note for note in polishing.task_notes(slow, "mujoco"))
-        assert polishing.task_notes(polishing.make_task("table"), polishing.PlantKind.IDEAL) == []
+        assert any("lag" in note for note in polishing.task_notes(slow))
+        assert polishing.task_notes(polishing.make_task("table")) == []
 
 
 class TestPaths:

@@ -268,7 +268,7 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("force_sensor", &M::force_sensor,
                  "Measurement.tool_force_world is measured; else the force at the tool is what "
                  "torques, positions and velocities say beyond what they said in the air just "
-                 "before")
+                 "before, which wants model_error.kind torque")
           .field("contact_threshold", &M::contact_threshold,
                  "{N} along the normal that count as contact")
           .field("tick_period", &M::tick_period, "{s}")

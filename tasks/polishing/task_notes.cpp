@@ -50,7 +50,7 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> task_notes(const Task& task, PlantKind /*plant*/) {
+std::vector<std::string> task_notes(const Task& task) {
   std::vector<std::string> notes;
   note_lag(task, notes);
   note_force_error(task, notes);

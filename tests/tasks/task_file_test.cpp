@@ -314,31 +314,31 @@ TEST_F(TaskFile, OverridesAreRefusedByTheirOwnWords) {
 TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
   Task task;
   task.disturbances = disturbance_preset("mismatch");
-  EXPECT_TRUE(task_notes(task, PlantKind::Mujoco).empty());
+  EXPECT_TRUE(task_notes(task).empty());
   task.path.rate = 3.0;
-  EXPECT_TRUE(task_notes(task, PlantKind::Mujoco).empty());
+  EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 60.0;
-  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
-  expect_words(task_notes(task, PlantKind::Ideal)[0],
+  ASSERT_EQ(task_notes(task).size(), 1U);
+  expect_words(task_notes(task)[0],
                {"motors that lag by 60 rad/s (controller.torque_cutoff)", "plant's do not lag",
                 "a lag that is not there overshoots"});
   task.disturbances.torque_cutoff = 50.0;
-  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 0.0;
-  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
+  ASSERT_EQ(task_notes(task).size(), 1U);
   expect_words(
-      task_notes(task, PlantKind::Ideal)[0],
+      task_notes(task)[0],
       {"motors that do not lag", "plant's lag by 50 rad/s", "later than planned oscillate"});
   task.disturbances.torque_cutoff = 500.0;  // 2 ms
-  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  EXPECT_TRUE(task_notes(task).empty());
   task.model_error = {.kind = ModelErrorKind::Force, .bandwidth = 50.0};
-  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  EXPECT_TRUE(task_notes(task).empty());
   task.model_error.bandwidth = 80.0;
-  ASSERT_EQ(task_notes(task, PlantKind::Ideal).size(), 1U);
-  expect_words(task_notes(task, PlantKind::Ideal)[0],
+  ASSERT_EQ(task_notes(task).size(), 1U);
+  expect_words(task_notes(task)[0],
                {"model_error.kind is force with a bandwidth of 80 rad/s", "rings"});
   task.model_error.kind = ModelErrorKind::Torque;
-  EXPECT_TRUE(task_notes(task, PlantKind::Ideal).empty());
+  EXPECT_TRUE(task_notes(task).empty());
 }
 
 TEST_F(TaskFile, FilesThatCannotBeRead) {

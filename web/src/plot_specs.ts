@@ -101,33 +101,41 @@ const pathError = (runs: Run[]): PlotSpec => ({
   height: 160,
 });
 
-const normalError = (runs: Run[]): PlotSpec => ({
-  id: 'normal_error',
-  title: 'Normal error',
-  about: 'Angle between the surface’s normal at the tip and what the controller believes it to be',
+/** A column of angles in degrees. */
+const angle = (
+  runs: Run[],
+  id: string,
+  words: { title: string; about: string; decimals: number; height: number },
+): PlotSpec => ({
+  id,
+  title: words.title,
+  about: words.about,
   axis: 'angle [°]',
-  curves: perRun(runs, 'normal_error', {
+  curves: perRun(runs, id, {
     label: 'angle',
     factor: 180 / Math.PI,
     unit: '°',
-    decimals: 3,
+    decimals: words.decimals,
   }),
-  height: 160,
+  height: words.height,
 });
 
-const toolTurned = (runs: Run[]): PlotSpec => ({
-  id: 'tool_turned',
-  title: 'Tool turned',
-  about: 'Angle between the tool’s frame and where it was at the start',
-  axis: 'angle [°]',
-  curves: perRun(runs, 'tool_turned', {
-    label: 'angle',
-    factor: 180 / Math.PI,
-    unit: '°',
+const normalError = (runs: Run[]): PlotSpec =>
+  angle(runs, 'normal_error', {
+    title: 'Normal error',
+    about:
+      'Angle between the surface’s normal at the tip and what the controller believes it to be',
+    decimals: 3,
+    height: 160,
+  });
+
+const toolTurned = (runs: Run[]): PlotSpec =>
+  angle(runs, 'tool_turned', {
+    title: 'Tool turned',
+    about: 'Angle between the tool’s frame and where it was at the start',
     decimals: 2,
-  }),
-  height: 150,
-});
+    height: 150,
+  });
 
 const contact = (runs: Run[]): PlotSpec => ({
   id: 'contact',

@@ -65,7 +65,8 @@ struct MpcSpec {
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   double contact_threshold = 2.0;  ///< N along the normal that count as contact
   /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
-  /// positions and velocities say beyond what they said in the air just before
+  /// positions and velocities say beyond what they said in the air just before, which wants
+  /// model_error.kind torque
   bool force_sensor = true;
   double tick_period = 5e-4;    ///< s
   double update_period = 0.01;  ///< s between solves, a multiple of the tick

@@ -59,8 +59,8 @@ struct RunResult : TaskRun {
 /// a task that does not fit together, one that the arm cannot reach, and a plant that is not there.
 RunResult run_task(const RunSpec& spec);
 
-/// What is possible in a task, but probably not meant: sentences for the user before a run on this
-/// plant; none if nothing is odd. Throws nothing for a task that check_task() accepts.
-std::vector<std::string> task_notes(const Task& task, PlantKind plant);
+/// What is possible in a task, but probably not meant: sentences for the user before a run; none if
+/// nothing is odd. Throws nothing for a task that check_task() accepts.
+std::vector<std::string> task_notes(const Task& task);
 
 }  // namespace burnish::polishing
