@@ -77,6 +77,12 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      q: {type: frame_distance, frame: tool, directions: [x, z], target: [1, 2, 3],\n"
       "          penalty: {barrier: {lower: 0.2}}}\n"
       "      r: {type: frame_distance, frame: tool, reference: {origin: link_3}}\n"
+      "      s: {type: joint_torque_rate, joints: [joint_4, joint_2],\n"
+      "          penalty: {barrier: {lower: -200, upper: {joint_2: 100, other: 200}}}}\n"
+      "      t: {type: support_margin, points: [[0, 0], [1, 0], [0, 1]], weights: {edge_1: 2}}\n"
+      "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
+      "      m: {type: contact_force, contact: pad,\n"
+      "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
       "      u: {type: frame_rotation, frame: tool, target: here, reference: {axes: link_3}}\n"
       "      v: {type: frame_inclination, frame: tool, axis: [0, 0, -1], weights: {tilt: 2},\n"
       "          target: {lead: 0.1, tilt: 0},\n"
@@ -88,12 +94,6 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
       "      x: {type: frame_position, frame: tool, target: here, weights: [1, 1, 0],\n"
       "          reference: {surface: {sphere: {center: [0, 0, -1], radius: 1},"
       " near: [0.4, 0, 0]}}}\n"
-      "      s: {type: joint_torque_rate, joints: [joint_4, joint_2],\n"
-      "          penalty: {barrier: {lower: -200, upper: {joint_2: 100, other: 200}}}}\n"
-      "      t: {type: support_margin, points: [[0, 0], [1, 0], [0, 1]], weights: {edge_1: 2}}\n"
-      "      p: {type: contact_force, contact: pad, reference: {axes: link_2, normal: [1, 0, 0]}}\n"
-      "      m: {type: contact_force, contact: pad,\n"
-      "          target: {sine: {center: 30, amplitude: 5, rate: 2, phase: 0.1}}}\n"
       "horizon:\n"
       "  - repeat: 2\n"
       "    of: [go: 3, go: 1]\n"
@@ -155,6 +155,28 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(leaning.rotation.col(2), Eigen::Vector3d::UnitX());
   std::get<residual::ContactForce>(go.costs[19].residual).target.at(0.2, f);
   EXPECT_NEAR(f[0], 30 + 5 * std::sin(0.5), 1e-12);
+  const auto& turn = std::get<residual::FrameRotation>(go.costs[20].residual);
+  EXPECT_EQ(turn.reference.axes, Anchor("link_3"));
+  Eigen::VectorXd xyzw(4);
+  turn.target.at(0.5, xyzw);
+  const Eigen::VectorXd start = spec.initial_state.head(7);
+  const Eigen::Matrix3d here = frame_placement(spec.model, start, "link_3").linear().transpose() *
+                               frame_placement(spec.model, start, "tool").linear();
+  EXPECT_LT(
+      (Eigen::Quaterniond(xyzw[3], xyzw[0], xyzw[1], xyzw[2]).toRotationMatrix() - here).norm(),
+      1e-9);
+  const auto& lean = std::get<residual::FrameInclination>(go.costs[21].residual);
+  EXPECT_EQ(lean.axis, Eigen::Vector3d(0.0, 0.0, -1.0));
+  Eigen::VectorXd angles(2);
+  lean.target.at(0.5, angles);
+  EXPECT_EQ(angles, Eigen::Vector2d(0.1, 0.0));
+  EXPECT_EQ(go.costs[21].weights, Eigen::Vector2d(1.0, 2.0));
+  const auto& height = std::get<residual::FrameHeight>(go.costs[22].residual);
+  EXPECT_EQ(height.reference.axes, Anchor("link_3"));
+  EXPECT_EQ(height.reference.quadric->Q, Quadric::cylinder({0, 0, -2}, {1, 0, 0}, 1.0).Q);
+  const auto& along = std::get<residual::FramePosition>(go.costs[23].residual);
+  EXPECT_EQ(along.reference.origin, Anchor(Anchor::Tool));
+  EXPECT_TRUE(along.reference.quadric.has_value());
   EXPECT_EQ(spec.horizon.size(), 4U);
   EXPECT_EQ(file.solver.update, StepUpdate::MultipleShooting);
   EXPECT_EQ(file.solver.threads, 2);
