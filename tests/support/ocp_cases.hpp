@@ -144,6 +144,9 @@ inline Reference following(const Quadric& surface, const Anchor& axes = Anchor::
 inline Quadric saddle() { return Quadric::osculating({0.3, 0.0, 0.2}, tilt(), 0.15, 0.06, -0.2); }
 inline Quadric ball() { return Quadric::sphere({0.2, -0.3, -4.0}, 0.4); }
 
+/// Frame on a body in the middle of the way to the tool.
+inline std::string frame_on_the_way(const Model& model, const std::string& tool);
+
 struct ResidualCase {
   std::string name;
   std::function<Residual(const OcpSetup&)> make;
@@ -260,7 +263,7 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        inside},
       {"height above a surface of another frame",
        [](Setup s) {
-         return R::FrameHeight{s.tool, following(saddle(), s.other())};
+         return R::FrameHeight{s.tool, following(saddle(), frame_on_the_way(s.model, s.tool))};
        }},
       {"position along a surface",
        [](Setup s) {
@@ -367,7 +370,6 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
   return cases;
 }
 
-/// Frame on a body in the middle of the way to the tool.
 inline std::string frame_on_the_way(const Model& model, const std::string& tool) {
   std::vector<int> bodies;
   for (int j = model.frames[static_cast<std::size_t>(model.frame_index(tool))].body; j >= 0;
