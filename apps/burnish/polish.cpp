@@ -60,9 +60,13 @@ files::Said<polishing::Task> make_task(const PolishArguments& arguments,
 }
 
 std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
-  if (arguments.controller == "mpc") return {ControllerKind::Mpc};
-  if (arguments.controller == "baseline") return {ControllerKind::Baseline};
-  return {ControllerKind::Mpc, ControllerKind::Baseline};
+  constexpr auto mpc = ControllerKind::Mpc, baseline = ControllerKind::Baseline,
+                 admittance = ControllerKind::Admittance;
+  if (arguments.controller == "both") return {mpc, baseline};
+  if (arguments.controller == "all") return {mpc, baseline, admittance};
+  for (const ControllerKind kind : {mpc, baseline})
+    if (arguments.controller == name_of(kind)) return {kind};
+  return {admittance};
 }
 
 /// The words that make one run of all that were asked for.
@@ -325,9 +329,13 @@ void add_task_options(CLI::App& command, PolishArguments& a) {
                   "again for more")
       ->type_name("SURFACE")
       ->allow_extra_args(false);
-  command.add_option("--controller", a.controller, "Controller: mpc, baseline or both [both]")
+  command
+      .add_option(
+          "--controller", a.controller,
+          "Controller: mpc, baseline (impedance), admittance, both of the first two, or all "
+          "[both]")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"mpc", "baseline", "both"}));
+      ->check(CLI::IsMember({"mpc", "baseline", "admittance", "both", "all"}));
   command
       .add_option("--plant", a.plant,
                   polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
@@ -393,6 +401,7 @@ void add_polish(CLI::App& app, int& exit_code) {
       "  burnish polish --surface board --controller mpc --set force=20 --set path.rate=2\n"
       "  burnish polish --robot my_arm.urdf --tool flange  a posture is searched for the table\n"
       "  burnish polish my_task.yaml --disturbances joint_friction --seed 1 --seed 2\n"
+      "  burnish polish --controller all                   beside two controllers without a plan\n"
       "  burnish polish --surface table --write-task my_task.yaml\n"
       "\n"
       "Each run leaves a folder: run.html, a page of all of it for any browser, trace.csv,\n"

@@ -24,6 +24,7 @@ from ._core import (
     disturbance_presets,
     experiments,
     find_posture,
+    make_admittance,
     make_baseline,
     make_mpc,
     make_setting,
@@ -62,7 +63,7 @@ from .pressing import (
     ToolLimits,
 )
 from .report import PlotSpec
-from .sim import Disturbances, SceneSpec, has_mujoco
+from .sim import AdmittanceGains, Disturbances, ImpedanceGains, SceneSpec, has_mujoco
 from .solver import StepUpdate
 
 __all__ = [
@@ -75,7 +76,7 @@ __all__ = [
     "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Weights",
     "check_reach", "check_task",
     "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
-    "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
+    "make_admittance", "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
     "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on",
     "read_task", "run", "run_task", "task_notes",
     "task_point", "task_text", "task_units", "write_task",
@@ -186,7 +187,7 @@ def run(
 ) -> RunResult:
     """Polishes: run_task() of make_task().
 
-    controller: "mpc" or "baseline". plant: "mujoco" or "ideal"; None: MuJoCo where this build has
+    controller: "mpc", "baseline" or "admittance". plant: "mujoco" or "ideal"; None: MuJoCo where this build has
     it. The rest is make_task()'s and RunSpec's.
 
         polishing.run("board", seed=1, polish_duration=4, overrides=["path.radius=0.04"])

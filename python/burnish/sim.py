@@ -19,6 +19,7 @@ from ._core import (
     checked_scene,
     gap,
     has_mujoco,
+    make_admittance_controller,
     make_ideal_plant,
     make_impedance_controller,
     make_mujoco_plant,
@@ -32,10 +33,11 @@ from .base import Status
 from .contact import SurfaceShape
 
 __all__ = [
-    "Actuation", "ActuationStep", "CirclePath", "ClosedLoop", "ClosedLoopOptions", "Disturbances",
-    "IdealPlantOptions", "ImpedanceSpec", "MujocoContact", "MujocoPlantOptions", "Plant", "PlantSnapshot", "Push",
-    "SceneSpec", "Sensing", "SurfaceMotion", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "check_disturbances",
-    "checked_scene", "gap", "has_mujoco", "make_ideal_plant", "make_impedance_controller",
+    "Actuation", "ActuationStep", "AdmittanceGains", "AdmittanceSpec", "CirclePath", "ClosedLoop",
+    "ClosedLoopOptions", "Disturbances", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "MujocoContact",
+    "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec", "Sensing", "SurfaceMotion",
+    "SurfaceSpec", "TaskPoint", "ToolTipSpec", "check_disturbances", "checked_scene", "gap", "has_mujoco",
+    "make_admittance_controller", "make_ideal_plant", "make_impedance_controller",
     "make_mujoco_plant", "plant_model", "plant_scene", "push_at", "scene_under_tip",
 ]
 

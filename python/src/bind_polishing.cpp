@@ -215,6 +215,8 @@ void bind_setting(py::module_& m) {
         "schedule.");
   m.def("make_mpc", &make_mpc, py::arg("task"), py::arg("setting"),
         "MpcSpec: the task as an optimal control problem over time.");
+  m.def("make_admittance", &make_admittance, py::arg("task"), py::arg("setting"),
+        "AdmittanceSpec: the admittance controller on the same task.");
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),
         "ImpedanceSpec: the baseline on the same task.");
   m.def(

@@ -236,9 +236,18 @@ void bind_scene(py::module_& m) {
         "Sum of the pushes at a time (3,), N, world axes.");
   m.def("circle_path_at", &CirclePath::at, py::arg("path"), py::arg("t"));
   m.def(
+      "make_admittance_controller",
+      [](const Model& model, const AdmittanceSpec& spec) -> std::unique_ptr<BoundController> {
+        return bound(model, spec, make_admittance_controller);
+      },
+      py::arg("model"), py::arg("spec"),
+      "Force error to joint positions that are held, as a controller with the phases APPROACH, "
+      "RAMP, TRACK. Raises Error for a specification that cannot be used. What its task raises "
+      "ends a run or tick.");
+  m.def(
       "make_impedance_controller",
       [](const Model& model, const ImpedanceSpec& spec) -> std::unique_ptr<BoundController> {
-        return std::make_unique<BoundImpedance>(model, spec);
+        return bound(model, spec, make_impedance_controller);
       },
       py::arg("model"), py::arg("spec"),
       "The baseline as a controller, with the phases APPROACH, RAMP, TRACK. Raises Error for a "

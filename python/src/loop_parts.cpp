@@ -50,19 +50,6 @@ py::array_t<double> array_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-ImpedanceSpec guarded(ImpedanceSpec spec, const std::shared_ptr<KeptException>& kept) {
-  if (!spec.task) return spec;
-  spec.task = [task = std::move(spec.task), kept, last = TaskPoint{}](double t) mutable {
-    try {
-      last = task(t);
-    } catch (...) {
-      kept->keep();
-    }
-    return last;
-  };
-  return spec;
-}
-
 }  // namespace
 
 BoundMpc::BoundMpc(const MpcSpec& spec)
@@ -70,12 +57,18 @@ BoundMpc::BoundMpc(const MpcSpec& spec)
       spec_(spec),
       mpc_(static_cast<MpcController*>(controller.get())) {}
 
-BoundImpedance::BoundImpedance(const Model& model, const ImpedanceSpec& spec)
-    : BoundImpedance(model, spec, std::make_shared<KeptException>()) {}
-BoundImpedance::BoundImpedance(const Model& model, ImpedanceSpec spec,
-                               std::shared_ptr<KeptException> kept)
-    : BoundController(make_impedance_controller(model, guarded(std::move(spec), kept))),
-      kept_(std::move(kept)) {}
+PressingPath guarded(PressingPath path, const std::shared_ptr<KeptException>& kept) {
+  if (!path.task) return path;
+  path.task = [task = std::move(path.task), kept, last = TaskPoint{}](double t) mutable {
+    try {
+      last = task(t);
+    } catch (...) {
+      kept->keep();
+    }
+    return last;
+  };
+  return path;
+}
 
 /// Calls the object and copies what it then says; without exceptions.
 class PlantPart::Adaptor final : public Plant {

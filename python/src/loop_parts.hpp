@@ -7,7 +7,7 @@
 
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/plant.hpp"
-#include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "burnish/tasks/pressing/pressing_path.hpp"
 #include "callback.hpp"
 #include "machine.hpp"
 #include "specs_sim.hpp"
@@ -60,16 +60,29 @@ class BoundMpc final : public BoundController {
   MpcController* mpc_;
 };
 
-/// The baseline; a task that throws leaves it with the point before.
-class BoundImpedance final : public BoundController {
+/// A controller that presses along a path; a task that throws leaves it with the point before.
+class BoundPressing final : public BoundController {
  public:
-  BoundImpedance(const Model& model, const ImpedanceSpec& spec);
+  BoundPressing(std::unique_ptr<Controller> made, std::shared_ptr<KeptException> kept)
+      : BoundController(std::move(made)), kept_(std::move(kept)) {}
   std::exception_ptr take_exception() noexcept override { return kept_->take(); }
 
  private:
-  BoundImpedance(const Model& model, ImpedanceSpec spec, std::shared_ptr<KeptException> kept);
   std::shared_ptr<KeptException> kept_;
 };
+
+/// The path with a task that keeps what it throws.
+PressingPath guarded(PressingPath path, const std::shared_ptr<KeptException>& kept);
+
+/// `Spec` has a PressingPath.
+template <class Spec>
+std::unique_ptr<BoundController> bound(const Model& model, Spec spec,
+                                       std::unique_ptr<Controller> (*make)(const Model&,
+                                                                           const Spec&)) {
+  const auto kept = std::make_shared<KeptException>();
+  spec.path = guarded(std::move(spec.path), kept);
+  return std::make_unique<BoundPressing>(make(model, spec), kept);
+}
 
 /// A plant for a loop: the library's own, or an adaptor to an object of Python with the attributes
 /// of burnish.Plant. Made with the interpreter's lock; its plant may be used without.

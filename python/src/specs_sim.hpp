@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/mujoco/mujoco_plant.hpp"
-#include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "burnish/tasks/pressing/pressing_path.hpp"
 #include "mujoco/descriptions.hpp"
 #include "sim/descriptions.hpp"
 #include "specs_mpc.hpp"

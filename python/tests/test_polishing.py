@@ -225,8 +225,8 @@ class TestSetting:
         assert [p.name for p in mpc.schedule] == [p.name.lower() for p in burnish.Phase]
         assert mpc.task.target(setting.ramp_end + 1.0).force == 22.0
         baseline = polishing.make_baseline(task, setting)
-        assert baseline.task(1.0).force == 22.0
-        np.testing.assert_array_equal(baseline.posture, setting.q_start)
+        assert baseline.path.task(1.0).force == 22.0
+        np.testing.assert_array_equal(baseline.path.posture, setting.q_start)
 
     def test_a_controller_made_from_it_polishes_in_a_loop_of_one_s_own(self):
         task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})

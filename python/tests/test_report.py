@@ -33,7 +33,7 @@ def run(robot):
     path = burnish.CirclePath(nominal.surface.point + nominal.tip.radius * n, n, radius=0.02,
                               rate=4.0, start_up=0.5, force=15.0)
     controller = burnish.make_impedance_controller(
-        robot.model, burnish.ImpedanceSpec(normal_world=n, task=path.at, posture=q))
+        robot.model, burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=path.at, posture=q)))
     plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, disturbances),
                                      burnish.plant_scene(nominal, disturbances))
     loop = burnish.ClosedLoop(plant, controller, disturbances)

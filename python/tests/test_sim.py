@@ -431,7 +431,7 @@ def test_the_baseline_presses_and_what_its_task_raises_comes_out(robot, q, scene
     n = scene.surface.normal
     path = burnish.CirclePath(center_world=scene.surface.point + scene.tip.radius * n,
                               normal_world=n, radius=0.0, force=12.0)
-    spec = burnish.ImpedanceSpec(normal_world=n, task=path.at, posture=q)
+    spec = burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=path.at, posture=q))
     controller = burnish.make_impedance_controller(robot.model, spec)
     assert isinstance(controller, burnish.Controller) and controller.nv == robot.model.nv
     plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, burnish.Disturbances()), scene)
@@ -445,13 +445,13 @@ def test_the_baseline_presses_and_what_its_task_raises_comes_out(robot, q, scene
             raise Broken(f"{t:.3f}")
         return path.at(t)
 
-    spec.task = task
+    spec.path.task = task
     loop = burnish.ClosedLoop(plant, burnish.make_impedance_controller(robot.model, spec))
     loop.reset(q)
     with pytest.raises(Broken, match="0.301"):
         loop.run(5.0)
     assert loop.trace["phase"][-1] == burnish.Phase.TRACK.value
-    spec.task = None
+    spec.path.task = None
     with pytest.raises(burnish.Error, match="task"):
         burnish.make_impedance_controller(robot.model, spec)
 
@@ -516,7 +516,7 @@ def baseline_loop(robot, q, scene):
     n = scene.surface.normal
     point = burnish.TaskPoint(p_world=scene.surface.point + scene.tip.radius * n, force=10.0)
     controller = burnish.make_impedance_controller(
-        robot.model, burnish.ImpedanceSpec(normal_world=n, task=lambda t: point, posture=q))
+        robot.model, burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=lambda t: point, posture=q)))
     loop = burnish.ClosedLoop(burnish.make_ideal_plant(robot.model, scene), controller)
     loop.reset(q)
     return loop

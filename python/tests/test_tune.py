@@ -94,6 +94,18 @@ def test_it_finds_what_is_better_on_seeds_it_did_not_see(tmp_path):
 
 
 @either
+def test_a_sum_of_figures_is_minimised_by_their_weights(tmp_path):
+    # (x - 1)^2 + (2 + x) of the weight's power x is least at 1/2; the force alone at 1.
+    result, _ = tuned(tmp_path, minimise={"force_rmse": 1, "slip": 1000})
+    assert 2.5 < result.best["controller.posture_weight"] < 4.0
+    total = row(result, "1 force_rmse + 1000 slip")
+    assert total["verdict"] == "better"
+    parts = [row(result, figure)["tuned"] for figure in ("force_rmse_N", "slip_m")]
+    assert abs(total["tuned"] - parts[0] - 1000 * parts[1]) < 1e-12
+    assert "| 1 force_rmse + 1000 slip (minimised) |" in (tmp_path / "out" / "tuning.md").read_text()
+
+
+@either
 def test_what_may_not_get_worse_does_not(tmp_path):
     result, _ = tuned(tmp_path, not_worse="slip")
     assert result.best["controller.posture_weight"] <= 1.0 + 1e-9 and not result.better
@@ -243,6 +255,8 @@ def test_intervals_are_students():
     ({"minimise": 3}, "wanted minimise: FIGURE"),
     ({"minimize": "x"}, "did you mean 'minimise'?"),
     ({"minimise": "force_rms"}, "did you mean 'force_rmse"),
+    ({"minimise": {"force_rms": 1}}, "did you mean 'force_rmse"),
+    ({"minimise": {"force_rmse": 0}}, "minimise.force_rmse is 0; wanted a weight above 0"),
     ({"not_worse": ["slop"]}, "there is no figure 'slop'"),
 ])
 def test_bad_input_is_one_sentence(tmp_path, change, words):

@@ -261,10 +261,18 @@ Describe<T>& describe_controller(Describe<T>& task) {
           "What the tip's own path says of the surface, given to each plan: not with axes: local.")
       .field("friction_estimate", &T::friction_estimate,
              "The coefficient of friction between tool and surface, given to each plan.");
-  pressing::describe_limits(task).group("").field(
-      "fallback", &T::fallback,
-      "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
-      "slips.");
+  pressing::describe_limits(task)
+      .group("")
+      .field("fallback", &T::fallback,
+             "What holds the arm after a fault: gravity compensation, a damper, and a spring that "
+             "slips.")
+      .field("baseline", &T::baseline,
+             "Gains of the controller `baseline`, an impedance with force feedback.")
+      .in_code("of the controller `baseline`")
+      .field("admittance", &T::admittance,
+             "Gains of the controller `admittance`: force error to motion, inverse kinematics, "
+             "joint\npositions that are held.")
+      .in_code("of the controller `admittance`");
   return pressing::describe_disturbances(task);
 }
 

@@ -6,6 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
 #include "pressing/closed_run.hpp"
 
@@ -25,19 +26,21 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
   Pieces pieces;
   const Task& task = spec.task;
   const bool is_mpc = spec.controller == ControllerKind::Mpc;
+  pieces.period = 1.0 / task.tick_rate;
   pieces.patience = pressing::patience(is_mpc ? task.tool_limits.late_contact_time : 0.0);
   if (is_mpc) {
     auto mpc = std::make_unique<MpcController>(make_mpc(task, setting));
     pieces.mpc = mpc.get();
     pieces.planned_end = setting.track_end + task.retreat_duration;
     pieces.controller = std::move(mpc);
-    pieces.period = 1.0 / task.tick_rate;
   } else {
-    const ImpedanceSpec baseline = make_baseline(task, setting);
-    pieces.controller = make_impedance_controller(setting.robot.model, baseline);
-    pieces.period = baseline.period;
+    const bool is_baseline = spec.controller == ControllerKind::Baseline;
+    const Model& model = setting.robot.model;
+    pieces.controller = is_baseline
+                            ? make_impedance_controller(model, make_baseline(task, setting))
+                            : make_admittance_controller(model, make_admittance(task, setting));
     const double above = gap(setting.scene, setting.p_start);
-    pieces.planned_end = above / baseline.approach_speed + baseline.ramp + task.polish_duration;
+    pieces.planned_end = above / task.approach_speed + task.ramp_duration + task.polish_duration;
   }
   return pieces;
 }
@@ -125,8 +128,9 @@ std::string outcome_of(const RunResult& result, const Watch& watch, const pressi
 }  // namespace
 
 std::string name_of(ControllerKind kind) {
-  return kind == ControllerKind::Mpc ? "mpc" : "baseline";
+  return words_of(kind).words[static_cast<std::size_t>(kind)].word;
 }
+
 RunResult run_task(const RunSpec& spec) {
   check_task(spec.task);
   RunResult result;

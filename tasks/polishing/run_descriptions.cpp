@@ -22,8 +22,9 @@ const Words& words_of(ControllerKind /*of*/) {
       "ControllerKind",
       "What controls a run.",
       {{"mpc", "model predictive control (MpcController)"},
-       {"baseline",
-        "impedance with force feedback, no optimisation (make_impedance_controller())"}}};
+       {"baseline", "impedance with force feedback, no optimisation (make_impedance_controller())"},
+       {"admittance",
+        "force error to joint positions that are held (make_admittance_controller())"}}};
   return all;
 }
 

@@ -379,20 +379,31 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   return mpc;
 }
 
-ImpedanceSpec make_baseline(const Task& task, const Setting& setting) {
+PressingPath pressing_path(const Task& task, const Setting& setting) {
   const auto path = std::make_shared<const Path>(task.path);
-  ImpedanceSpec spec;
-  spec.tool = task.tool;
-  spec.normal_world = setting.scene.surface.normal;
-  // The baseline has its own reach and ramp: its clock starts with the path.
-  spec.task = [task, setting, path](double t) {
+  PressingPath pressed;
+  pressed.tool = task.tool;
+  pressed.normal_world = setting.scene.surface.normal;
+  // Their clock starts with the path.
+  pressed.task = [task, setting, path](double t) {
     TaskPoint point = task_point(task, setting, *path, setting.ramp_end + std::max(0.0, t));
     return point;
   };
-  spec.posture = setting.q_start;
-  spec.ramp = task.ramp_duration;
-  spec.approach_speed = task.approach_speed;
-  return spec;
+  pressed.posture = setting.q_start;
+  pressed.period = 1.0 / task.tick_rate;
+  pressed.approach_speed = task.approach_speed;
+  pressed.contact_threshold = task.contact_threshold;
+  pressed.touch_force = task.touch_force;
+  pressed.ramp = task.ramp_duration;
+  return pressed;
+}
+
+ImpedanceSpec make_baseline(const Task& task, const Setting& setting) {
+  return {pressing_path(task, setting), task.baseline};
+}
+
+AdmittanceSpec make_admittance(const Task& task, const Setting& setting) {
+  return {pressing_path(task, setting), task.admittance};
 }
 
 }  // namespace burnish::polishing

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "burnish/dynamics/reference.hpp"
-#include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "burnish/tasks/pressing/pressing_path.hpp"
 
 namespace burnish {
 namespace {

@@ -154,41 +154,117 @@ const Description& description_of(const CirclePath* /*of*/) {
   return all;
 }
 
+const Description& description_of(const PressingPath* /*of*/) {
+  using P = PressingPath;
+  static const Description all =
+      Describe<P>(
+          "sim", "PressingPath",
+          "The task of a controller without a plan: down to the surface, until it is felt, up to "
+          "the force, along the path. These are the phases Approach, Ramp and Track of Phase.")
+          .field("tool", &P::tool, "frame whose origin follows the path")
+          .field("normal_world", &P::normal_world, "of the surface, towards the robot",
+                 range::direction)
+          .field("task", &P::task,
+                 "The task at t s after the ramp; before, it stays at its start. Must not throw.")
+          .field("posture", &P::posture, "nq, what the null space is drawn to")
+          .field("period", &P::period, "{s} between ticks", range::positive)
+          .field("approach_speed", &P::approach_speed, "{m/s}, against the normal",
+                 range::not_negative)
+          .field("contact_threshold", &P::contact_threshold,
+                 "{N} of measured normal force that end the approach; see PressingTask",
+                 range::not_negative)
+          .field("touch_force", &P::touch_force,
+                 "{N}, asked for where contact is made; the ramp starts there", range::not_negative)
+          .field("ramp", &P::ramp, "{s} from contact to the task's force", range::not_negative);
+  return all;
+}
+
+const Description& description_of(const ImpedanceGains* /*of*/) {
+  using I = ImpedanceGains;
+  constexpr Range gain = range::not_negative;
+  static const Description all =
+      Describe<I>("sim", "ImpedanceGains",
+                  "Of the impedance; with e the tool's position error along the surface.")
+          .field("kp", &I::kp, "{1/s^2}, along the surface", gain)
+          .field("kd", &I::kd, "{1/s}, along the surface", gain)
+          .field("ki_position", &I::ki_position,
+                 "{1/s^3}, of the position's error along the surface; 0: no integral", gain)
+          .field("position_integral_limit", &I::position_integral_limit,
+                 "{m/s^2}, largest correction by that integral", gain)
+          .field("kd_normal", &I::kd_normal, "{1/s}, along the normal", gain)
+          .field("ki", &I::ki, "{1/s}, of the force error; 0: no force feedback", gain)
+          .field("integral_limit", &I::integral_limit, "{N}, largest correction by that integral",
+                 gain)
+          .field("posture_kp", &I::posture_kp, "{1/s^2}", gain)
+          .field("posture_kd", &I::posture_kd, "{1/s}", gain);
+  return all;
+}
+
 const Description& description_of(const ImpedanceSpec* /*of*/) {
   using I = ImpedanceSpec;
   static const Description all =
       Describe<I>(
           "sim", "ImpedanceSpec",
           "The baseline without optimal control: an impedance of the tool in the world, the wanted "
-          "force fed forward, its error integrated, a posture in the null space. With e the tool's "
-          "position error along the surface, v_n its velocity along the normal n and f the force "
-          "along n: a = a_path + kp e + kd de/dt - kd_normal v_n n and f = f_path + ki * integral "
-          "of (f_path - f_measured), by the tool's inertia and its Jacobian as torques.")
-          .field("tool", &I::tool, "frame whose origin follows the path")
-          .field("normal_world", &I::normal_world, "of the surface, towards the robot",
-                 range::direction)
-          .field("task", &I::task,
-                 "The task at t s after the ramp; before, it stays at its start. Must not throw.")
-          .field("posture", &I::posture, "nq, what the null space is drawn to")
-          .field("period", &I::period, "{s} between ticks", range::positive)
-          .field("kp", &I::kp, "{1/s^2}, along the surface", range::not_negative)
-          .field("kd", &I::kd, "{1/s}, along the surface", range::not_negative)
-          .field("kd_normal", &I::kd_normal, "{1/s}, along the normal", range::not_negative)
-          .field("ki", &I::ki, "{1/s}, of the force error; 0: no force feedback",
-                 range::not_negative)
-          .field("integral_limit", &I::integral_limit, "{N}, largest correction by the integral",
-                 range::not_negative)
-          .field("posture_kp", &I::posture_kp, "{1/s^2}", range::not_negative)
-          .field("posture_kd", &I::posture_kd, "{1/s}", range::not_negative)
+          "force fed forward, the errors of force and place integrated, a posture in the null "
+          "space. With e the tool's position error along the surface, v_n its velocity along the "
+          "normal n and f the force along n: a = a_path + kp e + kd de/dt + ki_position * integral "
+          "of e - kd_normal v_n n and f = f_path + ki * integral of (f_path - f_measured), by the "
+          "tool's inertia and its Jacobian as torques. Both integrals are bounded, start anew "
+          "where contact is made, and stand still while a torque is at its limit.")
+          .field("path", &I::path)
+          .field("gains", &I::gains)
           .field("friction", &I::friction, "of the surface, fed forward along the path's velocity",
-                 range::not_negative)
-          .field("approach_speed", &I::approach_speed,
-                 "{m/s}, of a point that draws the tip against the normal", range::not_negative)
-          .field("contact_threshold", &I::contact_threshold,
-                 "{N} of measured normal force that end the approach; see PressingTask",
-                 range::not_negative)
-          .field("ramp", &I::ramp, "{s} from the threshold to the task's force",
                  range::not_negative);
+  return all;
+}
+
+const Description& description_of(const AdmittanceGains* /*of*/) {
+  using A = AdmittanceGains;
+  constexpr Range gain = range::not_negative, positive = range::positive;
+  static const Description all =
+      Describe<A>("sim", "AdmittanceGains",
+                  "Of both loops. The inner one knows the robot's mass matrix and gravity.")
+          .field("rate", &A::rate, "{Hz}, of the outer loop; rounded to ticks, one at least",
+                 positive)
+          .field("delay", &A::delay,
+                 "{s}, from its measurement to the inner loop; rounded to ticks",
+                 range::from(0.0, 1.0))
+          .field("force_cutoff", &A::force_cutoff,
+                 "{rad/s}, low-pass of the measured force in the outer loop", positive)
+          .field("mass", &A::mass, "{kg}, of the admittance along the normal", gain)
+          .field("damping", &A::damping, "{Ns/m}, of the admittance along the normal", positive)
+          .field("ki", &A::ki, "{1/s}, of the force error; 0: no integral of it", gain)
+          .field("integral_limit", &A::integral_limit, "{N}, largest correction by that integral",
+                 gain)
+          .field("path_gain", &A::path_gain, "{1/s}, of the commanded tool's way to the path", gain)
+          .field("ik_damping", &A::ik_damping, "of the inverse kinematics, m/rad", positive)
+          .field("posture_gain", &A::posture_gain, "{1/s}, of the commanded joints to the posture",
+                 gain)
+          .field("joint_kp", &A::joint_kp, "{1/s^2}, of the inner loop", gain)
+          .field("joint_kd", &A::joint_kd, "{1/s}, of the inner loop", gain)
+          .field("joint_ki", &A::joint_ki, "{1/s^3}, of the inner loop; 0: no integral", gain)
+          .field("joint_integral_limit", &A::joint_integral_limit,
+                 "{rad/s^2}, largest correction by that integral", gain);
+  return all;
+}
+
+const Description& description_of(const AdmittanceSpec* /*of*/) {
+  using A = AdmittanceSpec;
+  static const Description all =
+      Describe<A>(
+          "sim", "AdmittanceSpec",
+          "A controller in two loops, as arms with a position interface are driven: an outer one "
+          "that turns the force's error into a motion of the tool along the surface's normal, and "
+          "that by inverse kinematics into joint positions, and an inner one that holds these. "
+          "With f the force along the normal n behind a low-pass, q_c the commanded joints and p "
+          "the tip's place there: mass dv_n/dt + damping v_n = (f - f_path) + ki * integral of it; "
+          "v_tool = v_n n and along the surface v_path + path_gain (p_path - p); dq_c/dt by damped "
+          "least squares; and delay s later tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + "
+          "joint_ki * integral of (q_c - q)) + b. Integrals are bounded, start anew where contact "
+          "is made, and stand still while a torque is at its limit.")
+          .field("path", &A::path)
+          .field("gains", &A::gains);
   return all;
 }
 

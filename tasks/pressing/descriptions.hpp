@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/description.hpp"
+#include "burnish/tasks/pressing/admittance_controller.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
@@ -19,7 +20,11 @@ const Description& description_of(const PressedSurface*);
 const Description& description_of(const PressingTask*);
 const Description& description_of(const TaskPoint*);
 const Description& description_of(const CirclePath*);
+const Description& description_of(const PressingPath*);
+const Description& description_of(const ImpedanceGains*);
 const Description& description_of(const ImpedanceSpec*);
+const Description& description_of(const AdmittanceGains*);
+const Description& description_of(const AdmittanceSpec*);
 const Words& words_of(PlantKind);
 
 namespace pressing {

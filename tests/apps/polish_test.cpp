@@ -49,6 +49,30 @@ TEST(Polish, WritesWhatItSays) {
   }
 }
 
+TEST(Polish, ComparesControllersWithoutAPlan) {
+  const Scratch scratch;
+  const Outcome outcome = run("polish --surface table --controller all --json --no-page" +
+                              short_run + " --out " + quoted(scratch.folder / "out"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  ASSERT_EQ(summary.size(), 3U);
+  const char* const names[] = {"mpc", "baseline", "admittance"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(summary[i]["controller"], names[i]);
+    EXPECT_EQ(summary[i]["name"], std::string("table_") + names[i]);
+  }
+  // Each has gains of its own in a task.
+  const auto rmse = [&](const std::string& change, const std::string& name) {
+    const Outcome changed = run("polish --surface table --controller admittance --json --no-page" +
+                                short_run + " --set " + change + " --out " +
+                                quoted(scratch.folder / name));
+    return Json::parse(changed.out)[0]["metrics"]["force_rmse_N"].get<double>();
+  };
+  const double before = summary[2]["metrics"]["force_rmse_N"].get<double>();
+  EXPECT_EQ(rmse("baseline.kp=100", "a"), before);
+  EXPECT_NE(rmse("admittance.damping=5000", "b"), before);
+}
+
 TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {
   const Scratch scratch;
   const std::string alone = "polish --surface table --controller baseline --quiet" + short_run;

@@ -147,15 +147,15 @@ TEST(ClosedLoop, refuses_what_does_not_fit) {
       testing::refusal([&] { ClosedLoop(run.plant(), run.controller(), {}, options); }),
       {"record_every"});
   ImpedanceSpec spec;
-  spec.posture = q;
+  spec.path.posture = q;
   testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
                         {"task is empty"});
-  spec.task = [](double) { return TaskPoint{}; };
-  spec.tool = "tol";
+  spec.path.task = [](double) { return TaskPoint{}; };
+  spec.path.tool = "tol";
   testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
                         {"'tol'", "tool"});
-  spec.tool = "tool";
-  spec.ki = -1.0;
+  spec.path.tool = "tool";
+  spec.gains.ki = -1.0;
   testing::expect_words(testing::refusal([&] { make_impedance_controller(model, spec); }),
                         {"ki", "-1"});
 }

@@ -1,6 +1,7 @@
 // The baseline polishing with pressing_arm(): surfaces, cases of disturbances, a run.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -22,6 +23,12 @@ inline PolishingSurface table() { return {"table", {0.0, 0.0, 1.0}}; }
 inline PolishingSurface board_x() { return {"board_x", {-1.0, 0.0, 0.0}}; }
 inline PolishingSurface board_y() { return {"board_y", {0.0, 1.0, 0.0}}; }
 
+struct PolishingCase;
+
+/// The impedance with the gains of what was published, whatever the shipped ones are.
+inline std::unique_ptr<Controller> published_impedance(const Model& model, const PressingPath& path,
+                                                       const PolishingCase& wanted);
+
 /// What a run differs in.
 struct PolishingCase {
   PolishingSurface surface = table();
@@ -30,7 +37,23 @@ struct PolishingCase {
   double friction_known = 0.0;  ///< to the controller
   double clearance = 1e-3;      ///< m at the start
   Disturbances disturbances = {};
+  std::function<std::unique_ptr<Controller>(const Model&, const PressingPath&,
+                                            const PolishingCase&)>
+      make_controller = published_impedance;
 };
+
+inline std::unique_ptr<Controller> published_impedance(const Model& model, const PressingPath& path,
+                                                       const PolishingCase& wanted) {
+  ImpedanceGains gains;
+  gains.kp = 900.0;
+  gains.kd = 60.0;
+  gains.ki_position = 0.0;
+  gains.kd_normal = 30.0;
+  gains.ki = wanted.ki;
+  gains.posture_kp = 20.0;
+  gains.posture_kd = 6.0;
+  return make_impedance_controller(model, {path, gains, wanted.friction_known});
+}
 
 /// 17 bit encoders, differences and force filtered at 50 Hz, 0.3 N and 0.05 Nm of noise, 1 ms.
 inline Disturbances sensor_noise(double mass_scale) {
@@ -69,13 +92,11 @@ class PolishingRun {
     CirclePath circle;
     circle.center_world = scene.surface.point + scene.tip.radius * scene.surface.normal;
     circle.normal_world = scene.surface.normal;
-    ImpedanceSpec spec;
-    spec.normal_world = scene.surface.normal;
-    spec.task = [circle](double t) { return circle.at(t); };
-    spec.posture = q_;
-    spec.ki = wanted.ki;
-    spec.friction = wanted.friction_known;
-    controller_ = make_impedance_controller(nominal_, spec);
+    PressingPath path;
+    path.normal_world = scene.surface.normal;
+    path.task = [circle](double t) { return circle.at(t); };
+    path.posture = q_;
+    controller_ = wanted.make_controller(nominal_, path, wanted);
     loop_ = std::make_unique<ClosedLoop>(*plant_, *controller_, wanted.disturbances);
     status_ = loop_->reset(q_, Eigen::VectorXd::Zero(nominal_.nv));
   }

@@ -179,12 +179,13 @@ TEST(Experiments, PaperHasALinePerCaseAndAVerdictPerAim) {
   spec.surfaces = {"table"};
   const ExperimentReport report = experiment_named("paper").perform(spec);
   expect_complete(report);
-  EXPECT_EQ(table_named(report, "runs").rows.size(), 2U * (1 + 2 + 2));
+  EXPECT_EQ(table_named(report, "runs").rows.size(), 3U * (1 + 2 + 2));
   const ResultTable& summary = table_named(report, "summary");
-  ASSERT_EQ(summary.rows.size(), 6U);
+  ASSERT_EQ(summary.rows.size(), 9U);
   EXPECT_EQ(number_at(summary, 0, "seeds"), 1.0);
-  EXPECT_EQ(number_at(summary, 2, "seeds"), 2.0);
-  EXPECT_EQ(number_at(summary, 2, "polished"), 2.0);
+  EXPECT_EQ(number_at(summary, 3, "seeds"), 2.0);
+  EXPECT_EQ(number_at(summary, 3, "polished"), 2.0);
+  EXPECT_EQ(std::get<std::string>(summary.rows[8][2]), "admittance");
   const ResultTable& aims = table_named(report, "aims");
   ASSERT_EQ(aims.rows.size(), 15U);
   for (std::size_t row = 0; row < aims.rows.size(); ++row) {

@@ -53,10 +53,24 @@ TEST(PolishingRun, MpcOnTheIdealPlant) {
   EXPECT_NEAR(time[time.size() - 1], result.setting.track_end + 0.5, 0.1);
 }
 
-TEST(PolishingRun, BaselineOnTheIdealPlant) {
-  const RunResult result = run_task(short_run(PlantKind::Ideal, ControllerKind::Baseline));
-  expect_polished(result);
-  EXPECT_FALSE(result.metrics->solver.has_value());
+TEST(PolishingRun, ControllersWithoutAPlanOnTheIdealPlant) {
+  for (const ControllerKind controller : {ControllerKind::Baseline, ControllerKind::Admittance}) {
+    const RunResult result = run_task(short_run(PlantKind::Ideal, controller));
+    expect_polished(result);
+    EXPECT_FALSE(result.metrics->solver.has_value());
+  }
+}
+
+TEST(PolishingRun, GainsOfATaskReachItsController) {
+  Task task;
+  override_task(task, {"baseline.kp=123", "admittance.damping=456", "phases.touch_force=7",
+                       "controller.tick_rate=1000"});
+  const Setting setting = make_setting(task);
+  const ImpedanceSpec baseline = make_baseline(task, setting);
+  EXPECT_EQ(baseline.gains.kp, 123.0);
+  EXPECT_EQ(baseline.path.touch_force, 7.0);
+  EXPECT_EQ(baseline.path.period, 1e-3);
+  EXPECT_EQ(make_admittance(task, setting).gains.damping, 456.0);
 }
 
 TEST(PolishingRun, FrictionDoesNotMakeAnArmWithALightWristRing) {
@@ -156,7 +170,8 @@ TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
 }
 
 TEST(PolishingRun, ANoisyForceIsNoTouch) {
-  for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+  for (const ControllerKind controller :
+       {ControllerKind::Mpc, ControllerKind::Baseline, ControllerKind::Admittance}) {
     RunSpec spec = short_run(PlantKind::Ideal, controller);
     spec.task.polish_duration = 0.5;
     spec.task.disturbances.force_noise = 2.0;
@@ -189,7 +204,8 @@ class TurningArm : public ::testing::Test {
 };
 
 TEST_F(TurningArm, Polishes) {
-  for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+  for (const ControllerKind controller :
+       {ControllerKind::Mpc, ControllerKind::Baseline, ControllerKind::Admittance}) {
     RunSpec spec = short_run(PlantKind::Ideal, controller);
     spec.task.robot = folder_.string();
     spec.task.posture = "ready";

@@ -89,13 +89,15 @@ TEST(SurfaceRun, IsPolishedWithoutAForceSensor) {
   EXPECT_EQ(deaf.metrics->force_rmse, result.metrics->force_rmse);
 }
 
-TEST(SurfaceRun, TheBaselineKnowsTheShapeToo) {
+TEST(SurfaceRun, ControllersWithoutAPlanKnowTheShapeToo) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
-  RunSpec spec = short_run(shapes()[1]);
-  spec.controller = ControllerKind::Baseline;
-  spec.task.disturbances = {};
-  const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  for (const ControllerKind controller : {ControllerKind::Baseline, ControllerKind::Admittance}) {
+    RunSpec spec = short_run(shapes()[1]);
+    spec.controller = controller;
+    spec.task.disturbances = {};
+    const RunResult result = run_task(spec);
+    EXPECT_TRUE(result.polished) << name_of(controller) << ": " << result.outcome;
+  }
 }
 
 TEST(SurfaceRun, WhatDoesNotFitIsRefusedBeforeAnythingMoves) {

@@ -112,8 +112,8 @@ def program_words(tree: Mapping[str, Any], task: TaskFile) -> List[str]:
     words = ["polish" if task.polishes else "run"]
     if task.polishes:
         controller = tree.get("controller", "mpc")
-        if controller not in ("mpc", "baseline"):
-            raise CampaignError(f"controller is {controller!r}; wanted mpc or baseline")
+        if controller not in ("mpc", "baseline", "admittance"):
+            raise CampaignError(f"controller is {controller!r}; wanted mpc, baseline or admittance")
         words += ["--controller", controller]
     elif "controller" in tree:
         raise CampaignError(f"a controller is stated, and the task '{task.path}' has but one; wanted none")

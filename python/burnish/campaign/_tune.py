@@ -8,7 +8,7 @@ import io
 import json
 import math
 import statistics
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -68,6 +68,8 @@ class Tuning:
     test: List[Point]
     evaluations: int
     words: List[str]
+    weights: Dict[str, float] = field(default_factory=dict)
+    """of the figures whose sum `minimise` is, per SI unit; none: it is a figure itself"""
 
 
 def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
@@ -80,10 +82,9 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
         tree, folder, name = dict(source), Path(), "tuning"
     only("tuning", tree, ["name", "task", "tune", "minimise", "not_worse", "slack", "per", "vary", "train",
                           "test", "evaluations", "controller", "plant"])
-    for key in ("task", "minimise"):
-        if not isinstance(tree.get(key), str):
-            raise CampaignError(f"the tuning states no {key}; wanted {key}: "
-                                f"{'FILE' if key == 'task' else 'FIGURE, such as force_rmse'}")
+    if not isinstance(tree.get("task"), str):
+        raise CampaignError("the tuning states no task; wanted task: FILE")
+    weights = _weights(tree.get("minimise"))
     task = TaskFile.read(folder / tree["task"])
     keys = _keys(tree.get("tune"), task)
     train, test = (_conditions(tree, which, keys) for which in ("train", "test"))
@@ -95,9 +96,25 @@ def read_tuning(source: Union[str, Path, Mapping[str, Any]]) -> Tuning:
     for key in per:
         if key not in train[0]:
             raise CampaignError(f"per names '{key}', which is not in vary{nearest(key, list(train[0]))}")
-    return Tuning(str(tree.get("name", name)), task, keys, tree["minimise"], not_worse,
+    minimise = " + ".join(f"{weight:g} {figure}" for figure, weight in weights.items()) or tree["minimise"]
+    return Tuning(str(tree.get("name", name)), task, keys, minimise, not_worse,
                   number("slack", tree.get("slack", 0.0)), per, train, test,
-                  count("evaluations", tree.get("evaluations", 60), len(keys) + 2), program_words(tree, task))
+                  count("evaluations", tree.get("evaluations", 60), len(keys) + 2), program_words(tree, task),
+                  weights)
+
+
+def _weights(given: Any) -> Dict[str, float]:
+    """Of a sum of figures; none of one figure."""
+    if isinstance(given, str):
+        return {}
+    if not isinstance(given, dict) or not given:
+        raise CampaignError("the tuning states no minimise; wanted minimise: FIGURE, such as force_rmse, or several "
+                            "with their weights, such as {force_rmse: 1, position_rmse: 1000}")
+    weights = {str(figure): number(f"minimise.{figure}", weight) for figure, weight in given.items()}
+    for figure, weight in weights.items():
+        if weight <= 0:
+            raise CampaignError(f"minimise.{figure} is {weight:g}; wanted a weight above 0")
+    return weights
 
 
 def _texts(given: Any) -> List[str]:
@@ -224,7 +241,11 @@ class Tuner:
             raise CampaignError(f"the task as it is fails on a training seed: {failed[0].outcome}; wanted one that "
                                 f"works, to be made better")
         known = list(first[0].figures)
-        tuning.minimise = figure_named(tuning.minimise, known)
+        if tuning.weights:
+            tuning.weights = {figure_named(figure, known): weight for figure, weight in tuning.weights.items()}
+            first = [self._with_sum(outcome) for outcome in first]
+        else:
+            tuning.minimise = figure_named(tuning.minimise, known)
         tuning.not_worse = [figure_named(figure, known) for figure in tuning.not_worse]
         self.groups = list(groups_of(tuning.train, tuning.per).values())
         self.means = {figure: self._means(first, figure) for figure in [tuning.minimise, *tuning.not_worse]}
@@ -258,7 +279,15 @@ class Tuner:
 
         if left:
             self.machine.make([runs[index] for index in left], keep)
-        return [made[index] for index in range(len(runs))]
+        return [self._with_sum(made[index]) for index in range(len(runs))]
+
+    def _with_sum(self, outcome: Outcome) -> Outcome:
+        """With the sum that is minimised among its figures."""
+        weights = self.tuning.weights
+        if not weights or not all(figure in outcome.figures for figure in weights):
+            return outcome
+        total = sum(weight * outcome.figures[figure] for figure, weight in weights.items())
+        return replace(outcome, figures={self.tuning.minimise: total, **outcome.figures})
 
     def _take(self, run: TaskRun, outcome: Outcome) -> None:
         """Raises CampaignError for kernels that do not go with those of the runs before."""

@@ -18,7 +18,9 @@ ExperimentReport perform_tick(const ExperimentSpec& spec);
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
-      {"paper", "MPC and baseline on table and board, three kinds of disturbances, beside the aims",
+      {"paper",
+       "MPC, baseline and admittance on table and board, three kinds of disturbances, beside the "
+       "aims",
        perform_paper},
       {"orientation", "surfaces from horizontal to vertical and around; only the surface changes",
        perform_orientation},

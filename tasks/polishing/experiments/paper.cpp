@@ -1,4 +1,4 @@
-// The experiments of the paper, with disturbances, for MPC and baseline.
+// The experiments of the paper, with disturbances, for MPC and controllers without a plan.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -127,37 +127,44 @@ ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector
   return table;
 }
 
-/// The one that strays goes under the one that does not.
-std::vector<Curve> overlaid(Curve mpc, Curve baseline) {
-  baseline.color = 1;
-  mpc.color = 0;
-  return {std::move(baseline), std::move(mpc)};
+constexpr ControllerKind compared[] = {ControllerKind::Mpc, ControllerKind::Baseline,
+                                       ControllerKind::Admittance};
+
+/// A curve of every controller, each in its colour; those that stray go under the others.
+std::vector<Curve> overlaid(const RunCurves* runs, Curve RunCurves::*which) {
+  std::vector<Curve> result;
+  for (int i = static_cast<int>(std::size(compared)) - 1; i >= 0; --i) {
+    result.push_back(runs[i].*which);
+    result.back().color = i;
+  }
+  return result;
 }
 
-/// Force and path of MPC and baseline, a row of panels per surface.
+/// Force and path of every controller, a row of panels per surface.
 Figure force_and_path(const std::vector<std::string>& surfaces,
                       const std::vector<RunCurves>& curves) {
-  Figure figure{.name = "force_and_path",
-                .plot = {.title = "MPC and baseline, preset mismatch, first seed", .columns = 3}};
+  Figure figure{
+      .name = "force_and_path",
+      .plot = {.title = "MPC, baseline and admittance, preset mismatch, first seed", .columns = 3}};
   figure.plot.panel_width = 480;
   figure.plot.panel_height = 330;
   const char* time = "time since the path began [s]";
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const RunCurves &mpc = curves[2 * i], &baseline = curves[2 * i + 1];
+    const RunCurves* const runs = &curves[std::size(compared) * i];
     Panel force{.title = "Normal force, " + surfaces[i],
                 .x_label = time,
                 .y_label = "force, mean over 10 ms [N]",
-                .curves = overlaid(mpc.force, baseline.force)};
+                .curves = overlaid(runs, &RunCurves::force)};
     Panel path{.title = "Path, " + surfaces[i],
                .x_label = "along the first tangent [mm]",
                .y_label = "along the second tangent [mm]",
-               .curves = overlaid(mpc.path, baseline.path),
+               .curves = overlaid(runs, &RunCurves::path),
                .equal_aspect = true};
-    path.curves.push_back(mpc.target);
+    path.curves.push_back(runs[0].target);
     Panel distance{.title = "Distance from the path, " + surfaces[i],
                    .x_label = time,
                    .y_label = "distance [mm]",
-                   .curves = overlaid(mpc.distance, baseline.distance)};
+                   .curves = overlaid(runs, &RunCurves::distance)};
     for (Panel* panel : {&force, &path, &distance}) figure.plot.panels.push_back(std::move(*panel));
   }
   return figure;
@@ -166,7 +173,7 @@ Figure force_and_path(const std::vector<std::string>& surfaces,
 }  // namespace
 
 ExperimentReport perform_paper(const ExperimentSpec& spec) {
-  ExperimentReport report{.title = "MPC and baseline on the paper's task"};
+  ExperimentReport report{.title = "MPC, baseline and admittance on the paper's task"};
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
@@ -174,7 +181,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
   std::vector<BatchRun> runs;
   for (const std::string& surface : surfaces)
     for (const char* disturbances : {"none", "mismatch", "joint_friction"})
-      for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
+      for (const ControllerKind controller : compared) {
         groups.push_back({surface, disturbances, controller});
         // Without disturbances nothing is drawn.
         const int count = disturbances == std::string("none") ? 1 : seeds;
@@ -193,7 +200,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec) {
         }
       }
   const std::vector<RunFigures> figures = run_batch(spec, runs);
-  std::vector<RunCurves> curves;  // MPC and baseline of every surface
+  std::vector<RunCurves> curves;  // of every surface, in the order of `compared`
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!runs[i].curves.empty()) curves.push_back(figures[i].curves.value_or(RunCurves{}));
   report.tables = {runs_table(groups, figures), summary_table(groups, figures)};

@@ -13,10 +13,11 @@
 namespace burnish::polishing {
 
 enum class ControllerKind {
-  Mpc,       ///< model predictive control (MpcController)
-  Baseline,  ///< impedance with force feedback, no optimisation (make_impedance_controller())
+  Mpc,         ///< model predictive control (MpcController)
+  Baseline,    ///< impedance with force feedback, no optimisation (make_impedance_controller())
+  Admittance,  ///< force error to joint positions that are held (make_admittance_controller())
 };
-std::string name_of(ControllerKind kind);  ///< "mpc" or "baseline"
+std::string name_of(ControllerKind kind);  ///< "mpc", "baseline" or "admittance"
 using burnish::has_mujoco;
 using burnish::PlantKind;
 using burnish::TickTimes;
@@ -54,7 +55,7 @@ struct RunResult : TaskRun {
   std::optional<VerdictFigures> verdict;
 };
 
-/// Runs the task to the end of its retreat (the baseline's: of the path) in simulated time. What
+/// Runs the task to the end of its retreat (without a plan: of the path) in simulated time. What
 /// goes wrong on the way is in the result, with all that was recorded until then. Throws Error for
 /// a task that does not fit together, one that the arm cannot reach, and a plant that is not there.
 RunResult run_task(const RunSpec& spec);

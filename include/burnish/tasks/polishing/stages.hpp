@@ -3,6 +3,7 @@
 
 #include "burnish/robots/robot.hpp"
 #include "burnish/tasks/polishing/task.hpp"
+#include "burnish/tasks/pressing/admittance_controller.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 
 namespace burnish::polishing {
@@ -42,7 +43,12 @@ TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& 
 /// Without a preview of the force (ForceProfile::preview) plans take it from a clock that
 /// controllers made of one specification share: make a specification for each.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
+/// What controllers without a plan are told of the task. They have no reach: from their start they
+/// go down to the surface.
+PressingPath pressing_path(const Task& task, const Setting& setting);
 /// The baseline on the same task.
 ImpedanceSpec make_baseline(const Task& task, const Setting& setting);
+/// The admittance controller on the same task.
+AdmittanceSpec make_admittance(const Task& task, const Setting& setting);
 
 }  // namespace burnish::polishing

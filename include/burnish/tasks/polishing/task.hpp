@@ -10,6 +10,8 @@
 #include "burnish/sim/scene.hpp"
 #include "burnish/tasks/polishing/force_profile.hpp"
 #include "burnish/tasks/polishing/path.hpp"
+#include "burnish/tasks/pressing/admittance_controller.hpp"
+#include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
 
@@ -116,6 +118,9 @@ struct Task {
   Fallback fallback = {};
   Weights weights = {};
   PlanLimits constraints = {};
+
+  ImpedanceGains baseline = {};     ///< of the controller `baseline`
+  AdmittanceGains admittance = {};  ///< of the controller `admittance`
 
   Disturbances disturbances = {};
 };

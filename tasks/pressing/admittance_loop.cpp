@@ -1,0 +1,98 @@
+#include "pressing/admittance_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/integration.hpp"
+#include "sim/small_product.hpp"
+
+namespace burnish::pressing {
+
+AdmittanceLoop::AdmittanceLoop(const Model& model, const PressingPath& path,
+                               const AdmittanceGains& gains, double period)
+    : gains_(gains),
+      period_(period),
+      approach_speed_(path.approach_speed),
+      tree_(model),
+      body_(model),
+      tool_(body_.frame(path.tool)),
+      command_{model.q_neutral, Eigen::VectorXd::Zero(model.nv)},
+      q_(model.q_neutral),
+      zero_(Eigen::VectorXd::Zero(model.nv)),
+      posture_(path.posture),
+      velocity_limit_(model.velocity_limit),
+      homing_(zero_),
+      step_(zero_),
+      J_(Eigen::MatrixXd::Zero(3, model.nv)) {
+  body_.frame_derivatives(tool_, Reference::centered(), motion_);
+}
+
+Status AdmittanceLoop::reset(const Eigen::VectorXd& q) noexcept {
+  force_.setZero();
+  integral_ = speed_ = 0.0;
+  const Status status = body_.update(q, zero_);
+  if (status > Status::NotConverged) return status;
+  q_ = command_.q = q;
+  command_.v.setZero();
+  return status;
+}
+
+void AdmittanceLoop::touch() noexcept { integral_ = speed_ = 0.0; }
+
+Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& force_world,
+                            bool pressing, bool may_integrate) noexcept {
+  const Status status = body_.update(q_, zero_);
+  if (status > Status::NotConverged) return status;
+  body_.frame_derivatives(tool_, Reference::centered(), motion_);
+  J_ = motion_.jacobian.topRows(3);
+  force_ += (1.0 - std::exp(-gains_.force_cutoff * period_)) * (force_world - force_);
+  const Eigen::Vector3d& n = target.normal_world;
+  const Eigen::Vector3d error = target.p_world - body_.placement(tool_).translation();
+  Eigen::Vector3d v_tool = target.v_world + gains_.path_gain * error;
+  v_tool += (normal_speed(target, pressing, may_integrate) - n.dot(v_tool)) * n;
+  solve_joints(v_tool);
+  if (!step_.allFinite()) return Status::NotFinite;
+  command_.q = q_;
+  command_.v = step_;
+  step_ *= period_;
+  integrate_configuration(tree_, command_.q.data(), step_.data(), q_.data());
+  return Status::Ok;
+}
+
+/// By the admittance, implicit in the speed, so that no damping is too much for the period.
+double AdmittanceLoop::normal_speed(const TaskPoint& target, bool pressing,
+                                    bool may_integrate) noexcept {
+  if (!pressing) return -approach_speed_;
+  const double excess = force_.dot(target.normal_world) - target.force;
+  if (may_integrate) {
+    integral_ += gains_.ki * period_ * excess;
+    integral_ = std::clamp(integral_, -gains_.integral_limit, gains_.integral_limit);
+  }
+  speed_ = (gains_.mass * speed_ + period_ * (excess + integral_)) /
+           (gains_.mass + period_ * gains_.damping);
+  return speed_;
+}
+
+/// Into step_, rad/s (m/s): the tool's velocity by damped least squares, the posture in what that
+/// leaves free; all slower where a joint would be too fast.
+void AdmittanceLoop::solve_joints(const Eigen::Vector3d& v_tool) noexcept {
+  difference_configuration(tree_, q_.data(), posture_.data(), homing_.data());
+  homing_ *= gains_.posture_gain;
+  Eigen::Matrix3d square;
+  multiply(J_, J_.transpose(), square);
+  square.diagonal().array() += gains_.ik_damping * gains_.ik_damping;
+  damped_.compute(square);
+  Eigen::Vector3d rest;
+  multiply(J_, homing_, rest);
+  rest = v_tool - rest;
+  damped_.solveInPlace(rest);
+  step_ = homing_;
+  add_product(1.0, J_.transpose(), rest, step_);
+  double slower = 1.0;
+  for (Eigen::Index i = 0; i < step_.size(); ++i)
+    if (velocity_limit_[i] > 0.0)
+      slower = std::max(slower, std::abs(step_[i]) / velocity_limit_[i]);
+  step_ /= slower;
+}
+
+}  // namespace burnish::pressing
