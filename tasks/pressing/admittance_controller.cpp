@@ -124,6 +124,7 @@ const Command& AdmittanceController::tick(const Measurement& measurement) noexce
     command_.status = Status::NotFinite;
     return command_;
   }
+  M_ = dynamics_.mass_matrix();
   Status status = run_outer(measurement);
   if (status <= Status::NotConverged) status = run_inner(measurement);
   if (status > Status::NotConverged) command_.status = status;
@@ -139,14 +140,15 @@ Status AdmittanceController::run_outer(const Measurement& measurement) noexcept 
     wanted_.v.setZero();
     started_ = true;
   }
-  const TaskPoint target = follower_.update(measurement, command_);
+  follower_.update(measurement, command_);
   if (follower_.touched()) {
     outer_.touch();
     integral_.setZero();
   }
   if (tick_ % every_ != 0) return Status::Ok;
+  const TaskPoint target = follower_.ahead(spec_.gains.delay);
   const Status status = outer_.step(target, measurement.tool_force_world,
-                                    follower_.phase() != Phase::Approach, !saturated_);
+                                    follower_.phase() != Phase::Approach, !saturated_, M_);
   if (status <= Status::NotConverged) line_.send(tick_, outer_.command());
   return status;
 }
@@ -165,7 +167,6 @@ Status AdmittanceController::run_inner(const Measurement& measurement) noexcept 
     response_[i] = spec_.gains.joint_kp * error_[i] +
                    spec_.gains.joint_kd * (wanted_.v[i] - measurement.v[i]) + integral_[i];
   }
-  M_ = dynamics_.mass_matrix();
   tau_ = dynamics_.bias();
   add_product(1.0, M_, response_, tau_);
   saturated_ = pressing::at_limit(tau_, effort_limit_);

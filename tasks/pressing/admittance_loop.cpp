@@ -23,7 +23,9 @@ AdmittanceLoop::AdmittanceLoop(const Model& model, const PressingPath& path,
       velocity_limit_(model.velocity_limit),
       homing_(zero_),
       step_(zero_),
-      J_(Eigen::MatrixXd::Zero(3, model.nv)) {
+      inverse_M_Jt_(zero_),
+      J_(Eigen::MatrixXd::Zero(3, model.nv)),
+      factor_(model.nv) {
   body_.frame_derivatives(tool_, Reference::centered(), motion_);
 }
 
@@ -40,7 +42,8 @@ Status AdmittanceLoop::reset(const Eigen::VectorXd& q) noexcept {
 void AdmittanceLoop::touch() noexcept { integral_ = speed_ = 0.0; }
 
 Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& force_world,
-                            bool pressing, bool may_integrate) noexcept {
+                            bool pressing, bool may_integrate,
+                            const Eigen::MatrixXd& mass_matrix) noexcept {
   const Status status = body_.update(q_, zero_);
   if (status > Status::NotConverged) return status;
   body_.frame_derivatives(tool_, Reference::centered(), motion_);
@@ -49,7 +52,9 @@ Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& forc
   const Eigen::Vector3d& n = target.normal_world;
   const Eigen::Vector3d error = target.p_world - body_.placement(tool_).translation();
   Eigen::Vector3d v_tool = target.v_world + gains_.path_gain * error;
-  v_tool += (normal_speed(target, pressing, may_integrate) - n.dot(v_tool)) * n;
+  const double speed = pressing ? normal_speed(target, inertia_along(n, mass_matrix), may_integrate)
+                                : -approach_speed_;
+  v_tool += (speed - n.dot(v_tool)) * n;
   solve_joints(v_tool);
   if (!step_.allFinite()) return Status::NotFinite;
   command_.q = q_;
@@ -59,16 +64,27 @@ Status AdmittanceLoop::step(const TaskPoint& target, const Eigen::Vector3d& forc
   return Status::Ok;
 }
 
+/// Of the tool, kg: 1 / (n^T J M^-1 J^T n).
+double AdmittanceLoop::inertia_along(const Eigen::Vector3d& n,
+                                     const Eigen::MatrixXd& mass_matrix) noexcept {
+  multiply(J_.transpose(), n, step_);
+  inverse_M_Jt_ = step_;
+  factor_.compute(mass_matrix);
+  factor_.solveInPlace(inverse_M_Jt_);
+  double inverse = 0.0;
+  for (Eigen::Index i = 0; i < step_.size(); ++i) inverse += step_[i] * inverse_M_Jt_[i];
+  return 1.0 / inverse;
+}
+
 /// By the admittance, implicit in the speed, so that no damping is too much for the period.
-double AdmittanceLoop::normal_speed(const TaskPoint& target, bool pressing,
+double AdmittanceLoop::normal_speed(const TaskPoint& target, double inertia,
                                     bool may_integrate) noexcept {
-  if (!pressing) return -approach_speed_;
   const double excess = force_.dot(target.normal_world) - target.force;
   if (may_integrate) {
     integral_ += gains_.ki * period_ * excess;
     integral_ = std::clamp(integral_, -gains_.integral_limit, gains_.integral_limit);
   }
-  speed_ = (gains_.mass * speed_ + period_ * (excess + integral_)) /
+  speed_ = (gains_.mass * speed_ + period_ * (excess + integral_) / inertia) /
            (gains_.mass + period_ * gains_.damping);
   return speed_;
 }

@@ -232,8 +232,9 @@ const Description& description_of(const AdmittanceGains* /*of*/) {
                  range::from(0.0, 1.0))
           .field("force_cutoff", &A::force_cutoff,
                  "{rad/s}, low-pass of the measured force in the outer loop", positive)
-          .field("mass", &A::mass, "{kg}, of the admittance along the normal", gain)
-          .field("damping", &A::damping, "{Ns/m}, of the admittance along the normal", positive)
+          .field("mass", &A::mass,
+                 "of the admittance, as a multiple of the tool's inertia along the normal", gain)
+          .field("damping", &A::damping, "{1/s}, of the admittance; times that inertia", positive)
           .field("ki", &A::ki, "{1/s}, of the force error; 0: no integral of it", gain)
           .field("integral_limit", &A::integral_limit, "{N}, largest correction by that integral",
                  gain)
@@ -258,7 +259,8 @@ const Description& description_of(const AdmittanceSpec* /*of*/) {
           "that turns the force's error into a motion of the tool along the surface's normal, and "
           "that by inverse kinematics into joint positions, and an inner one that holds these. "
           "With f the force along the normal n behind a low-pass, q_c the commanded joints and p "
-          "the tip's place there: mass dv_n/dt + damping v_n = (f - f_path) + ki * integral of it; "
+          "the tip's place there, l its inertia along n: l (mass dv_n/dt + damping v_n) = (f - "
+          "f_path) + ki * integral of it; "
           "v_tool = v_n n and along the surface v_path + path_gain (p_path - p); dq_c/dt by damped "
           "least squares; and delay s later tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + "
           "joint_ki * integral of (q_c - q)) + b. Integrals are bounded, start anew where contact "

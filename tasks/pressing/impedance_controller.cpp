@@ -136,8 +136,8 @@ void ImpedanceController::integrate(const TaskPoint& target) {
   if (const double size = pull_.norm(); size > most) pull_ *= most / size;
 }
 
-/// Wanted of the tip, m/s^2. On the approach a point runs ahead of the tip and draws it along, so
-/// that joint friction delays the contact but does not prevent it.
+/// Wanted of the tip, m/s^2. On the approach a point runs ahead of the tip and draws it along,
+/// critically damped, so that joint friction delays the contact but does not prevent it.
 Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   const Eigen::Vector3d& n = target.normal_world;
   const Eigen::Vector3d v = body_.velocity(tool_, Reference::centered()).head<3>();
@@ -149,7 +149,7 @@ Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   if (follower_.phase() == Phase::Approach) {
     const double slower = -spec_.path.approach_speed - n.dot(v);
     lag_ = std::clamp(lag_ + spec_.path.period * slower, -longest_lag, longest_lag);
-    normal = gains.kd_normal * slower + gains.kp * lag_;
+    normal = gains.kd_normal * slower + 0.25 * gains.kd_normal * gains.kd_normal * lag_;
   }
   return wanted + (normal - n.dot(wanted)) * n;
 }

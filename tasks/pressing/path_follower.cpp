@@ -77,6 +77,15 @@ TaskPoint PathFollower::update(const Measurement& measurement, Command& command)
   command.normal_world = target.normal_world;
   command.p_target_world = target.p_world;
   command.force_estimate_world = measurement.tool_force_world;
+  target_ = target;
+  return target;
+}
+
+TaskPoint PathFollower::ahead(double lead) const noexcept {
+  if (phase_ != Phase::Track || lead <= 0.0) return target_;
+  TaskPoint target = task_(since_ + lead);
+  target.force = target_.force;
+  if (target.normal_world.isZero(0.0)) target.normal_world = normal_;
   return target;
 }
 

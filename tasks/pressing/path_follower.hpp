@@ -29,6 +29,9 @@ class PathFollower {
   /// Writes what the command says for the record. The measured force is finite.
   TaskPoint update(const Measurement& measurement, Command& command) noexcept;
 
+  /// The last target with place, velocity and normal as they will be `lead` s later.
+  TaskPoint ahead(double lead) const noexcept;
+
   Phase phase() const noexcept { return phase_; }
   /// Whether contact was made at the last update.
   bool touched() const noexcept { return touched_; }
@@ -41,6 +44,7 @@ class PathFollower {
   ContactDetector touch_;
   Phase phase_ = Phase::Approach;
   bool touched_ = false;
+  TaskPoint target_;
   double since_ = 0.0;  ///< s in the phase
   double measured_ = 0.0;
 };

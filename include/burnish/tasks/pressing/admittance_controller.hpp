@@ -2,12 +2,12 @@
 // that turns the force's error into a motion of the tool along the surface's normal (N. Hogan,
 // "Impedance control: an approach to manipulation", 1985) and that by inverse kinematics into joint
 // positions, and an inner one that holds these. With f the force along the normal n behind a
-// low-pass, v_n the commanded speed along it, q_c the commanded joints and J, p the tip's Jacobian
-// and place there, the outer loop computes
-//   mass dv_n/dt + damping v_n = (f - f_path) + ki * integral of (f - f_path),
+// low-pass, v_n the commanded speed along it, q_c the commanded joints, J, p the tip's Jacobian and
+// place there and l = 1 / (n^T J M^-1 J^T n) its inertia along the normal, the outer loop computes
+//   l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of (f - f_path),
 //   v_tool = v_n n + (1 - n n^T) (v_path + path_gain (p_path - p)),
 //   dq_c/dt = J^T (J J^T + ik_damping^2)^-1 (v_tool - J s) + s,   s = posture_gain (posture - q_c),
-// and the inner one, `delay` later and at every tick,
+// with the path as it will be `delay` later, when the inner one gets that and, at every tick, gives
 //   tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b.
 #pragma once
 
@@ -21,19 +21,19 @@ namespace burnish {
 
 /// Of both loops. The inner one knows the robot's mass matrix and gravity.
 struct AdmittanceGains {
-  double rate = 500.0;           ///< Hz, of the outer loop; rounded to ticks, one at least
-  double delay = 4e-3;           ///< s, from its measurement to the inner loop; rounded to ticks
-  double force_cutoff = 200.0;   ///< rad/s, low-pass of the measured force in the outer loop
-  double mass = 5.0;             ///< kg, of the admittance along the normal
-  double damping = 400.0;        ///< Ns/m, of the admittance along the normal
-  double ki = 2.0;               ///< 1/s, of the force error; 0: no integral of it
-  double integral_limit = 30.0;  ///< N, largest correction by that integral
-  double path_gain = 20.0;       ///< 1/s, of the commanded tool's way to the path
-  double ik_damping = 0.01;      ///< of the inverse kinematics, m/rad
-  double posture_gain = 1.0;     ///< 1/s, of the commanded joints to the posture
-  double joint_kp = 3600.0;      ///< 1/s^2, of the inner loop
-  double joint_kd = 100.0;       ///< 1/s, of the inner loop
-  double joint_ki = 20000.0;     ///< 1/s^3, of the inner loop; 0: no integral
+  double rate = 500.0;          ///< Hz, of the outer loop; rounded to ticks, one at least
+  double delay = 4e-3;          ///< s, from its measurement to the inner loop; rounded to ticks
+  double force_cutoff = 320.0;  ///< rad/s, low-pass of the measured force in the outer loop
+  double mass = 0.11;  ///< of the admittance, as a multiple of the tool's inertia along the normal
+  double damping = 230.0;              ///< 1/s, of the admittance; times that inertia
+  double ki = 19.0;                    ///< 1/s, of the force error; 0: no integral of it
+  double integral_limit = 30.0;        ///< N, largest correction by that integral
+  double path_gain = 20.0;             ///< 1/s, of the commanded tool's way to the path
+  double ik_damping = 0.01;            ///< of the inverse kinematics, m/rad
+  double posture_gain = 1.0;           ///< 1/s, of the commanded joints to the posture
+  double joint_kp = 32000.0;           ///< 1/s^2, of the inner loop
+  double joint_kd = 210.0;             ///< 1/s, of the inner loop
+  double joint_ki = 640000.0;          ///< 1/s^3, of the inner loop; 0: no integral
   double joint_integral_limit = 50.0;  ///< rad/s^2, largest correction by that integral
 };
 

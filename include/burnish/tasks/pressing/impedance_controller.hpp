@@ -20,16 +20,16 @@ namespace burnish {
 
 /// Of the impedance; with e the tool's position error along the surface.
 struct ImpedanceGains {
-  double kp = 3600.0;  ///< 1/s^2, along the surface
-  double kd = 90.0;    ///< 1/s, along the surface
-  double ki_position =
-      20000.0;  ///< 1/s^3, of the position's error along the surface; 0: no integral
+  double kp = 14000.0;  ///< 1/s^2, along the surface
+  double kd = 147.0;    ///< 1/s, along the surface
+  /// 1/s^3, of the position's error along the surface; 0: no integral
+  double ki_position = 445000.0;
   double position_integral_limit = 20.0;  ///< m/s^2, largest correction by that integral
-  double kd_normal = 30.0;                ///< 1/s, along the normal
-  double ki = 30.0;                       ///< 1/s, of the force error; 0: no force feedback
+  double kd_normal = 48.0;                ///< 1/s, along the normal
+  double ki = 66.0;                       ///< 1/s, of the force error; 0: no force feedback
   double integral_limit = 30.0;           ///< N, largest correction by that integral
-  double posture_kp = 20.0;               ///< 1/s^2
-  double posture_kd = 6.0;                ///< 1/s
+  double posture_kp = 9.0;                ///< 1/s^2
+  double posture_kd = 10.0;               ///< 1/s
 };
 
 struct ImpedanceSpec {
