@@ -23,17 +23,17 @@ namespace burnish {
 struct AdmittanceGains {
   double rate = 500.0;          ///< Hz, of the outer loop; rounded to ticks, one at least
   double delay = 4e-3;          ///< s, from its measurement to the inner loop; rounded to ticks
-  double force_cutoff = 320.0;  ///< rad/s, low-pass of the measured force in the outer loop
-  double mass = 0.11;  ///< of the admittance, as a multiple of the tool's inertia along the normal
-  double damping = 230.0;              ///< 1/s, of the admittance; times that inertia
-  double ki = 19.0;                    ///< 1/s, of the force error; 0: no integral of it
+  double force_cutoff = 200.0;  ///< rad/s, low-pass of the measured force in the outer loop
+  double mass = 0.5;  ///< of the admittance, as a multiple of the tool's inertia along the normal
+  double damping = 250.0;              ///< 1/s, of the admittance; times that inertia
+  double ki = 5.0;                     ///< 1/s, of the force error; 0: no integral of it
   double integral_limit = 30.0;        ///< N, largest correction by that integral
   double path_gain = 20.0;             ///< 1/s, of the commanded tool's way to the path
   double ik_damping = 0.01;            ///< of the inverse kinematics, m/rad
   double posture_gain = 1.0;           ///< 1/s, of the commanded joints to the posture
-  double joint_kp = 32000.0;           ///< 1/s^2, of the inner loop
-  double joint_kd = 210.0;             ///< 1/s, of the inner loop
-  double joint_ki = 640000.0;          ///< 1/s^3, of the inner loop; 0: no integral
+  double joint_kp = 10000.0;           ///< 1/s^2, of the inner loop
+  double joint_kd = 150.0;             ///< 1/s, of the inner loop
+  double joint_ki = 150000.0;          ///< 1/s^3, of the inner loop; 0: no integral
   double joint_integral_limit = 50.0;  ///< rad/s^2, largest correction by that integral
 };
 
