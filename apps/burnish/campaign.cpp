@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "document/reader.hpp"
+#include "polishing/experiments/disturbance_ranges.hpp"
 #include "polishing/record/experiment_files.hpp"
 #include "record/json_text.hpp"
 #include "robot_arguments.hpp"
@@ -23,6 +24,7 @@ template <class See>
 void each_word(const See& see) {
   see("seeds", &Campaign::seeds);
   see("first_seed", &Campaign::first_seed);
+  see("ranges", &Campaign::ranges);
   see("surface", &Campaign::surfaces);
   see("robot", &Campaign::robots);
   see("tool", &Campaign::tools);
@@ -47,6 +49,7 @@ std::vector<std::string> Campaign::command_words() const {
   };
   if (seeds > 0) add("--seeds", std::to_string(seeds));
   if (first_seed > 0) add("--first-seed", std::to_string(first_seed));
+  if (!ranges.empty()) add("--ranges", ranges);
   for (const std::string& surface : surfaces) add("--surface", surface);
   for (const std::string& robot : robots) add("--robot", robot);
   for (const std::string& tool : tools) add("--tool", tool);
@@ -70,6 +73,7 @@ polishing::ExperimentSpec Campaign::spec() const {
   spec.first_seed = first_seed;
   spec.quick = quick;
   spec.surfaces = surfaces;
+  spec.ranges = ranges;
   spec.robots = robots;
   spec.tools = tools;
   spec.overrides = overrides;
@@ -97,7 +101,9 @@ std::optional<CampaignFile> CampaignFile::read(const fs::path& folder) {
   read_word(map["shard"], file.shard);
   if (file.campaign.name == CampaignFile::sweep) return file;
   const Reader words = map["words"];
-  each_word([&](const char* key, auto member) { read_word(words[key], file.campaign.*member); });
+  each_word([&](const char* key, auto member) {
+    if (const auto word = words.find(key)) read_word(*word, file.campaign.*member);
+  });
   return file;
 }
 
@@ -107,6 +113,10 @@ void check_campaign(const Campaign& campaign, bool strict) {
   if (!any_robot && !(campaign.robots.empty() && campaign.tools.empty()))
     throw Error("--robot and --tool are for the experiments 'robots' and 'force_test'; for " +
                 fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
+  (void)polishing::ranges_named(campaign.ranges);
+  if (experiment.name != "seeds" && !campaign.ranges.empty())
+    throw Error(fmt::format("--ranges are for the experiment 'seeds'; '{}' draws no sizes",
+                            experiment.name));
   if (campaign.tools.size() > campaign.robots.size())
     throw Error(
         fmt::format("{} times --tool and {} times --robot; wanted no more tools than robots",

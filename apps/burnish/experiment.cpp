@@ -175,12 +175,17 @@ void add_words(CLI::App& command, Campaign& a) {
   command
       .add_option("--seeds", a.seeds,
                   "Number of seeds: of runs that differ in what is drawn [paper, robots and "
-                  "force_test 5, seeds 200]")
+                  "force_test 5, tilt 10, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--ranges", a.ranges,
+                  "What sizes are drawn from: usual, wide (6 degrees, 5 mm) or curved (also shapes "
+                  "in turn, 20 % of their curvature unknown) [usual] (seeds)")
+      ->type_name("NAME");
   command
       .add_option("--surface", a.surfaces,
                   "Other surfaces than the experiment's own; again for more (not: orientation)")
@@ -265,6 +270,7 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment orientation --set path.radius=0.04\n"
       "  burnish experiment force_test --robot my_arm.urdf --tool flange\n"
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
+      "  burnish experiment seeds --ranges wide --seeds 20\n"
       "  burnish experiment seeds --shard 2/4 --out part_2 --resume\n"
       "\n"
       "Each leaves results.md (its tables), results.json (all), results.csv (a row per run),\n"

@@ -29,7 +29,16 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
               "Force closes a loop through the controller and is not to be faster than its delays "
               "bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well, 100 rad/s "
               "oscillate.")
-          .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive);
+          .field("boost", &M::boost,
+                 "times the bandwidth, while a torque error changes faster than its noise does: "
+                 "after a push, an impact, where a joint turns around; 1: never",
+                 range::positive)
+          .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
+          .field("joint_friction", &M::joint_friction,
+                 "with kind torque: friction in joints is told apart and fed forward, so that it is "
+                 "there at once where a joint turns around")
+          .field("friction_speed", &M::friction_speed,
+                 "{rad/s} (m/s) within which that friction changes its sign", range::positive);
   return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include "mpc/contact_force_estimate.hpp"
 #include "mpc/felt_force.hpp"
+#include "mpc/joint_friction.hpp"
 #include "mpc/measurement_gate.hpp"
 
 namespace burnish {
@@ -32,6 +33,10 @@ class ErrorEstimate {
   /// Of the tool's contacts with friction: their coefficient; 0 without them.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
+  /// Its torque is taken for a part of the command before: that which friction takes away again.
+  JointFriction& friction() { return friction_; }
+  const JointFriction& friction() const { return friction_; }
+
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
   double force_error() const { return force_error_; }  ///< N
@@ -47,6 +52,9 @@ class ErrorEstimate {
   const Eigen::VectorXd& model_error() const {
     return has_sensor_ ? observer_.torque_error() : felt_.model_error();
   }
+  double observed_at() const {  ///< rad/s
+    return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
+  }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
   Eigen::Vector3d explained_friction(const MeasurementGate& gate,
@@ -60,11 +68,12 @@ class ErrorEstimate {
   double contact_threshold_;  ///< N
   TorqueErrorObserver observer_;
   FeltForce felt_;
+  JointFriction friction_;
   bool has_sensor_;
   ContactForceEstimate contact_force_;
   int tool_;
   FrameDerivatives tool_motion_;
-  Eigen::VectorXd acted_;  ///< nv, torque that the model believes to act
+  Eigen::VectorXd acted_;  ///< nv, torque that the model believes to act, less that of friction_
   Eigen::VectorXd torque_offset_, torque_error_, total_;
   double pressed_ = 0.0;  ///< N, normal force behind the bandwidth
   /// N, along the surface, alike: what the contacts' own friction does not explain

@@ -20,6 +20,7 @@ class FeltForce {
 
   const Eigen::Vector3d& force_world() const { return force_; }        ///< N
   const Eigen::VectorXd& model_error() const { return model_error_; }  ///< d, nv, Nm (N)
+  double bandwidth() const { return observer_.bandwidth(); }           ///< rad/s, of the observer
 
  private:
   TorqueErrorObserver observer_;

@@ -10,6 +10,60 @@
 
 namespace burnish {
 
+namespace {
+
+/// Tells changes of the torque error from its noise: how fast it changes, of its usual rate.
+class Haste {
+ public:
+  Haste(const Model& model, const ModelErrorOptions& options)
+      : boost_(std::max(options.boost, 1.0)),
+        rate_(Eigen::VectorXd::Zero(model.nv)),
+        usual_(rate_),
+        least_(rate_) {
+    constexpr double small = 2e-3;  // of a joint's effort limit: what need not be known at once
+    for (int k = 0; k < model.nv; ++k) {
+      const double effort = model.effort_limit[k];
+      const double rate =
+          small * options.bandwidth * (std::isfinite(effort) && effort > 0.0 ? effort : 100.0);
+      least_[k] = rate * rate;
+    }
+  }
+  void reset() noexcept {
+    rate_.setZero();
+    usual_.setZero();
+    level_ = seen_ = 0.0;
+  }
+  /// After a change of the torque error, dt s after the last one.
+  void see(const Eigen::VectorXd& change, double dt) noexcept {
+    constexpr double smoothing = 4e-3, memory = 1.0, first = 0.1, fading = 0.03;  // s
+    constexpr double noise = 4.0, certain = 16.0;  // squares of deviations, mean of the joints
+    rate_ += std::min(1.0, dt / smoothing) * (change / dt - rate_);
+    seen_ += dt;
+    const double share = std::min(1.0, dt / std::min(seen_, memory));
+    double haste = 0.0;
+    for (Eigen::Index k = 0; k < rate_.size(); ++k) {
+      const double square = rate_[k] * rate_[k];
+      haste += square / std::max(usual_[k], least_[k]);
+      // What is far from usual is not to become so at once.
+      const double most = 9.0 * std::max(usual_[k], least_[k]);
+      usual_[k] += share * (std::min(square, most) - usual_[k]);
+    }
+    haste /= static_cast<double>(std::max<Eigen::Index>(rate_.size(), 1));
+    const double level =
+        seen_ < first ? 0.0 : std::clamp((haste - noise) / (certain - noise), 0.0, 1.0);
+    level_ = std::max(level, level_ * std::exp(-dt / fading));
+  }
+  /// Times the bandwidth.
+  double factor() const { return 1.0 + (boost_ - 1.0) * level_; }
+
+ private:
+  double boost_;
+  Eigen::VectorXd rate_, usual_, least_;  ///< Nm/s, and the squares of what is usual and small
+  double level_ = 0.0, seen_ = 0.0;       ///< 0 to 1; s
+};
+
+}  // namespace
+
 struct TorqueErrorObserver::Impl {
   Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given)
       : options(given),
@@ -19,7 +73,10 @@ struct TorqueErrorObserver::Impl {
         velocity(Eigen::VectorXd::Zero(model.nv)),
         error(Eigen::VectorXd::Zero(model.nv)),
         total(Eigen::VectorXd::Zero(model.nv)),
-        innovation(Eigen::VectorXd::Zero(model.nv)) {
+        innovation(Eigen::VectorXd::Zero(model.nv)),
+        change(Eigen::VectorXd::Zero(model.nv)),
+        haste(model, given),
+        bandwidth(given.bandwidth) {
     if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
       throw Error("model error: a bandwidth of " + number(given.bandwidth) +
                   " rad/s; wanted a positive number");
@@ -33,7 +90,9 @@ struct TorqueErrorObserver::Impl {
   int frame;
   FrameDerivatives derivatives;
   bool started = false;
-  Eigen::VectorXd velocity, error, total, innovation;
+  Eigen::VectorXd velocity, error, total, innovation, change;
+  Haste haste;
+  double bandwidth;  ///< rad/s, at present
 };
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
@@ -49,9 +108,12 @@ TorqueErrorObserver& TorqueErrorObserver::operator=(TorqueErrorObserver&&) noexc
 void TorqueErrorObserver::reset() noexcept {
   impl_->started = false;
   impl_->error.setZero();
+  impl_->haste.reset();
+  impl_->bandwidth = impl_->options.bandwidth;
 }
 
 const Eigen::VectorXd& TorqueErrorObserver::torque_error() const { return impl_->error; }
+double TorqueErrorObserver::bandwidth() const { return impl_->bandwidth; }
 
 Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef& v,
                                    const ConstVectorRef& tau, const Eigen::Vector3d& force_world,
@@ -72,12 +134,15 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
   status = d.dynamics.forward(q, v, d.total);
   if (status > Status::NotConverged) return status;
-  const double pole = std::exp(-d.options.bandwidth * dt);
+  d.bandwidth = d.haste.factor() * d.options.bandwidth;
+  const double pole = std::exp(-d.bandwidth * dt);
   d.velocity += dt * d.dynamics.a();
   d.innovation = v - d.velocity;
   d.velocity += (1.0 - pole * pole) * d.innovation;
   d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
-  d.error.noalias() += d.dynamics.mass_matrix() * d.innovation;
+  d.change.noalias() = d.dynamics.mass_matrix() * d.innovation;
+  d.error += d.change;
+  d.haste.see(d.change, dt);
   d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);
   return status;
 }

@@ -56,7 +56,8 @@ MpcController::Impl::Impl(MpcSpec given)
       readings_(watched_.size()),
       tool_(RigidBody(spec.problem.model).frame(spec.tool)),
       x_(spec.problem.initial_state),
-      u_(Eigen::VectorXd::Zero(problem.layout().nu)) {
+      u_(Eigen::VectorXd::Zero(problem.layout().nu)),
+      v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_world;
   std::size_t longest = 0;
@@ -179,8 +180,19 @@ bool MpcController::Impl::replan() {
     (void)prediction_.advance(problem, horizon, policy, now, schedule.time(), delay, x_);
   if (!solve(schedule.time() + delay)) return false;
   policy.load(solver, now + delay);
+  foresee();
   jumped_ = false;
   return true;
+}
+
+/// The velocity of the plan a while ahead.
+void MpcController::Impl::foresee() noexcept {
+  const StateLayout& layout = problem.layout();
+  const double at = std::min(error.friction().lead() / horizon.step(), problem.knots() - 1e-9);
+  const int k = static_cast<int>(at);
+  const auto xs = solver.xs();
+  v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
+  error.friction().foresee(v_ahead_.data());
 }
 
 bool MpcController::Impl::solve(double schedule_time) {
@@ -245,12 +257,15 @@ void MpcController::Impl::control() noexcept {
   command_.tau.setZero();
   for (int i = 0; i < problem.layout().nu; ++i)
     command_.tau[problem.layout().actuated[static_cast<std::size_t>(i)]] = u_[i];
+  error.friction().advance(spec.tick_period);
+  command_.tau += error.friction().torque();
   holding_.release();
 }
 
 void MpcController::Impl::fall_back() noexcept {
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
   holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), command_.tau);
+  error.friction().rest();
 }
 
 /// The fallback has all that the robot has.

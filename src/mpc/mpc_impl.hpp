@@ -30,6 +30,7 @@ struct MpcController::Impl {
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
   bool replan();
+  void foresee() noexcept;
   bool solve(double schedule_time);
   void control() noexcept;
   void fall_back() noexcept;
@@ -62,7 +63,7 @@ struct MpcController::Impl {
   std::vector<Reading> readings_;  ///< of watched_
   int tool_;                       ///< frame
   Command command_;
-  Eigen::VectorXd x_, u_;
+  Eigen::VectorXd x_, u_, v_ahead_;
   long tick_ = 0;
   bool due_ = false;     ///< an update
   bool solved_ = false;  ///< there is a plan

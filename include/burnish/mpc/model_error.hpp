@@ -30,7 +30,14 @@ struct ModelErrorOptions {
   /// through the controller and is not to be faster than its delays bear: behind a force sensor
   /// filtered at 50 Hz, 50 rad/s are well, 100 rad/s oscillate.
   double bandwidth = 30.0;
+  /// times the bandwidth, while a torque error changes faster than its noise does: after a push, an
+  /// impact, where a joint turns around; 1: never
+  double boost = 2.0;
   double limit = 30.0;  ///< Nm (N): estimates stay within +- this
+  /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
+  /// once where a joint turns around
+  bool joint_friction = true;
+  double friction_speed = 0.001;  ///< rad/s (m/s) within which that friction changes its sign
 };
 
 /// An observer of the joint velocity with the torque error as its disturbance state: with e = v -
@@ -38,7 +45,8 @@ struct ModelErrorOptions {
 ///   d(v^)/dt = M^-1 (tau + J^T f + d - b) + 2 w e,   d(d)/dt = w^2 M e,
 /// sampled so that both poles are at exp(-w dt) whatever dt is: after 4.8 / w s a constant error is
 /// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
-/// friction along the surface.
+/// friction along the surface. Where d changes faster than its noise has it, w is up to `boost` times
+/// the bandwidth, and comes back within some 0.1 s.
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. Throws Error for an unknown frame and options out of
@@ -58,6 +66,7 @@ class TorqueErrorObserver {
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt) noexcept;
   const Eigen::VectorXd& torque_error() const;  ///< d, nv, Nm (N)
+  double bandwidth() const;                     ///< w of the last update, rad/s
 
  private:
   struct Impl;

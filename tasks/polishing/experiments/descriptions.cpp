@@ -12,6 +12,7 @@ const Description& description_of(const ExperimentSpec* /*of*/) {
           .field("threads", &E::threads, "runs at once; 0: as many as there are cores")
           .field("quick", &E::quick, "few and short runs, to see whether it works")
           .field("surfaces", &E::surfaces, "empty: the experiment's own")
+          .field("ranges", &E::ranges, "of `seeds`: usual, wide or curved; empty: usual")
           .field("robots", &E::robots,
                  "of the experiments `robots` and `force_test`; empty: their own")
           .field(

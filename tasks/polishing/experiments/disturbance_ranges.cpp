@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
 #include "sim/random.hpp"
 
 namespace burnish::polishing {
@@ -18,7 +20,50 @@ Eigen::Vector3d unit_vector(RandomStream& random) {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
+DisturbanceRanges wide() {
+  DisturbanceRanges ranges;
+  ranges.surface_tilt = {-6.0, 6.0};
+  ranges.surface_height = {-5e-3, 5e-3};
+  return ranges;
+}
+
+DisturbanceRanges wide_and_bent() {
+  DisturbanceRanges ranges = wide();
+  ranges.surface_curvature = {0.8, 1.2};
+  return ranges;
+}
+
 }  // namespace
+
+const std::vector<NamedRanges>& named_ranges() {
+  static const std::vector<NamedRanges> all{
+      {"usual", "planes", {}, {}, 0.3, 0.9},
+      {"wide", "planes that lean by up to 6 degrees about each tangent and are up to 5 mm off",
+       wide(), {}, 0.3, 0.9},
+      {"curved",
+       "spheres, cylinders, tori, saddles and ellipsoids that do, with up to 20 % of their "
+       "curvature unknown",
+       wide_and_bent(),
+       {{.kind = SurfaceShape::Kind::Sphere, .radius = 0.2},
+        {.kind = SurfaceShape::Kind::Cylinder, .radius = 0.2},
+        {.kind = SurfaceShape::Kind::Torus, .radius = 0.2, .ring = 0.4},
+        {.kind = SurfaceShape::Kind::Saddle, .curvature = {2.0, -3.0}},
+        {.kind = SurfaceShape::Kind::Ellipsoid}},
+       0.6,
+       1.5}};
+  return all;
+}
+
+const NamedRanges& ranges_named(const std::string& name) {
+  if (name.empty()) return named_ranges().front();
+  std::vector<std::string> names;
+  for (const NamedRanges& ranges : named_ranges()) {
+    if (ranges.name == name) return ranges;
+    names.push_back(ranges.name);
+  }
+  throw Error("ranges " + in_quotes(name) + " are not known; wanted usual, wide or curved" +
+              did_you_mean(name, names));
+}
 
 void draw_disturbances(const DisturbanceRanges& ranges, std::uint64_t seed, Task& task) {
   std::uint64_t stream = first_stream;
@@ -52,9 +97,10 @@ void draw_disturbances(const DisturbanceRanges& ranges, std::uint64_t seed, Task
   push.start = before + draw(ranges.push_start) * task.polish_duration;
   push.duration = draw(ranges.push_duration);
   const double force = draw(ranges.push_force);
-  RandomStream random(seed, stream);
+  RandomStream random(seed, stream++);
   push.force_world = force * unit_vector(random);
   d.pushes = {push};
+  d.surface_curvature = draw(ranges.surface_curvature);
   task.disturbances = d;
 }
 

@@ -1,6 +1,9 @@
 // Everything that can disturb a run, at once, with sizes drawn from a seed.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "burnish/tasks/polishing/task.hpp"
 
 namespace burnish::polishing {
@@ -32,7 +35,23 @@ struct DisturbanceRanges {
   Span push_force{0.0, 8.0};         ///< N, in any direction
   Span push_duration{0.05, 0.25};    ///< s
   Span push_start{0.3, 0.8};         ///< of the time on the path
+  Span surface_curvature{1.0, 1.0};  ///< how much more the surface bends than believed
 };
+
+/// Ranges by a word, and what the force is held to within them.
+struct NamedRanges {
+  std::string name;
+  std::string summary;  ///< what they are, for a sentence
+  DisturbanceRanges ranges;
+  /// Of the surface, in turn over the seeds; empty: as the task says.
+  std::vector<SurfaceShape> shapes = {};
+  double median_force = 0.0, worst_force = 0.0;  ///< N, rms error, aims over the seeds
+};
+
+/// usual, wide, curved.
+const std::vector<NamedRanges>& named_ranges();
+/// Empty: usual. Throws Error with the nearest known name.
+const NamedRanges& ranges_named(const std::string& name);
 
 /// The disturbances of a seed, each from a stream of its own: other ranges of one leave the others
 /// as they were. One push comes while the tool is on its path. Sets solver_delay too.

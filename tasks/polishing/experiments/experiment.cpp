@@ -12,6 +12,7 @@ ExperimentReport perform_paper(const ExperimentSpec& spec);
 ExperimentReport perform_orientation(const ExperimentSpec& spec);
 ExperimentReport perform_frames(const ExperimentSpec& spec);
 ExperimentReport perform_seeds(const ExperimentSpec& spec);
+ExperimentReport perform_tilt(const ExperimentSpec& spec);
 ExperimentReport perform_robots(const ExperimentSpec& spec);
 ExperimentReport perform_force_test(const ExperimentSpec& spec);
 ExperimentReport perform_tick(const ExperimentSpec& spec);
@@ -27,6 +28,8 @@ const std::vector<Experiment>& experiments() {
       {"frames", "contact and force in the tool's axes or the surface's, as the wrist gets freer",
        perform_frames},
       {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
+      {"tilt", "surfaces that lean, fast and with friction, with a torque loop and without",
+       perform_tilt},
       {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg",
        perform_robots},
       {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",

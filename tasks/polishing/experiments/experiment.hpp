@@ -31,6 +31,7 @@ struct ExperimentSpec {
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
   std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
+  std::string ranges = {};  ///< of `seeds`: usual, wide or curved; empty: usual
   /// Of the experiments `robots` and `force_test`; empty: their own.
   std::vector<std::string> robots = {};
   /// The frame that each of these holds its tool with; "tool" for those that lack one.
@@ -91,7 +92,7 @@ struct Experiment {
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// paper, orientation, frames, seeds, robots, force_test, tick.
+/// paper, orientation, frames, seeds, tilt, robots, force_test, tick.
 const std::vector<Experiment>& experiments();
 /// Throws Error with the nearest known name.
 const Experiment& experiment_named(const std::string& name);

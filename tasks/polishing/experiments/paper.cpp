@@ -1,20 +1,15 @@
 // The experiments of the paper, with disturbances, for MPC and controllers without a plan.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
 
 namespace burnish::polishing {
 namespace {
 
-/// What the controller is held to, by the worst of its seeds.
-struct Aim {
-  std::string figure;
-  double limit;  ///< in the unit that people are shown
-};
-
+/// By the worst of its seeds.
 std::vector<Aim> aims_under(const std::string& disturbances) {
   const double force = disturbances == "none" ? 0.05 : disturbances == "mismatch" ? 0.15 : 0.4;
   const double path = disturbances == "none" ? 0.2 : disturbances == "mismatch" ? 0.7 : 1.5;
@@ -31,19 +26,6 @@ struct FigureGroup {
   ControllerKind controller;
   std::vector<int> runs = {};  ///< indices
 };
-
-std::string verdict(double value, const Aim& aim) {
-  if (!std::isfinite(value)) return "missed: no figure";
-  if (value <= aim.limit + 1e-9) return "met";
-  char text[80];
-  const char* const unit = figure_named(aim.figure).unit.shown;
-  if (aim.limit > 0.0)
-    std::snprintf(text, sizeof text, "missed by %.3g %s (%.0f %%)", value - aim.limit, unit,
-                  100.0 * (value / aim.limit - 1.0));
-  else
-    std::snprintf(text, sizeof text, "missed by %.3g %s", value, unit);
-  return text;
-}
 
 std::vector<RunFigures> members(const FigureGroup& group, const std::vector<RunFigures>& runs) {
   std::vector<RunFigures> result;
@@ -112,11 +94,9 @@ ResultTable aims_table(const std::vector<FigureGroup>& groups, const std::vector
       const std::string words = verdict(worst, aim);
       met += words == "met" ? 1 : 0;
       ++all;
-      ResultCell room = aim.limit > 0.0 ? ResultCell(100.0 * (1.0 - worst / aim.limit))
-                                        : ResultCell(std::monostate());
       table.add({group.surface, group.disturbances, aim.figure,
                  std::string(figure_named(aim.figure).unit.shown), worst, aim.limit,
-                 std::move(room), words});
+                 room_below(worst, aim), words});
       if (words != "met")
         report.findings.push_back(group.surface + ", " + group.disturbances + ": " + aim.figure +
                                   " " + words + ".");

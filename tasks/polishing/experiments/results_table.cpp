@@ -20,7 +20,7 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-std::string shown(const ResultCell& cell, const ResultColumn& column) {
+std::string cell_text(const ResultCell& cell, const ResultColumn& column) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   const auto* value = std::get_if<double>(&cell);
   return value != nullptr && std::isfinite(*value) ? rounded(*value, column.digits) : "-";
@@ -59,7 +59,7 @@ std::string markdown(const ResultTable& table) {
     std::vector<std::string> cells;
     std::size_t width = std::max<std::size_t>(name.size(), 4);
     for (const auto& row : table.rows) {
-      cells.push_back(escaped(shown(row[i], column)));
+      cells.push_back(escaped(cell_text(row[i], column)));
       width = std::max(width, cells.back().size());
     }
     const auto padded = [&](const std::string& text) {

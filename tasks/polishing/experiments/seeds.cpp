@@ -5,6 +5,7 @@
 #include <map>
 
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/experiments/aims.hpp"
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
 
@@ -21,9 +22,12 @@ bool diverged(const RunFigures& run) {
          !(run["position_rmse"] <= diverged_position);
 }
 
+std::vector<std::string> surfaces_of(const ExperimentSpec& spec) {
+  return spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
+}
+
 std::string surface_of(const ExperimentSpec& spec, int seed) {
-  const std::vector<std::string> surfaces =
-      spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
+  const std::vector<std::string> surfaces = surfaces_of(spec);
   return surfaces[static_cast<std::size_t>(seed) % surfaces.size()];
 }
 
@@ -34,7 +38,11 @@ Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& 
   if (!undrawn.contains(surface))
     undrawn.emplace(surface, experiment_task(spec, surface, "none", 4.0));
   Task task = undrawn.at(surface);
-  draw_disturbances({}, static_cast<std::uint64_t>(seed), task);
+  const NamedRanges& ranges = ranges_named(spec.ranges);
+  draw_disturbances(ranges.ranges, static_cast<std::uint64_t>(seed), task);
+  // Each shape lies on each surface in its turn.
+  const std::size_t turn = static_cast<std::size_t>(seed) / surfaces_of(spec).size();
+  if (!ranges.shapes.empty()) task.shape = ranges.shapes[turn % ranges.shapes.size()];
   return task;
 }
 
@@ -60,7 +68,9 @@ ResultTable runs_table(const ExperimentSpec& spec, const std::vector<BatchRun>& 
                    {"tilt about the first tangent", "deg", 2},
                    {"about the second", "deg", 2},
                    {"surface height", "mm", 2},
-                   {"push", "N", 2}};
+                   {"push", "N", 2},
+                   {"shape"},
+                   {"surface curvature", "", 3}};
   for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Task& task = runs[i].spec.task;
@@ -85,7 +95,9 @@ ResultTable runs_table(const ExperimentSpec& spec, const std::vector<BatchRun>& 
                                 d.surface_tilt_deg[0],
                                 d.surface_tilt_deg[1],
                                 1e3 * d.surface_height,
-                                d.pushes.front().force_world.norm()};
+                                d.pushes.front().force_world.norm(),
+                                task.shape.text(),
+                                d.surface_curvature};
     for (ResultCell& cell : run_cells(run)) row.push_back(std::move(cell));
     table.add(std::move(row));
   }
@@ -102,6 +114,36 @@ ResultTable statistics_table(const std::vector<RunFigures>& figures) {
                shown(figure, quantile_of(values, 0.5)), shown(figure, quantile_of(values, 0.95)),
                shown(figure, largest_of(values))});
   }
+  return table;
+}
+
+/// A run without a figure is the worst.
+double worst_of_all(const std::vector<RunFigures>& figures, const char* figure) {
+  double worst = 0.0;
+  for (const RunFigures& run : figures)
+    if (!(shown(figure, run[figure]) <= worst)) worst = shown(figure, run[figure]);
+  return worst;
+}
+
+ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>& figures,
+                       ExperimentReport& report) {
+  const NamedRanges& ranges = ranges_named(spec.ranges);
+  ResultTable table{.name = "aims", .title = "Beside the aims"};
+  table.columns = {{"figure"},      {"over the seeds"}, {"unit"},   {"value"},
+                   {"aim", "", 2}, {"room", "%", 0},   {"verdict"}};
+  const auto add = [&](const Aim& aim, const char* over, double value) {
+    table.add({aim.figure, std::string(over), std::string(figure_named(aim.figure).unit.shown),
+               value, aim.limit, room_below(value, aim), verdict(value, aim)});
+  };
+  add({"force_rmse", ranges.median_force}, "median",
+      shown("force_rmse", quantile_of(collect(figures, "force_rmse"), 0.5)));
+  add({"force_rmse", ranges.worst_force}, "worst", worst_of_all(figures, "force_rmse"));
+  add({"without_contact", 0.0}, "worst", worst_of_all(figures, "without_contact"));
+  const auto faults = std::count_if(figures.begin(), figures.end(), [](const RunFigures& run) {
+    return run.made && run.fault != FaultKind::None;
+  });
+  report.findings.push_back(std::to_string(faults) + " runs ended with a fault; on " +
+                            ranges.summary + ".");
   return table;
 }
 
@@ -231,6 +273,7 @@ ExperimentReport perform_seeds(const ExperimentSpec& spec) {
   if (!spec.reports()) return report;
   report.tables = {runs_table(spec, runs, figures), statistics_table(figures),
                    outcomes_table(figures)};
+  report.tables.push_back(aims_table(spec, figures, report));
   report.figures = {distributions(runs, figures)};
   const auto strayed = std::count_if(figures.begin(), figures.end(), diverged);
   const auto made =

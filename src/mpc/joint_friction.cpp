@@ -1,0 +1,115 @@
+#include "mpc/joint_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr double look_ahead = 0.05;       // s, of plans
+constexpr double constant_memory = 0.3;   // s, in which c may become another
+constexpr double friction_memory = 10.0;  // s, in which F and B may
+constexpr double noise_memory = 0.5;      // s
+constexpr double outlier = 4.0;           // deviations
+
+}  // namespace
+
+JointFriction::JointFriction(const MpcSpec& spec)
+    : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction),
+      options_(spec.model_error),
+      lead_(look_ahead),
+      // A plan is used so long after it begins, and stands for so long.
+      smoothing_(look_ahead + spec.solver_delay + 0.5 * spec.update_period),
+      joints_(static_cast<std::size_t>(spec.problem.model.nv)),
+      torque_(Eigen::VectorXd::Zero(spec.problem.model.nv)) {
+  for (const burnish::Joint& of : spec.problem.model.joints) {
+    if (of.kind == JointKind::FreeFlyer || of.follows) continue;
+    for (int k = of.v_index; k < of.v_index + of.nv; ++k) {
+      Joint& joint = joints_[static_cast<std::size_t>(k)];
+      joint.driven = true;
+      const double effort = spec.problem.model.effort_limit[k];
+      if (std::isfinite(effort) && effort > 0.0) joint.prior = 0.03 * effort;
+    }
+  }
+  reset();
+}
+
+void JointFriction::reset() noexcept {
+  torque_.setZero();
+  for (Joint& joint : joints_) {
+    joint.ahead = joint.between = joint.v = 0.0;
+    joint.sign = joint.speed = joint.given = Late{};
+    joint.x.setZero();
+    const double variance = joint.prior * joint.prior;
+    joint.P = Eigen::Vector3d(100.0 * variance, variance, variance).asDiagonal();
+    joint.noise = 0.01 * variance;
+  }
+}
+
+void JointFriction::foresee(const double* v) noexcept {
+  for (Joint& joint : joints_) joint.ahead = *v++;
+}
+
+double JointFriction::sign_of(double v) const noexcept {
+  return std::tanh(v / options_.friction_speed);
+}
+
+void JointFriction::advance(double dt) noexcept {
+  if (!enabled_) return;
+  const double share = -std::expm1(-2.0 * dt / smoothing_);
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    Joint& joint = joints_[k];
+    if (!joint.driven) continue;
+    joint.between += share * (joint.ahead - joint.between);
+    joint.v += share * (joint.between - joint.v);
+    const double sure = std::max(0.0, joint.x[1] - std::sqrt(joint.P(1, 1)));
+    const double torque = sure * sign_of(joint.v) + joint.x[2] * joint.v;
+    torque_[static_cast<Eigen::Index>(k)] = std::clamp(torque, -options_.limit, options_.limit);
+  }
+}
+
+void JointFriction::learn(const Eigen::VectorXd& torque_error, double bandwidth,
+                          double dt) noexcept {
+  if (!enabled_ || !(dt > 0.0)) return;
+  const double share = -std::expm1(-bandwidth * dt);
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    Joint& joint = joints_[k];
+    if (!joint.driven) continue;
+    const auto i = static_cast<Eigen::Index>(k);
+    const double given = joint.given.follow(torque_[i], share);
+    learn(joint, torque_error[i] - given, share, dt);
+  }
+}
+
+void JointFriction::learn(Joint& joint, double error, double share, double dt) noexcept {
+  const double s = joint.sign.follow(sign_of(joint.v), share);
+  const double v = joint.speed.follow(joint.v, share);
+  const Eigen::Vector3d phi(1.0, -s, -v);
+  // What the observer says stays the same for a while: so many ticks are worth one.
+  const double repeats = std::max(1.0, 2.0 / share);
+  const double turning = 1.0 - s * s;
+  const double late = joint.x[1] * turning;  // the joint turns around a little sooner or later
+  const double R = repeats * (joint.noise * (1.0 + 10.0 * turning) + late * late);
+  const double constant = dt / constant_memory, slow = dt / friction_memory;
+  const double wander = repeats * joint.noise;
+  joint.P(0, 0) += wander * constant * constant;
+  joint.P(1, 1) += wander * slow * slow;
+  joint.P(2, 2) += wander * slow * slow;
+  const Eigen::Vector3d PH = joint.P * phi;
+  const double S = phi.dot(PH) + R, innovation = error - phi.dot(joint.x);
+  if (innovation * innovation > outlier * outlier * S) {
+    // A push, an impact: another constant, first of all.
+    joint.P(0, 0) += innovation * innovation;
+    return;
+  }
+  const Eigen::Vector3d gain = PH / S;
+  joint.x += gain * innovation;
+  joint.P -= gain * PH.transpose();
+  joint.P = 0.5 * (joint.P + joint.P.transpose()).eval();
+  joint.x[1] = std::clamp(joint.x[1], 0.0, options_.limit);
+  joint.x[2] = std::max(joint.x[2], 0.0);
+  const double left = error - phi.dot(joint.x);
+  joint.noise += std::min(1.0, dt / noise_memory) * (left * left - joint.noise);
+}
+
+}  // namespace burnish

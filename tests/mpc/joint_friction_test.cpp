@@ -1,0 +1,122 @@
+// Friction in joints, told from an error that turns around with their velocities.
+#include "mpc/joint_friction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "support/allocation_guard.hpp"
+#include "support/toy_task.hpp"
+
+namespace burnish::test {
+namespace {
+
+/// Joints that swing, all with friction of the same size, and what an observer behind the
+/// bandwidth says of what is not made up for.
+struct Swing {
+  explicit Swing(double coulomb_of_plant, double viscous_of_plant, bool enabled = true)
+      : coulomb(coulomb_of_plant), viscous(viscous_of_plant) {
+    spec = toy_spec();
+    spec.model_error.bandwidth = bandwidth;
+    spec.model_error.joint_friction = enabled;
+    friction.emplace(spec);
+    const int nv = spec.problem.model.nv;
+    v_ahead = error = first = Eigen::VectorXd::Zero(nv);
+  }
+
+  void run(double duration) {
+    for (const double end = time + duration; time < end; time += dt) step();
+  }
+  void step() {
+    const double share = -std::expm1(-bandwidth * dt);
+    friction->learn(error, bandwidth, dt);
+    for (Eigen::Index k = 0; k < v_ahead.size(); ++k) v_ahead[k] = speed(k, time + friction->lead());
+    friction->foresee(v_ahead.data());
+    friction->advance(dt);
+    for (Eigen::Index k = 0; k < error.size(); ++k) {
+      const double v = speed(k, time);
+      const double drift = 2.0 + 0.3 * std::sin(0.7 * time + static_cast<double>(k));
+      const double lost = std::copysign(coulomb, v) + viscous * v;
+      const double left = drift + push + friction->torque()[k] - lost + noise(random);
+      first[k] += share * (left - first[k]);
+      error[k] += share * (first[k] - error[k]);
+    }
+  }
+  static double speed(Eigen::Index k, double t) {
+    return 0.1 * std::sin(t + static_cast<double>(k));
+  }
+
+  static constexpr double dt = 5e-4, bandwidth = 150.0;
+  double coulomb, viscous, push = 0.0, time = 0.0;
+  MpcSpec spec;
+  std::optional<JointFriction> friction;
+  Eigen::VectorXd v_ahead, error, first;
+  std::mt19937 random{1};
+  std::normal_distribution<double> noise{0.0, 0.5};
+};
+
+TEST(JointFriction, is_known_once_every_joint_has_turned_around) {
+  Swing swing(1.0, 0.5);
+  swing.run(8.0);
+  for (int k = 0; k < swing.v_ahead.size(); ++k) {
+    EXPECT_NEAR(swing.friction->coulomb(k), 1.0, 0.15) << k;
+    EXPECT_LT(swing.friction->deviation(k), 0.2) << k;
+    // What is made up for is what is lost, but for a moment where the joint turns around.
+    const double v = Swing::speed(k, swing.time);
+    if (std::abs(v) < 0.03) continue;
+    EXPECT_NEAR(swing.friction->torque()[k], std::copysign(1.0, v) + 0.5 * v, 0.3) << k;
+  }
+}
+
+TEST(JointFriction, is_next_to_nothing_where_there_is_none) {
+  Swing swing(0.0, 0.0);
+  swing.run(8.0);
+  EXPECT_LT(swing.friction->torque().cwiseAbs().maxCoeff(), 0.1);
+}
+
+TEST(JointFriction, is_not_what_a_push_does) {
+  Swing swing(1.0, 0.0);
+  swing.run(6.0);
+  swing.push = 8.0;
+  swing.run(0.1);
+  swing.push = 0.0;
+  swing.run(0.5);
+  for (int k = 0; k < swing.v_ahead.size(); ++k)
+    EXPECT_NEAR(swing.friction->coulomb(k), 1.0, 0.25) << k;
+}
+
+TEST(JointFriction, is_made_up_for_smoothly_at_rest) {
+  Swing swing(1.0, 0.5);
+  swing.run(6.0);
+  swing.v_ahead.setZero();
+  for (int i = 0; i < 1000; ++i) {
+    swing.friction->foresee(swing.v_ahead.data());
+    swing.friction->advance(Swing::dt);
+  }
+  EXPECT_LT(swing.friction->torque().cwiseAbs().maxCoeff(), 1e-2);
+}
+
+TEST(JointFriction, is_left_alone_where_it_is_off_and_forgotten_after_a_reset) {
+  Swing off(1.0, 0.5, false);
+  off.run(2.0);
+  EXPECT_TRUE(off.friction->torque().isZero(0.0));
+  Swing swing(1.0, 0.5);
+  swing.run(6.0);
+  swing.friction->reset();
+  EXPECT_TRUE(swing.friction->torque().isZero(0.0));
+  EXPECT_EQ(swing.friction->coulomb(0), 0.0);
+}
+
+TEST(JointFriction, allocates_nothing) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  Swing swing(1.0, 0.5);
+  swing.step();
+  const AllocationGuard guard;
+  swing.run(0.05);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace burnish::test
