@@ -10,10 +10,16 @@ namespace {
 constexpr double first_look = 0.1;  // s in which all is taken for model error
 constexpr double memory = 0.2;      // s, of what is told in the air
 
+/// Contact made and lost would be what the observer hurries after.
+ModelErrorOptions steady(ModelErrorOptions options) {
+  options.boost = 1.0;
+  return options;
+}
+
 }  // namespace
 
 FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, spec.model_error), touch_(spec.contact_threshold) {
+    : observer_(spec.problem.model, spec.tool, steady(spec.model_error)), touch_(spec.contact_threshold) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
   body.frame_derivatives(tool_, Reference::centered(), motion_);  // sized here, not in a tick

@@ -89,15 +89,15 @@ void JointFriction::learn(Joint& joint, double error, double share, double dt) n
   const double repeats = std::max(1.0, 2.0 / share);
   const double turning = 1.0 - s * s;
   const double late = joint.x[1] * turning;  // the joint turns around a little sooner or later
-  const double R = repeats * (joint.noise * (1.0 + 10.0 * turning) + late * late);
+  const double once = joint.noise * (1.0 + 10.0 * turning) + late * late, R = repeats * once;
   const double constant = dt / constant_memory, slow = dt / friction_memory;
   const double wander = repeats * joint.noise;
   joint.P(0, 0) += wander * constant * constant;
   joint.P(1, 1) += wander * slow * slow;
   joint.P(2, 2) += wander * slow * slow;
   const Eigen::Vector3d PH = joint.P * phi;
-  const double S = phi.dot(PH) + R, innovation = error - phi.dot(joint.x);
-  if (innovation * innovation > outlier * outlier * S) {
+  const double known = phi.dot(PH), S = known + R, innovation = error - phi.dot(joint.x);
+  if (innovation * innovation > outlier * outlier * (known + once)) {
     // A push, an impact: another constant, first of all.
     joint.P(0, 0) += innovation * innovation;
     return;

@@ -220,6 +220,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.limits = task.limits;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error.bandwidth = 150.0;
+  mpc.model_error.boost = 1.0;
   return mpc;
 }
 

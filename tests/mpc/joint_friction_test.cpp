@@ -19,6 +19,7 @@ struct Swing {
   explicit Swing(double coulomb_of_plant, double viscous_of_plant, bool enabled = true)
       : coulomb(coulomb_of_plant), viscous(viscous_of_plant) {
     spec = toy_spec();
+    spec.model_error.kind = ModelErrorKind::Torque;
     spec.model_error.bandwidth = bandwidth;
     spec.model_error.joint_friction = enabled;
     friction.emplace(spec);

@@ -32,7 +32,7 @@ struct ModelErrorOptions {
   double bandwidth = 30.0;
   /// times the bandwidth, while a torque error changes faster than its noise does: after a push, an
   /// impact, where a joint turns around; 1: never
-  double boost = 2.0;
+  double boost = 3.0;
   double limit = 30.0;  ///< Nm (N): estimates stay within +- this
   /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
   /// once where a joint turns around

@@ -103,7 +103,7 @@ struct Task {
   double torque_cutoff = 0.0;
   ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, or local (the tool's)
   bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
-  ModelErrorOptions model_error = {.bandwidth = 100.0};
+  ModelErrorOptions model_error = {.bandwidth = 120.0};
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
   FrictionEstimateOptions friction_estimate = {};
