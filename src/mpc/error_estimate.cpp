@@ -13,7 +13,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       contact_threshold_(spec.contact_threshold),
       observer_(spec.problem.model, spec.tool, spec.model_error),
       felt_(spec),
-      friction_(spec),
+      joint_friction_(spec),
       has_sensor_(spec.force_sensor),
       contact_force_(spec) {
   const RigidBody body(spec.problem.model);
@@ -31,7 +31,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
 void ErrorEstimate::reset() noexcept {
   observer_.reset();
   felt_.reset();
-  friction_.reset();
+  joint_friction_.reset();
   normal_world_ = normal_at_first_;
   acted_.setZero();
   torque_offset_.setZero();
@@ -60,8 +60,10 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
     const Status seen = has_sensor_
                             ? observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt())
                             : Status::Ok;
-    if (seen <= Status::NotConverged) torque_offset_ += share * (m.tau - acted_ - torque_offset_);
-    if (seen <= Status::NotConverged) friction_.learn(model_error(), observed_at(), gate.dt());
+    if (seen <= Status::NotConverged) {
+      torque_offset_ += share * (m.tau - acted_ - torque_offset_);
+      joint_friction_.learn(model_error(), observed_at(), gate.dt());
+    }
     follow_friction(gate, before, share);
     contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
@@ -77,11 +79,12 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
 /// is to be known too, so that errors are told from the command and not from the torque sensors.
 void ErrorEstimate::follow_command(const MeasurementGate& gate, const Command& before) noexcept {
   if (!filter_) {
-    acted_ = before.tau - friction_.torque();
+    acted_ = before.tau - joint_friction_.torque();
   } else if (gate.is_first()) {
     acted_ = gate.last().tau;
   } else {
-    acted_ += -std::expm1(-filter_->cutoff * gate.dt()) * (before.tau - friction_.torque() - acted_);
+    acted_ += -std::expm1(-filter_->cutoff * gate.dt()) *
+              (before.tau - joint_friction_.torque() - acted_);
   }
 }
 

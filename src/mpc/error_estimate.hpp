@@ -34,8 +34,7 @@ class ErrorEstimate {
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
   /// Its torque is taken for a part of the command before: that which friction takes away again.
-  JointFriction& friction() { return friction_; }
-  const JointFriction& friction() const { return friction_; }
+  JointFriction& joint_friction() { return joint_friction_; }
 
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
@@ -68,12 +67,13 @@ class ErrorEstimate {
   double contact_threshold_;  ///< N
   TorqueErrorObserver observer_;
   FeltForce felt_;
-  JointFriction friction_;
+  JointFriction joint_friction_;
   bool has_sensor_;
   ContactForceEstimate contact_force_;
   int tool_;
   FrameDerivatives tool_motion_;
-  Eigen::VectorXd acted_;  ///< nv, torque that the model believes to act, less that of friction_
+  /// nv, torque that the model believes to act, less that of joint_friction_
+  Eigen::VectorXd acted_;
   Eigen::VectorXd torque_offset_, torque_error_, total_;
   double pressed_ = 0.0;  ///< N, normal force behind the bandwidth
   /// N, along the surface, alike: what the contacts' own friction does not explain

@@ -188,11 +188,12 @@ bool MpcController::Impl::replan() {
 /// The velocity of the plan a while ahead.
 void MpcController::Impl::foresee() noexcept {
   const StateLayout& layout = problem.layout();
-  const double at = std::min(error.friction().lead() / horizon.step(), problem.knots() - 1e-9);
+  const double at =
+      std::min(error.joint_friction().lead() / horizon.step(), problem.knots() - 1e-9);
   const int k = static_cast<int>(at);
   const auto xs = solver.xs();
   v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
-  error.friction().foresee(v_ahead_.data());
+  error.joint_friction().foresee(v_ahead_.data());
 }
 
 bool MpcController::Impl::solve(double schedule_time) {
@@ -257,15 +258,15 @@ void MpcController::Impl::control() noexcept {
   command_.tau.setZero();
   for (int i = 0; i < problem.layout().nu; ++i)
     command_.tau[problem.layout().actuated[static_cast<std::size_t>(i)]] = u_[i];
-  error.friction().advance(spec.tick_period);
-  command_.tau += error.friction().torque();
+  error.joint_friction().advance(spec.tick_period);
+  command_.tau += error.joint_friction().torque();
   holding_.release();
 }
 
 void MpcController::Impl::fall_back() noexcept {
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
   holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), command_.tau);
-  error.friction().rest();
+  error.joint_friction().rest();
 }
 
 /// The fallback has all that the robot has.
