@@ -1,4 +1,5 @@
 // Problem: what it is, its knots, targets and states, evaluations of one knot.
+#include "bind_derivatives.hpp"
 #include "bind_ocp.hpp"
 #include "specs_ocp.hpp"
 

@@ -34,9 +34,10 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "after a push, an impact, where a joint turns around; 1: never",
                  range::positive)
           .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
-          .field("joint_friction", &M::joint_friction,
-                 "with kind torque: friction in joints is told apart and fed forward, so that it is "
-                 "there at once where a joint turns around")
+          .field(
+              "joint_friction", &M::joint_friction,
+              "with kind torque: friction in joints is told apart and fed forward, so that it is "
+              "there at once where a joint turns around")
           .field("friction_speed", &M::friction_speed,
                  "{rad/s} (m/s) within which that friction changes its sign", range::positive);
   return all;

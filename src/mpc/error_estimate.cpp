@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpc/horizon.hpp"
+
 namespace burnish {
 
 ErrorEstimate::ErrorEstimate(const MpcSpec& spec)

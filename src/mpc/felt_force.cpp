@@ -19,7 +19,8 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 }  // namespace
 
 FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, steady(spec.model_error)), touch_(spec.contact_threshold) {
+    : observer_(spec.problem.model, spec.tool, steady(spec.model_error)),
+      touch_(spec.contact_threshold) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);
   body.frame_derivatives(tool_, Reference::centered(), motion_);  // sized here, not in a tick

@@ -11,9 +11,9 @@ namespace burnish {
 
 /// Per joint a Kalman filter of the observed model error
 ///   d = c - F s(v) - B v,   s(v) = tanh(v / friction_speed),
-/// with a constant c that wanders, and Coulomb's and viscous friction F, B >= 0 that hardly do. v is
-/// not measured: encoders do not tell when a joint turns around. It is what plans foresee, a while
-/// ahead, smoothed by a filter that is late by the same while.
+/// with a constant c that wanders, and Coulomb's and viscous friction F, B >= 0 that hardly do. v
+/// is not measured: encoders do not tell when a joint turns around. It is what plans foresee, a
+/// while ahead, smoothed by a filter that is late by the same while.
 class JointFriction {
  public:
   explicit JointFriction(const MpcSpec& spec);
@@ -47,7 +47,7 @@ class JointFriction {
   };
   struct Joint {
     bool driven = false;
-    double prior = 1.0;  ///< Nm (N), deviation of F at first
+    double prior = 1.0;                          ///< Nm (N), deviation of F at first
     double ahead = 0.0, between = 0.0, v = 0.0;  ///< rad/s: planned, smoothed once and twice
     Late sign, speed, given;
     Eigen::Vector3d x;  ///< c, F, B

@@ -63,9 +63,9 @@ TEST(Polish, ComparesControllersWithoutAPlan) {
   }
   // Each has gains of its own in a task.
   const auto rmse = [&](const std::string& change, const std::string& name) {
-    const Outcome changed = run("polish --surface table --controller admittance --json --no-page" +
-                                short_run + " --set " + change + " --out " +
-                                quoted(scratch.folder / name));
+    const Outcome changed =
+        run("polish --surface table --controller admittance --json --no-page" + short_run +
+            " --set " + change + " --out " + quoted(scratch.folder / name));
     return Json::parse(changed.out)[0]["metrics"]["force_rmse_N"].get<double>();
   };
   const double before = summary[2]["metrics"]["force_rmse_N"].get<double>();

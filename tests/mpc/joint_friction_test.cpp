@@ -33,7 +33,8 @@ struct Swing {
   void step() {
     const double share = -std::expm1(-bandwidth * dt);
     friction->learn(error, bandwidth, dt);
-    for (Eigen::Index k = 0; k < v_ahead.size(); ++k) v_ahead[k] = speed(k, time + friction->lead());
+    for (Eigen::Index k = 0; k < v_ahead.size(); ++k)
+      v_ahead[k] = speed(k, time + friction->lead());
     friction->foresee(v_ahead.data());
     friction->advance(dt);
     for (Eigen::Index k = 0; k < error.size(); ++k) {

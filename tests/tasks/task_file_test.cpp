@@ -319,16 +319,14 @@ TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
   EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 60.0;
   ASSERT_EQ(task_notes(task).size(), 1U);
-  expect_words(task_notes(task)[0],
-               {"motors that lag by 60 rad/s (controller.torque_cutoff)", "plant's do not lag",
-                "a lag that is not there overshoots"});
+  expect_words(task_notes(task)[0], {"motors that lag by 60 rad/s (controller.torque_cutoff)",
+                                     "plant's do not lag", "a lag that is not there overshoots"});
   task.disturbances.torque_cutoff = 50.0;
   EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 0.0;
   ASSERT_EQ(task_notes(task).size(), 1U);
-  expect_words(
-      task_notes(task)[0],
-      {"motors that do not lag", "plant's lag by 50 rad/s", "later than planned oscillate"});
+  expect_words(task_notes(task)[0], {"motors that do not lag", "plant's lag by 50 rad/s",
+                                     "later than planned oscillate"});
   task.disturbances.torque_cutoff = 500.0;  // 2 ms
   EXPECT_TRUE(task_notes(task).empty());
   task.model_error = {.kind = ModelErrorKind::Force, .bandwidth = 50.0};

@@ -45,8 +45,8 @@ struct ModelErrorOptions {
 ///   d(v^)/dt = M^-1 (tau + J^T f + d - b) + 2 w e,   d(d)/dt = w^2 M e,
 /// sampled so that both poles are at exp(-w dt) whatever dt is: after 4.8 / w s a constant error is
 /// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
-/// friction along the surface. Where d changes faster than its noise has it, w is up to `boost` times
-/// the bandwidth, and comes back within some 0.1 s.
+/// friction along the surface. Where d changes faster than its noise has it, w is up to `boost`
+/// times the bandwidth, and comes back within some 0.1 s.
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. Throws Error for an unknown frame and options out of

@@ -38,8 +38,12 @@ DisturbanceRanges wide_and_bent() {
 const std::vector<NamedRanges>& named_ranges() {
   static const std::vector<NamedRanges> all{
       {"usual", "planes", {}, {}, 0.3, 0.9},
-      {"wide", "planes that lean by up to 6 degrees about each tangent and are up to 5 mm off",
-       wide(), {}, 0.3, 0.9},
+      {"wide",
+       "planes that lean by up to 6 degrees about each tangent and are up to 5 mm off",
+       wide(),
+       {},
+       0.3,
+       0.9},
       {"curved",
        "spheres, cylinders, tori, saddles and ellipsoids that do, with up to 20 % of their "
        "curvature unknown",

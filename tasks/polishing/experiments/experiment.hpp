@@ -31,7 +31,7 @@ struct ExperimentSpec {
   int threads = 0;                         ///< runs at once; 0: as many as there are cores
   bool quick = false;                      ///< few and short runs, to see whether it works
   std::vector<std::string> surfaces = {};  ///< empty: the experiment's own
-  std::string ranges = {};  ///< of `seeds`: usual, wide or curved; empty: usual
+  std::string ranges = {};                 ///< of `seeds`: usual, wide or curved; empty: usual
   /// Of the experiments `robots` and `force_test`; empty: their own.
   std::vector<std::string> robots = {};
   /// The frame that each of these holds its tool with; "tool" for those that lack one.

@@ -129,7 +129,7 @@ ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>
                        ExperimentReport& report) {
   const NamedRanges& ranges = ranges_named(spec.ranges);
   ResultTable table{.name = "aims", .title = "Beside the aims"};
-  table.columns = {{"figure"},      {"over the seeds"}, {"unit"},   {"value"},
+  table.columns = {{"figure"},     {"over the seeds"}, {"unit"},   {"value"},
                    {"aim", "", 2}, {"room", "%", 0},   {"verdict"}};
   const auto add = [&](const Aim& aim, const char* over, double value) {
     table.add({aim.figure, std::string(over), std::string(figure_named(aim.figure).unit.shown),

@@ -51,13 +51,14 @@ ResultTable runs_table(const std::vector<TiltGroup>& groups) {
 }
 
 ResultTable summary_table(const std::vector<TiltGroup>& groups) {
-  const std::vector<SummaryColumn> summary{{"force_rmse", mean_of},
-                                           {"force_rmse", largest_of, "worst seed"},
-                                           {"force_peak", largest_of, "force_peak, worst"},
-                                           {"position_rmse", mean_of},
-                                           {"position_rmse", largest_of, "worst seed"},
-                                           {"normal_error", mean_of},
-                                           {"without_contact", largest_of, "without_contact, worst"}};
+  const std::vector<SummaryColumn> summary{
+      {"force_rmse", mean_of},
+      {"force_rmse", largest_of, "worst seed"},
+      {"force_peak", largest_of, "force_peak, worst"},
+      {"position_rmse", mean_of},
+      {"position_rmse", largest_of, "worst seed"},
+      {"normal_error", mean_of},
+      {"without_contact", largest_of, "without_contact, worst"}};
   ResultTable table{.name = "summary", .title = "Mean and worst over the seeds"};
   table.columns = {{"torque loop"}, {"tilt", "deg", 0}, {"seeds", "", 0}, {"polished", "", 0}};
   add_columns(summary, table);
@@ -85,7 +86,7 @@ ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& r
                       {"force_rmse", false, {0.6, 1.2}},
                       {"position_rmse", true, {0.3, 0.4}}};
   ResultTable table{.name = "aims", .title = "Beside the aims"};
-  table.columns = {{"torque loop"}, {"figure"},         {"over the tilts"}, {"unit"},
+  table.columns = {{"torque loop"}, {"figure"},     {"over the tilts"}, {"unit"},
                    {"value"},       {"aim", "", 2}, {"room", "%", 0},   {"verdict"}};
   int met = 0, count = 0;
   for (const bool loop : {true, false})
