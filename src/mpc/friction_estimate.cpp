@@ -30,13 +30,13 @@ void FrictionEstimator::update(double normal_force, const Eigen::Vector3d& force
                                const Eigen::Vector3d& v_across, double dt) noexcept {
   if (!options_.enabled || !(normal_force > 0.0) || !(dt > 0.0)) return;
   const Eigen::Vector3d s = sliding_direction(v_across, options_.speed);
-  // Measured along s: -f . s = mu f |s|^2, the noise of that N rms of any direction times |s|.
-  const double share = s.squaredNorm();
-  const double sensitivity = normal_force * share;
+  // Against s: -f . s = mu f |s|. That its noise is as much where s is short has slow tools tell
+  // little.
+  const double sensitivity = normal_force * s.norm();
   const double noise =
-      options_.force_noise * options_.force_noise * share * std::max(1.0, options_.noise_time / dt);
+      options_.force_noise * options_.force_noise * std::max(1.0, options_.noise_time / dt);
   const double innovation = -force_across.dot(s) - sensitivity * mu_;
-  if (!std::isfinite(innovation) || !(noise > 0.0)) return;
+  if (!std::isfinite(innovation)) return;
   variance_ += options_.wander * options_.wander * v_across.norm() * dt;
   const double gain = variance_ * sensitivity / (sensitivity * sensitivity * variance_ + noise);
   mu_ = std::max(0.0, mu_ + gain * innovation);

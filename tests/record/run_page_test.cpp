@@ -169,7 +169,7 @@ TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
     const std::vector<float> points = floats_of(run["surface"]["patch"]["points"]);
     ASSERT_EQ(points.size(), static_cast<std::size_t>(3 * side * side));
     double widest = 0.0, longest = 0.0;
-    const auto at = [&](int i, int k) {
+    const auto at = [&](int i, int k) -> Eigen::Vector3d {
       return Eigen::Vector3f(points.data() + 3 * (i * side + k)).cast<double>();
     };
     for (int i = 0; i < side; ++i)

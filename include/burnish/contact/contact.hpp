@@ -78,8 +78,8 @@ PoseError parse_pose_error(const std::string& name);
 /// v_t being the velocity across n, seen from the base, of the tool's point where it acts. Contacts
 /// that hold one direction of translation, their normal. Impacts are without friction.
 struct SlidingFriction {
-  double coefficient = 0.3;
-  double speed = 0.01;  ///< m/s, below which it fades, so that it has a derivative at rest
+  double coefficient = 0.3;  ///< 0: none, until it is set
+  double speed = 0.01;       ///< m/s, below which it fades, so that it has a derivative at rest
   /// m from the tool's origin against the normal to where it acts: of a round tip
   double radius = 0.0;
 };

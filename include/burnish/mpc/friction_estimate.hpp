@@ -8,10 +8,11 @@ namespace burnish {
 
 /// Standard deviations of what is believed at first, and of what is measured.
 struct FrictionEstimateOptions {
-  bool enabled = true;       ///< estimate it; else what is believed is what is known
-  double coefficient = 0.0;  ///< believed at first
-  double deviation = 0.3;    ///< of that
-  double wander = 0.3;       ///< per square root of a metre of way, by which it changes
+  bool enabled = true;  ///< estimate it; else what is believed is what is known
+  /// believed at first; plans know friction if that is above 0, or estimated
+  double coefficient = 0.0;
+  double deviation = 0.3;  ///< of that
+  double wander = 0.3;     ///< per square root of a metre of way, by which it changes
   /// N, of the force along the surface, independent every `noise_time`
   double force_noise = 0.3;
   double noise_time = 0.01;  ///< s
@@ -22,8 +23,8 @@ struct FrictionEstimateOptions {
 Eigen::Vector3d sliding_direction(const Eigen::Vector3d& v_across, double speed) noexcept;
 
 /// A Kalman filter over the way that the tool slides. With f the normal force and s the direction
-/// of sliding, Coulomb's force along the surface is -mu f s: that part of it which is against s
-/// tells mu. A tool that does not slide tells nothing.
+/// of sliding, that part of the force along the surface which is against s is Coulomb's mu f |s|.
+/// A tool that does not slide tells nothing.
 class FrictionEstimator {
  public:
   /// Throws Error for options that are out of range.

@@ -100,7 +100,7 @@ struct FrameRotation {
 struct FrameInclination {
   std::string frame = {};
   Reference reference = Reference::world();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length, in the frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< 3, of any length, in the frame
   Signal target = {};                               ///< lead and tilt, rad; empty: zero
 };
 

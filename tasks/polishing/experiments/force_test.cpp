@@ -211,11 +211,11 @@ std::vector<double> swept(const std::vector<FigureRow>& rows, const SineSweep& s
 
 std::vector<double> phases_of(const std::vector<FigureRow>& rows, const SineSweep& sweep,
                               std::size_t place, std::size_t contender, std::size_t seed) {
-  constexpr double degree = std::numbers::pi / 180.0;
+  constexpr double one_degree = std::numbers::pi / 180.0;
   std::vector<double> phases = swept(rows, sweep, place, contender, "phase", seed);
-  for (double& phase : phases) phase *= degree;
+  for (double& phase : phases) phase *= one_degree;
   phases = unwrapped(std::move(phases));
-  for (double& phase : phases) phase /= degree;
+  for (double& phase : phases) phase /= one_degree;
   return phases;
 }
 
@@ -335,7 +335,7 @@ Figure responses(const std::vector<TestPlace>& places, const std::vector<ForceRu
       panel.curves.push_back(std::move(curve));
     }
     const int points = test.task.force_profile.is_constant() ? 2 : 400;
-    Curve wanted{.name = "wanted", .color = 6, .dashed = true};
+    Curve wanted{.name = "wanted", .x = {}, .y = {}, .color = 6, .dashed = true};
     wanted.x = Eigen::VectorXd::LinSpaced(points, 0.0, test.task.polish_duration);
     wanted.y = wanted.x.unaryExpr(
         [&](double time) { return test.task.force_profile.at(test.task.force, time); });
@@ -360,7 +360,7 @@ Figure frequency_response(const std::vector<TestPlace>& places,
     const std::vector<double> gains = swept(rows, sweep, 0, c, "gain", 0),
                               phases = phases_of(rows, sweep, 0, c, 0);
     for (auto& [panel, values] : {std::pair(&gain, gains), std::pair(&phase, phases)}) {
-      Curve curve{.name = all[c].name, .color = static_cast<int>(c)};
+      Curve curve{.name = all[c].name, .x = {}, .y = {}, .color = static_cast<int>(c)};
       curve.x = Eigen::Map<const Eigen::VectorXd>(sweep.frequencies.data(), size).array().log10();
       curve.y = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
       panel->curves.push_back(std::move(curve));
