@@ -67,6 +67,9 @@ TEST(PolishingVerdict, IsNotBorneWithAnotherForce) {
 TEST(PolishingVerdict, IsNotBorneBesideThePath) {
   RunSpec spec = faultless_run();
   spec.task.disturbances.pushes = {{0.0, 100.0, {60.0, 0.0, 0.0}}};
+  spec.task.baseline.kp = 900.0;  // one that a push takes along
+  spec.task.baseline.kd = 60.0;
+  spec.task.baseline.ki_position = 0.0;
   spec.task.tip_radius = 0.005;
   spec.task.verdict = {.contact_share = 0.0, .force_rmse = never};
   const RunResult result = run_task(spec);

@@ -273,13 +273,13 @@ ExperimentReport perform_seeds(const ExperimentSpec& spec) {
   if (!spec.reports()) return report;
   report.tables = {runs_table(spec, runs, figures), statistics_table(figures),
                    outcomes_table(figures)};
-  report.tables.push_back(aims_table(spec, figures, report));
   report.figures = {distributions(runs, figures)};
   const auto strayed = std::count_if(figures.begin(), figures.end(), diverged);
   const auto made =
       std::count_if(figures.begin(), figures.end(), [](const RunFigures& run) { return run.made; });
   report.findings.push_back(std::to_string(strayed) + " of " + std::to_string(made) +
                             " runs diverged.");
+  report.tables.push_back(aims_table(spec, figures, report));
   note_worst(figures, runs, report);
   note_failures(spec, figures, report);
   return report;

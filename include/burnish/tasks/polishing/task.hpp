@@ -106,7 +106,7 @@ struct Task {
   ModelErrorOptions model_error = {.bandwidth = 120.0};
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
-  FrictionEstimateOptions friction_estimate = {};
+  FrictionEstimateOptions friction_estimate = {.enabled = false};
   SafetyLimits limits = {};
   ToolLimits tool_limits = {};
   /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
