@@ -256,10 +256,13 @@ void MpcController::Impl::control() noexcept {
     return;
   }
   command_.tau.setZero();
-  for (int i = 0; i < problem.layout().nu; ++i)
-    command_.tau[problem.layout().actuated[static_cast<std::size_t>(i)]] = u_[i];
   error.joint_friction().advance(spec.tick_period);
-  command_.tau += error.joint_friction().torque();
+  for (int i = 0; i < problem.layout().nu; ++i) {
+    const int k = problem.layout().actuated[static_cast<std::size_t>(i)];
+    const double friction = error.joint_friction().torque()[k];
+    policy.add_feedforward(i, friction);
+    command_.tau[k] = u_[i] + friction;
+  }
   holding_.release();
 }
 

@@ -17,6 +17,8 @@ class Policy {
   void take_over(double now) noexcept;
   /// Of the plan in use at a time (s) and a state x (nx): u (nu), within the effort limits.
   void control(double time, const Eigen::VectorXd& x, Eigen::VectorXd& u) noexcept;
+  /// What entry i of the last control() is given besides, Nm (N).
+  void add_feedforward(int i, double torque) noexcept { feedback_.feedforward[i] += torque; }
   const LinearFeedback& feedback() const { return feedback_; }  ///< at the last control()
 
  private:

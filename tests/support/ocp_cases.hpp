@@ -408,8 +408,8 @@ inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
   std::mt19937_64 generator(11);
   ProblemSpec spec{.model = model};
   spec.contacts = ocp_contacts(model, test.robot.tool);
-  // In half of the cases the brace rubs.
-  if (test.torque_model || test.remembers) spec.contacts[1].friction = {0.3, 0.3, 0.05};
+  // Where torques have a model the brace rubs.
+  if (test.torque_model) spec.contacts[1].friction = {0.3, 0.3, 0.05};
   spec.contact_solver = ocp_solver(test.robot);
   spec.actuation.passive_torques = true;
   spec.actuation.slip_velocity = 0.5;
