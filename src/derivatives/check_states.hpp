@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/dynamics/surface_shape.hpp"
@@ -21,7 +22,7 @@ class CheckStates {
  public:
   /// Where a shape is given, the only contact follows a surface of it.
   CheckStates(const Model& model, std::uint64_t seed, std::optional<SurfaceShape> shape = {})
-      : model_(model), shape_(shape), generator_(seed) {}
+      : model_(model), shape_(std::move(shape)), generator_(seed) {}
 
   /// `count` states for the contacts of `dynamics`: q within limits, away from jumps of the pose
   /// error and, for a rigid contact, from singular postures; v and a up to 1 and 5 rad/s^2 (m),

@@ -137,9 +137,9 @@ std::vector<double*> stated_of(SurfaceShape& shape) {
     case Kind::Torus:
       return {&shape.radius, &shape.ring};
     case Kind::Ellipsoid:
-      return {&shape.semi_axes[0], &shape.semi_axes[1], &shape.semi_axes[2]};
+      return {&shape.semi_axes.x(), &shape.semi_axes.y(), &shape.semi_axes.z()};
     case Kind::Saddle:
-      return {&shape.curvature[0], &shape.curvature[1]};
+      return {&shape.curvature.x(), &shape.curvature.y()};
     case Kind::Ridge:
       return {&shape.edge, &shape.slope};
     case Kind::Plane:

@@ -243,7 +243,7 @@ TEST(Check, TwoBodiesAndAllAccelerations) {
       run("check crane --tool left_tip --base right_tip --all-accelerations --states 1 --json");
   EXPECT_EQ(outcome.exit_code, 0);
   const Json json = Json::parse(outcome.out);
-  EXPECT_EQ(json["rows"].size(), 3U * 96U);
+  EXPECT_EQ(json["rows"].size(), 3U * 120U);
   EXPECT_EQ(json["rows"][0]["bodies"], "left_tip on right_tip");
 }
 

@@ -114,7 +114,8 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(bash_offers(program + "polish --seed 1 --controller b"), "baseline both");
   EXPECT_EQ(bash_offers(program + "polish --set path.ra"), "path.radius= path.rate=");
   EXPECT_EQ(bash_offers(program + "polish --set force = 20 --dis"), "--disturbances");
-  EXPECT_EQ(bash_offers(program + "experiment \"\""), "paper orientation frames seeds robots tick");
+  EXPECT_EQ(bash_offers(program + "experiment \"\""),
+            "paper orientation frames seeds tilt robots force_test tick");
   EXPECT_EQ(bash_offers(program + "--completion \"\""), "bash zsh fish");
 }
 

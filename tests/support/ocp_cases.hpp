@@ -14,13 +14,14 @@ struct OcpCase {
   bool torque_model = false;
   bool held = false;       ///< the torque model remembers the last torques, which do not act
   bool remembers = false;  ///< the state has the last forces of "pad" and "brace"
+  bool rubs = false;       ///< "brace" does
   bool acts_from_state() const { return torque_model && !held; }
   std::string label() const {
     return robot.label() +
            (held           ? "_held"
             : torque_model ? "_filtered"
                            : "") +
-           (remembers ? "_remembering" : "");
+           (remembers ? "_remembering" : "") + (rubs ? "_rubbing" : "");
   }
 };
 
@@ -42,6 +43,8 @@ inline std::vector<OcpCase> ocp_cases() {
   cases.push_back({{"arm7", Base::Fixed, "tool"}, false, false, true});
   cases.push_back({{"arm7", Base::Fixed, "tool"}, true, false, true});
   cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, true, true});
+  cases.push_back({{"arm7", Base::Fixed, "tool"}, false, false, false, true});
+  cases.push_back({{"every_joint", Base::FreeFlyer, "tip"}, true, false, false, true});
   return cases;
 }
 
@@ -408,8 +411,7 @@ inline ProblemSpec bare_problem(const OcpCase& test, const Model& model) {
   std::mt19937_64 generator(11);
   ProblemSpec spec{.model = model};
   spec.contacts = ocp_contacts(model, test.robot.tool);
-  // Where torques have a model the brace rubs.
-  if (test.torque_model) spec.contacts[1].friction = {0.3, 0.3, 0.05};
+  if (test.rubs) spec.contacts[1].friction = {0.3, 0.3, 0.05};
   spec.contact_solver = ocp_solver(test.robot);
   spec.actuation.passive_torques = true;
   spec.actuation.slip_velocity = 0.5;
