@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <random>
 
 #include "base/decomposition.hpp"
@@ -243,14 +244,14 @@ double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, int n, 
 
 /// True when J M^-1 J^T, scaled to a unit diagonal, has an eigenvalue below 1e-4: there both sides
 /// of the comparison lose the digits that it is made to 1e-9.
-bool near_singular(ContactDynamics& dynamics) {
+bool near_singular(ContactDynamics& dynamics, double bound = 1e-4) {
   if (dynamics.rows() == 0) return false;
   const Eigen::MatrixXd J = dynamics.jacobian();
   Eigen::MatrixXd G = J * solve_positive(dynamics.mass_matrix(), J.transpose());
   const Eigen::VectorXd scale = G.diagonal().cwiseSqrt().cwiseInverse();
   G = scale.asDiagonal() * G * scale.asDiagonal();
   const double least = symmetric_eigen(G).values.minCoeff();
-  return !(least > 1e-4);
+  return !(least > bound);
 }
 
 /// Propositions 3 and 4 alone: inverse dynamics at constant a and lambda, contact acceleration at
@@ -295,6 +296,17 @@ bool at_a_cut(const ContactDynamics& dynamics) {
   return Eigen::AngleAxisd(apart).angle() > M_PI - 0.1;
 }
 
+/// Where a tool that rubs is about to jam, both sides lose digits, as near a singular contact: what
+/// friction leaves of its apparent inertia is below a tenth, since the force is as many times what
+/// it is without friction. That comes on top of what the contact itself loses.
+bool near_jam(const ContactDynamics& dynamics, ContactDynamics* smooth, const State& state,
+              bool compliant) {
+  if (smooth == nullptr) return false;
+  smooth->forward(state.q, state.v, state.tau);
+  return !(smooth->lambda()[0] / dynamics.lambda()[0] > 0.1) ||
+         (!compliant && near_singular(*smooth, 1e-2));
+}
+
 std::string describe_case(const char* against, const char* block, Acceleration acceleration,
                           Gains gains, int state) {
   const char* stabilised = gains == Gains::None    ? "no gains"
@@ -335,6 +347,12 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
   ContactDynamics dynamics(model, {spec}, solver);
   ContactDynamicsBatch batch(model, {spec}, 2 * model.nv, solver);
   ConstrainedDynamics<Dual> dual(model, set, solver);
+  std::optional<ContactDynamics> smooth;
+  if (spec.friction) {
+    ContactSpec sliding = spec;
+    sliding.friction.reset();
+    smooth.emplace(model, std::vector{sliding}, solver);
+  }
   const auto note = [&](const char* against, const char* block, double error, double& worst,
                         int state) {
     if (error <= worst) return;
@@ -345,7 +363,8 @@ void run_case(const Model& model, const ContactSpec& spec, Acceleration accelera
   for (int i = 0; i < states; ++i) {
     State state = random_state(model, generator);
     dynamics.forward(state.q, state.v, state.tau);
-    while (at_a_cut(dynamics) || (!compliant && near_singular(dynamics))) {
+    while (at_a_cut(dynamics) || (!compliant && near_singular(dynamics)) ||
+           near_jam(dynamics, smooth ? &*smooth : nullptr, state, compliant)) {
       ++row.resampled;
       state = random_state(model, generator);
       dynamics.forward(state.q, state.v, state.tau);
