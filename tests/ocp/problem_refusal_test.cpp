@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "support/ocp_cases.hpp"
 #include "support/refusal.hpp"
+#include "support/residual_cases.hpp"
 #include "support/special_numbers.hpp"
 
 namespace burnish::test {

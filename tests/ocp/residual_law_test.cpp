@@ -6,7 +6,7 @@
 #include "derivatives/check_differences.hpp"
 #include "ocp/penalty_kernel.hpp"
 #include "support/ocp_autodiff.hpp"
-#include "support/ocp_cases.hpp"
+#include "support/residual_cases.hpp"
 
 namespace burnish::test {
 namespace {

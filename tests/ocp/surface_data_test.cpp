@@ -2,6 +2,8 @@
 // surface that it was given.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "support/ocp_cases.hpp"
 #include "support/refusal.hpp"
 
@@ -49,6 +51,30 @@ int number_of_pad(const ProblemSpec& spec) {
   return static_cast<int>(named - spec.contacts.begin());
 }
 
+/// At each of the first knots (all without a number) the problem, whose knots were given data, is
+/// to the last bit the one that is made with them; the horizon that it was compared at.
+OcpHorizon expect_same(Problem& problem, const std::function<ProblemSpec(int knot)>& made,
+                       int knots = 0) {
+  std::mt19937_64 generator(31);
+  OcpHorizon horizon(problem, generator);
+  horizon.expand(problem);
+  for (int k = 0; k < (knots > 0 ? knots : problem.knots()); ++k) {
+    SCOPED_TRACE(problem.knot_name(k));
+    Problem still(made(k));
+    OcpHorizon wanted = horizon;
+    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
+    wanted.expand(still);
+    const auto at = static_cast<std::size_t>(k);
+    EXPECT_EQ(horizon.values[at].status, Status::Ok);
+    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
+    const int nz = problem.controls(k) + problem.state().ndx, rows = problem.state().nv;
+    EXPECT_EQ(horizon.gradient[at].head(nz), wanted.gradient[at].head(nz));
+    EXPECT_EQ(horizon.dynamics[at].topLeftCorner(rows, nz),
+              wanted.dynamics[at].topLeftCorner(rows, nz));
+  }
+  return horizon;
+}
+
 class SurfaceData : public ::testing::TestWithParam<OcpCase> {
  protected:
   Model model = GetParam().robot.model();
@@ -60,23 +86,8 @@ TEST_P(SurfaceData, IsAtEachKnotTheSurfaceThatItWasGiven) {
   Problem problem(spec);
   for (int k = 0; k <= problem.knots(); ++k)
     ASSERT_EQ(problem.set_surface(k, pad, surface_at(1.0 + k)), Status::Ok);
-  std::mt19937_64 generator(31);
-  OcpHorizon horizon(problem, generator);
-  horizon.expand(problem);
-  for (int k = 0; k < problem.knots(); ++k) {
-    SCOPED_TRACE(problem.knot_name(k));
-    Problem still(pressed(GetParam(), model, surface_at(1.0 + k)));
-    OcpHorizon wanted = horizon;
-    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
-    wanted.expand(still);
-    const auto at = static_cast<std::size_t>(k);
-    ASSERT_EQ(horizon.values[at].status, Status::Ok);
-    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
-    const int nz = problem.controls(k) + problem.state().ndx, rows = problem.state().nv;
-    EXPECT_EQ(horizon.gradient[at].head(nz), wanted.gradient[at].head(nz));
-    EXPECT_EQ(horizon.dynamics[at].topLeftCorner(rows, nz),
-              wanted.dynamics[at].topLeftCorner(rows, nz));
-  }
+  const OcpHorizon horizon =
+      expect_same(problem, [&](int k) { return pressed(GetParam(), model, surface_at(1.0 + k)); });
   // Until the knot is set again.
   problem.set_knot(0, 0, 0.0);
   const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
@@ -93,22 +104,8 @@ TEST_P(SurfaceData, CoefficientsOfFrictionAreDataOfEachKnotToo) {
   Problem problem(spec);
   for (int k = 0; k <= problem.knots(); ++k)
     ASSERT_EQ(problem.set_friction(k, pad, 0.02 * (1 + k)), Status::Ok);
-  std::mt19937_64 generator(33);
-  OcpHorizon horizon(problem, generator);
-  horizon.expand(problem);
-  for (int k = 0; k < problem.knots(); ++k) {
-    SCOPED_TRACE(problem.knot_name(k));
-    Problem still(rubbing(GetParam(), model, 0.02 * (1 + k)));
-    OcpHorizon wanted = horizon;
-    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
-    wanted.expand(still);
-    const auto at = static_cast<std::size_t>(k);
-    ASSERT_EQ(horizon.values[at].status, Status::Ok);
-    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
-    const int nz = problem.controls(k) + problem.state().ndx, rows = problem.state().nv;
-    EXPECT_EQ(horizon.dynamics[at].topLeftCorner(rows, nz),
-              wanted.dynamics[at].topLeftCorner(rows, nz));
-  }
+  const OcpHorizon horizon =
+      expect_same(problem, [&](int k) { return rubbing(GetParam(), model, 0.02 * (1 + k)); });
   const Eigen::VectorXd x = horizon.x_of(problem, 0), u = horizon.u_of(problem, 0);
   const Eigen::VectorXd first = problem.forces(0, x, u);
   ASSERT_EQ(problem.set_friction(0, pad, 0.6), Status::Ok);
@@ -135,19 +132,10 @@ TEST_P(SurfaceData, OfATermIsTheSurfaceThatItWasGiven) {
   for (int k = 0; k < knots; ++k)
     for (int term = 0; term < 3; ++term)
       ASSERT_EQ(problem.set_term_surface(k, term, surface_at(1.0 + k)), Status::Ok);
-  std::mt19937_64 generator(32);
-  OcpHorizon horizon(problem, generator);
-  horizon.expand(problem);
+  const auto made = [&](int k) { return over(surface_at(1.0 + k)); };
+  const OcpHorizon horizon = expect_same(problem, made, knots);
   for (int k = 0; k < knots; ++k) {
-    SCOPED_TRACE(problem.knot_name(k));
-    Problem still(over(surface_at(1.0 + k)));
-    OcpHorizon wanted = horizon;
-    for (std::size_t i = 0; i < wanted.out.size(); ++i) wanted.point_at(i);
-    wanted.expand(still);
-    const auto at = static_cast<std::size_t>(k);
-    EXPECT_EQ(horizon.values[at].cost, wanted.values[at].cost);
-    const int nz = problem.controls(k) + problem.state().ndx;
-    EXPECT_EQ(horizon.gradient[at].head(nz), wanted.gradient[at].head(nz));
+    Problem still(made(k));
     const Eigen::VectorXd x = horizon.x_of(problem, k), u = horizon.u_of(problem, k);
     for (int term = 0; term < 3; ++term)
       EXPECT_EQ(problem.residual(k, term, x, u), still.residual(k, term, x, u));

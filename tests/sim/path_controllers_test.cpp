@@ -175,24 +175,31 @@ TEST(Impedance, integrals_grow_to_their_limits_and_stand_still_while_a_torque_is
 
 // The two loops of the admittance.
 
+/// One that is to press with 30 N where its arm, which does not move, has its tool.
+struct HeldAdmittance {
+  explicit HeldAdmittance(const AdmittanceGains& gains) {
+    const Model model = right_arm(&measured.q);
+    const Eigen::Vector3d p = frame_placement(model, measured.q, "tool").translation();
+    PressingPath path;
+    path.posture = measured.q;
+    path.task = [p](double) { return TaskPoint{.p_world = p, .force = 30.0}; };
+    controller = make_admittance_controller(model, {path, gains});
+    measured.v = measured.tau = Eigen::VectorXd::Zero(model.nv);
+  }
+  Measurement measured;
+  std::unique_ptr<Controller> controller;
+};
+
 TEST(Admittance, holds_its_joints_until_the_outer_loop_s_command_arrives) {
   AdmittanceGains gains;
   gains.rate = 250.0;
   gains.delay = 6e-3;
-  Eigen::VectorXd q;
-  const Model model = right_arm(&q);
-  const Eigen::Vector3d p = frame_placement(model, q, "tool").translation();
-  PressingPath path;
-  path.posture = q;
-  path.task = [p](double) { return TaskPoint{.p_world = p, .force = 30.0}; };
-  const auto controller = make_admittance_controller(model, {path, gains});
-  Measurement still;
-  still.q = q;
-  still.v = still.tau = Eigen::VectorXd::Zero(model.nv);
-  const Eigen::VectorXd first = controller->tick(still).tau;
+  HeldAdmittance held(gains);
+  const Eigen::VectorXd first = held.controller->tick(held.measured).tau;
   // The command to go down was sent at the first tick: it comes with the seventh.
-  for (int tick = 1; tick < 6; ++tick) EXPECT_EQ(controller->tick(still).tau, first) << tick;
-  EXPECT_NE(controller->tick(still).tau, first);
+  for (int tick = 1; tick < 6; ++tick)
+    EXPECT_EQ(held.controller->tick(held.measured).tau, first) << tick;
+  EXPECT_NE(held.controller->tick(held.measured).tau, first);
 }
 
 TEST(Admittance, reads_the_force_at_its_own_rate) {
@@ -200,21 +207,11 @@ TEST(Admittance, reads_the_force_at_its_own_rate) {
   gains.rate = 100.0;  // every tenth tick
   gains.delay = 0.0;
   const auto last_torque = [&](int pushed_tick) {
-    Eigen::VectorXd q;
-    const Model model = right_arm(&q);
-    const Eigen::Vector3d p = frame_placement(model, q, "tool").translation();
-    PressingPath path;
-    path.posture = q;
-    path.task = [p](double) { return TaskPoint{.p_world = p, .force = 30.0}; };
-    const auto controller = make_admittance_controller(model, {path, gains});
-    Measurement pressed;
-    pressed.q = q;
-    pressed.v = pressed.tau = Eigen::VectorXd::Zero(model.nv);
-    pressed.tool_force_world = {0.0, 0.0, 20.0};
+    HeldAdmittance held(gains);
     Eigen::VectorXd tau;
     for (int tick = 0; tick < 45; ++tick) {
-      pressed.tool_force_world.z() = tick == pushed_tick ? 60.0 : 20.0;
-      tau = controller->tick(pressed).tau;
+      held.measured.tool_force_world = {0.0, 0.0, tick == pushed_tick ? 60.0 : 20.0};
+      tau = held.controller->tick(held.measured).tau;
     }
     return tau;
   };

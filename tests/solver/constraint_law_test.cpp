@@ -5,7 +5,7 @@
 
 #include "burnish/ocp/check.hpp"
 #include "burnish/solver/ddp.hpp"
-#include "support/ocp_cases.hpp"
+#include "support/residual_cases.hpp"
 
 namespace burnish::test {
 namespace {

@@ -27,7 +27,10 @@ std::pair<Eigen::Index, Eigen::Index> ForceSignal::rows(double from, double unti
 StepFigures step_figures(const ForceSignal& signal, double from_force, double to_force,
                          const StepWindow& window) {
   StepFigures figures{no_figure, no_figure, no_figure, no_figure, no_figure};
-  const auto [first, count] = signal.rows(window.at - window.lead, window.until);
+  // Named one by one: clang 14 captures no structured binding.
+  const std::pair<Eigen::Index, Eigen::Index> window_rows =
+      signal.rows(window.at - window.lead, window.until);
+  const Eigen::Index first = window_rows.first, count = window_rows.second;
   if (count == 0) return figures;
   const double step = to_force - from_force;
   const auto time = signal.time.segment(first, count);
