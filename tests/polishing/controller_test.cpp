@@ -176,7 +176,7 @@ TEST(MpcController, controls_actuators_that_lag) {
     MpcCase wanted;
     wanted.task.torque_cutoff = wanted.task.disturbances.torque_cutoff = 100.0;
     wanted.task.disturbances.torque_bias = Eigen::VectorXd::Constant(6, bias);
-    wanted.task.model_error.joint_friction = false;  // see above
+    wanted.task.model_error.joint_friction = false;  // takes a part of the bias
     MpcRun run(wanted);
     ASSERT_EQ(run.polish(), Status::Ok);
     expect_no_fault(run);

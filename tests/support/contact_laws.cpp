@@ -242,8 +242,8 @@ double relative(const Eigen::MatrixXd& got, const Eigen::MatrixXd& want, int n, 
                   part(got.bottomRows(m), want.bottomRows(m), 1e-12));
 }
 
-/// True when J M^-1 J^T, scaled to a unit diagonal, has an eigenvalue below 1e-4: there both sides
-/// of the comparison lose the digits that it is made to 1e-9.
+/// True when J M^-1 J^T, scaled to a unit diagonal, has an eigenvalue below the bound: below 1e-4
+/// both sides of the comparison lose the digits that it is made to 1e-9.
 bool near_singular(ContactDynamics& dynamics, double bound = 1e-4) {
   if (dynamics.rows() == 0) return false;
   const Eigen::MatrixXd J = dynamics.jacobian();
