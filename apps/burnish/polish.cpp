@@ -138,6 +138,14 @@ void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
                   const PolishArguments& arguments) {
   for (const std::string& note : polishing::task_notes(job.spec.task))
     fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
+  if (!job.spec.task.force_sensor && reach.points > 0)
+    fmt::print(
+        stderr,
+        "burnish: {}: note: without a force sensor the force is told from the torques of the "
+        "joints. What they are wrong by in the air just before is taken off; of what changes "
+        "after that, as friction does where a joint turns around, 1 Nm in every joint is {:.1f} N "
+        "along the normal ({} has most part in it)\n",
+        job.place, reach.force_per_torque, reach.force_joint);
   if (!arguments.talks() || reach.points == 0) return;
   fmt::print(
       "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the torque "

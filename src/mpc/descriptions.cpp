@@ -33,6 +33,14 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "times the bandwidth, while a torque error changes faster than its noise does: "
                  "after a push, an impact, where a joint turns around; 1: never",
                  range::positive)
+          .field("calm", &M::calm,
+                 "times the bandwidth, while what changes is noise alone (encoders' steps): then a "
+                 "slower observer passes less of it on; 1: never",
+                 range::from(0.01, 1.0))
+          .field("sliding_bandwidth", &M::sliding_bandwidth,
+                 "{rad/s} that friction along the surface is followed at, of kind torque; 0: the "
+                 "bandwidth",
+                 range::not_negative)
           .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
           .field(
               "joint_friction", &M::joint_friction,
@@ -66,7 +74,11 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
                  "tip",
                  deviation)
           .field("force_noise", &S::force_noise, "{N}, of the force along the normal", deviation)
-          .field("compliance", &S::compliance, "{m/N}, of the surface under the tip", deviation);
+          .field("compliance", &S::compliance, "{m/N}, of the surface under the tip", deviation)
+          .field("rate", &S::rate,
+                 "{m/s}, of the surface along its normal; 0: it stands. What may move is told from "
+                 "a slope only once the tip has turned",
+                 range::not_negative);
   return all;
 }
 

@@ -66,7 +66,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
       torque_offset_ += share * (m.tau - acted_ - torque_offset_);
       joint_friction_.learn(model_error(), observed_at(), gate.dt());
     }
-    follow_friction(gate, before, share);
+    follow_friction(gate, before);
     contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
     total_ += model_error() - torque_offset_;
@@ -95,10 +95,12 @@ void ErrorEstimate::follow_command(const MeasurementGate& gate, const Command& b
 /// observer's lag in it, which rings where pressing harder and sliding hang together (a light wrist
 /// on a heavy arm). So what is kept is its ratio to the normal force, and what is given back is
 /// that ratio times the force that is asked for.
-void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& before,
-                                    double share) noexcept {
+void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& before) noexcept {
   const Measurement& m = gate.last();
   const Eigen::Vector3d& n = normal_world_;
+  const double bandwidth =
+      options_.sliding_bandwidth > 0.0 ? options_.sliding_bandwidth : options_.bandwidth;
+  const double share = -std::expm1(-bandwidth * gate.dt());
   pressed_ += share * (normal_force(m) - pressed_);
   const Eigen::Vector3d across = m.tool_force_world - normal_force(m) * n;
   friction_force_ += share * (across - explained_friction(gate, across) - friction_force_);

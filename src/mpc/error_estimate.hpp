@@ -55,7 +55,7 @@ class ErrorEstimate {
     return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
   }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
-  void follow_friction(const MeasurementGate& gate, const Command& before, double share) noexcept;
+  void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
   Eigen::Vector3d explained_friction(const MeasurementGate& gate,
                                      const Eigen::Vector3d& across) noexcept;
   void follow_force_error(const Measurement& m, int stage, double schedule_time,

@@ -10,9 +10,9 @@ namespace {
 constexpr double first_look = 0.1;  // s in which all is taken for model error
 constexpr double memory = 0.2;      // s, of what is told in the air
 
-/// Contact made and lost would be what the observer hurries after.
+/// Contact made and lost would be what the observer hurries after, or slows down before.
 ModelErrorOptions steady(ModelErrorOptions options) {
-  options.boost = 1.0;
+  options.boost = options.calm = 1.0;
   return options;
 }
 

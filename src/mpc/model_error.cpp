@@ -12,14 +12,18 @@ namespace burnish {
 
 namespace {
 
-/// Tells changes of the torque error from its noise: how fast it changes, of its usual rate.
+/// Tells changes of the torque error from its noise, and so how fast it is to be followed.
 class Haste {
  public:
   Haste(const Model& model, const ModelErrorOptions& options)
       : boost_(std::max(options.boost, 1.0)),
+        calm_(options.calm),
         rate_(Eigen::VectorXd::Zero(model.nv)),
         usual_(rate_),
-        least_(rate_) {
+        least_(rate_),
+        slow_(rate_),
+        slow_square_(rate_),
+        square_(rate_) {
     constexpr double small = 2e-3;  // of a joint's effort limit: what need not be known at once
     for (int k = 0; k < model.nv; ++k) {
       const double effort = model.effort_limit[k];
@@ -31,15 +35,35 @@ class Haste {
   void reset() noexcept {
     rate_.setZero();
     usual_.setZero();
+    slow_.setZero();
+    slow_square_.setZero();
+    square_.setZero();
     level_ = seen_ = 0.0;
+    busy_ = 1.0;
   }
-  /// After a change of the torque error, dt s after the last one.
+  /// After a change of the torque error, dt s after the last one, that followed at factor() times
+  /// the bandwidth. The same noise changes it by the square of that, which is no haste.
   void see(const Eigen::VectorXd& change, double dt) noexcept {
-    constexpr double smoothing = 4e-3, memory = 1.0, first = 0.1, fading = 0.03;  // s
-    constexpr double noise = 4.0, certain = 16.0;  // squares of deviations, mean of the joints
-    rate_ += std::min(1.0, dt / smoothing) * (change / dt - rate_);
+    constexpr double memory = 1.0;  // s
     seen_ += dt;
     const double share = std::min(1.0, dt / std::min(seen_, memory));
+    const double rate = 1.0 / (factor() * factor() * dt);
+    see_jumps(change, rate, dt, share);
+    see_wandering(change, rate, dt, share);
+  }
+  /// Times the bandwidth.
+  double factor() const {
+    return calm_ + (1.0 - calm_) * std::max(busy_, level_) + (boost_ - 1.0) * level_;
+  }
+
+ private:
+  /// Rates far beyond the usual ones, which last milliseconds.
+  void see_jumps(const Eigen::VectorXd& change, double rate, double dt, double share) noexcept {
+    constexpr double smoothing = 4e-3, first = 0.1, fading = 0.15;  // s
+    // Squares of deviations, mean of the joints: noise along one direction of the tool is the same
+    // in all of them, and is to be passed over some hundred times a second.
+    constexpr double noise = 8.0, certain = 14.0;
+    rate_ += std::min(1.0, dt / smoothing) * (change * rate - rate_);
     double haste = 0.0;
     for (Eigen::Index k = 0; k < rate_.size(); ++k) {
       const double square = rate_[k] * rate_[k];
@@ -53,13 +77,29 @@ class Haste {
         seen_ < first ? 0.0 : std::clamp((haste - noise) / (certain - noise), 0.0, 1.0);
     level_ = std::max(level, level_ * std::exp(-dt / fading));
   }
-  /// Times the bandwidth.
-  double factor() const { return 1.0 + (boost_ - 1.0) * level_; }
+  /// Rates that keep their sign for longer than noise does, in any joint. Of the steps of an
+  /// encoder, which come back, next to nothing is left behind a filter, whose share of them is the
+  /// tick's of its time; of an error that wanders most is.
+  void see_wandering(const Eigen::VectorXd& change, double rate, double dt, double share) noexcept {
+    constexpr double smoothing = 0.02, first = 0.5;                             // s
+    const double noise = 2.4 * dt / smoothing, certain = 4.0 * dt / smoothing;  // of the rate
+    slow_ += std::min(1.0, dt / smoothing) * (change * rate - slow_);
+    double wandering = 0.0;
+    for (Eigen::Index k = 0; k < slow_.size(); ++k) {
+      const double square = change[k] * rate * (change[k] * rate);
+      slow_square_[k] += share * (slow_[k] * slow_[k] - slow_square_[k]);
+      square_[k] += share * (square - square_[k]);
+      if (square_[k] > 0.0) wandering = std::max(wandering, slow_square_[k] / square_[k]);
+    }
+    if (seen_ >= first)
+      busy_ = std::clamp((std::sqrt(wandering) - noise) / (certain - noise), 0.0, 1.0);
+  }
 
- private:
-  double boost_;
+  double boost_, calm_;
   Eigen::VectorXd rate_, usual_, least_;  ///< Nm/s, and the squares of what is usual and small
-  double level_ = 0.0, seen_ = 0.0;       ///< 0 to 1; s
+  Eigen::VectorXd slow_, slow_square_, square_;  ///< Nm/s, and means of its and the rate's squares
+  double level_ = 0.0, seen_ = 0.0;              ///< 0 to 1; s
+  double busy_ = 1.0;                            ///< 0 to 1
 };
 
 }  // namespace
@@ -80,6 +120,8 @@ struct TorqueErrorObserver::Impl {
     if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
       throw Error("model error: a bandwidth of " + number(given.bandwidth) +
                   " rad/s; wanted a positive number");
+    if (!(given.calm >= 0.01 && given.calm <= 1.0))
+      throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
     if (!(given.limit > 0.0))
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
   }

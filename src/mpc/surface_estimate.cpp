@@ -34,6 +34,7 @@ SurfaceEstimator::SurfaceEstimator(Surface believed, double tip_radius,
       radius_(tip_radius),
       options_(options),
       window_(std::max(1, static_cast<int>(std::lround(window_time / tick_period)))),
+      tick_period_(tick_period),
       noise_share_(std::min(1.0, tick_period / noise_time)) {
   check_ranges(description_of(&options), &options,
                [](const std::string& entry) { return "surface estimate: " + entry; });
@@ -47,10 +48,12 @@ void SurfaceEstimator::reset() noexcept {
   P_(h_, h_) = square(options_.height);
   P_(s_, s_) = P_(s_ + 1, s_ + 1) = square(options_.tilt);
   P_(c_, c_) = square(options_.compliance);
+  P_(r_, r_) = square(options_.rate);
   placed_ = false;
   seen_ = 0;
   white_ = spread_ = 0.0;
   ticks_ = 0;
+  time_ = 0.0;
   sum_p_.setZero();
   sum_f_ = 0.0;
   surface_ = Quadric{};
@@ -60,6 +63,7 @@ void SurfaceEstimator::reset() noexcept {
 void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touches) noexcept {
   if (!p.allFinite() || !std::isfinite(force)) return;
   follow_noise(p);
+  time_ += tick_period_;
   if (!options_.enabled || !touches) {
     ticks_ = 0;
     sum_p_.setZero();
@@ -82,12 +86,14 @@ void SurfaceEstimator::learn() noexcept {
   if (!placed_) {
     start(mean, believed);
   } else {
+    wait(time_);
     const Eigen::Vector2d d = tangents_.leftCols<2>().transpose() * (mean - place_);
     if (d.squaredNorm() * ticks_ >= clear * clear * spread_) move_to(mean, d, believed);
   }
   measure(believed.distance - radius_, sum_f_ / ticks_, (mean - last_).norm());
   last_ = mean;
   ticks_ = 0;
+  time_ = 0.0;
   sum_p_.setZero();
   sum_f_ = 0.0;
 }
@@ -115,6 +121,15 @@ void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& be
   placed_ = true;
   const double bend = options_.curvature + 0.25 * believed.bend.norm();
   for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend * bend;
+}
+
+/// The surface goes on moving: h += r dt, while r wanders.
+void SurfaceEstimator::wait(double dt) noexcept {
+  constexpr double wander = 0.1;  // of the rate's variance, per s
+  x_[h_] += dt * x_[r_];
+  P_.row(h_) += dt * P_.row(r_);
+  P_.col(h_) += dt * P_.col(r_);
+  P_(r_, r_) += wander * options_.rate * options_.rate * dt;
 }
 
 /// With d the step along the tangents, h += s . d + d . K d / 2 and s += K d.

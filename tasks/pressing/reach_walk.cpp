@@ -257,9 +257,10 @@ class ReachWalk::Impl {
 
   bool torques_fit(const ReachStop& stop, double force) {
     evaluate(q_);
-    const Eigen::Vector3d push = force * surface_.at(stop.p_world).normal;
+    const Eigen::Vector3d normal = surface_.at(stop.p_world).normal;
     const Eigen::VectorXd tau = Eigen::VectorXd(body_.gravity_torque()) -
-                                derivatives_.jacobian.topRows(3).transpose() * push;
+                                derivatives_.jacobian.topRows(3).transpose() * (force * normal);
+    if (force > 0.0) look_at_felt_force(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];
       if (!std::isfinite(limit)) continue;
@@ -279,6 +280,18 @@ class ReachWalk::Impl {
       return false;
     }
     return true;
+  }
+
+  /// Of the force that fits torques best, f = (J J^T)^-1 J tau, the part along the normal.
+  void look_at_felt_force(const Eigen::Vector3d& normal) {
+    constexpr double least = 1e-6;  // m^2: a direction that no joint feels gets no force
+    const Eigen::VectorXd per_torque =
+        damped_step(derivatives_.jacobian.topRows(3), Eigen::Vector3d::Constant(least), normal);
+    if (per_torque.norm() <= report_.force_per_torque) return;
+    report_.force_per_torque = per_torque.norm();
+    Eigen::Index most = 0;
+    per_torque.cwiseAbs().maxCoeff(&most);
+    report_.force_joint = model_.v_name(static_cast<int>(most));
   }
 
   /// A joint's origin, given in a frame on its body.

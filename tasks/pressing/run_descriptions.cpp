@@ -67,6 +67,11 @@ const Description& description_of(const ReachReport* /*of*/) {
           .field("tightest_joint", &R::tightest_joint)
           .field("torque_share", &R::torque_share, "of the effort limit, largest of all points")
           .field("tightest_torque", &R::tightest_torque)
+          .field("force_per_torque", &R::force_per_torque,
+                 "{1/m}: N along the normal per Nm that every joint's torque is wrong by, "
+                 "independent of each other, as told without a force sensor; largest of all points "
+                 "on the surface")
+          .field("force_joint", &R::force_joint, "the joint that has most part in it there")
           .field("clearance", &R::clearance,
                  "{m} between the surface and the arm without its tool link, smallest of all "
                  "points; infinite where nothing but the tool link moves.")

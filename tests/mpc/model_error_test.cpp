@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/sim/disturbances.hpp"
@@ -24,7 +26,7 @@ struct Held {
   Held(const Model& model, const Model& truth, const ModelErrorOptions& options)
       : observer(model, "tool", options), plant(truth), body(truth), tree(truth) {
     q0 = q = test::pressing_arm().posture;
-    v = tau = Eigen::VectorXd::Zero(model.nv);
+    v = tau = encoder_step = Eigen::VectorXd::Zero(model.nv);
     (void)body.update(q0, v);
     held = body.gravity_torque();
   }
@@ -40,7 +42,13 @@ struct Held {
     v += dt * plant.a();
     const Eigen::VectorXd dq = dt * v;
     integrate_configuration(tree, q.data(), dq.data(), q.data());
-    status = observer.update(q, v, tau, force_known, dt);
+    v_measured = v;
+    for (Eigen::Index k = 0; k < v.size(); ++k) {
+      const double step = encoder_noise * drawn(random);
+      v_measured[k] += (step - encoder_step[k]) / dt;
+      encoder_step[k] = step;
+    }
+    status = observer.update(q, v_measured, tau, force_known, dt);
   }
   void run(double duration, double dt, const Eigen::VectorXd& torque,
            const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
@@ -58,7 +66,10 @@ struct Held {
   RigidBody body;
   Tree tree;
   FrameDerivatives tool;
-  Eigen::VectorXd q0, q, v, tau, held;
+  Eigen::VectorXd q0, q, v, v_measured, tau, held, encoder_step;
+  double encoder_noise = 0.0;  ///< rad, of what velocities are differences of
+  std::mt19937 random{1};
+  std::normal_distribution<double> drawn{0.0, 1.0};
   Status status = Status::Ok;
 };
 
@@ -136,6 +147,32 @@ TEST(TorqueErrorObserver, stays_bounded_over_long_steps) {
   EXPECT_EQ(observer.torque_error(), Eigen::VectorXd::Constant(model.nv, 5.0));
 }
 
+TEST(TorqueErrorObserver, slows_down_where_there_is_but_noise_and_not_where_an_error_turns_around) {
+  const Model model = test::pressing_arm().model;
+  const ModelErrorOptions options{.bandwidth = 100.0, .boost = 1.0, .calm = 0.5};
+  const double dt = test::has_robot_files ? 1e-3 : 1e-4;
+  Held quiet(model, model, options), always(model, model, {.bandwidth = 100.0, .boost = 1.0});
+  quiet.encoder_noise = always.encoder_noise = 2e-6;
+  quiet.run(0.4, dt, some_bias());
+  EXPECT_EQ(quiet.observer.bandwidth(), 100.0) << "before anything is known of the noise";
+  quiet.run(7.6, dt, some_bias());
+  always.run(8.0, dt, some_bias());
+  EXPECT_NEAR(quiet.observer.bandwidth(), 50.0, 1e-9);
+  EXPECT_EQ(always.observer.bandwidth(), 100.0);
+  EXPECT_LT((quiet.observer.torque_error() - some_bias()).norm(), 0.2 * some_bias().norm());
+
+  // One joint's friction that turns around is enough, and is found out within a second.
+  Eigen::VectorXd friction = some_bias();
+  for (int half = 0; half < 4; ++half) {
+    friction[1] = -friction[1];
+    quiet.run(0.25, dt, friction);
+  }
+  EXPECT_EQ(quiet.observer.bandwidth(), 100.0);
+  quiet.observer.reset();
+  quiet.step(dt, friction, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  EXPECT_EQ(quiet.observer.bandwidth(), 100.0);
+}
+
 TEST(TorqueErrorObserver, is_unchanged_by_what_is_no_measurement) {
   const Model model = test::pressing_arm().model;
   Held robot(model, model, {.bandwidth = 100.0});
@@ -200,6 +237,8 @@ TEST(TorqueErrorObserver, refuses_options_out_of_range_and_unknown_frames) {
   expect_words(with("tol", {}), {"tol", "tool"});
   expect_words(with("tool", {.bandwidth = 0.0}), {"bandwidth", "positive"});
   expect_words(with("tool", {.bandwidth = std::nan("")}), {"bandwidth", "positive"});
+  expect_words(with("tool", {.calm = 0.0}), {"calm", "0.01 to 1"});
+  expect_words(with("tool", {.calm = 1.1}), {"calm", "0.01 to 1"});
   expect_words(with("tool", {.limit = -1.0}), {"limit", "positive"});
   EXPECT_EQ(with("tool", {.limit = std::numeric_limits<double>::infinity()}), "");
 }

@@ -30,6 +30,7 @@ struct Slide {
   double step = 5e-5;        ///< m, that places are rounded to
   double force_noise = 0.3;  ///< N, before a filter of 50 Hz
   double noise = 0.0;        ///< m, of places, anew in every tick
+  double drift = 0.0;        ///< m/s, of the surface along z
   std::mt19937_64 generator{3};
   double force = 6.0;
 
@@ -37,7 +38,7 @@ struct Slide {
     const double s = std::clamp((t - 0.5) / 2.0, 0.0, 1.0), turn = t - 0.5;
     const double r = 0.07 * s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
     const Vector3d on = is.along_normal({r * std::cos(turn), r * std::sin(turn), 0.0});
-    return on + (radius - compliance * pressed) * is.at(on).normal;
+    return on + (radius - compliance * pressed) * is.at(on).normal + drift * t * Vector3d::UnitZ();
   }
   /// Ticks from begin to end, s: half a second to press, then the way.
   void run(SurfaceEstimator& estimator, double begin, double end) {
@@ -60,7 +61,7 @@ struct Slide {
     return result;
   }
   double error(const SurfaceEstimator& estimator, double t) const {
-    return angle(estimator.normal(), is.at(center(t, 30.0)).normal);
+    return angle(estimator.normal(), is.at(center(t, 30.0) - drift * t * Vector3d::UnitZ()).normal);
   }
 };
 
@@ -105,6 +106,19 @@ TEST(SurfaceEstimate, FollowsCurvedSurfacesOfWhichAFifthOfTheCurvatureIsUnknown)
   // What an axis that leans does to a pipe is no quadric over a whole circle: found again in part.
   EXPECT_LT(worst({.kind = Kind::Cylinder, .radius = 0.3}), 2.5);
   EXPECT_LT(worst({.kind = Kind::Torus, .radius = 0.3}), 2.5);
+}
+
+TEST(SurfaceEstimate, TakesASurfaceThatMovesForNoOtherSlope) {
+  for (const double drift : {-5e-3, 5e-3}) {
+    const SurfaceEstimateOptions moves{.rate = 5e-3};
+    SurfaceEstimator estimator(plane(Vector3d::UnitZ()), radius, moves, period);
+    Slide slide{.is = plane(tilted), .drift = drift};
+    slide.run(estimator, 0.0, 2.5);
+    // At 70 mm/s what moves by 5 mm/s rises as a slope of 4 degrees does.
+    EXPECT_LT(slide.worst(estimator, 2.5, 6.0), 1.0 * degree) << drift;
+    const Vector3d p = slide.center(6.0, 30.0);
+    EXPECT_LT(std::abs(estimator.surface().value(p)), 1e-3) << drift;
+  }
 }
 
 TEST(SurfaceEstimate, TellsASoftSurfaceFromATiltedOne) {

@@ -34,6 +34,9 @@ TEST(Reach, NamedSurfacesAreReachable) {
     EXPECT_GT(report.torque_share, 0.05) << surface.name;
     EXPECT_LT(report.torque_share, 0.6) << surface.name << " " << report.tightest_torque;
     EXPECT_GT(report.points, 50);
+    // A lever of 0.2 to 2 m, of some joints.
+    EXPECT_GT(report.force_per_torque, 0.5) << surface.name;
+    EXPECT_LT(report.force_per_torque, 10.0) << surface.name << " " << report.force_joint;
   }
 }
 

@@ -33,6 +33,11 @@ struct ModelErrorOptions {
   /// times the bandwidth, while a torque error changes faster than its noise does: after a push, an
   /// impact, where a joint turns around; 1: never
   double boost = 3.0;
+  /// times the bandwidth, while what changes is noise alone (encoders' steps): then a slower
+  /// observer passes less of it on; 1: never
+  double calm = 1.0;
+  /// rad/s that friction along the surface is followed at, of kind torque; 0: the bandwidth
+  double sliding_bandwidth = 0.0;
   double limit = 30.0;  ///< Nm (N): estimates stay within +- this
   /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
   /// once where a joint turns around
@@ -46,7 +51,8 @@ struct ModelErrorOptions {
 /// sampled so that both poles are at exp(-w dt) whatever dt is: after 4.8 / w s a constant error is
 /// known to 5 %. Forces that are not given to it are part of d: given the normal force alone, so is
 /// friction along the surface. Where d changes faster than its noise has it, w is up to `boost`
-/// times the bandwidth, and comes back within some 0.1 s.
+/// times the bandwidth, and comes back within some 0.3 s. Where d has but noise in every joint
+/// during a second, w is `calm` times the bandwidth.
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. Throws Error for an unknown frame and options out of

@@ -23,6 +23,9 @@ struct SurfaceEstimateOptions {
   double noise_length = 1e-4;
   double force_noise = 0.3;  ///< N, of the force along the normal
   double compliance = 1e-3;  ///< m/N, of the surface under the tip
+  /// m/s, of the surface along its normal; 0: it stands. What may move is told from a slope only
+  /// once the tip has turned
+  double rate = 0.0;
 };
 
 /// A Kalman filter over the way of the tip. With phi the distance to the surface as believed (that
@@ -30,7 +33,8 @@ struct SurfaceEstimateOptions {
 /// along the normal, the tip is at
 ///   phi = h + s . t + t . K t / 2 - c f,
 /// h, s and K being what height, slope and curvature of the surface differ by from what is believed
-/// and c its compliance. Slope and curvature of places to come follow from those here.
+/// and c its compliance; h changes by the rate r where the surface may move. Slope and curvature of
+/// places to come follow from those here.
 class SurfaceEstimator {
  public:
   /// Throws Error for deviations that are not positive numbers.
@@ -49,16 +53,18 @@ class SurfaceEstimator {
   /// Deviation of the normal's angle, rad, about the tangent that is known worst.
   double normal_deviation() const;
   double compliance() const { return x_[c_]; }  ///< m/N
+  double rate() const { return x_[r_]; }        ///< m/s, of the surface along its normal
 
  private:
-  static constexpr int n_ = 7;  ///< h, s (2), K (uu, uw, ww), c
-  static constexpr int h_ = 0, s_ = 1, k_ = 3, c_ = 6;
+  static constexpr int n_ = 8;  ///< h, s (2), K (uu, uw, ww), c, r
+  static constexpr int h_ = 0, s_ = 1, k_ = 3, c_ = 6, r_ = 7;
   using State = Eigen::Matrix<double, n_, 1>;
   using Covariance = Eigen::Matrix<double, n_, n_>;
 
   void learn() noexcept;
   void follow_noise(const Eigen::Vector3d& p) noexcept;
   void start(const Eigen::Vector3d& p, const SurfaceDistance& believed) noexcept;
+  void wait(double dt) noexcept;
   void move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
                const SurfaceDistance& believed) noexcept;
   void measure(double distance, double force, double way) noexcept;
@@ -68,6 +74,8 @@ class SurfaceEstimator {
   double radius_;
   SurfaceEstimateOptions options_;
   int window_;           ///< ticks that are averaged into a measurement, at least
+  double tick_period_;   ///< s
+  double time_ = 0.0;    ///< s since the last measurement
   double noise_share_;   ///< of a tick, in the mean of white_
   double white_ = 0.0;   ///< m^2, variance of places along the normal from tick to tick
   double spread_ = 0.0;  ///< m^2, in all directions

@@ -42,7 +42,9 @@ Json run_json(const PolishJob& job, const RunResult& result) {
                    {"joint_margin_rad", number_json(result.reach.joint_margin)},
                    {"tightest_joint", result.reach.tightest_joint},
                    {"torque_share", result.reach.torque_share},
-                   {"tightest_torque", result.reach.tightest_torque}};
+                   {"tightest_torque", result.reach.tightest_torque},
+                   {"force_per_torque_1_per_m", result.reach.force_per_torque},
+                   {"force_joint", result.reach.force_joint}};
   json["wall_time_s"] = result.wall_time;
   return json;
 }

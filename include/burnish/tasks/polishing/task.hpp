@@ -96,14 +96,15 @@ struct Task {
   double solver_delay = 0.0;    ///< s from a measurement to the use of the plan made from it
   int iterations = 1;           ///< of the solver, per plan
   StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
-  double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
+  double contact_kd = 30.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
   /// m/s of sliding below which the friction of plans fades: their steps bear no less
   double friction_speed = 0.1;
   /// rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances
   double torque_cutoff = 0.0;
   ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, or local (the tool's)
   bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
-  ModelErrorOptions model_error = {.bandwidth = 120.0};
+  ModelErrorOptions model_error = {
+      .bandwidth = 120.0, .boost = 6.0, .calm = 0.25, .sliding_bandwidth = 360.0};
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
   FrictionEstimateOptions friction_estimate = {.enabled = false};

@@ -48,6 +48,10 @@ struct ReachReport {
   std::string tightest_joint;
   double torque_share = 0.0;  ///< of the effort limit, largest of all points
   std::string tightest_torque;
+  /// 1/m: N along the normal per Nm that every joint's torque is wrong by, independent of each
+  /// other, as told without a force sensor; largest of all points on the surface
+  double force_per_torque = 0.0;
+  std::string force_joint;  ///< the joint that has most part in it there
   /// m between the surface and the arm without its tool link, smallest of all points; infinite
   /// where nothing but the tool link moves.
   double clearance = 0.0;
