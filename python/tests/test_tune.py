@@ -270,7 +270,7 @@ def test_polishing_has_seeds_and_keys_that_are_checked(tmp_path):
             "tune": {"controller.contact_kd": {"from": 5, "to": 80}},
             "train": {"seeds": {"first": 0, "count": 2}}, "test": {"seeds": {"first": 100, "count": 3}}}
     read = _tune.read_tuning(tree)
-    assert read.keys[0].start == 30.0  # which board.yaml leaves to its default
+    assert read.keys[0].start == 40.0  # which board.yaml leaves to its default
     assert [point["disturbances.seed"] for point in read.test] == [100, 101, 102]
     for change, words in (({"tune": {"controller.contact_dk": {"from": 5, "to": 80}}}, "did you mean 'contact_kd'?"),
                           ({"test": {"seeds": [5, 1]}}, "{'disturbances.seed': 1} in common")):

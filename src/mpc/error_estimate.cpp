@@ -6,6 +6,13 @@
 #include "mpc/horizon.hpp"
 
 namespace burnish {
+namespace {
+
+constexpr double sliding_speed = 0.02;  // m/s, below which friction fades
+constexpr double until_torques = 2e-3;  // s, from a measurement
+constexpr double since_forces = 3e-3;   // s, of sensors and their filters
+
+}  // namespace
 
 ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
     : options_(spec.model_error),
@@ -27,7 +34,10 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
     planned_speed_ =
         spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->speed;
   }
-  acted_ = torque_offset_ = torque_error_ = total_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  smoothing_ =
+      joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;
+  acted_ = torque_offset_ = torque_error_ = total_ = v_ahead_ =
+      Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
 void ErrorEstimate::reset() noexcept {
@@ -39,6 +49,10 @@ void ErrorEstimate::reset() noexcept {
   torque_offset_.setZero();
   torque_error_.setZero();
   friction_force_.setZero();
+  v_ahead_.setZero();
+  between_.setZero();
+  v_tool_.setZero();
+  slid_.setZero();
   force_world_.setZero();
   pressed_ = force_error_ = 0.0;
   if (friction_) friction_->reset();
@@ -109,9 +123,28 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   // What is larger than the normal force is no friction.
   const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
   gate.body().frame_derivatives(tool_, Reference::centered(), tool_motion_);
+  const Eigen::Vector3d known = turned_friction(gate.dt(), bandwidth);
   torque_error_ = model_error();
-  torque_error_.noalias() +=
-      ratio * (tool_motion_.jacobian.topRows(3).transpose() * friction_force_);
+  torque_error_.noalias() += ratio * (tool_motion_.jacobian.topRows(3).transpose() * known);
+}
+
+/// What is measured of friction is late by the filters of forces and by the time until torques act.
+/// What of it lies along the way that the tool slid by then is turned to the way that it will
+/// slide. Both are of what plans foresee a while ahead, behind a filter that is late by the same
+/// while: measured velocities would close a loop through friction.
+Eigen::Vector3d ErrorEstimate::turned_friction(double dt, double bandwidth) noexcept {
+  if (friction_) return friction_force_;  // plans know where it turns
+  constexpr double least = 0.25;          // of slid_: slower than that nothing is known of friction
+  const Eigen::Vector3d& n = normal_world_;
+  const double share = -std::expm1(-2.0 * dt / smoothing_);
+  between_ += share * (tool_motion_.jacobian.topRows<3>() * v_ahead_ - between_);
+  v_tool_ += share * (between_ - v_tool_);
+  const Eigen::Vector3d will_slide = sliding_direction(v_tool_ - n * n.dot(v_tool_), sliding_speed);
+  const double late = until_torques + since_forces + 1.0 / bandwidth;
+  slid_ += -std::expm1(-dt / late) * (will_slide - slid_);
+  const double along =
+      std::max(0.0, -friction_force_.dot(slid_)) / std::max(slid_.squaredNorm(), least);  // N
+  return friction_force_ - along * (will_slide - slid_);
 }
 
 /// Of the force along the surface, what the contacts' own friction says, N: the same that plans

@@ -33,6 +33,13 @@ class ErrorEstimate {
   /// Of the tool's contacts with friction: their coefficient; 0 without them.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
+  /// nv, of a new plan, joint_friction().lead() after it begins: friction in joints and along the
+  /// surface turns around with it.
+  void foresee(const Eigen::VectorXd& v) noexcept {
+    joint_friction_.foresee(v.data());
+    v_ahead_ = v;
+  }
+
   /// Its torque is taken for a part of the command before: that which friction takes away again.
   JointFriction& joint_friction() { return joint_friction_; }
 
@@ -56,6 +63,7 @@ class ErrorEstimate {
   }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
+  Eigen::Vector3d turned_friction(double dt, double bandwidth) noexcept;
   Eigen::Vector3d explained_friction(const MeasurementGate& gate,
                                      const Eigen::Vector3d& across) noexcept;
   void follow_force_error(const Measurement& m, int stage, double schedule_time,
@@ -75,7 +83,12 @@ class ErrorEstimate {
   /// nv, torque that the model believes to act, less that of joint_friction_
   Eigen::VectorXd acted_;
   Eigen::VectorXd torque_offset_, torque_error_, total_;
-  double pressed_ = 0.0;  ///< N, normal force behind the bandwidth
+  Eigen::VectorXd v_ahead_;  ///< nv, of a plan
+  double smoothing_;         ///< s
+  /// m/s, of the tool in v_ahead_, smoothed once and twice: its velocity when torques act
+  Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;
+  Eigen::Vector3d slid_ = between_;  ///< sliding_direction() of that, when forces were measured
+  double pressed_ = 0.0;             ///< N, normal force behind the bandwidth
   /// N, along the surface, alike: what the contacts' own friction does not explain
   Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();
   std::optional<FrictionEstimator> friction_;

@@ -4,6 +4,26 @@
 
 namespace burnish {
 
+namespace {
+
+template <class Residual>
+const Signal* one_force(const Residual& given) {
+  const auto* force = std::get_if<residual::ContactForce>(&given);
+  return force != nullptr && force->target.size() == 1 ? &force->target : nullptr;
+}
+
+/// Of a point of the world that the tool is to come to.
+template <class Residual>
+const Signal* place_of(const Residual& given, const std::string& tool) {
+  const auto* place = std::get_if<residual::FramePosition>(&given);
+  return place != nullptr && place->frame == tool && place->target.size() == 3 &&
+                 place->reference.origin == Anchor(Anchor::World) && !place->reference.quadric
+             ? &place->target
+             : nullptr;
+}
+
+}  // namespace
+
 std::vector<int> contacts_on_surface(const MpcSpec& spec) {
   std::vector<int> result;
   const std::vector<ContactSpec>& contacts = spec.problem.contacts;
@@ -31,29 +51,31 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
       rubbing_(contacts_that_rub(spec)),
       friction_(spec.friction_estimate.coefficient),
       corrects_force_(spec.model_error.kind == ModelErrorKind::Force),
-      force_terms_(spec.problem.stages.size()),
-      force_targets_(spec.problem.stages.size()),
+      forces_(spec.problem.stages.size()),
+      places_(spec.problem.stages.size()),
       dx_(Eigen::VectorXd::Zero(problem.layout().ndx())),
       one_(Eigen::VectorXd::Zero(1)),
+      three_(Eigen::VectorXd::Zero(3)),
       guess_x_(RowMatrix::Zero(problem.knots() + 1, problem.layout().nx())),
       guess_u_(RowMatrix::Zero(problem.knots(), problem.layout().nu)) {
   for (const SchedulePhase& phase : schedule.phases())
     stage_of_phase_.push_back(problem.stage_index(phase.stage));
+  const auto note = [&](const auto& terms, int term, std::vector<Target>* forces,
+                        std::vector<Target>& places) {
+    for (const auto& given : terms) {
+      if (const Signal* force = one_force(given.residual); force != nullptr && forces != nullptr)
+        forces->push_back({term, *force});
+      if (const Signal* place = place_of(given.residual, spec.tool); place != nullptr)
+        places.push_back({term, *place});
+      ++term;
+    }
+  };
   for (std::size_t s = 0; s < spec.problem.stages.size(); ++s) {
-    int term = 0;
-    const auto note = [&](const auto& terms) {
-      for (const auto& given : terms) {
-        const auto* force = std::get_if<residual::ContactForce>(&given.residual);
-        if (force != nullptr && force->target.size() == 1) {
-          force_terms_[s].push_back(term);
-          force_targets_[s].push_back(force->target);
-        }
-        ++term;
-      }
-    };
-    note(spec.problem.stages[s].costs);
-    note(spec.problem.stages[s].constraints);
+    const Stage& stage = spec.problem.stages[s];
+    note(stage.costs, 0, &forces_[s], places_[s]);
+    note(stage.constraints, static_cast<int>(stage.costs.size()), &forces_[s], places_[s]);
   }
+  note(spec.problem.terminal, 0, nullptr, places_at_end_);
 }
 
 int Horizon::stage_at(double schedule_time) const noexcept {
@@ -66,12 +88,29 @@ void Horizon::place_knot(int knot, double schedule_time) {
   if (surface_)
     for (const int contact : following_) (void)problem_.set_surface(knot, contact, *surface_);
   for (const int contact : rubbing_) (void)problem_.set_friction(knot, contact, friction_);
-  if (!corrects_force_ || knot == problem_.knots()) return;
-  const auto& terms = force_terms_[static_cast<std::size_t>(stage)];
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    force_targets_[static_cast<std::size_t>(stage)][t].at(schedule_time, one_);
+  if (surface_ && depth_ > 0.0) press_places(knot, schedule_time);
+  if (corrects_force_ && knot < problem_.knots()) lower_forces(knot, schedule_time);
+}
+
+/// Across the normal n the tool is where it is to be if it is depth n below there.
+void Horizon::press_places(int knot, double schedule_time) {
+  const bool ends = knot == problem_.knots();
+  for (const Target& place :
+       ends ? places_at_end_ : places_[static_cast<std::size_t>(stage_at(schedule_time))]) {
+    place.signal.at(schedule_time, three_);
+    const Eigen::Vector3d gradient = surface_->gradient(three_.head<3>());
+    const double length = gradient.norm();
+    if (!(length > 1e-9)) continue;
+    three_ -= depth_ / length * gradient;
+    (void)problem_.set_target(knot, place.term, three_);  // three_ has the term's size
+  }
+}
+
+void Horizon::lower_forces(int knot, double schedule_time) {
+  for (const Target& force : forces_[static_cast<std::size_t>(stage_at(schedule_time))]) {
+    force.signal.at(schedule_time, one_);
     one_[0] -= force_error_;
-    (void)problem_.set_target(knot, terms[t], one_);  // one_ has the term's size
+    (void)problem_.set_target(knot, force.term, one_);  // one_ has the term's size
   }
 }
 

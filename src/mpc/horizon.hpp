@@ -23,8 +23,11 @@ class Horizon {
   /// N that contact forces of one row are to be lower than their targets: ModelErrorKind::Force.
   void set_force_error(double error) noexcept { force_error_ = error; }
 
-  /// MpcTask::surface, for all knots that are placed from then on.
-  void set_surface(const Quadric& surface) noexcept { surface_ = surface; }
+  /// MpcTask::surface and surface_depth, for all knots that are placed from then on.
+  void set_surface(const Quadric& surface, double depth) noexcept {
+    surface_ = surface;
+    depth_ = depth;
+  }
   void forget_surface() noexcept { surface_.reset(); }
   /// The coefficient of the tool's contacts with friction, likewise.
   void set_friction(double coefficient) noexcept { friction_ = coefficient; }
@@ -46,19 +49,29 @@ class Horizon {
   void solved_from(double schedule_time) noexcept { guess_time_ = schedule_time; }
 
  private:
+  /// Of a cost or constraint of a stage, by its place among these, what its signal is set from.
+  struct Target {
+    int term;
+    Signal signal;
+  };
+  void press_places(int knot, double schedule_time);
+  void lower_forces(int knot, double schedule_time);
+
   Problem& problem_;
   const Schedule& schedule_;
   double step_;
   std::vector<int> stage_of_phase_;
   std::vector<int> following_;  ///< contacts_on_surface()
   std::optional<Quadric> surface_;
+  double depth_ = 0.0;        ///< m
   std::vector<int> rubbing_;  ///< contacts_that_rub()
   double friction_;
   bool corrects_force_;
   double force_error_ = 0.0;
-  std::vector<std::vector<int>> force_terms_;  ///< per stage: contact force terms of one row
-  std::vector<std::vector<Signal>> force_targets_;
-  Eigen::VectorXd dx_, one_;
+  /// Per stage: contact forces of one row, points of the world that the tool is to come to.
+  std::vector<std::vector<Target>> forces_, places_;
+  std::vector<Target> places_at_end_;
+  Eigen::VectorXd dx_, one_, three_;
   RowMatrix guess_x_, guess_u_;
   double guess_time_ = 0.0;  ///< s of the schedule, of the last solution's first knot
 };

@@ -134,7 +134,8 @@ void MpcController::Impl::look_at_surface() noexcept {
   if (!(length > 1e-9)) return;  // none there: what was known goes on
   command_.normal_world = gradient / length;
   error.set_surface(*surface, command_.normal_world);
-  horizon.set_surface(*surface);
+  const double depth = task->surface_depth();
+  horizon.set_surface(*surface, std::isfinite(depth) ? depth : 0.0);
 }
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
@@ -193,7 +194,7 @@ void MpcController::Impl::foresee() noexcept {
   const int k = static_cast<int>(at);
   const auto xs = solver.xs();
   v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
-  error.joint_friction().foresee(v_ahead_.data());
+  error.foresee(v_ahead_);
 }
 
 bool MpcController::Impl::solve(double schedule_time) {

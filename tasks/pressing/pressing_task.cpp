@@ -58,11 +58,14 @@ class Pressing final : public MpcTask {
     loss_.reset();
     if (surface_) surface_->reset();
     normal_world_ = normal_at_first_;
+    depth_ = 0.0;
   }
 
   const Quadric* surface() const noexcept override {
     return surface_ ? &surface_->surface() : nullptr;
   }
+
+  double surface_depth() const noexcept override { return depth_; }
 
   unsigned sense(const TaskView& view) noexcept override {
     const Eigen::Vector3d& force = view.measurement.tool_force_world;
@@ -75,6 +78,9 @@ class Pressing final : public MpcTask {
       const bool slides = phase == Touch::Wanted && detector_.touches();
       surface_->update(view.body.placement(tool_).translation(), force.dot(normal_world_), slides);
       normal_world_ = surface_->normal();
+      constexpr double deepest = 0.02;  // m
+      depth_ = slides ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, deepest)
+                      : 0.0;
     }
     return detector_.touches() ? 1U : 0U;
   }
@@ -122,6 +128,7 @@ class Pressing final : public MpcTask {
   ToolLimits limits_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   std::optional<SurfaceEstimator> surface_;
+  double depth_ = 0.0;  ///< m, that the surface is pressed in under the tool
   int tool_;
   ContactDetector detector_;
   pressing::MeanForce mean_;

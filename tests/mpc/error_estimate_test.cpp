@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/decomposition.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
@@ -73,6 +74,35 @@ TEST(ErrorEstimate, lets_friction_go_with_the_force_that_is_asked_for) {
   ErrorEstimate estimate(arm.spec);
   arm.rest(estimate, tau, 40.0);
   EXPECT_LT(estimate.torque_error().norm(), 1e-3);
+}
+
+TEST(ErrorEstimate, turns_friction_to_where_a_plan_will_slide) {
+  Pressing arm(ModelErrorKind::Torque);
+  const auto joints_for = [&](const Eigen::Vector3d& v_tool) {
+    return Eigen::VectorXd(least_squares(arm.jacobian, v_tool));
+  };
+  arm.m.tool_force_world = {-6.0, 0.0, 20.0};
+  arm.m.v = joints_for({0.2, 0.0, 0.0});
+  const auto torque_error = [&](const Eigen::Vector3d& v_ahead) {
+    ErrorEstimate estimate(arm.spec);
+    estimate.foresee(joints_for(v_ahead));
+    arm.rest(estimate, arm.against(arm.m.tool_force_world), 20.0);
+    return Eigen::VectorXd(estimate.torque_error());
+  };
+  const Eigen::VectorXd straight = torque_error({0.2, 0.0, 0.0});
+  const auto differs_by = [&](const Eigen::Vector3d& v_ahead, const Eigen::Vector3d& force) {
+    const Eigen::VectorXd torque = arm.jacobian.transpose() * force;
+    return (torque_error(v_ahead) - straight - torque).norm() / torque.norm();
+  };
+  EXPECT_LT(differs_by({0.0, 0.2, 0.0}, {6.0, -6.0, 0.0}), 0.02);
+  EXPECT_LT(differs_by({-0.2, 0.0, 0.0}, {12.0, 0.0, 0.0}), 0.02);
+  EXPECT_LT(differs_by({0.0, 0.0, 0.2}, {6.0, 0.0, 0.0}), 0.02) << "off the surface nothing rubs";
+  // Of a force that pushes a tool along, and of one that stands, nothing is friction of a slide.
+  arm.m.tool_force_world = {6.0, 0.0, 20.0};
+  EXPECT_LT((torque_error({0.0, 0.2, 0.0}) - torque_error({0.2, 0.0, 0.0})).norm(), 1e-9);
+  arm.m.tool_force_world = {-6.0, 0.0, 20.0};
+  arm.m.v.setZero();
+  EXPECT_LT((torque_error({0.0, 0.2, 0.0}) - torque_error({0.2, 0.0, 0.0})).norm(), 1e-9);
 }
 
 TEST(ErrorEstimate, finds_the_force_that_the_model_does_not_predict) {

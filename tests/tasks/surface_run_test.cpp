@@ -72,6 +72,21 @@ TEST(SurfaceRun, WhatLeansAndBendsOtherwiseThanBelievedIsFoundOut) {
   }
 }
 
+TEST(SurfaceRun, ThePathOnASoftOneThatLeansIsFollowedAcrossItsOwnNormal) {
+  if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
+  RunSpec spec = short_run();
+  spec.task.disturbances = {};
+  spec.task.disturbances.surface_tilt_deg = {6.0, 0.0};
+  spec.task.stiffness = 6e3;  // 5 mm deep, of which a tenth would be beside the path
+  spec.task.path.rate = 1.0;
+  spec.task.path.start_up = 2.0;
+  spec.task.polish_duration = 4.0;
+  const RunResult result = run_task(spec);
+  EXPECT_TRUE(result.polished) << result.outcome;
+  ASSERT_TRUE(result.metrics.has_value());
+  EXPECT_LT(result.metrics->position_rmse, 1.5e-4);
+}
+
 TEST(SurfaceRun, IsPolishedWithoutAForceSensor) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   RunSpec spec = short_run();

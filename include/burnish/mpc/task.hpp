@@ -115,6 +115,9 @@ class MpcTask {
   /// whose references follow a surface (Reference::on) are given it along the whole horizon, and
   /// its normal at the tool is the controller's from then on. Null: those of the specification.
   virtual const Quadric* surface() const noexcept { return nullptr; }
+  /// How far that gives way under the tool, m, at least 0. Costs that bring the tool to a point of
+  /// the world, made for a surface that stands, bring it there across the normal of this one.
+  virtual double surface_depth() const noexcept { return 0.0; }
   /// After the clock went on: one reading for each of watched().
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}
   /// Writes what is aimed at into `p_target_world` and `target_force` of the command: for the

@@ -96,7 +96,7 @@ struct Task {
   double solver_delay = 0.0;    ///< s from a measurement to the use of the plan made from it
   int iterations = 1;           ///< of the solver, per plan
   StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
-  double contact_kd = 30.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
+  double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
   /// m/s of sliding below which the friction of plans fades: their steps bear no less
   double friction_speed = 0.1;
   /// rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances
