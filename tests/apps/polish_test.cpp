@@ -73,6 +73,16 @@ TEST(Polish, ComparesControllersWithoutAPlan) {
   EXPECT_NE(rmse("admittance.damping=5000", "b"), before);
 }
 
+TEST(Polish, SaysWhatAForceThatIsToldFromTorquesIsWorthBeforeItRuns) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run("polish --surface table --controller mpc --no-page" + short_run +
+          " --set controller.force_sensor=false --out " + quoted(scratch.folder / "out"));
+  for (const char* words : {"table: note: without a force sensor",
+                            "1 Nm in every joint is 2.2 N along the normal (torso_2_joint"})
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\n" << outcome.err;
+}
+
 TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {
   const Scratch scratch;
   const std::string alone = "polish --surface table --controller baseline --quiet" + short_run;
