@@ -50,6 +50,7 @@ void SurfaceEstimator::reset() noexcept {
   P_(c_, c_) = square(options_.compliance);
   P_(r_, r_) = square(options_.rate);
   placed_ = false;
+  trust_ = 1.0;
   seen_ = 0;
   white_ = spread_ = 0.0;
   ticks_ = 0;
@@ -119,8 +120,8 @@ void SurfaceEstimator::start(const Eigen::Vector3d& p, const SurfaceDistance& be
   tangents_ << t, believed.normal.cross(t), believed.normal;
   place_ = last_ = p;
   placed_ = true;
-  const double bend = options_.curvature + 0.25 * believed.bend.norm();
-  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend * bend;
+  bend_ = options_.curvature + 0.25 * believed.bend.norm();
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = bend_ * bend_;
 }
 
 /// The surface goes on moving: h += r dt, while r wanders.
@@ -145,7 +146,7 @@ void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& 
   F(s_, k_ + 1) = F(s_ + 1, k_ + 2) = d[1];
   x_ = F * x_;
   P_ = F * P_ * F.transpose();
-  const double wander = options_.bend_change * options_.bend_change * d.norm();
+  const double change = trust_ * options_.bend_change, wander = change * change * d.norm();
   for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) += wander;
   tangents_ = carried(tangents_, believed.normal);
   place_ = p;
@@ -168,8 +169,22 @@ void SurfaceEstimator::measure(double distance, double force, double way) noexce
   // Joseph's form stays symmetric and positive.
   const Covariance keep = Covariance::Identity() - gain * H.transpose();
   P_ = keep * P_ * keep.transpose() + R * gain * gain.transpose();
-  const double steepest = most_tilts * options_.tilt, slope = x_.segment<2>(s_).norm();
-  if (slope > steepest) x_.segment<2>(s_) *= steepest / slope;
+  if (!(x_.segment<2>(s_).norm() <= most_tilts * trust_ * options_.tilt)) begin_anew();
+}
+
+/// A slope that cannot be is none: what was taken for one is something that this knows nothing of
+/// (a surface that moves or creeps). What is believed is told again, and left by half as much.
+void SurfaceEstimator::begin_anew() noexcept {
+  constexpr double least = 1e-3;
+  trust_ = std::max(0.5 * trust_, least);
+  x_.segment<5>(s_).setZero();
+  for (int i = s_; i < s_ + 5; ++i) {
+    P_.row(i).setZero();
+    P_.col(i).setZero();
+  }
+  const double tilt = trust_ * options_.tilt;
+  P_(s_, s_) = P_(s_ + 1, s_ + 1) = tilt * tilt;
+  for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) = trust_ * trust_ * bend_ * bend_;
 }
 
 void SurfaceEstimator::tell(const Eigen::Vector3d& p) noexcept {

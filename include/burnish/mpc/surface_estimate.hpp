@@ -68,6 +68,7 @@ class SurfaceEstimator {
   void move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& d,
                const SurfaceDistance& believed) noexcept;
   void measure(double distance, double force, double way) noexcept;
+  void begin_anew() noexcept;
   void tell(const Eigen::Vector3d& p) noexcept;
 
   Surface believed_;
@@ -89,6 +90,9 @@ class SurfaceEstimator {
   double sum_f_ = 0.0;
   int ticks_ = 0;
   bool placed_ = false;
+  double trust_ =
+      1.0;             ///< of the deviations of slope and curvature: less after each that cannot be
+  double bend_ = 0.0;  ///< 1/m, deviation of curvatures where the tip touched first
   Quadric surface_;
   Eigen::Vector3d normal_;
 };
