@@ -146,6 +146,7 @@ void SurfaceEstimator::move_to(const Eigen::Vector3d& p, const Eigen::Vector2d& 
   F(s_, k_ + 1) = F(s_ + 1, k_ + 2) = d[1];
   x_ = F * x_;
   P_ = F * P_ * F.transpose();
+  recover(d.norm());
   const double change = trust_ * options_.bend_change, wander = change * change * d.norm();
   for (int i = 0; i < 3; ++i) P_(k_ + i, k_ + i) += wander;
   tangents_ = carried(tangents_, believed.normal);
@@ -170,6 +171,16 @@ void SurfaceEstimator::measure(double distance, double force, double way) noexce
   const Covariance keep = Covariance::Identity() - gain * H.transpose();
   P_ = keep * P_ * keep.transpose() + R * gain * gain.transpose();
   if (!(x_.segment<2>(s_).norm() <= most_tilts * trust_ * options_.tilt)) begin_anew();
+}
+
+/// Over some way trust comes back: what was not known of may have ended (a tip that goes in at first).
+void SurfaceEstimator::recover(double way) noexcept {
+  constexpr double length = 0.15;  // m
+  const double before = trust_;
+  trust_ += std::min(1.0, way / length) * (1.0 - trust_);
+  const double more = (trust_ * trust_ - before * before) * options_.tilt * options_.tilt;
+  P_(s_, s_) += more;
+  P_(s_ + 1, s_ + 1) += more;
 }
 
 /// A slope that cannot be is none: what was taken for one is something that this knows nothing of

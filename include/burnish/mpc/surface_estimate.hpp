@@ -69,6 +69,7 @@ class SurfaceEstimator {
                const SurfaceDistance& believed) noexcept;
   void measure(double distance, double force, double way) noexcept;
   void begin_anew() noexcept;
+  void recover(double way) noexcept;
   void tell(const Eigen::Vector3d& p) noexcept;
 
   Surface believed_;
