@@ -173,7 +173,8 @@ void SurfaceEstimator::measure(double distance, double force, double way) noexce
   if (!(x_.segment<2>(s_).norm() <= most_tilts * trust_ * options_.tilt)) begin_anew();
 }
 
-/// Over some way trust comes back: what was not known of may have ended (a tip that goes in at first).
+/// Over some way trust comes back: what was not known of may have ended (a tip that goes in at
+/// first).
 void SurfaceEstimator::recover(double way) noexcept {
   constexpr double length = 0.15;  // m
   const double before = trust_;
