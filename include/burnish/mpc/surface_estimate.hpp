@@ -91,9 +91,8 @@ class SurfaceEstimator {
   double sum_f_ = 0.0;
   int ticks_ = 0;
   bool placed_ = false;
-  double trust_ =
-      1.0;             ///< of the deviations of slope and curvature: less after each that cannot be
-  double bend_ = 0.0;  ///< 1/m, deviation of curvatures where the tip touched first
+  double trust_ = 1.0;  ///< share of the deviations of slope and curvature that may be
+  double bend_ = 0.0;   ///< 1/m, deviation of curvatures where the tip touched first
   Quadric surface_;
   Eigen::Vector3d normal_;
 };
