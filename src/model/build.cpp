@@ -44,6 +44,7 @@ JointKind kind_of(JointType type) {
       return JointKind::Planar;
     case JointType::Fixed:
     case JointType::Floating:
+    case JointType::Ball:
       break;
   }
   return JointKind::FreeFlyer;

@@ -32,6 +32,8 @@ std::size_t posture_size(JointType type) {
       return 3;
     case JointType::Floating:
       return 7;
+    case JointType::Ball:
+      return 4;
   }
   return 0;
 }
@@ -84,6 +86,11 @@ Eigen::Isometry3d displacement(const JointSpec& joint, std::span<const double> v
     case JointType::Floating:
       moved.translation() = Eigen::Map<const Eigen::Vector3d>(values.data());
       moved.linear() = Eigen::Quaterniond(Eigen::Map<const Eigen::Vector4d>(values.data() + 3))
+                           .normalized()
+                           .toRotationMatrix();
+      break;
+    case JointType::Ball:
+      moved.linear() = Eigen::Quaterniond(Eigen::Map<const Eigen::Vector4d>(values.data()))
                            .normalized()
                            .toRotationMatrix();
       break;

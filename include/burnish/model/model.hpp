@@ -77,18 +77,6 @@ struct Visual {
 
 enum class Base { Fixed, FreeFlyer };
 
-/// A frame to add while compiling.
-struct FrameSpec {
-  std::string name;
-  std::string parent;                                           ///< name of an existing frame
-  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< in the parent frame
-};
-
-/// Values of joints by name: one entry per coordinate of the joint (URDF coordinates: an angle for
-/// a continuous joint; 7 for a floating one; x, y, angle for a planar one). The free-flyer base
-/// goes by "root_joint".
-using Posture = std::map<std::string, std::vector<double>>;
-
 /// How a TreeSpec becomes a Model.
 struct ModelOptions {
   Base base = Base::Fixed;

@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "burnish/model/directions.hpp"
 
 namespace burnish {
 
@@ -49,7 +52,7 @@ struct LinkSpec {
   int line = 0;  ///< of the file, for sentences about it; 0: none
 };
 
-enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating };
+enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating, Ball };
 
 /// A joint that copies another: q = multiplier * q_leader + offset.
 struct MimicSpec {
@@ -74,8 +77,49 @@ struct JointSpec {
   double damping = 0.0;                                             ///< Nms/rad or Ns/m
   double friction = 0.0;                                            ///< Nm or N, Coulomb
   double armature = 0.0;                                            ///< kg m^2 or kg
+  double stiffness = 0.0;  ///< of a spring in the joint, Nm/rad or N/m
+  double rest = 0.0;       ///< where that spring is at rest, rad or m; a ball's is at no rotation
   std::optional<MimicSpec> mimic;
   int line = 0;  ///< of the file, for sentences about it; 0: none
+};
+
+/// A frame to add to those of links and joints.
+struct FrameSpec {
+  std::string name;
+  std::string parent;                                           ///< name of an existing frame
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< in the parent frame
+};
+
+/// Values of joints by name: one entry per coordinate of the joint (URDF coordinates: an angle for
+/// a continuous joint; 7 for a floating one; x, y, angle for a planar one). The free-flyer base
+/// goes by "root_joint".
+using Posture = std::map<std::string, std::vector<double>>;
+
+/// Two links tied to each other along some directions: what closes a chain. Relative motion of the
+/// second frame seen from the first, in the first one's axes, is held to none.
+struct LoopSpec {
+  std::string name;
+  std::string first_link;                                    ///< or "world"
+  std::string second_link;                                   ///< or "world"
+  Eigen::Isometry3d first = Eigen::Isometry3d::Identity();   ///< frame in the first link
+  Eigen::Isometry3d second = Eigen::Isometry3d::Identity();  ///< frame in the second link
+  Directions directions = Directions::linear();
+  int line = 0;  ///< of the file, for sentences about it; 0: none
+};
+
+/// A fixed tendon: joints coupled by its length, the sum of coefficient times position over them.
+struct TendonSpec {
+  struct Part {
+    std::string joint;
+    double coefficient = 1.0;  ///< m/rad or 1
+  };
+  std::string name;
+  std::vector<Part> parts;
+  bool held = false;       ///< the length stays at `rest`
+  double rest = 0.0;       ///< m, where it is held or its spring is at rest
+  double stiffness = 0.0;  ///< N/m
+  double damping = 0.0;    ///< Ns/m
+  int line = 0;            ///< of the file, for sentences about it; 0: none
 };
 
 /// A tree of links. Valid when every joint names known links, each link but one has exactly one
@@ -85,6 +129,11 @@ struct TreeSpec {
   std::string source;  ///< file it was read from, used in error sentences; may be empty
   std::vector<LinkSpec> links;
   std::vector<JointSpec> joints;
+  std::vector<LoopSpec> loops;
+  std::vector<TendonSpec> tendons;
+  std::vector<FrameSpec> frames;            ///< that the file names beside links and joints
+  std::map<std::string, Posture> postures;  ///< that the file names
+  std::optional<Eigen::Vector3d> gravity;   ///< m/s^2, where the file states it
   /// What was odd about the file but stopped nothing, one sentence each; a Model gets them too.
   std::vector<std::string> warnings;
 };

@@ -1,6 +1,8 @@
-#include <vector>
+#include "burnish/model/directions.hpp"
 
-#include "burnish/contact/contact.hpp"
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace burnish {
 namespace {
