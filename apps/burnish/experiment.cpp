@@ -175,7 +175,7 @@ void add_words(CLI::App& command, Campaign& a) {
   command
       .add_option("--seeds", a.seeds,
                   "Number of seeds: of runs that differ in what is drawn [paper, robots and "
-                  "force_test 5, tilt 10, seeds 200]")
+                  "force_test 5, surfaces 5, tilt 10, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")

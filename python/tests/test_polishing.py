@@ -428,7 +428,7 @@ class TestFiles:
 class TestExperiments:
     def test_are_listed(self):
         assert [e.name for e in polishing.experiments()] == [
-            "paper", "orientation", "frames", "seeds", "tilt", "robots", "force_test", "tick"]
+            "paper", "orientation", "frames", "seeds", "tilt", "surfaces", "robots", "force_test", "tick"]
 
     def test_give_tables_and_figures(self):
         told = []

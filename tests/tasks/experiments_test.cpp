@@ -250,6 +250,26 @@ TEST(Experiments, SeedsCountWhatFails) {
   expect_words(failed.findings.front(), {"3 of 3 runs diverged"});
 }
 
+TEST(Experiments, SurfacesAreHeldToTheirAims) {
+  const ExperimentReport report = experiment_named("surfaces").perform(quick());
+  expect_complete(report);
+  const ResultTable& aims = table_named(report, "aims");
+  ASSERT_EQ(aims.rows.size(), 4U);  // one of each group
+  for (std::size_t row = 0; row < aims.rows.size(); ++row) {
+    EXPECT_EQ(number_at(aims, row, "seeds"), 1.0);
+    EXPECT_GT(number_at(aims, row, "force_rmse, worst"), 0.0);
+  }
+  // A plane that is 6 degrees off is not what is believed, and is found.
+  EXPECT_GT(number_at(aims, 1, "normal_error, worst"), 0.01);
+  EXPECT_LT(number_at(aims, 1, "normal_error, worst"), 6.0);
+  // What lifts off polishes nothing.
+  ExperimentSpec lifted = quick();
+  lifted.overrides = {"limits.tool_speed=0.005"};
+  const ExperimentReport failed = experiment_named("surfaces").perform(lifted);
+  EXPECT_EQ(failed.failures.size(), 4U);
+  expect_words(failed.findings.front(), {"0 of 4 aims are met"});
+}
+
 TEST(Experiments, RobotsPolishOrSayWhyNot) {
   const ExperimentReport report = experiment_named("robots").perform(quick());
   for (const std::string& failure : report.failures) ADD_FAILURE() << failure;

@@ -13,6 +13,7 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec);
 ExperimentReport perform_frames(const ExperimentSpec& spec);
 ExperimentReport perform_seeds(const ExperimentSpec& spec);
 ExperimentReport perform_tilt(const ExperimentSpec& spec);
+ExperimentReport perform_surfaces(const ExperimentSpec& spec);
 ExperimentReport perform_robots(const ExperimentSpec& spec);
 ExperimentReport perform_force_test(const ExperimentSpec& spec);
 ExperimentReport perform_tick(const ExperimentSpec& spec);
@@ -30,6 +31,8 @@ const std::vector<Experiment>& experiments() {
       {"seeds", "every disturbance at once, drawn anew for each of many seeds", perform_seeds},
       {"tilt", "surfaces that lean, fast and with friction, with a torque loop and without",
        perform_tilt},
+      {"surfaces", "bent surfaces, known and not; soft and stiff ones; without a force sensor",
+       perform_surfaces},
       {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg",
        perform_robots},
       {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",
