@@ -146,6 +146,33 @@ const Description& description_of(const JointSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const TendonSpec::Part* /*of*/) {
+  using P = TendonSpec::Part;
+  static const Description all =
+      Describe<P>("model", "TendonPart", "A joint that a tendon goes along.")
+          .field("joint", &P::joint)
+          .required()
+          .field("coefficient", &P::coefficient, "{m/rad} or 1");
+  return all;
+}
+
+const Description& description_of(const TendonSpec* /*of*/) {
+  using T = TendonSpec;
+  static const Description all =
+      Describe<T>("model", "TendonSpec",
+                  "A fixed tendon: joints coupled by its length, the sum of coefficient times "
+                  "position over them.")
+          .field("name", &T::name)
+          .required()
+          .field("parts", &T::parts)
+          .field("held", &T::held, "the length stays at `rest`")
+          .field("rest", &T::rest, "{m}, where it is held or its spring is at rest")
+          .field("stiffness", &T::stiffness, "{N/m}")
+          .field("damping", &T::damping, "{Ns/m}")
+          .field("line", &T::line, "of the file, for sentences about it; 0: none");
+  return all;
+}
+
 const Description& description_of(const TreeSpec* /*of*/) {
   using T = TreeSpec;
   static const Description all =
@@ -157,6 +184,7 @@ const Description& description_of(const TreeSpec* /*of*/) {
                  "file it was read from, used in error sentences; may be empty")
           .field("links", &T::links)
           .field("joints", &T::joints)
+          .field("tendons", &T::tendons)
           .field("warnings", &T::warnings,
                  "What was odd about the file but stopped nothing, one sentence each; a Model gets "
                  "them too.");
@@ -228,6 +256,33 @@ const Description& description_of(const Joint* /*of*/) {
           .field("com", &J::com, "of the body, in the joint frame, m")
           .field("inertia_at_com", &J::inertia_at_com, "of the body, about com, joint axes, kg m^2")
           .field("follows", &J::follows);
+  return all;
+}
+
+const Description& description_of(const Tendon::Entry* /*of*/) {
+  using E = Tendon::Entry;
+  static const Description all =
+      Describe<E>("model", "TendonEntry", "A joint that a tendon of a Model goes along.")
+          .result()
+          .field("q", &E::q, "the joint's entry of q, if its kind has one alone")
+          .field("v", &E::v, "the joint's entry of v")
+          .field("coefficient", &E::coefficient, "{m/rad} or 1");
+  return all;
+}
+
+const Description& description_of(const Tendon* /*of*/) {
+  using T = Tendon;
+  static const Description all =
+      Describe<T>("model", "Tendon",
+                  "Joints of a Model coupled by the length of a tendon, which has a spring, a "
+                  "damper or both. What locked joints add is taken off `rest`, and what followers "
+                  "add stands at their leaders.")
+          .result()
+          .field("name", &T::name)
+          .field("parts", &T::parts, "ascending in v")
+          .field("rest", &T::rest, "{m}")
+          .field("stiffness", &T::stiffness, "{N/m}")
+          .field("damping", &T::damping, "{Ns/m}");
   return all;
 }
 

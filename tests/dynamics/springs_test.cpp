@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "burnish/derivatives/rigid_body.hpp"
 #include "support/kernel_law.hpp"
 
 namespace burnish::test {
@@ -60,6 +61,27 @@ TEST(Springs, pull_down_their_energy) {
       EXPECT_NEAR(tau[static_cast<std::size_t>(k)], -(energy(1e-6, k) - energy(-1e-6, k)) / 2e-6,
                   1e-7);
   }
+}
+
+TEST(Springs, are_in_the_passive_torques_of_a_rigid_body) {
+  Model model = sprung();
+  model.damping.setConstant(0.3);
+  const SpringKernel kernel = kernel_of(model);
+  RigidBody body(model);
+  std::mt19937_64 generator(4);
+  const KernelState s = random_kernel_state(model, generator);
+  ASSERT_EQ(body.update(s.q, s.v), Status::Ok);
+  body.update_derivatives();
+  const auto blocks = kernel.derivatives<double>(s.q.data(), s.v.data(), nullptr);
+  const Eigen::VectorXd tau =
+      as_vector(kernel.values<double>(s.q.data(), s.v.data(), nullptr)) - 0.3 * s.v;
+  EXPECT_LE(relative_error(body.passive_torque(), tau), 1e-14);
+  EXPECT_LE(relative_error(body.passive_torque_dq(), as_matrix(blocks.dq, model.nv)), 1e-15);
+  const Eigen::MatrixXd dv =
+      as_matrix(blocks.dv, model.nv) - 0.3 * Eigen::MatrixXd::Identity(model.nv, model.nv);
+  body.update_derivatives();  // once more changes nothing
+  EXPECT_LE(relative_error(body.passive_torque_dv(), dv), 1e-15);
+  EXPECT_EQ(body.spring_energy(), spring_energy(kernel.springs, s.q.data()));
 }
 
 TEST(Springs, are_none_where_the_description_has_none) {
