@@ -35,6 +35,8 @@ Json joint_json(const Model& model, const Joint& joint) {
           {"damping", numbers_json(model.damping.segment(v, joint.nv))},
           {"friction", numbers_json(model.friction.segment(v, joint.nv))},
           {"armature", numbers_json(model.armature.segment(v, joint.nv))},
+          {"stiffness", numbers_json(model.stiffness.segment(v, joint.nv))},
+          {"spring_rest", numbers_json(model.spring_rest.segment(v, joint.nv))},
           {"mass", joint.mass},
           {"com", numbers_json(joint.com)}};
 }

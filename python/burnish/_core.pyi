@@ -60,6 +60,7 @@ from .model import (
     ModelOptions,
     Posture,
     RobotOverrides,
+    Tendon,
     TreeSpec,
     Visual,
 )
@@ -77,6 +78,8 @@ class Model:
     def frames(self) -> List[Frame]: ...
     @property
     def visuals(self) -> List[Visual]: ...
+    @property
+    def tendons(self) -> List[Tendon]: ...
     @property
     def gravity(self) -> Array: ...  # (3,)
     @property
@@ -109,6 +112,10 @@ class Model:
     def friction(self) -> Array: ...  # (nv,)
     @property
     def armature(self) -> Array: ...  # (nv,)
+    @property
+    def stiffness(self) -> Array: ...  # (nv,)
+    @property
+    def spring_rest(self) -> Array: ...  # (nv,)
     def __copy__(self) -> Model: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Model: ...
 
@@ -368,6 +375,8 @@ class RigidBody:
     @property
     def passive_torque(self) -> Array: ...  # (nv,)
     @property
+    def spring_energy(self) -> float: ...
+    @property
     def com_dq(self) -> Array: ...  # (3, nv)
     @property
     def com_velocity_dq(self) -> Array: ...  # (3, nv)
@@ -386,7 +395,9 @@ class RigidBody:
     @property
     def potential_energy_dq(self) -> Array: ...  # (nv,)
     @property
-    def passive_torque_dv(self) -> Array: ...  # (nv,)
+    def passive_torque_dq(self) -> Array: ...  # (nv, nv)
+    @property
+    def passive_torque_dv(self) -> Array: ...  # (nv, nv)
 
 def check_derivatives(model: Model, options: Optional[CheckOptions] = None) -> CheckReport: ...
 def default_check_references() -> List[Reference]: ...

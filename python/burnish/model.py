@@ -31,7 +31,8 @@ from ._spec import Spec, items
 __all__ = [
     "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
     "JointKind", "JointSpec", "JointType", "LinkSpec", "MeshShape", "MimicSpec", "Model",
-    "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "TreeSpec",
+    "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "Tendon",
+    "TendonEntry", "TendonPart", "TendonSpec", "TreeSpec",
     "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
     "difference", "integrate", "load_robot", "normalized", "parse_urdf", "placement",
     "random_configuration", "read_urdf", "robot_search_path", "tangent_map",

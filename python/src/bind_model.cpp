@@ -26,6 +26,9 @@ void for_each_member(Visit&& visit) {
   visit("damping", &Model::damping);
   visit("friction", &Model::friction);
   visit("armature", &Model::armature);
+  visit("stiffness", &Model::stiffness);
+  visit("spring_rest", &Model::spring_rest);
+  visit("tendons", &Model::tendons);
   visit("joint_of_v", &Model::joint_of_v);
   visit("parent_of_v", &Model::parent_of_v);
   visit("locked_joints", &Model::locked_joints);
@@ -232,6 +235,8 @@ void bind_vectors(py::class_<Model>& model) {
   vector("damping", &Model::damping, "(nv,): viscous, Nms/rad or Ns/m.");
   vector("friction", &Model::friction, "(nv,): Coulomb, Nm or N.");
   vector("armature", &Model::armature, "(nv,): kg m^2 or kg.");
+  vector("stiffness", &Model::stiffness, "(nv,): of springs in joints, Nm/rad or N/m.");
+  vector("spring_rest", &Model::spring_rest, "(nv,): where they are at rest, rad or m.");
 }
 
 void bind_look_up(py::class_<Model>& model) {
@@ -267,6 +272,9 @@ void bind_model(py::module_& m) {
           "joints", [](const Model& self) { return self.joints; }, "Moving joints, depth-first.")
       .def_property_readonly(
           "frames", [](const Model& self) { return self.frames; }, "Named frames.")
+      .def_property_readonly(
+          "tendons", [](const Model& self) { return self.tendons; },
+          "Those with a spring or a damper on a joint that moves.")
       .def_property_readonly(
           "visuals", [](const Model& self) { return self.visuals; }, "Solids to draw.")
       .def_property_readonly(

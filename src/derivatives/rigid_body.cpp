@@ -8,6 +8,7 @@
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/passive.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
@@ -32,10 +33,8 @@ void clear(RowMatrix& matrix, int rows, int columns) {
 /// Unit quaternions and (cos, sin) pairs to 1e-6 of their length, as in the contact kernels.
 bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
   for (const TreeJoint& joint : tree.joints) {
-    const bool quaternion = joint.kind == JointKind::FreeFlyer;
-    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
-    if (!quaternion && !angle) continue;
-    const int size = quaternion ? 4 : 2;
+    const int size = unit_entries(joint.kind);
+    if (size == 0) continue;
     const int first = joint.q + joint_nq(joint.kind) - size;
     if (!(std::abs(q.segment(first, size).squaredNorm() - 1.0) < 2e-6)) return false;
   }
@@ -59,6 +58,10 @@ struct RigidBody::Impl {
         passive(robot, slip_velocity),
         frames(compile_frames(robot)),
         states(frames.size()),
+        slopes(passive.springs.places.size()),
+        passive_dq(RowMatrix::Zero(robot.nv, robot.nv)),
+        passive_dv(passive_dq),
+        q(robot.q_neutral),
         v(Eigen::VectorXd::Zero(robot.nv)),
         at_rest(Eigen::VectorXd::Zero(robot.nv)),
         gravity(Eigen::VectorXd::Zero(robot.nv)),
@@ -71,15 +74,16 @@ struct RigidBody::Impl {
     evaluate(robot.q_neutral, at_rest, at_rest);
   }
 
-  Status check(const ConstVectorRef& q, const ConstVectorRef& new_v,
+  Status check(const ConstVectorRef& new_q, const ConstVectorRef& new_v,
                const ConstVectorRef& a) const {
-    if (q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
+    if (new_q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
       return Status::WrongSize;
-    if (!q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
-    return is_normalized(tree, q) ? Status::Ok : Status::NotNormalized;
+    if (!new_q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
+    return is_normalized(tree, new_q) ? Status::Ok : Status::NotNormalized;
   }
 
-  void evaluate(const ConstVectorRef& q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+  void evaluate(const ConstVectorRef& new_q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+    q = new_q;
     v = new_v;
     update_kinematics(tree, q.data(), v.data(), kinematics);
     accelerate(tree, kinematics, a.data(), inverse_dynamics);
@@ -90,6 +94,20 @@ struct RigidBody::Impl {
     update_momentum(tree, kinematics, v.data(), momentum);
     burnish::gravity_torque(tree, kinematics, momentum, gravity.data());
     burnish::passive_torque(passive, v.data(), friction.data(), friction_dv.data());
+    add_spring_torque(passive.springs, q.data(), v.data(), friction.data());
+  }
+
+  void update_passive_derivatives() {
+    passive_dv.diagonal() = friction_dv;
+    spring_slopes(passive.springs, q.data(), slopes.data());
+    const std::vector<Springs::Place>& places = passive.springs.places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      passive_dq(places[i].row, places[i].column) = slopes[i];
+      if (places[i].row == places[i].column)
+        passive_dv(places[i].row, places[i].column) += places[i].by_v;
+      else
+        passive_dv(places[i].row, places[i].column) = places[i].by_v;
+    }
   }
 
   const FrameState<double>& state(int frame) const { return states.at(frame); }
@@ -118,7 +136,9 @@ struct RigidBody::Impl {
   PassiveJoints passive;
   std::vector<CompiledFrame> frames;
   std::vector<FrameState<double>> states;  ///< per frame
-  Eigen::VectorXd v, at_rest;
+  std::vector<double> slopes;              ///< of the springs' places
+  RowMatrix passive_dq, passive_dv;        ///< zero but at places and the diagonal
+  Eigen::VectorXd q, v, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;
   InverseDynamics<double> inverse_dynamics;
@@ -220,6 +240,7 @@ VectorView RigidBody::passive_torque() const { return {impl_->friction.data(), n
 void RigidBody::update_derivatives() {
   momentum_derivatives(impl_->tree, impl_->kinematics, impl_->momentum, impl_->v.data(),
                        impl_->derivatives);
+  impl_->update_passive_derivatives();
 }
 
 MatrixView RigidBody::com_dq() const { return impl_->view(impl_->derivatives.com_dq, 3); }
@@ -243,6 +264,10 @@ VectorView RigidBody::kinetic_energy_dv() const {
 VectorView RigidBody::potential_energy_dq() const {
   return impl_->view(impl_->derivatives.potential_dq);
 }
-VectorView RigidBody::passive_torque_dv() const { return {impl_->friction_dv.data(), nv()}; }
+double RigidBody::spring_energy() const {
+  return burnish::spring_energy(impl_->passive.springs, impl_->q.data());
+}
+MatrixView RigidBody::passive_torque_dq() const { return {impl_->passive_dq.data(), nv(), nv()}; }
+MatrixView RigidBody::passive_torque_dv() const { return {impl_->passive_dv.data(), nv(), nv()}; }
 
 }  // namespace burnish

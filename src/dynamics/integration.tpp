@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/integration.hpp"
+#include "dynamics/joint_twist.hpp"
 #include "math/exponential.hpp"
 #include "math/logarithm.hpp"
 
@@ -31,26 +32,6 @@ BURNISH_INLINE Quaternion<S> load_quaternion(const S* q) {
   return {{q[0], q[1], q[2]}, q[3]};
 }
 
-/// Rotation vector of a quaternion of any length; its length, in [0, pi], goes to theta.
-template <class S>
-BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
-  const auto flip = less(rotation.w, S(0.0));
-  const S sign = select(flip, S(-1.0), S(1.0));
-  const Vec3<S> u = rotation.vector * sign;
-  const S w = rotation.w * sign;
-  const S square = dot(u, u);
-  // 2 atan(t)/t, t = |u|/w: its series where t is small.
-  const auto small = less(square, S(S(1e-6) * w * w));
-  const S ratio2 = square / select(small, S(w * w), S(1.0));
-  const S series = S(2.0) / select(small, w, S(1.0)) *
-                   (S(1.0) - ratio2 * (S(1.0 / 3) - ratio2 * (S(1.0 / 5) - ratio2 * S(1.0 / 7))));
-  const S length = square_root(select(small, S(1.0), square));
-  const S angle = S(2.0) * arc_tangent2(length, select(small, S(1.0), w));
-  const Vec3<S> phi = u * select(small, series, S(angle / length));
-  theta = rotation_angle(phi);
-  return phi;
-}
-
 /// The unit pair (cos, sin) times (c, s), as complex numbers, in place.
 template <class S>
 BURNISH_INLINE void turn_pair(const S& c, const S& s, S* pair) {
@@ -58,14 +39,6 @@ BURNISH_INLINE void turn_pair(const S& c, const S& s, S* pair) {
   const S scale = S(1.0) / square_root(S(x * x + y * y));
   pair[0] = x * scale;
   pair[1] = y * scale;
-}
-
-/// Angle from one (cos, sin) pair to another, in [-pi, pi].
-template <class S>
-BURNISH_INLINE S angle_between(const S* from, const S* to) {
-  const S sine = from[0] * to[1] - from[1] * to[0], cosine = from[0] * to[0] + from[1] * to[1];
-  const S angle = arc_tangent2(absolute(sine), cosine);
-  return select(less(sine, S(0.0)), S(-angle), angle);
 }
 
 template <class S>
@@ -81,21 +54,32 @@ BURNISH_INLINE void integrate_planar(const S* dq, S* q) {
   turn_pair(c, s, q + 2);
 }
 
+/// Turns the unit quaternion x, y, z, w by the rotation vector w of length theta, in place.
+template <class S>
+BURNISH_INLINE void turn_quaternion(const Vec3<S>& w, const S& theta, S* q) {
+  const Quaternion<S> after = load_quaternion(q) * exp_rotation(w, theta);
+  const S scale = S(1.0) / square_root(S(dot(after.vector, after.vector) + after.w * after.w));
+  q[0] = after.vector.x * scale;
+  q[1] = after.vector.y * scale;
+  q[2] = after.vector.z * scale;
+  q[3] = after.w * scale;
+}
+
 template <class S>
 BURNISH_INLINE void integrate_free_flyer(const S* dq, S* q) {
   const Vec3<S> v{dq[0], dq[1], dq[2]}, w{dq[3], dq[4], dq[5]};
   const S theta = rotation_angle(w);
-  const Quaternion<S> before = load_quaternion(q + 3);
-  const Vec3<S> moved = turned(before, exp_position(exp_coefficients(theta), w, v));
+  const Vec3<S> moved = turned(load_quaternion(q + 3), exp_position(exp_coefficients(theta), w, v));
   q[0] += moved.x;
   q[1] += moved.y;
   q[2] += moved.z;
-  const Quaternion<S> after = before * exp_rotation(w, theta);
-  const S scale = S(1.0) / square_root(S(dot(after.vector, after.vector) + after.w * after.w));
-  q[3] = after.vector.x * scale;
-  q[4] = after.vector.y * scale;
-  q[5] = after.vector.z * scale;
-  q[6] = after.w * scale;
+  turn_quaternion(w, theta, q + 3);
+}
+
+template <class S>
+BURNISH_INLINE void integrate_ball(const S* dq, S* q) {
+  const Vec3<S> w{dq[0], dq[1], dq[2]};
+  turn_quaternion(w, rotation_angle(w), q);
 }
 
 template <class S>
@@ -125,29 +109,13 @@ BURNISH_INLINE void difference_free_flyer(const S* q0, const S* q1, S* dq) {
   dq[5] = xi.angular.z;
 }
 
-/// The twist of a block's entries, a planar one as motion in the plane of x and y.
 template <class S>
-BURNISH_INLINE Motion<S> twist_of(JointKind kind, const S* entries) {
-  if (kind == JointKind::Planar)
-    return {{entries[0], entries[1], S(0.0)}, {S(0.0), S(0.0), entries[2]}};
-  return {{entries[0], entries[1], entries[2]}, {entries[3], entries[4], entries[5]}};
-}
-
-/// Writes column k of a block's matrix.
-template <class S>
-BURNISH_INLINE void set_column(const TangentBlock& block, const Motion<S>& m, int k, S* matrix) {
-  S* const out = matrix + k;
-  const int n = block.size;
-  out[0] = m.linear.x;
-  out[n] = m.linear.y;
-  if (block.kind == JointKind::Planar) {
-    out[2 * n] = m.angular.z;
-    return;
-  }
-  out[2 * n] = m.linear.z;
-  out[3 * n] = m.angular.x;
-  out[4 * n] = m.angular.y;
-  out[5 * n] = m.angular.z;
+BURNISH_INLINE void difference_ball(const S* q0, const S* q1, S* dq) {
+  S theta;
+  const Vec3<S> w = log_quaternion(conjugate(load_quaternion(q0)) * load_quaternion(q1), theta);
+  dq[0] = w.x;
+  dq[1] = w.y;
+  dq[2] = w.z;
 }
 
 /// Calls visit(k, twist of entry k alone at unit rate).
@@ -156,7 +124,7 @@ BURNISH_INLINE void for_each_entry(const TangentBlock& block, const auto& visit)
   for (int k = 0; k < block.size; ++k) {
     S unit[6] = {S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
     unit[k] = S(1.0);
-    visit(k, twist_of(block.kind, unit));
+    visit(k, load_twist(block.kind, unit));
   }
 }
 
@@ -188,6 +156,9 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out) 
       case JointKind::FreeFlyer:
         integrate_free_flyer(step, x);
         break;
+      case JointKind::Ball:
+        integrate_ball(step, x);
+        break;
     }
   }
 }
@@ -214,6 +185,9 @@ void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq)
       case JointKind::FreeFlyer:
         difference_free_flyer(from, to, x);
         break;
+      case JointKind::Ball:
+        difference_ball(from, to, x);
+        break;
     }
   }
 }
@@ -221,26 +195,27 @@ void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq)
 template <class S>
 void integrate_jacobians(const TangentBlock& block, const S* dq, S* by_q, S* by_dq) {
   using namespace integration_detail;
-  const Motion<S> xi = twist_of(block.kind, dq);
+  const Motion<S> xi = load_twist(block.kind, dq);
   const S theta = rotation_angle(xi.angular);
   const ExpCoefficients<S> c = exp_coefficients(theta);
   const Quaternion<S> back = conjugate(exp_rotation(xi.angular, theta));
   const Vec3<S> p = exp_position(c, xi.angular, xi.linear);
   for_each_entry<S>(block, [&](int k, const Motion<S>& m) {
     const Motion<S> there = at_point(m, p);
-    set_column(block, Motion<S>{turned(back, there.linear), turned(back, there.angular)}, k, by_q);
-    set_column(block, d_exp_placement(c, xi, m), k, by_dq);
+    store_twist(block.kind, Motion<S>{turned(back, there.linear), turned(back, there.angular)},
+                by_q + k, block.size);
+    store_twist(block.kind, d_exp_placement(c, xi, m), by_dq + k, block.size);
   });
 }
 
 template <class S>
 void difference_jacobians(const TangentBlock& block, const S* dq, S* by_q0, S* by_q1) {
   using namespace integration_detail;
-  const Motion<S> xi = twist_of(block.kind, dq);
+  const Motion<S> xi = load_twist(block.kind, dq);
   const LogCoefficients<S> c = log_coefficients(rotation_angle(xi.angular));
   for_each_entry<S>(block, [&](int k, const Motion<S>& m) {
-    set_column(block, -d_log_placement(c, -xi, m), k, by_q0);
-    set_column(block, d_log_placement(c, xi, m), k, by_q1);
+    store_twist(block.kind, -d_log_placement(c, -xi, m), by_q0 + k, block.size);
+    store_twist(block.kind, d_log_placement(c, xi, m), by_q1 + k, block.size);
   });
 }
 

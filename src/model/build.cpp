@@ -8,6 +8,7 @@
 #include "model/lock.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
+#include "model/tendons.hpp"
 #include "model/tree_check.hpp"
 #include "model/tree_sentence.hpp"
 
@@ -42,9 +43,10 @@ JointKind kind_of(JointType type) {
       return JointKind::Prismatic;
     case JointType::Planar:
       return JointKind::Planar;
+    case JointType::Ball:
+      return JointKind::Ball;
     case JointType::Fixed:
     case JointType::Floating:
-    case JointType::Ball:
       break;
   }
   return JointKind::FreeFlyer;
@@ -146,7 +148,8 @@ void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<P
   Eigen::Isometry3d link_in_body = pending.parent_in_body * spec.placement;
   if (spec.type != JointType::Fixed) {
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();  // body frame in the child link's frame
-    if (spec.type != JointType::Floating) turn.linear() = rotation_from_z(spec.axis.normalized());
+    if (spec.type != JointType::Floating && spec.type != JointType::Ball)
+      turn.linear() = rotation_from_z(spec.axis.normalized());
     Joint joint;
     joint.name = spec.name;
     joint.kind = kind_of(spec.type);
@@ -164,6 +167,7 @@ void fill_limits(const Walk& walk, Model& model) {
   model.q_upper = Eigen::VectorXd::Constant(model.nq, infinity);
   model.velocity_limit = model.effort_limit = Eigen::VectorXd::Constant(model.nv, infinity);
   model.damping = model.friction = model.armature = Eigen::VectorXd::Zero(model.nv);
+  model.stiffness = model.spring_rest = model.damping;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     const JointSpec* spec = walk.spec_of_joint[i];
@@ -177,6 +181,9 @@ void fill_limits(const Walk& walk, Model& model) {
     model.damping.segment(joint.v_index, joint.nv).setConstant(spec->damping);
     model.friction.segment(joint.v_index, joint.nv).setConstant(spec->friction);
     model.armature.segment(joint.v_index, joint.nv).setConstant(spec->armature);
+    if (!has_spring(*spec)) continue;
+    model.stiffness.segment(joint.v_index, joint.nv).setConstant(spec->stiffness);
+    if (joint.nv == 1) model.spring_rest[joint.v_index] = spec->rest;
   }
 }
 
@@ -188,6 +195,7 @@ void fill_neutral(const Walk& walk, Model& model) {
     auto q = model.q_neutral.segment(joint.q_index, joint.nq);
     if (joint.kind == JointKind::Continuous) q[0] = 1.0;
     if (joint.kind == JointKind::Planar) q[2] = 1.0;
+    if (joint.kind == JointKind::Ball) q[3] = 1.0;
     if (joint.kind != JointKind::FreeFlyer) continue;
     q[6] = 1.0;
     if (walk.spec_of_joint[i] != nullptr) continue;
@@ -293,6 +301,8 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   couple_followers(walk.spec_of_joint, model);
   fill_limits(walk, model);
   take_over_limits(walk.spec_of_joint, origin_of(tree), model);
+  take_over_springs(walk.spec_of_joint, origin_of(tree), model);
+  model.tendons = compile_tendons(locked.tree, model);
   fill_neutral(walk, model);
   fill_support(model);
   check_inertia_along_joints(model, findings);

@@ -10,7 +10,8 @@ const Words& words_of(JointKind /*of*/) {
                           {"continuous", "q = (cos, sin), v = rate"},
                           {"prismatic", "q = displacement, v = rate"},
                           {"planar", "q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes"},
-                          {"free_flyer", "q = (p, quaternion x y z w), v = (v, w) in body axes"}}};
+                          {"free_flyer", "q = (p, quaternion x y z w), v = (v, w) in body axes"},
+                          {"ball", "q = quaternion x y z w, v = w in body axes"}}};
   return all;
 }
 
@@ -19,7 +20,7 @@ const Words& words_of(JointType /*of*/) {
       "model",
       "JointType",
       "Joints as a description has them.",
-      {{"fixed"}, {"revolute"}, {"continuous"}, {"prismatic"}, {"planar"}, {"floating"}}};
+      {{"fixed"}, {"revolute"}, {"continuous"}, {"prismatic"}, {"planar"}, {"floating"}, {"ball"}}};
   return all;
 }
 
@@ -137,8 +138,38 @@ const Description& description_of(const JointSpec* /*of*/) {
           .field("damping", &J::damping, "{Nms/rad} or Ns/m")
           .field("friction", &J::friction, "{Nm} or N, Coulomb")
           .field("armature", &J::armature, "{kg m^2} or kg")
+          .field("stiffness", &J::stiffness, "{Nm/rad} or N/m, of a spring in the joint")
+          .field("rest", &J::rest,
+                 "{rad} or m, where that spring is at rest; a ball's is at no rotation")
           .field("mimic", &J::mimic)
           .field("line", &J::line, "of the file, for sentences about it; 0: none");
+  return all;
+}
+
+const Description& description_of(const TendonSpec::Part* /*of*/) {
+  using P = TendonSpec::Part;
+  static const Description all =
+      Describe<P>("model", "TendonPart", "A joint that a tendon goes along.")
+          .field("joint", &P::joint)
+          .required()
+          .field("coefficient", &P::coefficient, "{m/rad} or 1");
+  return all;
+}
+
+const Description& description_of(const TendonSpec* /*of*/) {
+  using T = TendonSpec;
+  static const Description all =
+      Describe<T>("model", "TendonSpec",
+                  "A fixed tendon: joints coupled by its length, the sum of coefficient times "
+                  "position over them.")
+          .field("name", &T::name)
+          .required()
+          .field("parts", &T::parts)
+          .field("held", &T::held, "the length stays at `rest`")
+          .field("rest", &T::rest, "{m}, where it is held or its spring is at rest")
+          .field("stiffness", &T::stiffness, "{N/m}")
+          .field("damping", &T::damping, "{Ns/m}")
+          .field("line", &T::line, "of the file, for sentences about it; 0: none");
   return all;
 }
 
@@ -153,6 +184,7 @@ const Description& description_of(const TreeSpec* /*of*/) {
                  "file it was read from, used in error sentences; may be empty")
           .field("links", &T::links)
           .field("joints", &T::joints)
+          .field("tendons", &T::tendons)
           .field("warnings", &T::warnings,
                  "What was odd about the file but stopped nothing, one sentence each; a Model gets "
                  "them too.");
@@ -224,6 +256,33 @@ const Description& description_of(const Joint* /*of*/) {
           .field("com", &J::com, "of the body, in the joint frame, m")
           .field("inertia_at_com", &J::inertia_at_com, "of the body, about com, joint axes, kg m^2")
           .field("follows", &J::follows);
+  return all;
+}
+
+const Description& description_of(const Tendon::Entry* /*of*/) {
+  using E = Tendon::Entry;
+  static const Description all =
+      Describe<E>("model", "TendonEntry", "A joint that a tendon of a Model goes along.")
+          .result()
+          .field("q", &E::q, "the joint's entry of q, if its kind has one alone")
+          .field("v", &E::v, "the joint's entry of v")
+          .field("coefficient", &E::coefficient, "{m/rad} or 1");
+  return all;
+}
+
+const Description& description_of(const Tendon* /*of*/) {
+  using T = Tendon;
+  static const Description all =
+      Describe<T>("model", "Tendon",
+                  "Joints of a Model coupled by the length of a tendon, which has a spring, a "
+                  "damper or both. What locked joints add is taken off `rest`, and what followers "
+                  "add stands at their leaders.")
+          .result()
+          .field("name", &T::name)
+          .field("parts", &T::parts, "ascending in v")
+          .field("rest", &T::rest, "{m}")
+          .field("stiffness", &T::stiffness, "{N/m}")
+          .field("damping", &T::damping, "{Ns/m}");
   return all;
 }
 

@@ -18,11 +18,15 @@ const Description& description_of(const VisualSpec*);
 const Description& description_of(const LinkSpec*);
 const Description& description_of(const MimicSpec*);
 const Description& description_of(const JointSpec*);
+const Description& description_of(const TendonSpec::Part*);
+const Description& description_of(const TendonSpec*);
 const Description& description_of(const TreeSpec*);
 const Description& description_of(const FrameSpec*);
 const Description& description_of(const ModelOptions*);
 const Description& description_of(const Following*);
 const Description& description_of(const Joint*);
+const Description& description_of(const Tendon::Entry*);
+const Description& description_of(const Tendon*);
 const Description& description_of(const Frame*);
 const Description& description_of(const Visual*);
 

@@ -4,6 +4,7 @@
 
 #include "model/mimic.hpp"
 #include "model/posture.hpp"
+#include "model/tendons.hpp"
 #include "model/tree_sentence.hpp"
 
 namespace burnish {
@@ -94,13 +95,14 @@ std::vector<double> locked_value(const Locking& locking, const JointSpec& joint,
   const auto stated = locking.options.posture.find(joint.name);
   if (stated != locking.options.posture.end()) return stated->second;
   std::vector<double> zero(posture_size(joint.type), 0.0);
-  if (joint.type == JointType::Floating) zero.back() = 1.0;
+  if (joint.type == JointType::Floating || joint.type == JointType::Ball) zero.back() = 1.0;
   return zero;
 }
 
 }  // namespace
 
-LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options) {
+LockedTree lock_joints(const TreeSpec& stated_tree, const ModelOptions& options) {
+  const TreeSpec tree = with_held_tendons(stated_tree, options);
   Locking locking{tree, options, {}, {}};
   for (const JointSpec& joint : tree.joints) locking.joint_by_name.emplace(joint.name, &joint);
   choose_locked(locking);
@@ -124,6 +126,7 @@ LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options) {
     joint.type = JointType::Fixed;
     result.locked.push_back(joint.name);
   }
+  result.tree.tendons = reduced_tendons(tree, locking.joint_by_name, courses);
   return result;
 }
 

@@ -141,8 +141,7 @@ Balance balance_of(const Problem& problem, std::size_t index, const Eigen::Vecto
     return {Eigen::MatrixXd(0, l.nu), Eigen::VectorXd(0)};  // nothing can be said there
   Eigen::MatrixXd N = Eigen::MatrixXd::Identity(l.nv, l.nv);
   if (dynamics.rows() > 0) N = null_space(dynamics.jacobian());
-  Eigen::VectorXd b = dynamics.bias();
-  for (int k = 0; k < l.nv; ++k) b[k] -= impl.compiled.torque_bias[static_cast<std::size_t>(k)];
+  const Eigen::VectorXd b = dynamics.bias() - ocp::torque_at_rest(impl.compiled, q);
   Balance balance{Eigen::MatrixXd(N.cols(), l.nu), N.transpose() * b};
   for (int i = 0; i < l.nu; ++i)
     balance.M.col(i) = N.row(l.actuated[static_cast<std::size_t>(i)]).transpose();
@@ -256,6 +255,13 @@ void about_surfaces(const Problem& problem, std::vector<std::string>& sentences)
   }
 }
 
+void about_springs(const Problem& problem, std::vector<std::string>& sentences) {
+  if (ProblemInside::of(problem).compiled.passive || Springs(problem.model()).empty()) return;
+  sentences.push_back(
+      "the robot has springs or tendons, which do not act here; wanted passive_torques of the "
+      "actuation");
+}
+
 /// False where joints move no mass, which leaves nothing to say of contacts.
 bool about_mass(const Problem& problem, std::vector<std::string>& sentences) {
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
@@ -273,6 +279,7 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_targets(problem, sentences);
   about_initial_state(problem, sentences);
   about_bounds(problem, sentences);
+  about_springs(problem, sentences);
   about_surfaces(problem, sentences);
   if (about_mass(problem, sentences)) about_contacts(problem, sentences);
   return sentences;

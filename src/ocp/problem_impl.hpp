@@ -22,6 +22,9 @@ struct Worker {
   std::vector<double> next;
 };
 
+/// What acts beside the actuators at rest: the torque bias, and springs where they act; nv, Nm (N).
+Eigen::VectorXd torque_at_rest(const CompiledProblem& problem, const ConstVectorRef& q);
+
 }  // namespace burnish::ocp
 
 namespace burnish {

@@ -5,6 +5,15 @@
 
 namespace burnish {
 
+Eigen::VectorXd ocp::torque_at_rest(const CompiledProblem& problem, const ConstVectorRef& q) {
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(problem.model.nv);
+  Eigen::VectorXd torque =
+      Eigen::Map<const Eigen::VectorXd>(problem.torque_bias.data(), problem.model.nv);
+  if (problem.passive)
+    add_spring_torque(problem.passive->springs, q.data(), rest.data(), torque.data());
+  return torque;
+}
+
 Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
                                            const Eigen::VectorXd& force) const {
   const ocp::CompiledProblem& compiled = impl_->compiled;
@@ -24,12 +33,11 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   if (force.size() != 0 && force.size() != rows)
     throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +
                 std::to_string(rows));
-  // S^T u + J^T lambda = b(q, 0) - bias.
+  // S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
   const int unknown = l.nu + (force.size() == 0 ? rows : 0);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknown);
   for (int i = 0; i < l.nu; ++i) A(l.actuated[static_cast<std::size_t>(i)], i) = 1.0;
-  Eigen::VectorXd b = dynamics.bias();
-  for (int k = 0; k < l.nv; ++k) b[k] -= compiled.torque_bias[static_cast<std::size_t>(k)];
+  Eigen::VectorXd b = dynamics.bias() - ocp::torque_at_rest(compiled, x.head(l.nq));
   if (force.size() == 0) {
     A.rightCols(rows) = dynamics.jacobian().transpose();
   } else {

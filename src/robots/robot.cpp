@@ -199,9 +199,9 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
   return options;
 }
 
-void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
-                const std::string& origin) {
-  const std::string key = "limits: joint " + in_quotes(name);
+/// The moving joint that a key of the settings is about.
+JointSpec& moving_joint(TreeSpec& tree, const std::string& name, const std::string& key,
+                        const std::string& origin) {
   const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
                                   [&](const JointSpec& spec) { return spec.name == name; });
   if (joint == tree.joints.end()) {
@@ -210,14 +210,33 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
     refuse(origin, key + " does not exist" + did_you_mean(name, known));
   }
   if (joint->type == JointType::Fixed) refuse(origin, key + " is fixed and has none");
-  const bool has_range = joint->type == JointType::Revolute || joint->type == JointType::Prismatic;
+  return *joint;
+}
+
+void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
+                const std::string& origin) {
+  const std::string key = "limits: joint " + in_quotes(name);
+  JointSpec& joint = moving_joint(tree, name, key, origin);
+  const bool has_range = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
   if ((limits.lower || limits.upper) && !has_range) {
     refuse(origin, key + " has no 'lower' and 'upper'; only revolute and prismatic joints have");
   }
-  joint->lower = limits.lower.value_or(joint->lower);
-  joint->upper = limits.upper.value_or(joint->upper);
-  joint->velocity_limit = limits.velocity.value_or(joint->velocity_limit);
-  joint->effort_limit = limits.effort.value_or(joint->effort_limit);
+  joint.lower = limits.lower.value_or(joint.lower);
+  joint.upper = limits.upper.value_or(joint.upper);
+  joint.velocity_limit = limits.velocity.value_or(joint.velocity_limit);
+  joint.effort_limit = limits.effort.value_or(joint.effort_limit);
+}
+
+void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& figures,
+                 const std::string& origin) {
+  JointSpec& joint = moving_joint(tree, name, "joints: joint " + in_quotes(name), origin);
+  joint.armature = figures.armature.value_or(joint.armature);
+  joint.damping = figures.damping.value_or(joint.damping);
+  joint.friction = figures.friction.value_or(joint.friction);
+  joint.stiffness = figures.stiffness.value_or(joint.stiffness);
+  joint.rest = figures.rest.value_or(joint.rest);
+  const double ratio = figures.gear_ratio.value_or(1.0);
+  joint.armature += ratio * ratio * figures.rotor_inertia.value_or(0.0);
 }
 
 /// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
@@ -329,6 +348,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
                  const SrdfFile& srdf) {
   TreeSpec tree = read(*settings.urdf);
   for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
+  for (const auto& [joint, figures] : settings.joints) set_figures(tree, joint, figures, origin);
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);

@@ -50,11 +50,34 @@ JointLimits read_limits(const Reader& reader) {
   return limits;
 }
 
+JointFigures read_figures(const Reader& reader) {
+  reader.allow_only(
+      {"armature", "damping", "friction", "stiffness", "rest", "rotor_inertia", "gear_ratio"});
+  JointFigures figures;
+  for (const auto& [key, figure] : {std::pair("armature", &figures.armature),
+                                    {"damping", &figures.damping},
+                                    {"friction", &figures.friction},
+                                    {"stiffness", &figures.stiffness},
+                                    {"rest", &figures.rest},
+                                    {"rotor_inertia", &figures.rotor_inertia},
+                                    {"gear_ratio", &figures.gear_ratio}}) {
+    const auto value = reader.find(key);
+    if (!value) continue;
+    *figure = value->number();
+    const bool any_sign = figure == &figures.rest || figure == &figures.gear_ratio;
+    if (!any_sign && **figure < 0.0) value->refuse("wanted zero or a positive number");
+  }
+  if (figures.gear_ratio && !figures.rotor_inertia)
+    reader.refuse("key 'gear_ratio' stands without 'rotor_inertia'; state both, or the armature");
+  return figures;
+}
+
 /// The keys of a file or of a variant; `also`: one that only the file has.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
-      "urdf", "srdf",    "description",     "base",     "base_placement", "lock",
-      "free", "posture", "default_posture", "postures", "frames",         "limits"};
+      "urdf",  "srdf",    "description",     "base",     "base_placement", "lock",
+      "free",  "posture", "default_posture", "postures", "frames",         "limits",
+      "joints"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
@@ -83,6 +106,9 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
       settings.frames.push_back(read_frame(name, frame));
   if (const auto limits = reader.find("limits"))
     for (const auto& [joint, limit] : limits->items()) settings.limits[joint] = read_limits(limit);
+  if (const auto joints = reader.find("joints"))
+    for (const auto& [joint, figures] : joints->items())
+      settings.joints[joint] = read_figures(figures);
   return settings;
 }
 
@@ -118,6 +144,7 @@ RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
   }
   for (const auto& [name, posture] : variant.postures) common.postures[name] = posture;
   for (const auto& [joint, limits] : variant.limits) common.limits[joint] = limits;
+  for (const auto& [joint, figures] : variant.joints) common.joints[joint] = figures;
   for (const FrameSpec& frame : variant.frames) {
     const auto same = std::find_if(common.frames.begin(), common.frames.end(),
                                    [&](const FrameSpec& f) { return f.name == frame.name; });

@@ -17,6 +17,13 @@ struct JointLimits {
   std::optional<double> lower, upper, velocity, effort;
 };
 
+/// What the drive and the spring of a joint are, before what the description states of them. A
+/// rotor's inertia (kg m^2, about its own axis) adds gear_ratio^2 times itself to the armature; the
+/// ratio is turns of the rotor per turn of the joint, or rad per m of one that slides.
+struct JointFigures {
+  std::optional<double> armature, damping, friction, stiffness, rest, rotor_inertia, gear_ratio;
+};
+
 /// What a settings file, or one variant in it, states. Keys that are absent are empty.
 struct RobotSettings {
   std::optional<std::string> urdf;  ///< as written, relative to the settings file
@@ -29,6 +36,7 @@ struct RobotSettings {
   std::map<std::string, Posture> postures;
   std::vector<FrameSpec> frames;  ///< in the order of the file
   std::map<std::string, JointLimits> limits;
+  std::map<std::string, JointFigures> joints;
 };
 
 struct RobotSettingsFile {

@@ -123,6 +123,8 @@ void read_dynamics(const XMLElement& element, const XmlPlace& place, JointSpec& 
   read_number(*dynamics, "damping", place, false, joint.damping, findings);
   read_number(*dynamics, "friction", place, false, joint.friction, findings);
   read_number(*dynamics, "armature", place, false, joint.armature, findings);
+  read_number(*dynamics, "stiffness", place, false, joint.stiffness, findings);
+  read_number(*dynamics, "rest", place, false, joint.rest, findings);
 }
 
 void read_mimic(const XMLElement& element, const XmlPlace& place, JointSpec& joint,

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "burnish/derivatives/rigid_body.hpp"
 #include "support/contact_states.hpp"
 #include "support/mujoco_model.hpp"
 #include "support/trees.hpp"
@@ -107,6 +108,8 @@ INSTANTIATE_TEST_SUITE_P(robots, Mujoco,
                                            Case{"arm7", {"tool"}}, Case{"arm7:floating", {"tool"}},
                                            Case{"crane", {"left_tip", "right_tip"}},
                                            Case{"crane:floating", {"left_tip", "right_tip"}},
+                                           Case{"in_a_row", {"tip", "side", "end"}},
+                                           Case{"in_a_row:floating", {"tip", "side"}},
                                            Case{"followers", {"tip", "z_5", "z_6", "wheel_2"}},
                                            Case{"followers:floating", {"tip", "z_7", "c"}}),
                          [](const auto& test) {
@@ -140,6 +143,43 @@ TEST(MujocoTrees, agrees_on_trees_with_followers_of_every_kind) {
         worst);
   }
   worst.expect_below(1e-10);
+}
+
+TEST(MujocoSprings, agree_on_springs_of_joints_and_tendons) {
+  const mujoco::ModelPointer theirs = mujoco::compile(
+      "<mujoco><compiler angle=\"radian\"/><worldbody><body><joint name=\"a\" type=\"hinge\""
+      " axis=\"0 0 1\" stiffness=\"6\" springref=\"0.4\"/><geom size=\"0.1\" mass=\"1\"/>"
+      "<body><joint name=\"b\" type=\"slide\" axis=\"0 0 1\" stiffness=\"9\" springref=\"-0.2\"/>"
+      "<geom size=\"0.1\" mass=\"1\"/><body><joint name=\"c\" type=\"ball\" stiffness=\"5\"/>"
+      "<geom size=\"0.1\" mass=\"1\"/></body></body></body></worldbody><tendon>"
+      "<fixed springlength=\"0.3\" stiffness=\"7\" damping=\"1.5\"><joint joint=\"a\" "
+      "coef=\"0.8\"/>"
+      "<joint joint=\"b\" coef=\"-1.2\"/></fixed></tendon></mujoco>");
+  TreeSpec tree;
+  for (const char* name : {"root", "a", "b", "c"}) tree.links.push_back(testing::link(name));
+  tree.joints = {testing::joint("a", JointType::Revolute, "root", "a"),
+                 testing::joint("b", JointType::Prismatic, "a", "b"),
+                 testing::joint("c", JointType::Ball, "b", "c")};
+  tree.joints[0].stiffness = 6.0, tree.joints[0].rest = 0.4;
+  tree.joints[1].stiffness = 9.0, tree.joints[1].rest = -0.2;
+  tree.joints[2].stiffness = 5.0;
+  tree.tendons.push_back({"t", {{"a", 0.8}, {"b", -1.2}}, false, 0.3, 7.0, 1.5});
+  const Model model = build_model(tree);
+  RigidBody ours(model);
+  const std::unique_ptr<mjData, void (*)(mjData*)> data(mj_makeData(theirs.get()), mj_deleteData);
+  mujoco::Coordinates coordinates(model, *theirs);
+  std::mt19937_64 generator(9);
+  Worst worst;
+  for (int i = 0; i < states_tried; ++i) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    const Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
+    coordinates.store(q, v, *data);
+    mj_forward(theirs.get(), data.get());
+    ASSERT_EQ(ours.update(q, v), Status::Ok);
+    worst.note("torque", ours.passive_torque(),
+               Eigen::Map<const Eigen::VectorXd>(data->qfrc_passive, model.nv));
+  }
+  worst.expect_below(1e-12);
 }
 
 enum class Velocity { Zero, Tied, Any };

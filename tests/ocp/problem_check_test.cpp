@@ -163,6 +163,16 @@ TEST(Complaints, AreNoneOfASensibleProblem) {
   EXPECT_EQ(complaints(Problem(calm_spec(model))), std::vector<std::string>{});
 }
 
+TEST(Complaints, OfSpringsThatDoNotAct) {
+  Model model = arm.robot.model();
+  model.stiffness[1] = 5.0;
+  ProblemSpec spec = calm_spec(model);
+  spec.actuation.passive_torques = false;
+  testing::expect_words(only_complaint(spec), {"springs", "passive_torques"});
+  spec.actuation.passive_torques = true;
+  EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+}
+
 TEST(Complaints, OfTargetsBeyondReach) {
   const Model model = arm.robot.model();
   ProblemSpec spec = calm_spec(model);

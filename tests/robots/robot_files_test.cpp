@@ -168,6 +168,31 @@ TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   expect_words(sentence("{hinge: {lower: low}}"), {"limits.hinge.lower", "'low'", "number"});
 }
 
+TEST_F(RobotFiles, SettingsStateSpringsFrictionAndRotorsBehindGears) {
+  write("arm.urdf", two_joints());
+  write("robot.yaml",
+        "urdf: arm.urdf\n"
+        "joints: {hinge: {armature: 0.5, stiffness: 7, rest: 0.1}, wheel: {friction: 0.2}}\n"
+        "variants: {geared: {joints: {hinge: {armature: 0.5, rotor_inertia: 2e-5, gear_ratio: -100,"
+        " damping: 3}}}}");
+  const Model model = load_robot(folder_.string()).model;
+  EXPECT_EQ(model.armature[0], 0.5);
+  EXPECT_EQ(model.stiffness, Eigen::Vector2d(7.0, 0.0));
+  EXPECT_EQ(model.spring_rest[0], 0.1);
+  EXPECT_EQ(model.friction[1], 0.2);
+  const Model geared = load_robot(folder_.string() + ":geared").model;
+  EXPECT_NEAR(geared.armature[0], 0.7, 1e-12);
+  EXPECT_EQ(geared.damping[0], 3.0);
+  const auto sentence = [&](const std::string& joints) {
+    write("robot.yaml", "urdf: arm.urdf\njoints: " + joints);
+    return refusal([&] { load_robot(folder_.string()); });
+  };
+  expect_words(sentence("{hinje: {rest: 1}}"), {"robot.yaml", "'hinje'", "'hinge'?"});
+  expect_words(sentence("{hinge: {stifness: 1}}"), {"'stifness'", "'stiffness'?"});
+  expect_words(sentence("{hinge: {stiffness: -1}}"), {"joints.hinge.stiffness", "positive"});
+  expect_words(sentence("{hinge: {gear_ratio: 50}}"), {"'gear_ratio'", "'rotor_inertia'"});
+}
+
 TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
   const std::string xml =
       "<robot name='two arms'><link name='base'/>" + body("left") + body("hand") + body("right") +

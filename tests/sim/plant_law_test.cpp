@@ -250,6 +250,41 @@ TEST_P(PlantLaw, holds_joints_by_coulomb_friction_and_slows_them_by_viscous) {
   EXPECT_LE((plant->friction_torque() + 3.0 * plant->v()).norm(), 0.05 * 3.0 * plant->v().norm());
 }
 
+TEST_P(PlantLaw, is_pulled_by_springs_and_slowed_by_tendons) {
+  Model sprung = model;
+  sprung.stiffness.setConstant(80.0);
+  sprung.spring_rest.setConstant(0.3);
+  const auto part = [&](int k, double coefficient) {
+    return Tendon::Entry{sprung.joints[static_cast<std::size_t>(sprung.joint_of_v[k])].q_index, k,
+                         coefficient};
+  };
+  sprung.tendons = {{"tendon", {part(0, 1.0), part(2, -2.0)}, 0.1, 50.0, 3.0}};
+  RigidBody sprung_body(sprung);
+  ContactDynamics dynamics(sprung);
+  std::mt19937_64 generator(3);
+  const Eigen::VectorXd v = random_vector(model.nv, 0.5, generator);
+  const Eigen::VectorXd tau = random_vector(model.nv, 20.0, generator);
+  const auto plant = started(sprung, scene({0.0, 0.0, 1.0}, 0.5));
+  ASSERT_EQ(plant->reset(q, v), Status::Ok);
+  ASSERT_EQ(sprung_body.update(q, v), Status::Ok);
+  // Besides, the model has the arm's own damping and friction, which sharpen with the slip.
+  Model unsprung = sprung;
+  unsprung.stiffness.setZero();
+  unsprung.tendons.clear();
+  const auto loose = started(unsprung, scene({0.0, 0.0, 1.0}, 0.5));
+  ASSERT_EQ(loose->reset(q, v), Status::Ok);
+  RigidBody loose_body(unsprung);
+  ASSERT_EQ(loose_body.update(q, v), Status::Ok);
+  const Eigen::VectorXd pull = sprung_body.passive_torque() - loose_body.passive_torque();
+  EXPECT_GT(pull.norm(), 50.0);
+  ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  ASSERT_EQ(loose->step(tau + pull, Eigen::Vector3d::Zero()), Status::Ok);
+  const double moved = (loose->v() - v).norm();
+  EXPECT_LE((plant->v() - loose->v()).norm(), 0.02 * moved);
+  EXPECT_LE((plant->friction_torque() - loose->friction_torque() - pull).norm(),
+            0.02 * pull.norm());
+}
+
 TEST_P(PlantLaw, goes_back_to_a_snapshot_bit_by_bit) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 1e-4, 0.3);
   const auto drive = [&](int steps) {

@@ -8,6 +8,7 @@
 #include "derivatives/momentum.tpp"
 #include "dynamics/frame_kinematics.tpp"
 #include "dynamics/integration.tpp"
+#include "dynamics/springs.tpp"
 #include "ocp/residual_force.tpp"
 #include "ocp/residual_frame.tpp"
 #include "ocp/residual_momentum.tpp"
@@ -96,8 +97,8 @@ class Stepper {
       for (const TangentBlock& block : problem_.blocks) {
         using namespace ocp::runge_kutta_detail;
         Dual* const entries = rate.data() + block.first;
-        const Motion<Dual> theta = load_twist(block, dx.data() + block.first, 1);
-        store_twist(block, offset_rate(theta, load_twist(block, entries, 1)), entries, 1);
+        const Motion<Dual> theta = load_twist(block.kind, dx.data() + block.first, 1);
+        store_twist(block.kind, offset_rate(theta, load_twist(block.kind, entries, 1)), entries, 1);
       }
       for (std::size_t k = 0; k < size; ++k)
         sum[k] += Dual(stage_.step / 6.0 * weight[i] * rate[k]);

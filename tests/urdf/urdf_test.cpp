@@ -48,7 +48,7 @@ const char* const full = R"(<?xml version="1.0"?>
     <origin xyz="1 2 3" rpy="0.1 0.2 0.3"/>
     <axis xyz="0 3 4"/>
     <limit lower="-1" upper="2" velocity="3" effort="4"/>
-    <dynamics damping="0.5" friction="0.25" armature="0.125"/>
+    <dynamics damping="0.5" friction="0.25" armature="0.125" stiffness="3.5" rest="-0.5"/>
     <safety_controller k_velocity="0"/>
   </joint>
   <transmission name="t"><joint name="hinge"/></transmission>
@@ -98,6 +98,8 @@ TEST(Urdf, ReadsJoints) {
   EXPECT_EQ(joint.damping, 0.5);
   EXPECT_EQ(joint.friction, 0.25);
   EXPECT_EQ(joint.armature, 0.125);
+  EXPECT_EQ(joint.stiffness, 3.5);
+  EXPECT_EQ(joint.rest, -0.5);
   EXPECT_FALSE(joint.mimic.has_value());
 }
 

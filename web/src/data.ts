@@ -14,7 +14,13 @@ interface PackedU32 {
   u32: string;
 }
 
-export type JointKind = 'revolute' | 'continuous' | 'prismatic' | 'planar' | 'free_flyer';
+export type JointKind =
+  | 'revolute'
+  | 'continuous'
+  | 'prismatic'
+  | 'planar'
+  | 'free_flyer'
+  | 'ball';
 
 export interface Joint {
   name: string;

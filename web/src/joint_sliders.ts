@@ -88,6 +88,8 @@ export function slidersOf(body: Body, q: number[], changed: () => void): Slider[
         ...['x', 'y', 'z'].map((name, k) => one(k, `${joint.name}, ${name}`, 'm', -2, 2)),
         ...eulerSliders(joint.name, q, o + 3, changed),
       ];
+    case 'ball':
+      return eulerSliders(joint.name, q, o, changed);
   }
 }
 

@@ -59,6 +59,10 @@ export function jointPlacement(robot: Robot, body: Body, q: ArrayLike<number>): 
       const norm = Math.hypot(at(3), at(4), at(5), at(6)) || 1;
       return [at(0), at(1), at(2), at(3) / norm, at(4) / norm, at(5) / norm, at(6) / norm];
     }
+    case 'ball': {
+      const norm = Math.hypot(at(0), at(1), at(2), at(3)) || 1;
+      return [0, 0, 0, at(0) / norm, at(1) / norm, at(2) / norm, at(3) / norm];
+    }
   }
 }
 
@@ -85,8 +89,8 @@ export function interpolate(robot: Robot, a: ArrayLike<number>, b: ArrayLike<num
   const q = new Float64Array(robot.nq);
   for (let i = 0; i < robot.nq; ++i) q[i] = a[i]! + s * (b[i]! - a[i]!);
   for (const { joint } of robot.bodies) {
-    if (joint.kind !== 'free_flyer') continue;
-    const o = joint.q_index + 3;
+    if (joint.kind !== 'free_flyer' && joint.kind !== 'ball') continue;
+    const o = joint.q_index + joint.nq - 4;
     let dot = 0;
     for (let i = o; i < o + 4; ++i) dot += a[i]! * b[i]!;
     if (dot < 0) for (let i = o; i < o + 4; ++i) q[i] = (1 - s) * a[i]! - s * b[i]!;

@@ -22,7 +22,7 @@ const near = (a, b, tolerance = 1e-12) => {
 const half = Math.SQRT1_2;
 
 function body(parent, kind, q_index, placement) {
-  const nq = { revolute: 1, prismatic: 1, continuous: 2, planar: 4, free_flyer: 7 }[kind];
+  const nq = { revolute: 1, prismatic: 1, continuous: 2, planar: 4, free_flyer: 7, ball: 4 }[kind];
   return { parent, placement, joint: { name: `${kind}_${q_index}`, kind, q_index, nq } };
 }
 

@@ -229,6 +229,13 @@ std::string model_text(const Model& model) {
   for (const auto* values : {&model.q_lower, &model.q_upper, &model.velocity_limit,
                              &model.effort_limit, &model.damping, &model.friction, &model.armature})
     text += numbers_text(*values);
+  if (!model.stiffness.isZero(0.0))
+    text += numbers_text(model.stiffness) + numbers_text(model.spring_rest);
+  for (const Tendon& tendon : model.tendons) {
+    text += numbers_text(Eigen::Vector3d(tendon.rest, tendon.stiffness, tendon.damping));
+    for (const Tendon::Entry& part : tendon.parts)
+      text += std::to_string(part.v) + numbers_text(Eigen::VectorXd::Constant(1, part.coefficient));
+  }
   return text + numbers_text(model.gravity);
 }
 

@@ -25,7 +25,8 @@ Robot scaled_robot(Robot robot, double mass) {
   // What is drawn would have to be scaled in its shapes too.
   model.visuals.clear();
   model.armature *= share * length * length;
-  for (Eigen::VectorXd* torque : {&model.effort_limit, &model.friction, &model.damping})
+  for (Eigen::VectorXd* torque :
+       {&model.effort_limit, &model.friction, &model.damping, &model.stiffness})
     *torque *= share * length;
   model.name += " of " + number(mass) + " kg";
   return robot;
