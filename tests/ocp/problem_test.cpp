@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "burnish/derivatives/rigid_body.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/ocp_cases.hpp"
 
@@ -183,11 +184,13 @@ TEST_P(Rest, QuasiStaticControlHoldsTheRobot) {
   ASSERT_EQ(problem.set_torque_bias(bias), Status::Ok);
   const Problem::QuasiStatic rest = problem.quasi_static(stage, x);
   EXPECT_EQ(rest.force.size(), 7);
-  // What the joints and the contacts give is what gravity takes.
+  // What joints, springs and contacts give is what gravity takes.
   ContactDynamics dynamics(model, contacts_at(spec.contacts, spec.start_time));
   dynamics.set_active(0, false);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
-  Eigen::VectorXd torque = bias;
+  RigidBody body(model);
+  ASSERT_EQ(body.update(x.head(l.nq), zero), Status::Ok);
+  Eigen::VectorXd torque = bias + body.passive_torque();
   for (int i = 0; i < l.nu; ++i) torque[l.actuated[static_cast<std::size_t>(i)]] += rest.control[i];
   dynamics.inverse(x.head(l.nq), zero, zero, rest.force);
   const Eigen::VectorXd left = dynamics.tau() - torque;
