@@ -14,13 +14,7 @@ interface PackedU32 {
   u32: string;
 }
 
-export type JointKind =
-  | 'revolute'
-  | 'continuous'
-  | 'prismatic'
-  | 'planar'
-  | 'free_flyer'
-  | 'ball';
+export type JointKind = 'revolute' | 'continuous' | 'prismatic' | 'planar' | 'free_flyer' | 'ball';
 
 export interface Joint {
   name: string;

@@ -49,6 +49,7 @@ test('joints with more than one number follow their conventions', () => {
   near(at('continuous', [0, 1]), [0, 0, 0, 0, 0, half, half]);
   near(at('planar', [1, 2, 0, -1]), [1, 2, 0, 0, 0, -half, half]);
   near(at('free_flyer', [1, 2, 3, 0, 2, 0, 2]), [1, 2, 3, 0, half, 0, half]);
+  near(at('ball', [0, 2, 0, 2]), [0, 0, 0, 0, half, 0, half]);
 });
 
 test('followers are where their leaders put them', () => {
