@@ -1,0 +1,14 @@
+// Files that describe a robot, told apart by what is in them.
+#pragma once
+
+#include <filesystem>
+
+#include "burnish/model/tree_spec.hpp"
+
+namespace burnish {
+
+/// Reads URDF or MJCF, once, whatever the file's name: <robot> or <mujoco> is outermost. Throws Error
+/// as read_urdf and read_mjcf do, and for SDF and USD by their names.
+TreeSpec read_description(const std::filesystem::path& file);
+
+}  // namespace burnish
