@@ -1,0 +1,3 @@
+#include "burnish/mjcf/mjcf.hpp"
+
+#include <gtest/gtest.h>
