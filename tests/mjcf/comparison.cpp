@@ -331,6 +331,9 @@ void load_masses(const TreeSpec& tree, mjModel& theirs) {
     mju_copy3(theirs.body_ipos + 3 * body, link.inertia.com.data());
     mju_copy4(theirs.body_iquat + 4 * body, wxyz);
   }
+  // Of bodies that move along axes of their own MuJoCo keeps the inertia from the start.
+  const mujoco::DataPointer data(mj_makeData(&theirs));
+  mj_setConst(&theirs, data.get());
 }
 
 }  // namespace burnish::testing
