@@ -9,6 +9,7 @@
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/mass_matrix.tpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 
@@ -121,12 +122,11 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
   const auto infinite = mask_not(less(absolute(zero), S(1.0)));
   auto unnormalized = less(S(0.0), S(0.0));
   for (const TreeJoint& joint : tree_.joints) {
-    const bool quaternion = joint.kind == JointKind::FreeFlyer;
-    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
-    if (!quaternion && !angle) continue;
+    const int size = unit_entries(joint.kind);
+    if (size == 0) continue;
     const int last = joint.q + joint_nq(joint.kind);
     S square(-1.0);
-    for (int i = last - (quaternion ? 4 : 2); i < last; ++i) square += q[i] * q[i];
+    for (int i = last - size; i < last; ++i) square += q[i] * q[i];
     unnormalized = mask_or(unnormalized, mask_not(less(absolute(square), S(2e-6))));
   }
   mark(unnormalized, Status::NotNormalized, state_status_);

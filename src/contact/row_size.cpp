@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/followers.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
@@ -17,6 +18,7 @@ double travel(const Model& model, const Joint& joint) {
   switch (joint.kind) {
     case JointKind::Revolute:
     case JointKind::Continuous:
+    case JointKind::Ball:
       return 0.0;
     case JointKind::Prismatic: {
       const auto [lower, upper] = position_range(model, joint);
@@ -50,21 +52,6 @@ double robot_size(const Model& model) {
   return longest;
 }
 
-bool turns(const Joint& joint, int entry) {
-  switch (joint.kind) {
-    case JointKind::Revolute:
-    case JointKind::Continuous:
-      return true;
-    case JointKind::Prismatic:
-      return false;
-    case JointKind::Planar:
-      return entry == 2;
-    case JointKind::FreeFlyer:
-      break;
-  }
-  return entry >= 3;
-}
-
 /// A joint by which an entry of v moves a body: several where others follow it.
 struct Lever {
   double multiplier;  ///< absolute
@@ -79,7 +66,8 @@ std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
     const int entry = v - joint.v_index;
     if (entry < 0 || entry >= std::max(joint.nv, 1)) continue;
     const double multiplier = joint.follows ? std::abs(joint.follows->multiplier) : 1.0;
-    result.push_back({multiplier, way(model, j, body, offset), turns(joint, entry)});
+    result.push_back(
+        {multiplier, way(model, j, body, offset), entry >= sliding_entries(joint.kind)});
   }
   return result;
 }

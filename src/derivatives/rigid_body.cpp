@@ -8,6 +8,7 @@
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
 #include "dynamics/passive.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
@@ -32,10 +33,8 @@ void clear(RowMatrix& matrix, int rows, int columns) {
 /// Unit quaternions and (cos, sin) pairs to 1e-6 of their length, as in the contact kernels.
 bool is_normalized(const Tree& tree, const ConstVectorRef& q) {
   for (const TreeJoint& joint : tree.joints) {
-    const bool quaternion = joint.kind == JointKind::FreeFlyer;
-    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
-    if (!quaternion && !angle) continue;
-    const int size = quaternion ? 4 : 2;
+    const int size = unit_entries(joint.kind);
+    if (size == 0) continue;
     const int first = joint.q + joint_nq(joint.kind) - size;
     if (!(std::abs(q.segment(first, size).squaredNorm() - 1.0) < 2e-6)) return false;
   }

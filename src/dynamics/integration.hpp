@@ -19,12 +19,13 @@ template <class S>
 void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq);
 
 /// A joint whose entries of v do not commute, so that the derivatives below are no identities: a
-/// free-flyer (6, SE(3)) or a planar joint (3, SE(2)). Every other joint has one entry, and there
+/// free-flyer (6, SE(3)), a planar joint (3, SE(2)) or a ball (3, SO(3)). Every other joint has one
+/// entry, and there
 /// d(q (+) dq)/dq = d(q (+) dq)/d(dq) = d(q1 (-) q0)/dq1 = 1, d(q1 (-) q0)/dq0 = -1.
 struct TangentBlock {
   int first;       ///< entry of v
   int size;        ///< 6 or 3
-  JointKind kind;  ///< FreeFlyer or Planar
+  JointKind kind;  ///< FreeFlyer, Planar or Ball
   int q;           ///< first entry of q
 };
 

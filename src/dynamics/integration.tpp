@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/integration.hpp"
+#include "dynamics/joint_twist.hpp"
 #include "math/exponential.hpp"
 #include "math/logarithm.hpp"
 
@@ -81,21 +82,32 @@ BURNISH_INLINE void integrate_planar(const S* dq, S* q) {
   turn_pair(c, s, q + 2);
 }
 
+/// Turns the unit quaternion x, y, z, w by the rotation vector w of length theta, in place.
+template <class S>
+BURNISH_INLINE void turn_quaternion(const Vec3<S>& w, const S& theta, S* q) {
+  const Quaternion<S> after = load_quaternion(q) * exp_rotation(w, theta);
+  const S scale = S(1.0) / square_root(S(dot(after.vector, after.vector) + after.w * after.w));
+  q[0] = after.vector.x * scale;
+  q[1] = after.vector.y * scale;
+  q[2] = after.vector.z * scale;
+  q[3] = after.w * scale;
+}
+
 template <class S>
 BURNISH_INLINE void integrate_free_flyer(const S* dq, S* q) {
   const Vec3<S> v{dq[0], dq[1], dq[2]}, w{dq[3], dq[4], dq[5]};
   const S theta = rotation_angle(w);
-  const Quaternion<S> before = load_quaternion(q + 3);
-  const Vec3<S> moved = turned(before, exp_position(exp_coefficients(theta), w, v));
+  const Vec3<S> moved = turned(load_quaternion(q + 3), exp_position(exp_coefficients(theta), w, v));
   q[0] += moved.x;
   q[1] += moved.y;
   q[2] += moved.z;
-  const Quaternion<S> after = before * exp_rotation(w, theta);
-  const S scale = S(1.0) / square_root(S(dot(after.vector, after.vector) + after.w * after.w));
-  q[3] = after.vector.x * scale;
-  q[4] = after.vector.y * scale;
-  q[5] = after.vector.z * scale;
-  q[6] = after.w * scale;
+  turn_quaternion(w, theta, q + 3);
+}
+
+template <class S>
+BURNISH_INLINE void integrate_ball(const S* dq, S* q) {
+  const Vec3<S> w{dq[0], dq[1], dq[2]};
+  turn_quaternion(w, rotation_angle(w), q);
 }
 
 template <class S>
@@ -125,29 +137,13 @@ BURNISH_INLINE void difference_free_flyer(const S* q0, const S* q1, S* dq) {
   dq[5] = xi.angular.z;
 }
 
-/// The twist of a block's entries, a planar one as motion in the plane of x and y.
 template <class S>
-BURNISH_INLINE Motion<S> twist_of(JointKind kind, const S* entries) {
-  if (kind == JointKind::Planar)
-    return {{entries[0], entries[1], S(0.0)}, {S(0.0), S(0.0), entries[2]}};
-  return {{entries[0], entries[1], entries[2]}, {entries[3], entries[4], entries[5]}};
-}
-
-/// Writes column k of a block's matrix.
-template <class S>
-BURNISH_INLINE void set_column(const TangentBlock& block, const Motion<S>& m, int k, S* matrix) {
-  S* const out = matrix + k;
-  const int n = block.size;
-  out[0] = m.linear.x;
-  out[n] = m.linear.y;
-  if (block.kind == JointKind::Planar) {
-    out[2 * n] = m.angular.z;
-    return;
-  }
-  out[2 * n] = m.linear.z;
-  out[3 * n] = m.angular.x;
-  out[4 * n] = m.angular.y;
-  out[5 * n] = m.angular.z;
+BURNISH_INLINE void difference_ball(const S* q0, const S* q1, S* dq) {
+  S theta;
+  const Vec3<S> w = log_quaternion(conjugate(load_quaternion(q0)) * load_quaternion(q1), theta);
+  dq[0] = w.x;
+  dq[1] = w.y;
+  dq[2] = w.z;
 }
 
 /// Calls visit(k, twist of entry k alone at unit rate).
@@ -156,7 +152,7 @@ BURNISH_INLINE void for_each_entry(const TangentBlock& block, const auto& visit)
   for (int k = 0; k < block.size; ++k) {
     S unit[6] = {S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
     unit[k] = S(1.0);
-    visit(k, twist_of(block.kind, unit));
+    visit(k, load_twist(block.kind, unit));
   }
 }
 
@@ -188,6 +184,9 @@ void integrate_configuration(const Tree& tree, const S* q, const S* dq, S* out) 
       case JointKind::FreeFlyer:
         integrate_free_flyer(step, x);
         break;
+      case JointKind::Ball:
+        integrate_ball(step, x);
+        break;
     }
   }
 }
@@ -214,6 +213,9 @@ void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq)
       case JointKind::FreeFlyer:
         difference_free_flyer(from, to, x);
         break;
+      case JointKind::Ball:
+        difference_ball(from, to, x);
+        break;
     }
   }
 }
@@ -221,26 +223,27 @@ void difference_configuration(const Tree& tree, const S* q0, const S* q1, S* dq)
 template <class S>
 void integrate_jacobians(const TangentBlock& block, const S* dq, S* by_q, S* by_dq) {
   using namespace integration_detail;
-  const Motion<S> xi = twist_of(block.kind, dq);
+  const Motion<S> xi = load_twist(block.kind, dq);
   const S theta = rotation_angle(xi.angular);
   const ExpCoefficients<S> c = exp_coefficients(theta);
   const Quaternion<S> back = conjugate(exp_rotation(xi.angular, theta));
   const Vec3<S> p = exp_position(c, xi.angular, xi.linear);
   for_each_entry<S>(block, [&](int k, const Motion<S>& m) {
     const Motion<S> there = at_point(m, p);
-    set_column(block, Motion<S>{turned(back, there.linear), turned(back, there.angular)}, k, by_q);
-    set_column(block, d_exp_placement(c, xi, m), k, by_dq);
+    store_twist(block.kind, Motion<S>{turned(back, there.linear), turned(back, there.angular)},
+                by_q + k, block.size);
+    store_twist(block.kind, d_exp_placement(c, xi, m), by_dq + k, block.size);
   });
 }
 
 template <class S>
 void difference_jacobians(const TangentBlock& block, const S* dq, S* by_q0, S* by_q1) {
   using namespace integration_detail;
-  const Motion<S> xi = twist_of(block.kind, dq);
+  const Motion<S> xi = load_twist(block.kind, dq);
   const LogCoefficients<S> c = log_coefficients(rotation_angle(xi.angular));
   for_each_entry<S>(block, [&](int k, const Motion<S>& m) {
-    set_column(block, -d_log_placement(c, -xi, m), k, by_q0);
-    set_column(block, d_log_placement(c, xi, m), k, by_q1);
+    store_twist(block.kind, -d_log_placement(c, -xi, m), by_q0 + k, block.size);
+    store_twist(block.kind, d_log_placement(c, xi, m), by_q1 + k, block.size);
   });
 }
 

@@ -73,6 +73,11 @@ BURNISH_INLINE void place(const TreeJoint& joint, const BodyState<S>* parent, co
         axes[3 + k].axis = rotation_axis(body.p, column(body.R, k));
       }
       break;
+    case JointKind::Ball:
+      body.R = Rj * quaternion_matrix(q[0], q[1], q[2], q[3]);
+      body.p = pj;
+      for (int k = 0; k < 3; ++k) axes[k].axis = rotation_axis(pj, column(body.R, k));
+      break;
   }
 }
 

@@ -42,9 +42,10 @@ JointKind kind_of(JointType type) {
       return JointKind::Prismatic;
     case JointType::Planar:
       return JointKind::Planar;
+    case JointType::Ball:
+      return JointKind::Ball;
     case JointType::Fixed:
     case JointType::Floating:
-    case JointType::Ball:
       break;
   }
   return JointKind::FreeFlyer;
@@ -146,7 +147,8 @@ void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<P
   Eigen::Isometry3d link_in_body = pending.parent_in_body * spec.placement;
   if (spec.type != JointType::Fixed) {
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();  // body frame in the child link's frame
-    if (spec.type != JointType::Floating) turn.linear() = rotation_from_z(spec.axis.normalized());
+    if (spec.type != JointType::Floating && spec.type != JointType::Ball)
+      turn.linear() = rotation_from_z(spec.axis.normalized());
     Joint joint;
     joint.name = spec.name;
     joint.kind = kind_of(spec.type);
@@ -188,6 +190,7 @@ void fill_neutral(const Walk& walk, Model& model) {
     auto q = model.q_neutral.segment(joint.q_index, joint.nq);
     if (joint.kind == JointKind::Continuous) q[0] = 1.0;
     if (joint.kind == JointKind::Planar) q[2] = 1.0;
+    if (joint.kind == JointKind::Ball) q[3] = 1.0;
     if (joint.kind != JointKind::FreeFlyer) continue;
     q[6] = 1.0;
     if (walk.spec_of_joint[i] != nullptr) continue;

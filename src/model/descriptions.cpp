@@ -10,7 +10,8 @@ const Words& words_of(JointKind /*of*/) {
                           {"continuous", "q = (cos, sin), v = rate"},
                           {"prismatic", "q = displacement, v = rate"},
                           {"planar", "q = (x, y, cos, sin), v = (v_x, v_y, w_z) in body axes"},
-                          {"free_flyer", "q = (p, quaternion x y z w), v = (v, w) in body axes"}}};
+                          {"free_flyer", "q = (p, quaternion x y z w), v = (v, w) in body axes"},
+                          {"ball", "q = quaternion x y z w, v = w in body axes"}}};
   return all;
 }
 
@@ -19,7 +20,7 @@ const Words& words_of(JointType /*of*/) {
       "model",
       "JointType",
       "Joints as a description has them.",
-      {{"fixed"}, {"revolute"}, {"continuous"}, {"prismatic"}, {"planar"}, {"floating"}}};
+      {{"fixed"}, {"revolute"}, {"continuous"}, {"prismatic"}, {"planar"}, {"floating"}, {"ball"}}};
   return all;
 }
 

@@ -94,7 +94,7 @@ std::vector<double> locked_value(const Locking& locking, const JointSpec& joint,
   const auto stated = locking.options.posture.find(joint.name);
   if (stated != locking.options.posture.end()) return stated->second;
   std::vector<double> zero(posture_size(joint.type), 0.0);
-  if (joint.type == JointType::Floating) zero.back() = 1.0;
+  if (joint.type == JointType::Floating || joint.type == JointType::Ball) zero.back() = 1.0;
   return zero;
 }
 

@@ -18,7 +18,7 @@ namespace burnish {
 namespace {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using MotionColumns = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
+using JointAxes = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 constexpr double no_inertia = 1e-12;  // kg m^2 or kg
@@ -46,7 +46,7 @@ Matrix6d motion_transform(const Eigen::Isometry3d& placement) {
   return result;
 }
 
-MotionColumns directions_of(JointKind kind) {
+JointAxes directions_of(JointKind kind) {
   switch (kind) {
     case JointKind::Revolute:
     case JointKind::Continuous:
@@ -54,10 +54,12 @@ MotionColumns directions_of(JointKind kind) {
     case JointKind::Prismatic:
       return Matrix6d::Identity().col(2);
     case JointKind::Planar: {
-      MotionColumns planar = MotionColumns::Zero(6, 3);
+      JointAxes planar = JointAxes::Zero(6, 3);
       planar(0, 0) = planar(1, 1) = planar(5, 2) = 1.0;
       return planar;
     }
+    case JointKind::Ball:
+      return Matrix6d::Identity().rightCols<3>();
     case JointKind::FreeFlyer:
       break;
   }
@@ -70,6 +72,9 @@ Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   if (joint.kind == JointKind::Prismatic) {
     moved.translation().z() = value;
+  } else if (joint.kind == JointKind::Ball) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(0.48, 0.6, 0.64);
+    moved.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
   } else if (joint.kind != JointKind::FreeFlyer) {
     moved.linear() = Eigen::AngleAxisd(value, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
@@ -143,7 +148,7 @@ std::vector<double> inertia_of_followers(const Model& model, std::vector<Matrix6
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
     if (joint.follows) {
-      const MotionColumns along = directions_of(joint.kind);
+      const JointAxes along = directions_of(joint.kind);
       const double factor = joint.follows->multiplier;
       result[static_cast<std::size_t>(joint.follows->leader)] +=
           factor * factor * (along.transpose() * subtree[i] * along)(0, 0);
@@ -170,14 +175,14 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
     Matrix6d given = articulated[i];
     bool finite = articulated[i].allFinite() && composite[i].allFinite();
     if (!joint.follows) {  // a follower does not give way by itself
-      const MotionColumns along = directions_of(joint.kind);
+      const JointAxes along = directions_of(joint.kind);
       Square added = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
       added(0, 0) += followers[i];
       const Met met(along.transpose() * articulated[i] * along + added,
                     along.transpose() * composite[i] * along + added);
       finite = finite && met.inertia.allFinite();
       if (finite) oddities.look(joint, met);
-      const MotionColumns pushed = articulated[i] * along;
+      const JointAxes pushed = articulated[i] * along;
       given -= pushed * met.inverse() * pushed.transpose();
     }
     if (!finite) {

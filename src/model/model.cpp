@@ -16,14 +16,17 @@ namespace {
 
 constexpr std::array<std::string_view, 6> twist_names = {".vx", ".vy", ".vz", ".wx", ".wy", ".wz"};
 constexpr std::array<std::string_view, 3> planar_twist_names = {".vx", ".vy", ".wz"};
+constexpr std::array<std::string_view, 3> turn_names = {".wx", ".wy", ".wz"};
 constexpr std::array<std::string_view, 7> pose_names = {".x",  ".y",  ".z", ".qx",
                                                         ".qy", ".qz", ".qw"};
 constexpr std::array<std::string_view, 4> planar_pose_names = {".x", ".y", ".cos", ".sin"};
+constexpr std::array<std::string_view, 4> quaternion_names = {".qx", ".qy", ".qz", ".qw"};
 constexpr std::array<std::string_view, 2> circle_names = {".cos", ".sin"};
 
 std::string_view suffix_of_v(JointKind kind, int entry) {
   const auto k = static_cast<std::size_t>(entry);
   if (kind == JointKind::FreeFlyer) return twist_names[k];
+  if (kind == JointKind::Ball) return turn_names[k];
   return kind == JointKind::Planar ? planar_twist_names[k] : "";
 }
 
@@ -31,6 +34,7 @@ std::string_view suffix_of_q(JointKind kind, int entry) {
   const auto k = static_cast<std::size_t>(entry);
   if (kind == JointKind::FreeFlyer) return pose_names[k];
   if (kind == JointKind::Planar) return planar_pose_names[k];
+  if (kind == JointKind::Ball) return quaternion_names[k];
   return kind == JointKind::Continuous ? circle_names[k] : "";
 }
 
@@ -61,6 +65,9 @@ void write_coordinates(const Joint& joint, std::span<const double> values, Eigen
     case JointKind::FreeFlyer:
       entries = Eigen::Map<const Eigen::Matrix<double, 7, 1>>(values.data());
       entries.tail<4>().normalize();
+      break;
+    case JointKind::Ball:
+      entries.head<4>() = Eigen::Map<const Eigen::Vector4d>(values.data()).normalized();
       break;
   }
 }
@@ -100,12 +107,14 @@ int joint_nq(JointKind kind) {
       return 4;
     case JointKind::FreeFlyer:
       return 7;
+    case JointKind::Ball:
+      return 4;
   }
   return 0;
 }
 
 int joint_nv(JointKind kind) {
-  if (kind == JointKind::Planar) return 3;
+  if (kind == JointKind::Planar || kind == JointKind::Ball) return 3;
   return kind == JointKind::FreeFlyer ? 6 : 1;
 }
 
@@ -121,6 +130,8 @@ std::string_view name_of(JointKind kind) {
       return "planar";
     case JointKind::FreeFlyer:
       return "free-flyer";
+    case JointKind::Ball:
+      return "ball";
   }
   return "unknown";
 }

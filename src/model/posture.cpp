@@ -40,6 +40,7 @@ std::size_t posture_size(JointType type) {
 
 std::size_t posture_size(JointKind kind) {
   if (kind == JointKind::Planar) return 3;
+  if (kind == JointKind::Ball) return 4;
   return kind == JointKind::FreeFlyer ? 7 : 1;
 }
 
@@ -49,6 +50,7 @@ void check_posture_values(const std::string& origin, const std::string& joint,
     refuse(origin, "posture of joint " + in_quotes(joint) + " has " +
                        std::to_string(values.size()) + " values; wanted " + std::to_string(size) +
                        (size == 7   ? " (x, y, z and a quaternion x, y, z, w)"
+                        : size == 4 ? " (a quaternion x, y, z, w)"
                         : size == 3 ? " (x, y and an angle)"
                                     : ""));
   }
@@ -58,8 +60,8 @@ void check_posture_values(const std::string& origin, const std::string& joint,
                          "; its values must be finite");
     }
   }
-  if (size != 7) return;
-  const double length = Eigen::Map<const Eigen::Vector4d>(values.data() + 3).norm();
+  if (size != 7 && size != 4) return;
+  const double length = Eigen::Map<const Eigen::Vector4d>(values.data() + size - 4).norm();
   if (std::abs(length - 1.0) > 1e-3) {
     refuse(origin, "posture of joint " + in_quotes(joint) + ": its quaternion has length " +
                        number(length) + "; wanted 1");

@@ -18,12 +18,13 @@ inline constexpr double posture_tolerance = 1e-3;
 /// Rotation that takes z to the unit vector `axis`; the identity for z itself.
 Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis);
 
-/// How many numbers a posture states for a joint: 1, 3 (x, y, angle), 7 (p, quaternion), or 0.
+/// How many numbers a posture states for a joint: 1, 3 (x, y, angle), 4 (quaternion),
+/// 7 (p, quaternion), or 0.
 std::size_t posture_size(JointType type);
 std::size_t posture_size(JointKind kind);
 
-/// Throws Error unless `values` has `size` finite entries and, of 7, a quaternion of unit length to
-/// 1e-3 (files are rounded; it is normalised where it is used).
+/// Throws Error unless `values` has `size` finite entries and, of 4 or 7, a quaternion of unit
+/// length to 1e-3 (files are rounded; it is normalised where it is used).
 void check_posture_values(const std::string& origin, const std::string& joint,
                           std::span<const double> values, std::size_t size);
 

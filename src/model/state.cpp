@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
@@ -104,6 +105,12 @@ void integrate_joint(JointKind kind, Entries q, const Twist& dq) {
       q.template tail<4>() = (rotation * quaternion_exp(w)).normalized().coeffs();
       break;
     }
+    case JointKind::Ball: {
+      const Eigen::Quaterniond rotation(Eigen::Vector4d(q.template head<4>()));
+      const Vector3 w = dq.template head<3>();
+      q.template head<4>() = (rotation * quaternion_exp(w)).normalized().coeffs();
+      break;
+    }
   }
 }
 
@@ -135,6 +142,12 @@ void difference_joint(JointKind kind, const Entries& q0, const Entries& q1, Twis
       const Vector3 apart = q1.template head<3>() - q0.template head<3>();
       dq.template head<3>() = log_position(from.conjugate() * apart, w);
       dq.template tail<3>() = w;
+      break;
+    }
+    case JointKind::Ball: {
+      const Eigen::Quaterniond from(Eigen::Vector4d(q0.template head<4>()));
+      const Eigen::Quaterniond to(Eigen::Vector4d(q1.template head<4>()));
+      dq.template head<3>() = quaternion_log(from.conjugate() * to);
       break;
     }
   }
@@ -175,24 +188,16 @@ void tangent_joint(JointKind kind, const Entries& q, Block map) {
       map.template bottomRightCorner<4, 3>() = quaternion_tangent(rotation);
       break;
     }
+    case JointKind::Ball:
+      map.template topLeftCorner<4, 3>() = quaternion_tangent(q.template head<4>());
+      break;
   }
 }
 
 /// First entry in q of the joint's rotation and how many it has (0 for none).
-std::pair<int, int> unit_entries(const Joint& joint) {
-  if (joint.follows) return {joint.q_index, 0};
-  switch (joint.kind) {
-    case JointKind::Revolute:
-    case JointKind::Prismatic:
-      return {joint.q_index, 0};
-    case JointKind::Continuous:
-      return {joint.q_index, 2};
-    case JointKind::Planar:
-      return {joint.q_index + 2, 2};
-    case JointKind::FreeFlyer:
-      return {joint.q_index + 3, 4};
-  }
-  return {joint.q_index, 0};
+std::pair<int, int> rotation_entries(const Joint& joint) {
+  const int size = joint.follows ? 0 : unit_entries(joint.kind);
+  return {joint.q_index + joint.nq - size, size};
 }
 
 /// Uniform in [0, 1), the same with every standard library.
@@ -274,7 +279,7 @@ Eigen::VectorXd normalized(const Model& model, const ConstVector& q) {
   check_size(q.size(), model.nq, "q");
   Eigen::VectorXd result = q;
   for (const Joint& joint : model.joints) {
-    const auto [first, size] = unit_entries(joint);
+    const auto [first, size] = rotation_entries(joint);
     if (size == 0) continue;
     const double length = result.segment(first, size).norm();
     if (!(length > 1e-12) || !std::isfinite(length)) {
@@ -296,16 +301,14 @@ Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& genera
       continue;
     }
     const double reach = joint.kind == JointKind::Revolute ? std::numbers::pi : 1.0;
-    const int plain = joint.kind == JointKind::FreeFlyer ? 3
-                      : joint.kind == JointKind::Planar  ? 2
-                                                         : 1;
+    const int plain = joint.nq - unit_entries(joint.kind);
     for (int i = 0; i < plain; ++i) {
       entries[i] = random_coordinate(model.q_lower[joint.q_index + i],
                                      model.q_upper[joint.q_index + i], reach, generator);
     }
     if (joint.kind == JointKind::Planar) {
       entries.tail<2>() = pair_of(2.0 * std::numbers::pi * uniform(generator));
-    } else if (joint.kind == JointKind::FreeFlyer) {
+    } else if (unit_entries(joint.kind) == 4) {
       entries.tail<4>() = random_quaternion(generator);
     }
   }
@@ -316,7 +319,7 @@ void check_configuration(const Model& model, const ConstVector& q, std::string_v
   check_size(q.size(), model.nq, argument);
   check_finite(q, argument);
   for (const Joint& joint : model.joints) {
-    const auto [first, size] = unit_entries(joint);
+    const auto [first, size] = rotation_entries(joint);
     if (size == 0) continue;
     const double length = q.segment(first, size).norm();
     if (std::abs(length - 1.0) <= unit_tolerance) continue;

@@ -216,7 +216,9 @@ void check_visuals(const LinkSpec& link, Findings& findings) {
 void check_joint(const JointSpec& joint, Findings& findings) {
   const ValueCheck check{label_of(joint), findings};
   check.placement("placement", joint.placement);
-  const bool has_axis = joint.type != JointType::Fixed && joint.type != JointType::Floating;
+  const bool is_ball = joint.type == JointType::Ball;
+  const bool has_axis =
+      joint.type != JointType::Fixed && joint.type != JointType::Floating && !is_ball;
   if (check.finite("axis", joint.axis) && has_axis && joint.axis.norm() < 1e-9) {
     check.problem(": its axis is zero; a direction was wanted");
   }
@@ -225,6 +227,10 @@ void check_joint(const JointSpec& joint, Findings& findings) {
   if (joint.lower > joint.upper) {
     check.problem(": its lower limit " + number(joint.lower) + " is above its upper limit " +
                   number(joint.upper) + "; lower must be at most upper");
+  }
+  if (is_ball && (std::isfinite(joint.lower) || std::isfinite(joint.upper))) {
+    findings.warn(check.element +
+                  ": it is a ball, which has no limits of position; those stated are passed over");
   }
   check.not_negative("velocity limit", joint.velocity_limit, true);
   check.not_negative("effort limit", joint.effort_limit, true);

@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/joint_entries.hpp"
+
 namespace burnish {
 namespace {
-
-/// Whether entry `entry` of a joint's v is a translation.
-bool slides(JointKind kind, int entry) {
-  return kind == JointKind::Prismatic || (kind == JointKind::Planar && entry < 2) ||
-         (kind == JointKind::FreeFlyer && entry < 3);
-}
-
-/// Of an entry of a joint's q: quaternions, cosines and sines have none.
-const char* unit_of_q(JointKind kind, int entry) {
-  if (kind == JointKind::Revolute) return "rad";
-  return slides(kind, entry) ? "m" : "-";
-}
 
 std::vector<TraceColumn> history_columns(const Model& model) {
   std::vector<TraceColumn> columns{{"time", "s"},
@@ -36,8 +26,8 @@ std::vector<TraceColumn> history_columns(const Model& model) {
   const auto add = [&](const char* part, const char* turning, const char* sliding) {
     for (const Joint& joint : model.joints)
       for (int i = 0; i < joint.nv; ++i)
-        columns.push_back(
-            {part + model.v_name(joint.v_index + i), slides(joint.kind, i) ? sliding : turning});
+        columns.push_back({part + model.v_name(joint.v_index + i),
+                           i < sliding_entries(joint.kind) ? sliding : turning});
   };
   add("v_", "rad/s", "m/s");
   add("tau_measured_", "Nm", "N");

@@ -5,6 +5,7 @@
 
 #include "burnish/base/error.hpp"
 #include "model/followers.hpp"
+#include "model/joint_entries.hpp"
 #include "sim/small_product.hpp"
 
 namespace burnish::mujoco {
@@ -19,6 +20,8 @@ int count(JointKind kind) {
       return 3;
     case JointKind::FreeFlyer:
       return 7;
+    case JointKind::Ball:
+      return 4;
     default:
       return 1;
   }
@@ -45,6 +48,9 @@ Eigen::Matrix3d store_joint(JointKind kind, const double* x, mjtNum* qpos) {
       std::copy(x, x + 3, qpos);
       qpos[3] = x[6], qpos[4] = x[3], qpos[5] = x[4], qpos[6] = x[5];
       return Eigen::Quaterniond(x[6], x[3], x[4], x[5]).toRotationMatrix();
+    case JointKind::Ball:
+      qpos[0] = x[3], qpos[1] = x[0], qpos[2] = x[1], qpos[3] = x[2];
+      break;
   }
   return Eigen::Matrix3d::Identity();
 }
@@ -65,14 +71,15 @@ Eigen::Matrix3d load_joint(JointKind kind, const mjtNum* qpos, double* x) {
       std::copy(qpos, qpos + 3, x);
       x[3] = qpos[4], x[4] = qpos[5], x[5] = qpos[6], x[6] = qpos[3];
       return Eigen::Quaterniond(x[6], x[3], x[4], x[5]).toRotationMatrix();
+    case JointKind::Ball:
+      x[0] = qpos[1], x[1] = qpos[2], x[2] = qpos[3], x[3] = qpos[0];
+      break;
   }
   return Eigen::Matrix3d::Identity();
 }
 
-int linear_entries(const Joint& joint) {
-  if (joint.nv <= 1) return 0;
-  return joint.kind == JointKind::Planar ? 2 : 3;
-}
+/// Entries that are along other axes for MuJoCo.
+int turned_entries(const Joint& joint) { return joint.nv > 1 ? sliding_entries(joint.kind) : 0; }
 
 }  // namespace
 
@@ -99,7 +106,7 @@ Coordinates::Coordinates(const Model& model, const mjModel& theirs)
 }
 
 void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rotation) {
-  const int n = linear_entries(joint);
+  const int n = turned_entries(joint);
   for (Eigen::MatrixXd* matrix : {&T_, &T_own_})
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) (*matrix)(joint.v_index + i, first + j) = rotation(j, i);
@@ -107,14 +114,14 @@ void Coordinates::turn(const Joint& joint, int first, const Eigen::Matrix3d& rot
 
 /// Rates of translation along turning axes change by v x w.
 void Coordinates::correct(const Joint& joint, const ConstVectorRef& v) {
-  if (joint.nv <= 1) return;
+  if (turned_entries(joint) == 0) return;
   const bool planar = joint.kind == JointKind::Planar;
   const int first = joint.v_index;
   const Vector3 u(v[first], v[first + 1], planar ? 0.0 : v[first + 2]);
   const Vector3 w(planar ? 0.0 : v[first + 3], planar ? 0.0 : v[first + 4],
                   v[first + joint.nv - 1]);
   const Vector3 rate = u.cross(w);
-  for (int i = 0; i < linear_entries(joint); ++i) correction_[first + i] = rate[i];
+  for (int i = 0; i < turned_entries(joint); ++i) correction_[first + i] = rate[i];
 }
 
 void Coordinates::store(const ConstVectorRef& q, const ConstVectorRef& v, mjData& data) {

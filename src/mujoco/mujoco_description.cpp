@@ -52,6 +52,8 @@ std::string joints_of(const Model& model, int body, bool stops) {
         return "<freejoint/>";
       return moving("slide", "1 0 0", "") + moving("slide", "0 1 0", "") +
              moving("slide", "0 0 1", "") + "<joint type=\"ball\"/>";
+    case JointKind::Ball:
+      return "<joint type=\"ball\"" + name + "/>";
   }
   return "";
 }

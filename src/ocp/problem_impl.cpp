@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace ocp {
@@ -145,10 +146,8 @@ Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
   if (x.size() != static_cast<Eigen::Index>(initial_state.size())) return Status::WrongSize;
   if (!x.allFinite()) return Status::NotFinite;
   for (const TreeJoint& joint : compiled.tree.joints) {
-    const bool quaternion = joint.kind == JointKind::FreeFlyer;
-    if (!quaternion && joint.kind != JointKind::Continuous && joint.kind != JointKind::Planar)
-      continue;
-    const int entries = quaternion ? 4 : 2;
+    const int entries = unit_entries(joint.kind);
+    if (entries == 0) continue;
     const int first = joint.q + joint_nq(joint.kind) - entries;
     if (std::abs(x.segment(first, entries).squaredNorm() - 1.0) > 2e-6)
       return Status::NotNormalized;

@@ -7,29 +7,11 @@
 //   k = v + [theta, v] / 2 + [theta, [theta, v]] / 12.
 #pragma once
 
+#include "dynamics/joint_twist.hpp"
 #include "ocp/node_kernel.hpp"
 
 namespace burnish::ocp {
 namespace runge_kutta_detail {
-
-/// The entries of a free-flyer or a planar joint as a twist, `stride` apart, and back.
-template <class S>
-Motion<S> load_twist(const TangentBlock& block, const S* from, int stride) {
-  if (block.size == 6)
-    return {{from[0], from[stride], from[2 * stride]},
-            {from[3 * stride], from[4 * stride], from[5 * stride]}};
-  return {{from[0], from[stride], S(0.0)}, {S(0.0), S(0.0), from[2 * stride]}};
-}
-template <class S>
-void store_twist(const TangentBlock& block, const Motion<S>& m, S* to, int stride) {
-  to[0] = m.linear.x;
-  to[stride] = m.linear.y;
-  to[2 * stride] = block.size == 6 ? m.linear.z : m.angular.z;
-  if (block.size != 6) return;
-  to[3 * stride] = m.angular.x;
-  to[4 * stride] = m.angular.y;
-  to[5 * stride] = m.angular.z;
-}
 
 /// The rate of the offset theta, and its change with dtheta and dv.
 template <class S>
@@ -72,9 +54,9 @@ void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S*
     if (i > 0) {
       using namespace runge_kutta_detail;
       for (const TangentBlock& block : problem_->blocks) {
-        const auto theta = load_twist(block, offset_.data() + block.first, 1);
-        const auto v = load_twist(block, rate + block.first, 1);
-        store_twist(block, offset_rate(theta, v), rate + block.first, 1);
+        const auto theta = load_twist(block.kind, offset_.data() + block.first, 1);
+        const auto v = load_twist(block.kind, rate + block.first, 1);
+        store_twist(block.kind, offset_rate(theta, v), rate + block.first, 1);
       }
     }
     if (with_derivatives) runge_kutta_derivative(stage, i);
@@ -160,13 +142,13 @@ void NodeKernel<S>::runge_kutta_derivative(const CompiledStage& stage, int i) {
     const S ch(fraction[i] * stage.step);
     const S* const before = rates_by_z_.data() + (i - 1) * 2 * nv * nz;
     for (const TangentBlock& block : problem_->blocks) {
-      const auto theta = load_twist(block, offset_.data() + block.first, 1);
-      const auto v = load_twist(block, point_.data() + layout.nq + block.first, 1);
+      const auto theta = load_twist(block.kind, offset_.data() + block.first, 1);
+      const auto v = load_twist(block.kind, point_.data() + layout.nq + block.first, 1);
       for (int c = 0; c < nz; ++c) {
         const int at = block.first * nz + c;
-        const auto dtheta = load_twist(block, before + at, nz) * ch;
-        const auto dv = load_twist(block, rate + at, nz);
-        store_twist(block, offset_rate_change(theta, v, dtheta, dv), rate + at, nz);
+        const auto dtheta = load_twist(block.kind, before + at, nz) * ch;
+        const auto dv = load_twist(block.kind, rate + at, nz);
+        store_twist(block.kind, offset_rate_change(theta, v, dtheta, dv), rate + at, nz);
       }
     }
   }

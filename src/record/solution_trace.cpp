@@ -4,6 +4,7 @@
 
 #include "burnish/dynamics/placement.hpp"
 #include "contact/force_column.hpp"
+#include "model/joint_entries.hpp"
 #include "record/solution.hpp"
 
 namespace burnish {
@@ -22,27 +23,18 @@ std::vector<int> held(const ContactSpec& contact) {
   return directions;
 }
 
-bool slides(const Joint& joint) { return joint.kind == JointKind::Prismatic; }
-
 void add_state_columns(const Problem& problem, std::vector<TraceColumn>& columns) {
   const Model& model = problem.model();
   const StateLayout& layout = problem.layout();
   for (const Joint& joint : model.joints)
-    for (int i = 0; i < joint.nq; ++i) {
-      const bool plain = joint.kind == JointKind::Revolute || slides(joint);
-      const bool metres = slides(joint) || (joint.kind == JointKind::FreeFlyer && i < 3) ||
-                          (joint.kind == JointKind::Planar && i < 2);
-      columns.push_back({"q_" + model.q_name(joint.q_index + i), metres  ? "m"
-                                                                 : plain ? "rad"
-                                                                         : "-"});
-    }
+    for (int i = 0; i < joint.nq; ++i)
+      columns.push_back({"q_" + model.q_name(joint.q_index + i), unit_of_q(joint.kind, i)});
   const auto per_entry = [&](const std::string& prefix, int k, const char* linear,
                              const char* angular) {
     const Joint& joint =
         model.joints[static_cast<std::size_t>(model.joint_of_v[static_cast<std::size_t>(k)])];
     const int entry = k - joint.v_index;
-    const bool is_linear = slides(joint) || (joint.kind == JointKind::FreeFlyer && entry < 3) ||
-                           (joint.kind == JointKind::Planar && entry < 2);
+    const bool is_linear = entry < sliding_entries(joint.kind);
     columns.push_back({prefix + model.v_name(k), is_linear ? linear : angular});
   };
   for (int k = 0; k < model.nv; ++k) per_entry("v_", k, "m/s", "rad/s");

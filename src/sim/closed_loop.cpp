@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
@@ -18,22 +19,14 @@ void add_axes(std::vector<TraceColumn>& columns, const std::string& what, const 
 std::string unit_of_v(const Model& model, int k, const char* turning, const char* sliding) {
   const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_of_v[k])];
   const int entry = k - joint.v_index;
-  const bool slides = joint.kind == JointKind::Prismatic ||
-                      (joint.kind == JointKind::Planar && entry < 2) ||
-                      (joint.kind == JointKind::FreeFlyer && entry < 3);
-  return slides ? sliding : turning;
+  return entry < sliding_entries(joint.kind) ? sliding : turning;
 }
 
 std::string unit_of_q(const Model& model, int k) {
   for (const Joint& joint : model.joints) {
     const int entry = k - joint.q_index;
     if (entry < 0 || entry >= joint.nq) continue;
-    if (joint.kind == JointKind::Revolute) return "rad";
-    if (joint.kind == JointKind::Prismatic) return "m";
-    const int lengths = joint.kind == JointKind::FreeFlyer ? 3
-                        : joint.kind == JointKind::Planar  ? 2
-                                                           : 0;
-    return entry < lengths ? "m" : "-";
+    return unit_of_q(joint.kind, entry);
   }
   return "-";
 }

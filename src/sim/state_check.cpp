@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "model/joint_entries.hpp"
+
 namespace burnish {
 namespace {
 
@@ -18,11 +20,9 @@ Status check_state(const Model& model, const ConstVectorRef& q, const ConstVecto
   if (!q.allFinite() || !v.allFinite()) return Status::NotFinite;
   for (const Joint& joint : model.joints) {
     if (joint.follows) continue;
-    const bool quaternion = joint.kind == JointKind::FreeFlyer;
-    const bool angle = joint.kind == JointKind::Continuous || joint.kind == JointKind::Planar;
-    if (!quaternion && !angle) continue;
-    const int size = quaternion ? 4 : 2;
-    if (!is_unit(q, joint.q_index + joint.nq - size, size)) return Status::NotNormalized;
+    const int size = unit_entries(joint.kind);
+    if (size > 0 && !is_unit(q, joint.q_index + joint.nq - size, size))
+      return Status::NotNormalized;
   }
   return Status::Ok;
 }

@@ -90,6 +90,7 @@ TEST_P(Integration, keeps_rotations_at_unit_length) {
   const Eigen::VectorXd dq = random_vector(model.nv, 0.3, generator);
   for (const Joint& joint : model.joints) {
     if (joint.kind == JointKind::FreeFlyer) q.segment(joint.q_index + 3, 4) *= 1.0 + 5e-7;
+    if (joint.kind == JointKind::Ball) q.segment(joint.q_index, 4) *= 1.0 - 4e-7;
     if (joint.kind == JointKind::Continuous) q.segment(joint.q_index, 2) *= 1.0 - 5e-7;
     if (joint.kind == JointKind::Planar) q.segment(joint.q_index + 2, 2) *= 1.0 + 5e-7;
   }

@@ -117,6 +117,18 @@ TEST(Build, ListsAllProblemsOfATree) {
                 "(2) link 'a': mass -1.2", "(3) joint 'b': its axis", "(4) joint 'b': damping"});
 }
 
+TEST(Build, WarnsOfPositionLimitsOfABall) {
+  TreeSpec tree = branching_tree();
+  tree.joints[0].type = JointType::Ball;
+  tree.joints[0].axis.setZero();  // none is asked for
+  EXPECT_TRUE(build_model(tree).warnings.empty());
+  tree.joints[0].upper = 1.0;
+  const Model model = build_model(tree);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  expect_words(model.warnings[0], {"joint 'b'", "ball", "passed over"});
+  EXPECT_TRUE(std::isinf(model.q_upper[model.joints[0].q_index]));
+}
+
 TEST(Build, RefusesBadOptions) {
   ModelOptions options;
   options.gravity[2] = nan;

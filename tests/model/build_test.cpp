@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/model/model.hpp"
+#include "support/built_robots.hpp"
 #include "support/refusal.hpp"
 #include "support/special_numbers.hpp"
 #include "support/trees.hpp"
@@ -247,18 +248,30 @@ TEST(Build, SupportIsTheWayToTheRoot) {
 
 TEST(Build, NamesEntries) {
   TreeSpec tree;
-  tree.links = {link("base"), link("a"), link("b"), link("c"), link("d")};
-  tree.joints = {
-      joint("a", JointType::Planar, "base", "a"), joint("b", JointType::Continuous, "a", "b"),
-      joint("c", JointType::Floating, "b", "c"), joint("d", JointType::Prismatic, "c", "d")};
+  tree.links = {link("base"), link("a"), link("b"), link("c"), link("d"), link("e")};
+  tree.joints = {joint("a", JointType::Planar, "base", "a"),
+                 joint("b", JointType::Continuous, "a", "b"),
+                 joint("c", JointType::Floating, "b", "c"),
+                 joint("d", JointType::Prismatic, "c", "d"), joint("e", JointType::Ball, "d", "e")};
   const Model model = build_model(tree);
   std::string v, q;
   for (int k = 0; k < model.nv; ++k) v += model.v_name(k) + " ";
   for (int k = 0; k < model.nq; ++k) q += model.q_name(k) + " ";
-  EXPECT_EQ(v, "a.vx a.vy a.wz b c.vx c.vy c.vz c.wx c.wy c.wz d ");
-  EXPECT_EQ(q, "a.x a.y a.cos a.sin b.cos b.sin c.x c.y c.z c.qx c.qy c.qz c.qw d ");
+  EXPECT_EQ(v, "a.vx a.vy a.wz b c.vx c.vy c.vz c.wx c.wy c.wz d e.wx e.wy e.wz ");
+  EXPECT_EQ(
+      q, "a.x a.y a.cos a.sin b.cos b.sin c.x c.y c.z c.qx c.qy c.qz c.qw d e.qx e.qy e.qz e.qw ");
   EXPECT_THROW(model.v_name(model.nv), Error);
   EXPECT_THROW(model.q_name(-1), Error);
+}
+
+TEST(Build, SeesNothingOddInJointsInARowWithoutMassBetween) {
+  EXPECT_TRUE(build_model(test::tree_of_joints_in_a_row()).warnings.empty());
+  TreeSpec tree = test::tree_of_joints_in_a_row();
+  for (LinkSpec& spec : tree.links)
+    if (spec.name == "tip") spec.inertia = {};
+  const Model model = build_model(tree);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  expect_words(model.warnings[0], {"'to_c'", "'to_tip'", "move no mass"});
 }
 
 TEST(Build, FindsByName) {

@@ -176,6 +176,25 @@ TEST(Lock, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(build_model(tree, options).locked_joints.size(), 3u);
 }
 
+TEST(Lock, HoldsABallAtItsQuaternionAndWithoutOneAtNoRotation) {
+  TreeSpec tree = two_links();
+  tree.joints[1].type = JointType::Ball;
+  ModelOptions options;
+  options.locked = {"elbow"};
+  const auto tip = [&]() -> Eigen::Vector3d {
+    const Model model = build_model(tree, options);
+    return frame_placement(model, model.q_neutral, "tip").translation();
+  };
+  EXPECT_TRUE(tip().isApprox(Eigen::Vector3d(3.0, 0.0, 0.0)));
+  options.posture["elbow"] = {0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)};
+  EXPECT_TRUE(tip().isApprox(Eigen::Vector3d(2.0, 1.0, 0.0)));
+  options.posture["elbow"] = {0.0, 0.0, 1.0, 1.0};
+  expect_words(refusal([&] { build_model(tree, options); }), {"'elbow'", "quaternion", "length"});
+  options.posture["elbow"] = {0.5};
+  expect_words(refusal([&] { build_model(tree, options); }),
+               {"'elbow'", "1 values", "4", "a quaternion x, y, z, w"});
+}
+
 TEST(Lock, LocksAMasslessJoint) {
   TreeSpec tree = hand();
   tree.links[2].inertia = {};

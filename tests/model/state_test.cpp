@@ -36,6 +36,7 @@ const std::vector<NamedModel>& models() {
         {"Prismatic", one_joint(JointType::Prismatic)},
         {"Planar", one_joint(JointType::Planar)},
         {"Floating", one_joint(JointType::Floating)},
+        {"Ball", one_joint(JointType::Ball)},
         {"Tree", build_model(random_tree(generator, 18), options)},
     };
   }();
@@ -91,7 +92,10 @@ TEST_P(StateLaws, MovesBodiesAlongTheirTwist) {
     Eigen::Matrix<double, 6, 1> twist = Eigen::Matrix<double, 6, 1>::Zero();
     const Eigen::VectorXd own = v.segment(last.v_index, last.nv);
     if (last.nv == 6) twist = own;
-    if (last.nv == 3) twist << own[0], own[1], 0.0, 0.0, 0.0, own[2];
+    if (last.kind == JointKind::Ball)
+      twist.tail<3>() = own;
+    else if (last.nv == 3)
+      twist << own[0], own[1], 0.0, 0.0, 0.0, own[2];
     if (last.nv == 1) twist[last.kind == JointKind::Prismatic ? 2 : 5] = own[0];
     Eigen::Matrix4d generator = Eigen::Matrix4d::Zero(), term = Eigen::Matrix4d::Identity();
     generator << 0.0, -twist[5], twist[4], twist[0], twist[5], 0.0, -twist[3], twist[1], -twist[4],
@@ -137,6 +141,7 @@ TEST_P(StateLaws, NormalizedUndoesScaling) {
     if (spec.kind == JointKind::Continuous) scaled.segment<2>(spec.q_index) *= 3.0;
     if (spec.kind == JointKind::Planar) scaled.segment<2>(spec.q_index + 2) *= 0.2;
     if (spec.kind == JointKind::FreeFlyer) scaled.segment<4>(spec.q_index + 3) *= 7.0;
+    if (spec.kind == JointKind::Ball) scaled.segment<4>(spec.q_index) *= 5.0;
   }
   EXPECT_LT((normalized(model(), scaled) - q).cwiseAbs().maxCoeff(), 1e-14);
 }
@@ -195,6 +200,8 @@ TEST(State, DifferenceTakesTheShortWay) {
   Eigen::VectorXd q = floating.q_neutral, opposite = q;
   opposite.tail<4>() *= -1.0;
   EXPECT_LT(difference(floating, q, opposite).norm(), 1e-15);
+  const Model ball = one_joint(JointType::Ball);
+  EXPECT_LT(difference(ball, ball.q_neutral, -ball.q_neutral).norm(), 1e-15);
 }
 
 TEST(State, RotationsNearHalfATurnStayAccurate) {
@@ -219,6 +226,10 @@ TEST(State, RefusesRotationsThatAreNotOfUnitLength) {
   EXPECT_NO_THROW(check_configuration(floating, q));
   q.tail<4>().setZero();
   expect_words(refusal([&] { normalized(floating, q); }), {"'joint'"});
+  const Model ball = one_joint(JointType::Ball);
+  q = ball.q_neutral;
+  q[0] = 0.1;
+  expect_words(refusal([&] { check_configuration(ball, q); }), {"quaternion", "entry 0"});
   const Model planar = one_joint(JointType::Planar);
   q = planar.q_neutral;
   q[3] = 0.1;

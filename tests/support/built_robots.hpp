@@ -16,7 +16,7 @@
 namespace burnish::test {
 
 /// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
-/// and the floating link.
+/// and the floating link, and a ball on one at the root.
 inline TreeSpec tree_of_every_joint() {
   using enum JointType;
   std::mt19937_64 generator(6);
@@ -41,6 +41,55 @@ inline TreeSpec tree_of_every_joint() {
   add("b_side", Continuous, "b");
   add("d_side", Planar, "d");
   add("root_side", Prismatic, "root");
+  add("root_ball", Ball, "root_side");
+  return tree;
+}
+
+/// Bodies that hang on several joints in a row, with links without a mass between them: slide -
+/// slide - ball, hinge - hinge - slide, ball - slide, and beside them hinge - slide and hinge -
+/// ball, the hinge with a rotor. Axes are such that no posture lets two joints move a body alike.
+inline TreeSpec tree_of_joints_in_a_row() {
+  using enum JointType;
+  using Eigen::Vector3d;
+  std::mt19937_64 generator(16);
+  TreeSpec tree;
+  tree.name = "in_a_row";
+  tree.links.push_back({"root", testing::random_inertia(generator), {}});
+  const auto add = [&](const std::string& link, JointType type, const std::string& parent,
+                       const Vector3d& axis = Vector3d::UnitZ()) {
+    JointSpec joint = testing::joint("to_" + link, type, parent, link, axis);
+    joint.placement.translation().setZero();
+    tree.joints.push_back(joint);
+    tree.links.push_back({link, {}, {}});
+  };
+  const auto place = [&] {
+    tree.joints.back().placement = testing::random_placement(generator);
+    tree.joints.back().placement.translation() *= 0.5;
+  };
+  const auto give_mass = [&] { tree.links.back().inertia = testing::random_inertia(generator); };
+  add("a_1", Prismatic, "root", Vector3d::UnitX());
+  place();
+  add("a_2", Prismatic, "a_1", Vector3d(0.6, 0.8, 0.0));
+  add("a", Ball, "a_2");
+  give_mass();
+  add("b_1", Revolute, "a", Vector3d::UnitX());
+  place();
+  add("b_2", Revolute, "b_1", Vector3d::UnitY());
+  add("b", Prismatic, "b_2", Vector3d::UnitZ());
+  give_mass();
+  add("c", Ball, "b");
+  place();
+  add("tip", Prismatic, "c", Vector3d(0.0, 0.6, 0.8));
+  give_mass();
+  add("side_1", Continuous, "a_2", Vector3d::UnitY());
+  place();
+  add("side", Prismatic, "side_1", Vector3d(0.8, 0.6, 0.0));
+  give_mass();
+  add("rotor", Revolute, "b", Vector3d::UnitY());
+  place();
+  tree.joints.back().armature = 0.3;
+  add("end", Ball, "rotor");
+  give_mass();
   return tree;
 }
 
@@ -145,6 +194,8 @@ inline const std::vector<BuiltRobot>& built_robots() {
   static const std::vector<BuiltRobot> everywhere = {
       {"every_joint", [](Base base) { return compiled(tree_of_every_joint(), base); }, "tip",
        "d_side"},
+      {"in_a_row", [](Base base) { return compiled(tree_of_joints_in_a_row(), base); }, "tip",
+       "side"},
       {"followers", [](Base base) { return compiled(tree_with_followers(), base); }, "tip", "z_5"},
       {"deep", [](Base base) { return compiled(deep_tree(), base); }, "left_5", "right_2"},
   };

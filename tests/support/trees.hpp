@@ -101,9 +101,9 @@ inline TreeSpec two_links(double length = 1.0) {
 }
 
 inline const std::vector<JointType>& all_joint_types() {
-  static const std::vector<JointType> types = {JointType::Fixed,      JointType::Revolute,
-                                               JointType::Continuous, JointType::Prismatic,
-                                               JointType::Planar,     JointType::Floating};
+  static const std::vector<JointType> types = {
+      JointType::Fixed,  JointType::Revolute, JointType::Continuous, JointType::Prismatic,
+      JointType::Planar, JointType::Floating, JointType::Ball};
   return types;
 }
 
@@ -153,7 +153,7 @@ inline Posture random_posture(const TreeSpec& tree, std::mt19937_64& generator) 
   const auto fill = [&](const std::string& name, std::size_t size) {
     std::vector<double>& values = posture[name];
     for (std::size_t i = 0; i < size; ++i) values.push_back(uniform(generator, -2.0, 2.0));
-    if (size == 7) Eigen::Map<Eigen::Vector4d>(values.data() + 3).normalize();
+    if (size == 7 || size == 4) Eigen::Map<Eigen::Vector4d>(values.data() + size - 4).normalize();
   };
   for (const JointSpec& spec : tree.joints) {
     if (spec.type != JointType::Fixed) fill(spec.name, posture_size(spec.type));
@@ -197,7 +197,7 @@ inline std::vector<Eigen::Isometry3d> body_placements(const Model& model,
     } else if (spec.kind == JointKind::Prismatic) {
       moved.translation().z() = values[0];
     } else {
-      moved.translation() = values.head<3>();
+      if (spec.kind == JointKind::FreeFlyer) moved.translation() = values.head<3>();
       turn = Eigen::Quaterniond(Eigen::Vector4d(values.tail<4>())).toRotationMatrix();
     }
     moved.linear() = turn;

@@ -14,14 +14,15 @@
 
 namespace burnish {
 
-/// Kinds of moving joints. Every joint frame is turned so that its axis is z; frames by name keep
-/// the axes of the file.
+/// Kinds of moving joints. Every joint frame is turned so that its axis is z (one without an axis
+/// stays as it is); frames by name keep the axes of the file.
 enum class JointKind {
   Revolute,    ///< q = angle (1), v = rate (1)
   Continuous,  ///< q = (cos, sin) (2), v = rate (1)
   Prismatic,   ///< q = displacement (1), v = rate (1)
   Planar,      ///< q = (x, y, cos, sin) (4), v = (v_x, v_y, w_z) in body axes (3)
   FreeFlyer,   ///< q = (p, quaternion x y z w) (7), v = (v, w) in body axes (6)
+  Ball,        ///< q = quaternion x y z w (4), v = w in body axes (3)
 };
 
 /// Number of entries of a joint in q and in v.
@@ -155,7 +156,7 @@ struct Model {
 /// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass.
 ///
 /// Position limits count for revolute and prismatic joints only; the other limits, damping,
-/// friction and armature of a planar or floating joint hold for each of its entries.
+/// friction and armature of a planar, floating or ball joint hold for each of its entries.
 ///
 /// A joint that mimics another one, directly or through others, follows it: Joint::follows. Both
 /// have one coordinate; where one of them is continuous the multiplier is a whole number, since an

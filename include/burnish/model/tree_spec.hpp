@@ -91,8 +91,8 @@ struct FrameSpec {
 };
 
 /// Values of joints by name: one entry per coordinate of the joint (URDF coordinates: an angle for
-/// a continuous joint; 7 for a floating one; x, y, angle for a planar one). The free-flyer base
-/// goes by "root_joint".
+/// a continuous joint; x, y, z and a quaternion x, y, z, w for a floating one, the quaternion alone
+/// for a ball; x, y, angle for a planar one). The free-flyer base goes by "root_joint".
 using Posture = std::map<std::string, std::vector<double>>;
 
 /// Two links tied to each other along some directions: what closes a chain. Relative motion of the
