@@ -1,4 +1,5 @@
-// Actuators: how much they can do is the effort limit of their joints. Gains are no part of a model.
+// Actuators: how much they can do is the effort limit of their joints. Gains are no part of a
+// model.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What an element or the compiler says of a range: its larger end, or infinity where there is none.
+/// What an element or the compiler says of a range: its larger end, or infinity where there is
+/// none.
 double bound(const Item& item, const char* limited, const char* range, const Reading& reading,
              bool& is_even) {
   const auto stated = item.numbers(range, 2);
@@ -55,9 +57,7 @@ double largest_force(const Item& item, Reading& reading) {
     const double gain = std::abs(gain_of(item));
     if (control < infinity) force = std::min(force, gain * control);
   }
-  if (!is_even)
-    reading.said.note("ranges of forces that are not symmetric are taken by their larger end",
-                      example_of(item.xml()));
+  if (!is_even) reading.said.note(uneven_forces, example_of(item.xml()));
   return force;
 }
 
@@ -84,13 +84,16 @@ class Efforts {
     if (!any_) return;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       JointSpec& joint = reading_.tree.joints[i];
-      if (joint.type != JointType::Fixed) joint.effort_limit = std::min(joint.effort_limit, sums_[i]);
+      if (joint.type != JointType::Fixed)
+        joint.effort_limit = std::min(joint.effort_limit, sums_[i]);
     }
   }
 
  private:
   static double largest_gear(const std::vector<double>& gear, JointType type) {
-    const std::ptrdiff_t entries = type == JointType::Floating ? 6 : type == JointType::Ball ? 3 : 1;
+    const std::ptrdiff_t entries = type == JointType::Floating ? 6
+                                   : type == JointType::Ball   ? 3
+                                                               : 1;
     double largest = 0.0;
     for (auto g = gear.begin(); g != gear.begin() + entries; ++g)
       largest = std::max(largest, std::abs(*g));

@@ -7,8 +7,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MeshInertia inertia_kind(const Item& item, MeshAsset& mesh) {
-  const std::string word = item.text("inertia").value_or("legacy");
+MeshInertia inertia_kind(const Item& item, const Compiler& compiler, MeshAsset& mesh) {
+  const std::string word =
+      item.text("inertia").value_or(compiler.exact_meshes ? "exact" : "legacy");
   mesh.is_hull = word == "convex";
   if (word == "exact" || word == "convex") return MeshInertia::Exact;
   if (word == "shell") return MeshInertia::Shell;
@@ -34,7 +35,7 @@ void read_mesh(const Item& item, Reading& reading) {
     mesh.reference.translation() = Eigen::Vector3d((*at)[0], (*at)[1], (*at)[2]);
   if (const auto turned = item.numbers("refquat", 4))
     mesh.reference.linear() = quaternion_of(*turned, item.xml()).toRotationMatrix();
-  mesh.inertia = inertia_kind(item, mesh);
+  mesh.inertia = inertia_kind(item, reading.compiler, mesh);
   if (!reading.meshes.emplace(name, mesh).second)
     refuse_at(item.xml(), "a mesh of the name " + in_quotes(name) + " is defined twice");
 }

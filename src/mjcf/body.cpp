@@ -60,8 +60,9 @@ void collect(const XMLElement& element, const Isometry3d& around, const DefaultC
     } else if (kind == "inertial") {
       contents.inertial = child;
     } else if (kind == "attach" || kind == "replicate") {
-      refuse_at(*child, "it stands for bodies that are not read; save the model from MuJoCo, which "
-                        "writes them out");
+      refuse_at(*child,
+                "it stands for bodies that are not read; save the model from MuJoCo, which "
+                "writes them out");
     } else if (kind == "composite" || kind == "flexcomp") {
       reading.said.note("what is soft or composed (<composite>, <flexcomp>) is not carried over",
                         example_of(*child));
@@ -163,6 +164,16 @@ void read_range(const Item& item, JointSpec& joint, Reading& reading) {
   joint.upper = turns ? reading.compiler.angle((*stated)[1]) : (*stated)[1];
 }
 
+/// What all actuators together may do to the joint.
+void read_effort(const Item& item, JointSpec& joint, Reading& reading) {
+  const auto stated = item.numbers("actuatorfrcrange", 2);
+  const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
+  const auto limited = item.choice("actuatorfrclimited");
+  if (!limited.value_or(has_range && reading.compiler.autolimits) || !has_range) return;
+  joint.effort_limit = std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
+  if ((*stated)[0] != -(*stated)[1]) reading.said.note(uneven_forces, example_of(item.xml()));
+}
+
 void read_passive(const Item& item, JointSpec& joint, double ref_unit, Reading& reading) {
   joint.armature = item.number("armature", 0.0);
   joint.friction = item.number("frictionloss", 0.0);
@@ -198,7 +209,8 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   joint.name = item.name();
   if (joint.name.empty()) {
     // As a free-flying base is called everywhere.
-    const bool is_base = joint.type == JointType::Floating && !reading.joints.is_taken("root_joint");
+    const bool is_base =
+        joint.type == JointType::Floating && !reading.joints.is_taken("root_joint");
     joint.name = reading.joints.unique(is_base ? "root_joint" : body + "_joint");
   }
   reading.findings.attempt([&] {
@@ -212,6 +224,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
       read.reference = unit * item.number("ref", 0.0);
     }
     if (joint.type != JointType::Floating) read_range(item, joint, reading);
+    if (is_single) read_effort(item, joint, reading);
     if (turns || joint.type == JointType::Ball) {
       const std::vector<double> pos = item.overlaid("pos", {0.0, 0.0, 0.0});
       read.anchor = within.around * Vector3d(pos[0], pos[1], pos[2]);
@@ -246,8 +259,8 @@ void check_free(const Within& within, const std::string& parent, std::size_t joi
   if (parent != world_name)
     refuse_at(within.item.xml(), "a free joint belongs to a body in the world itself");
   if (joints != 1)
-    refuse_at(within.item.xml(), "a free joint is a body's only one; this has " +
-                                     std::to_string(joints) + " joints");
+    refuse_at(within.item.xml(),
+              "a free joint is a body's only one; this has " + std::to_string(joints) + " joints");
 }
 
 /// The chain of joints between two bodies. MuJoCo moves a body by each of its joints in turn: with
@@ -297,7 +310,8 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
     reading.findings.attempt([&] {
       Isometry3d placement = Isometry3d::Identity();
       if (const auto ends = within.item.numbers("fromto", 6)) {
-        const Vector3d from((*ends)[0], (*ends)[1], (*ends)[2]), to((*ends)[3], (*ends)[4], (*ends)[5]);
+        const Vector3d from((*ends)[0], (*ends)[1], (*ends)[2]),
+            to((*ends)[3], (*ends)[4], (*ends)[5]);
         placement.translation() = 0.5 * (from + to);
         if ((from - to).norm() > 0.0) placement.linear() = rotation_to(from - to);
       } else {

@@ -100,7 +100,8 @@ double Compiler::angle(double stated) const {
 void Compiler::read(const XMLElement& element) {
   const Item item(element, nullptr);
   if (item.text("coordinate").value_or("local") == "global")
-    refuse_at(element, "coordinate is 'global', which MuJoCo has given up; wanted local placements");
+    refuse_at(element,
+              "coordinate is 'global', which MuJoCo has given up; wanted local placements");
   if (const auto unit = item.text("angle")) {
     if (*unit != "degree" && *unit != "radian")
       refuse_at(element, "angle is " + in_quotes(*unit) + "; wanted degree or radian");
@@ -109,6 +110,7 @@ void Compiler::read(const XMLElement& element) {
   read_euler(element, euler);
   autolimits = bool_of(element, "autolimits", autolimits);
   strip_paths = bool_of(element, "strippath", strip_paths);
+  exact_meshes = bool_of(element, "exactmeshinertia", exact_meshes);
   balance_inertia = bool_of(element, "balanceinertia", balance_inertia);
   if (item.stating("inertiafromgeom") != nullptr) {
     const auto choice = item.choice("inertiafromgeom");
@@ -130,7 +132,8 @@ void Compiler::read(const XMLElement& element) {
 Eigen::Matrix3d orientation_of(const Item& item, const Compiler& compiler) {
   if (const Form* own = form_of(item.xml())) return rotation_by(*own, item.xml(), compiler);
   for (const Form& form : forms)
-    if (const XMLElement* at = item.stating(form.attribute)) return rotation_by(form, *at, compiler);
+    if (const XMLElement* at = item.stating(form.attribute))
+      return rotation_by(form, *at, compiler);
   return Eigen::Matrix3d::Identity();
 }
 

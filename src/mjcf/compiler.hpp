@@ -17,10 +17,11 @@ struct Compiler {
   bool autolimits = true;
   bool strip_paths = false;
   bool balance_inertia = false;
+  bool exact_meshes = false;  ///< as files before MuJoCo 3.2.5 say it for all meshes at once
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::Auto;
-  double least_mass = 0.0;     ///< kg
-  double least_inertia = 0.0;  ///< kg m^2
-  double total_mass = -1.0;    ///< kg; not positive: as stated
+  double least_mass = 0.0;              ///< kg
+  double least_inertia = 0.0;           ///< kg m^2
+  double total_mass = -1.0;             ///< kg; not positive: as stated
   int first_group = 0, last_group = 5;  ///< of geoms that have a mass
   std::string mesh_folder;              ///< of `meshdir`, or else of `assetdir`
 
@@ -30,9 +31,9 @@ struct Compiler {
   double angle(double stated) const;  ///< rad
 };
 
-/// The rotation that quat, axisangle, xyaxes, zaxis or euler states; the identity where none of them
-/// does. What the element states itself goes before its class. Throws Error for two of them, and for
-/// what is no rotation.
+/// The rotation that quat, axisangle, xyaxes, zaxis or euler states; the identity where none of
+/// them does. What the element states itself goes before its class. Throws Error for two of them,
+/// and for what is no rotation.
 Eigen::Matrix3d orientation_of(const Item& item, const Compiler& compiler);
 
 /// `pos` with orientation_of.

@@ -188,14 +188,13 @@ Isometry3d at_point(const std::vector<double>& p) {
 /// draws them where that states no rotation.
 Isometry3d held_pose(const Item& item, const LoopSpec& loop, const Reading& reading) {
   const auto pose = item.numbers("relpose", 7);
-  const bool is_stated = pose && std::any_of(pose->begin() + 3, pose->end(),
-                                             [](double x) { return x != 0.0; });
+  const bool is_stated =
+      pose && std::any_of(pose->begin() + 3, pose->end(), [](double x) { return x != 0.0; });
   if (!is_stated)
     return reading.link_at_start.at(loop.first_link).inverse() *
            reading.link_at_start.at(loop.second_link);
   Isometry3d held = at_point(*pose);
-  held.linear() =
-      quaternion_of({pose->begin() + 3, pose->end()}, item.xml()).toRotationMatrix();
+  held.linear() = quaternion_of({pose->begin() + 3, pose->end()}, item.xml()).toRotationMatrix();
   return held;
 }
 
@@ -206,7 +205,8 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
   reading.loops.take(loop.name);
   loop.directions = is_weld ? Directions::all() : Directions::linear();
   if (item.stating("site1") != nullptr) {
-    const Placed &first = site_of(item, "site1", reading), &second = site_of(item, "site2", reading);
+    const Placed &first = site_of(item, "site1", reading),
+                 &second = site_of(item, "site2", reading);
     loop.first_link = first.link, loop.first = first.in_link;
     loop.second_link = second.link, loop.second = second.in_link;
   } else {
@@ -222,7 +222,8 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.second = is_weld ? at : held.inverse() * at;
   }
   if (loop.first_link == loop.second_link)
-    refuse_at(item.xml(), "it ties " + in_quotes(loop.first_link) + " to itself; wanted two bodies");
+    refuse_at(item.xml(),
+              "it ties " + in_quotes(loop.first_link) + " to itself; wanted two bodies");
   reading.tree.loops.push_back(std::move(loop));
 }
 

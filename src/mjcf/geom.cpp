@@ -39,7 +39,7 @@ std::optional<Primitive> primitive_of(const std::string& type) {
 
 std::string type_of(const Item& item) {
   std::string type = item.text("type").value_or("sphere");
-  const std::vector<std::string> known = {"plane",     "hfield", "sphere", "capsule", "ellipsoid",
+  const std::vector<std::string> known = {"plane",    "hfield", "sphere", "capsule", "ellipsoid",
                                           "cylinder", "box",    "mesh",   "sdf"};
   if (std::find(known.begin(), known.end(), type) != known.end()) return type;
   refuse_at(item.xml(), "type " + in_quotes(type) + " is unknown" + did_you_mean(type, known));
@@ -49,7 +49,8 @@ std::string type_of(const Item& item) {
 void take_ends(const std::vector<double>& ends, Stated& geom) {
   const Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   if (geom.primitive == Primitive::Sphere)
-    refuse_at(geom.item.xml(), "a sphere has no fromto; wanted a capsule, cylinder, ellipsoid or box");
+    refuse_at(geom.item.xml(),
+              "a sphere has no fromto; wanted a capsule, cylinder, ellipsoid or box");
   const double half = 0.5 * (from - to).norm();
   if (half < negligible) refuse_at(geom.item.xml(), "fromto states two points that are one");
   Vector3d& size = geom.solid.size;
@@ -72,7 +73,8 @@ void check_sizes(const Stated& geom) {
 }
 
 Stated state(const Item& item, const Isometry3d& around, const Compiler& compiler) {
-  Stated geom{item, type_of(item), std::nullopt, item.text("mesh").value_or(""), {}, {}, 0, {}, water};
+  Stated geom{item, type_of(item), std::nullopt, item.text("mesh").value_or(""), {}, {}, 0,
+              {},   water};
   geom.primitive = primitive_of(geom.type);
   geom.group = static_cast<int>(std::clamp(item.number("group", 0.0), -1e6, 1e6));
   if (item.stating("mass") != nullptr) geom.mass = item.number("mass", 0.0);

@@ -9,8 +9,8 @@ namespace burnish::mjcf {
 
 std::string_view default_kind(std::string_view element) {
   constexpr std::array<std::string_view, 13> actuators = {
-      "general",    "motor",  "position", "velocity", "intvelocity", "damper", "cylinder",
-      "muscle",     "adhesion", "plugin", "dcmotor",  "pid",         "orientation"};
+      "general", "motor",    "position", "velocity", "intvelocity", "damper",     "cylinder",
+      "muscle",  "adhesion", "plugin",   "dcmotor",  "pid",         "orientation"};
   if (std::find(actuators.begin(), actuators.end(), element) != actuators.end()) return "actuator";
   if (element == "fixed" || element == "spatial") return "tendon";
   if (element == "connect" || element == "weld") return "equality";
@@ -43,8 +43,7 @@ void DefaultClasses::read(const XMLElement& element, Source& source, DefaultClas
   }
 }
 
-const DefaultClass& DefaultClasses::named(const std::string& name,
-                                          const XMLElement& asking) const {
+const DefaultClass& DefaultClasses::named(const std::string& name, const XMLElement& asking) const {
   const auto found = by_name_.find(name);
   if (found != by_name_.end()) return *found->second;
   std::vector<std::string> known;
@@ -120,8 +119,8 @@ std::optional<bool> Item::choice(const char* attribute) const {
   if (word == "true") return true;
   if (word == "false") return false;
   if (word == "auto") return std::nullopt;
-  refuse_at(*at, std::string(attribute) + " is " + in_quotes(word) +
-                     "; wanted true, false or auto");
+  refuse_at(*at,
+            std::string(attribute) + " is " + in_quotes(word) + "; wanted true, false or auto");
 }
 
 }  // namespace burnish::mjcf

@@ -27,8 +27,8 @@ std::string_view default_kind(std::string_view element);
 class DefaultClasses {
  public:
   DefaultClasses();
-  /// A <default> of the model's own, with those inside. Throws Error where a class has no name, or a
-  /// name that is taken.
+  /// A <default> of the model's own, with those inside. Throws Error where a class has no name, or
+  /// a name that is taken.
   void read(const XMLElement& section, Source& source);
 
   const DefaultClass& main() const { return classes_.front(); }

@@ -123,7 +123,8 @@ Triangles from_ascii_stl(const std::string& text, const std::string& source) {
   return mesh;
 }
 
-/// The vertex of "7", "7/1" or "-2//3": numbers begin at 1, and those below zero count from the end.
+/// The vertex of "7", "7/1" or "-2//3": numbers begin at 1, and those below zero count from the
+/// end.
 int index_of(std::string_view word, std::size_t vertices, const std::string& source) {
   long stated = 0;
   std::from_chars(word.data(), word.data() + word.size(), stated);
@@ -177,7 +178,7 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
 
 /// What one face adds: a tetrahedron with the origin, or the triangle itself.
 struct Piece {
-  double measure;   // m^3 or m^2, with a sign
+  double measure;  // m^3 or m^2, with a sign
   Vector3d centre;
   Eigen::Matrix3d second_moment;  // integral of x x^T
 };
@@ -269,8 +270,8 @@ InertiaSpec inertia_of(const Triangles& mesh, MeshInertia how, const std::string
   InertiaSpec result;
   result.mass = sum.measure;
   result.com = about_surface.centre;
-  result.inertia_at_com = sum.second_moment.trace() * Eigen::Matrix3d::Identity() -
-                          sum.second_moment;
+  result.inertia_at_com =
+      sum.second_moment.trace() * Eigen::Matrix3d::Identity() - sum.second_moment;
   return result;
 }
 

@@ -20,15 +20,15 @@ namespace fs = std::filesystem;
 using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less<>>;
 
 constexpr std::array<std::string_view, 16> known_sections = {
-    "compiler", "option", "size",    "visual",   "statistic", "default", "custom",    "asset",
+    "compiler",  "option",  "size",   "visual",   "statistic", "default", "custom",   "asset",
     "worldbody", "contact", "tendon", "equality", "actuator",  "sensor",  "keyframe", "extension"};
 
 Sections sections_of(Reading& reading) {
   Sections sections;
   for (const XMLElement* section : reading.source.children(reading.source.root())) {
     const std::string name = section->Name();
-    const bool is_known = std::find(known_sections.begin(), known_sections.end(), name) !=
-                          known_sections.end();
+    const bool is_known =
+        std::find(known_sections.begin(), known_sections.end(), name) != known_sections.end();
     if (!is_known && name != "deformable")
       reading.said.note("sections of unknown names are passed over", example_of(*section));
     sections[name].push_back(section);
@@ -54,8 +54,7 @@ void for_each_section(const Sections& sections, std::string_view name, Reading& 
                       Read&& read) {
   const auto found = sections.find(name);
   if (found == sections.end()) return;
-  for (const XMLElement* section : found->second)
-    reading.findings.attempt([&] { read(*section); });
+  for (const XMLElement* section : found->second) reading.findings.attempt([&] { read(*section); });
 }
 
 void read_option(const XMLElement& section, Reading& reading) {
@@ -80,8 +79,8 @@ std::string model_name(const Reading& reading) {
   return is_name && !reading.source.name().starts_with("/dev/") ? name : "robot";
 }
 
-/// What is for eyes alone is drawn where a file has any: geoms of the groups 0 to 2. Others are what
-/// collides.
+/// What is for eyes alone is drawn where a file has any: geoms of the groups 0 to 2. Others are
+/// what collides.
 void add_visuals(Reading& reading) {
   constexpr int seen_groups = 3;
   const auto is_seen = [](const Drawn& drawn) { return drawn.group < seen_groups; };

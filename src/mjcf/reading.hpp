@@ -19,6 +19,8 @@
 namespace burnish::mjcf {
 
 inline const std::string world_name = "world";
+inline const std::string uneven_forces =
+    "ranges of forces that are not symmetric are taken by their larger end";
 
 struct MeshAsset {
   const XMLElement* xml = nullptr;

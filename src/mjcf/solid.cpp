@@ -64,8 +64,8 @@ Vector3d box(const Solid& solid) {
 
 Eigen::Matrix3d moved(const InertiaSpec& body, const Vector3d& to) {
   const Vector3d arm = body.com - to;
-  return body.inertia_at_com + body.mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() -
-                                            arm * arm.transpose());
+  return body.inertia_at_com +
+         body.mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
 }
 
 }  // namespace
@@ -94,8 +94,7 @@ double extent_of(const Solid& solid) {
 Vector3d moments_over_mass(const Solid& solid) {
   switch (solid.kind) {
     case Primitive::Sphere:
-      return Vector3d::Constant((solid.is_shell ? 2.0 / 3.0 : 0.4) * solid.size[0] *
-                                solid.size[0]);
+      return Vector3d::Constant((solid.is_shell ? 2.0 / 3.0 : 0.4) * solid.size[0] * solid.size[0]);
     case Primitive::Capsule:
       return capsule(solid);
     case Primitive::Cylinder:

@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-/// Name of the first element of an XML text; empty where there is none. What is no XML the reader of
-/// URDF refuses.
+/// Name of the first element of an XML text; empty where there is none. What is no XML the reader
+/// of URDF refuses.
 std::string_view outermost_element(std::string_view text) {
   std::size_t at = text.find('<');
   while (at != std::string_view::npos) {
@@ -33,11 +33,13 @@ TreeSpec read_description(const std::filesystem::path& file) {
     refuse(name, "it is USD, which is not read; wanted URDF or MJCF");
   const std::string_view outermost = outermost_element(text);
   if (outermost == "sdf")
-    refuse(name, "its outermost element is <sdf>: SDF is not read; wanted <robot> (URDF) or <mujoco> "
-                 "(MJCF)");
+    refuse(name,
+           "its outermost element is <sdf>: SDF is not read; wanted <robot> (URDF) or <mujoco> "
+           "(MJCF)");
   if (outermost == "mujocoinclude")
-    refuse(name, "its outermost element is <mujocoinclude>: it is a part of a model; wanted the file "
-                 "that includes it");
+    refuse(name,
+           "its outermost element is <mujocoinclude>: it is a part of a model; wanted the file "
+           "that includes it");
   if (outermost == "mujoco") return mjcf::read_model(text, name, file.parent_path());
   return parse_urdf(text, name);
 }

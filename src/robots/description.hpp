@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// Reads URDF or MJCF, once, whatever the file's name: <robot> or <mujoco> is outermost. Throws Error
-/// as read_urdf and read_mjcf do, and for SDF and USD by their names.
+/// Reads URDF or MJCF, once, whatever the file's name: <robot> or <mujoco> is outermost. Throws
+/// Error as read_urdf and read_mjcf do, and for SDF and USD by their names.
 TreeSpec read_description(const std::filesystem::path& file);
 
 }  // namespace burnish

@@ -105,8 +105,8 @@ Place find_robot(const std::string& name) {
     throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
   }
   if (!is_settings(*file)) {
-    throw Error("robot " + in_quotes(name) + " asks for a variant of a description; only settings " +
-                "files have variants");
+    throw Error("robot " + in_quotes(name) +
+                " asks for a variant of a description; only settings " + "files have variants");
   }
   return {*file, variant};
 }

@@ -53,8 +53,9 @@ JointLimits read_limits(const Reader& reader) {
 /// The keys of a file or of a variant; `also`: one that only the file has.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
-      "urdf", "mjcf", "srdf",    "description",     "base",     "base_placement", "lock",
-      "free", "posture", "default_posture", "postures", "frames", "limits"};
+      "urdf",           "mjcf",   "srdf",  "description", "base",
+      "base_placement", "lock",   "free",  "posture",     "default_posture",
+      "postures",       "frames", "limits"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
@@ -100,7 +101,8 @@ RobotSettingsFile parse_robot_settings(const std::string& text, const std::strin
     for (const auto& [variant, value] : variants->items())
       result.variants[variant] = read_settings(value, {});
   if (!result.common.urdf && !result.common.mjcf)
-    top.refuse("key 'urdf' is missing; wanted the name of a URDF file, or 'mjcf' with an MJCF file");
+    top.refuse(
+        "key 'urdf' is missing; wanted the name of a URDF file, or 'mjcf' with an MJCF file");
   return result;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-void parse_text(tinyxml2::XMLDocument& document, const std::string& xml,
-                const std::string& source, const std::string& format) {
+void parse_text(tinyxml2::XMLDocument& document, const std::string& xml, const std::string& source,
+                const std::string& format) {
   if (xml.find_first_not_of(" \t\r\n") == std::string::npos) {
     refuse(source, "it is empty; a description in " + format + " was wanted");
   }
@@ -72,8 +72,7 @@ const XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::st
                                   const std::string& source, const std::string& format) {
   const XMLElement& robot = parse_xml(document, xml, source, format);
   if (std::string_view(robot.Name()) == "robot") return robot;
-  refuse(source,
-         "its outermost element is <" + std::string(robot.Name()) + ">; wanted <robot>");
+  refuse(source, "its outermost element is <" + std::string(robot.Name()) + ">; wanted <robot>");
 }
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Public collections of MJCF, where a folder with some is named: BURNISH_MJCF. Each file is read, and
-// its dynamics compared with MuJoCo's. Prints the table of docs/robots.md.
+// Public collections of MJCF, where a folder with some is named: BURNISH_MJCF. Each file is read,
+// and its dynamics compared with MuJoCo's. Prints the table of docs/robots.md.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -22,7 +22,8 @@ std::vector<fs::path> models_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".xml" || !entry.is_regular_file()) continue;
-    if (contents(entry.path()).find("<worldbody") != std::string::npos) files.push_back(entry.path());
+    if (contents(entry.path()).find("<worldbody") != std::string::npos)
+      files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

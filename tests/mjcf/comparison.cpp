@@ -26,13 +26,15 @@ std::string name_in(const mjModel& model, int type, int index) {
   return name == nullptr ? "" : name;
 }
 
-/// For each of MuJoCo's joints the tree's: by its name, or else the next that the file does not name.
+/// For each of MuJoCo's joints the tree's: by its name, or else the next that the file does not
+/// name.
 std::vector<std::string> joints_of(const TreeSpec& tree, const mjModel& theirs) {
   std::set<std::string> stated;
   for (int j = 0; j < theirs.njnt; ++j) stated.insert(name_in(theirs, mjOBJ_JOINT, j));
   std::vector<std::string> unnamed;
   for (const JointSpec& joint : tree.joints)
-    if (joint.type != JointType::Fixed && !stated.contains(joint.name)) unnamed.push_back(joint.name);
+    if (joint.type != JointType::Fixed && !stated.contains(joint.name))
+      unnamed.push_back(joint.name);
   std::vector<std::string> names;
   auto next = unnamed.begin();
   for (int j = 0; j < theirs.njnt; ++j) {
@@ -48,16 +50,15 @@ std::vector<std::string> joints_of(const TreeSpec& tree, const mjModel& theirs) 
 struct Map {
   const Model& model;
   const mjModel& theirs;
-  std::vector<int> ours;          // index of a joint of the model, -1: held
-  
+  std::vector<int> ours;  // index of a joint of the model, -1: held
+
   Map(const TreeSpec& tree, const Model& compiled, const mjModel& other)
       : model(compiled), theirs(other) {
     for (const std::string& name : joints_of(tree, other)) {
       const auto found = std::find_if(model.joints.begin(), model.joints.end(),
                                       [&](const Joint& joint) { return joint.name == name; });
-      ours.push_back(found == model.joints.end()
-                         ? -1
-                         : static_cast<int>(found - model.joints.begin()));
+      ours.push_back(found == model.joints.end() ? -1
+                                                 : static_cast<int>(found - model.joints.begin()));
     }
   }
 
@@ -147,7 +148,8 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     if (model.nv == 0) continue;
     const Eigen::MatrixXd M = mass_matrix_of(theirs, *data);
     // The armature of a floating joint meets the rate of v in burnish, along axes that turn.
-    const Eigen::VectorXd armature = Eigen::Map<const Eigen::VectorXd>(theirs.dof_armature, theirs.nv);
+    const Eigen::VectorXd armature =
+        Eigen::Map<const Eigen::VectorXd>(theirs.dof_armature, theirs.nv);
     const Eigen::VectorXd b = Eigen::Map<Eigen::VectorXd>(data->qfrc_bias, theirs.nv) + M * drift -
                               armature.cwiseProduct(drift);
     const auto error = [](const auto& got, const Eigen::MatrixXd& want) {
@@ -158,7 +160,8 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
         std::max(worst.mass_matrix, error(ours.mass_matrix(), B.transpose() * M * B));
     // What gravity and motion add up to may cancel: it is beside what a weight does.
     const Eigen::VectorXd want = B.transpose() * b;
-    const double scale = std::max({want.cwiseAbs().maxCoeff(), (B.transpose() * M * B).norm(), 1e-12});
+    const double scale =
+        std::max({want.cwiseAbs().maxCoeff(), (B.transpose() * M * B).norm(), 1e-12});
     worst.bias = std::max(worst.bias, (ours.bias() - want).cwiseAbs().maxCoeff() / scale);
   }
   return worst;
@@ -188,7 +191,7 @@ class Copy {
       const std::string_view name = section.Name();
       if (name == "compiler")
         tag(section, "compiler", {"angle", "eulerseq"}, sections, "inertiafromgeom=\"false\"");
-      if (name == "option") tag(section, "option", {"gravity"}, sections);
+      if (name == "option") copy_option(section, sections);
       if (name == "default") copy_default(section, sections);
       if (name == "worldbody") {
         sections += "<worldbody>\n";
@@ -201,8 +204,10 @@ class Copy {
 
  private:
   using Attributes = std::vector<const char*>;
-  static inline const Attributes pose = {"name", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
-  static inline const Attributes of_joint = {"name", "class", "type", "axis", "pos", "ref", "armature"};
+  static inline const Attributes pose = {"name",   "pos",   "quat", "axisangle",
+                                         "xyaxes", "zaxis", "euler"};
+  static inline const Attributes of_joint = {"name", "class", "type",    "axis",
+                                             "pos",  "ref",   "armature"};
 
   const XMLElement* open(const fs::path& file) {
     documents_.push_back(std::make_unique<tinyxml2::XMLDocument>());
@@ -240,6 +245,14 @@ class Copy {
     });
   }
 
+  void copy_option(const XMLElement& option, std::string& text) {
+    tag(option, "option", {"gravity"}, text, "", true);
+    each(option, [&](const XMLElement& child) {
+      if (std::string_view(child.Name()) == "flag") tag(child, "flag", {"gravity"}, text);
+    });
+    text += "</option>\n";
+  }
+
   void copy_default(const XMLElement& element, std::string& text) {
     tag(element, "default", {"class"}, text, "", true);
     each(element, [&](const XMLElement& child) {
@@ -268,8 +281,7 @@ class Copy {
       if (kind == "body") {
         copy_body(child, text);
       } else if (kind == "frame") {
-        if (!in_world || child.FirstChildElement("joint") != nullptr)
-          check_frame(child);
+        if (!in_world || child.FirstChildElement("joint") != nullptr) check_frame(child);
         tag(child, "body", {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "childclass"},
             text, "", true);
         text += "<inertial pos=\"0 0 0\" mass=\"0\" diaginertia=\"0 0 0\"/>\n";
