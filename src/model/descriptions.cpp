@@ -154,6 +154,9 @@ const Description& description_of(const TreeSpec* /*of*/) {
                  "file it was read from, used in error sentences; may be empty")
           .field("links", &T::links)
           .field("joints", &T::joints)
+          .field("frames", &T::frames, "that the file names beside links and joints")
+          .field("postures", &T::postures, "that the file names")
+          .field("gravity", &T::gravity, "{m/s^2}, where the file states it")
           .field("warnings", &T::warnings,
                  "What was odd about the file but stopped nothing, one sentence each; a Model gets "
                  "them too.");

@@ -44,4 +44,8 @@ TreeSpec read_description(const std::filesystem::path& file) {
   return parse_urdf(text, name);
 }
 
+std::string description_key(const std::filesystem::path& file) {
+  return outermost_element(read_text(file, "URDF or MJCF file")) == "mujoco" ? "mjcf" : "urdf";
+}
+
 }  // namespace burnish
