@@ -109,13 +109,14 @@ void correct(InertiaSpec& body, const Compiler& compiler) {
   body.inertia_at_com = 0.5 * (turned + turned.transpose());
 }
 
-InertiaSpec mass_of(const Contents& contents, std::size_t link, Reading& reading) {
+InertiaSpec mass_of(const Contents& contents, std::size_t link, bool moves, Reading& reading) {
   const InertiaFromGeom from_geom = reading.compiler.inertia_from_geom;
   const bool infers = from_geom == InertiaFromGeom::Yes ||
                       (from_geom == InertiaFromGeom::Auto && contents.inertial == nullptr);
   std::vector<Geom> geoms;
   for (const Within& geom : contents.geoms) geoms.push_back({&geom.item, geom.around});
-  InertiaSpec body = read_geoms(geoms, link, infers, reading);
+  const Weigh how = !infers ? Weigh::No : moves ? Weigh::Yes : Weigh::Silently;
+  InertiaSpec body = read_geoms(geoms, link, how, reading);
   const bool keeps_inertial = !infers || body.mass <= 0.0;
   if (keeps_inertial && contents.inertial != nullptr) {
     reading.findings.attempt([&] { body = read_inertial(*contents.inertial, reading.compiler); });
@@ -341,7 +342,9 @@ void say_of_body(const XMLElement& body, Reading& reading) {
     reading.said.note("gravity is not taken off bodies (gravcomp)", example_of(body));
 }
 
-void read_body(const Child& child, const std::string& parent, int depth, Reading& reading) {
+/// `moves`: whether a joint moves the parent.
+void read_body(const Child& child, const std::string& parent, bool moves, int depth,
+               Reading& reading) {
   const XMLElement& xml = *child.xml;
   if (depth > max_depth || reading.tree.links.size() > max_links)
     refuse_at(xml, "more than " + std::to_string(depth > max_depth ? max_depth : int{max_links}) +
@@ -362,10 +365,11 @@ void read_body(const Child& child, const std::string& parent, int depth, Reading
   const std::string name = link.name;
   reading.tree.links.push_back(link);
   reading.link_at_start.emplace(name, reading.link_at_start.at(parent) * placement);
-  reading.tree.links[index].inertia = mass_of(contents, index, reading);
+  moves = moves || !contents.joints.empty();
+  reading.tree.links[index].inertia = mass_of(contents, index, moves, reading);
   join(contents.joints, parent, name, placement, link.line, reading);
   read_sites(contents.sites, name, reading);
-  for (const Child& below : contents.bodies) read_body(below, name, depth + 1, reading);
+  for (const Child& below : contents.bodies) read_body(below, name, moves, depth + 1, reading);
 }
 
 /// Names that are stated, before others are made up.
@@ -397,9 +401,9 @@ void read_world(const XMLElement& section, Reading& reading) {
     refuse_at(contents.joints.front().item.xml(), "the world has no joints; wanted it in a body");
   std::vector<Geom> geoms;
   for (const Within& geom : contents.geoms) geoms.push_back({&geom.item, geom.around});
-  read_geoms(geoms, 0, false, reading);
+  read_geoms(geoms, 0, Weigh::No, reading);
   read_sites(contents.sites, world_name, reading);
-  for (const Child& child : contents.bodies) read_body(child, world_name, 1, reading);
+  for (const Child& child : contents.bodies) read_body(child, world_name, false, 1, reading);
 }
 
 }  // namespace burnish::mjcf

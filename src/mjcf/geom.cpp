@@ -127,10 +127,11 @@ void open(MeshAsset& mesh, Reading& reading) {
 }
 
 /// Mass and inertia over the mass in the geom's own frame, or nothing where they are not known.
-std::optional<InertiaSpec> weigh_mesh(const Stated& geom, Reading& reading) {
+std::optional<InertiaSpec> weigh_mesh(const Stated& geom, bool aloud, Reading& reading) {
   MeshAsset& mesh = *mesh_of(geom, reading);
   open(mesh, reading);
   if (!mesh.of_density_one) {
+    if (!aloud) return std::nullopt;
     if (mesh.file.empty())
       reading.said.note("bodies lack what geoms weigh whose mesh is made without a file",
                         example_of(geom.item.xml()));
@@ -146,13 +147,14 @@ std::optional<InertiaSpec> weigh_mesh(const Stated& geom, Reading& reading) {
   return body;
 }
 
-std::optional<InertiaSpec> weigh(const Stated& geom, Reading& reading) {
+std::optional<InertiaSpec> weigh(const Stated& geom, bool aloud, Reading& reading) {
   if (geom.mass ? *geom.mass == 0.0 : geom.density == 0.0) return std::nullopt;
   if (geom.type == "plane" || geom.type == "hfield") return std::nullopt;
   std::optional<InertiaSpec> body;
   if (geom.type == "mesh") {
-    body = weigh_mesh(geom, reading);
+    body = weigh_mesh(geom, aloud, reading);
   } else if (!geom.primitive || !geom.mesh.empty()) {
+    if (!aloud) return std::nullopt;
     reading.said.note("bodies lack what geoms weigh that are fitted to a mesh or made by a plugin",
                       example_of(geom.item.xml()));
   } else {
@@ -247,7 +249,7 @@ std::vector<VisualSpec> visuals_of(const Stated& geom, Reading& reading) {
 
 }  // namespace
 
-InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, bool with_mass,
+InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh how,
                        Reading& reading) {
   InertiaSpec sum;
   const Compiler& compiler = reading.compiler;
@@ -257,8 +259,8 @@ InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, bool wi
       for (VisualSpec& visual : visuals_of(geom, reading))
         reading.drawn.push_back({link, geom.group, std::move(visual)});
       const bool weighs =
-          with_mass && geom.group >= compiler.first_group && geom.group <= compiler.last_group;
-      const auto body = weighs ? weigh(geom, reading) : std::nullopt;
+          how != Weigh::No && geom.group >= compiler.first_group && geom.group <= compiler.last_group;
+      const auto body = weighs ? weigh(geom, how == Weigh::Yes, reading) : std::nullopt;
       if (body) sum = together(sum, *body);
     });
   }

@@ -99,12 +99,17 @@ void read_assets(const XMLElement& section, Reading& reading);
 /// <worldbody>: links, joints, sites and what is drawn.
 void read_world(const XMLElement& section, Reading& reading);
 
-/// What the geoms of a body weigh together, in the body's frame, and what of them is drawn.
 struct Geom {
   const Item* item;
   Eigen::Isometry3d around;  ///< placement of the frame that holds it in the body's
 };
-InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, bool with_mass,
+enum class Weigh {
+  No,
+  Yes,
+  Silently,  ///< of what never moves a mass that is not known is no loss
+};
+/// What the geoms of a body weigh together, in the body's frame, and what of them is drawn.
+InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh weigh,
                        Reading& reading);
 
 /// <actuator>: effort limits of joints.
