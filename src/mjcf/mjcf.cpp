@@ -107,9 +107,16 @@ void say_what_is_passed_over(const Sections& sections, Reading& reading) {
     for (const XMLElement* element : elements_of(sections, name, reading))
       ++reading.passed_over[element->Name()];
   if (reading.passed_over.empty()) return;
+  constexpr std::size_t most = 30;
   std::string kinds;
-  for (const auto& [name, count] : reading.passed_over)
-    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " <" + name + ">";
+  std::size_t listed = 0;
+  for (const auto& [name, count] : reading.passed_over) {
+    if (++listed > most) {
+      kinds += " and " + std::to_string(reading.passed_over.size() - most) + " more kinds";
+      break;
+    }
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " <" + name.substr(0, 80) + ">";
+  }
   reading.findings.warn("passed over is what dynamics does not need: " + kinds);
 }
 

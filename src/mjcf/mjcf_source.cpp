@@ -95,10 +95,10 @@ std::vector<const XMLElement*> Source::children(const XMLElement& element) {
 
 XmlPlace place_of(const XMLElement& element) {
   const char* name = element.Attribute("name");
-  const std::string label = name == nullptr || *name == '\0'
-                                ? "<" + std::string(element.Name()) + ">"
-                                : std::string(element.Name()) + " " + in_quotes(name);
-  return {file_of(element), label};
+  constexpr std::size_t longest = 80;
+  const std::string kind = std::string(element.Name()).substr(0, longest);
+  const bool has_name = name != nullptr && *name != '\0';
+  return {file_of(element), has_name ? kind + " " + in_quotes(name) : "<" + kind + ">"};
 }
 
 void refuse_at(const XMLElement& element, const std::string& what) {
