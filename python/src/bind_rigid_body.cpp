@@ -153,7 +153,8 @@ void bind_whole_robot(BodyClass& of) {
   result(of, "gravity_torque", &B::gravity_torque,
          "(nv,), holds the robot at rest: b(q, 0), Nm or N.");
   result(of, "passive_torque", &B::passive_torque,
-         "(nv,), damping and smoothed friction at v, Nm or N.");
+         "(nv,), springs and tendons at q, damping and smoothed friction at v, Nm or N.");
+  result(of, "spring_energy", &B::spring_energy, "In springs of joints and tendons, J.");
   derivative(of, "com_dq", &B::com_dq, "(3, nv); d(com_velocity)/dv too.");
   derivative(of, "com_velocity_dq", &B::com_velocity_dq, "(3, nv).");
   derivative(of, "momentum_dq", &B::momentum_dq, "(6, nv).");
@@ -164,8 +165,9 @@ void bind_whole_robot(BodyClass& of) {
   derivative(of, "kinetic_energy_dq", &B::kinetic_energy_dq, "(nv,).");
   derivative(of, "kinetic_energy_dv", &B::kinetic_energy_dv, "(nv,), M v.");
   derivative(of, "potential_energy_dq", &B::potential_energy_dq, "(nv,), the gravity torque.");
+  derivative(of, "passive_torque_dq", &B::passive_torque_dq, "(nv, nv).");
   derivative(of, "passive_torque_dv", &B::passive_torque_dv,
-             "(nv,), the diagonal of a diagonal matrix.");
+             "(nv, nv), diagonal unless tendons have dampers.");
 }
 
 }  // namespace

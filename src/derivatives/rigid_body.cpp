@@ -58,6 +58,10 @@ struct RigidBody::Impl {
         passive(robot, slip_velocity),
         frames(compile_frames(robot)),
         states(frames.size()),
+        slopes(passive.springs.places.size()),
+        passive_dq(RowMatrix::Zero(robot.nv, robot.nv)),
+        passive_dv(passive_dq),
+        q(robot.q_neutral),
         v(Eigen::VectorXd::Zero(robot.nv)),
         at_rest(Eigen::VectorXd::Zero(robot.nv)),
         gravity(Eigen::VectorXd::Zero(robot.nv)),
@@ -70,15 +74,16 @@ struct RigidBody::Impl {
     evaluate(robot.q_neutral, at_rest, at_rest);
   }
 
-  Status check(const ConstVectorRef& q, const ConstVectorRef& new_v,
+  Status check(const ConstVectorRef& new_q, const ConstVectorRef& new_v,
                const ConstVectorRef& a) const {
-    if (q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
+    if (new_q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
       return Status::WrongSize;
-    if (!q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
-    return is_normalized(tree, q) ? Status::Ok : Status::NotNormalized;
+    if (!new_q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
+    return is_normalized(tree, new_q) ? Status::Ok : Status::NotNormalized;
   }
 
-  void evaluate(const ConstVectorRef& q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+  void evaluate(const ConstVectorRef& new_q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+    q = new_q;
     v = new_v;
     update_kinematics(tree, q.data(), v.data(), kinematics);
     accelerate(tree, kinematics, a.data(), inverse_dynamics);
@@ -89,6 +94,20 @@ struct RigidBody::Impl {
     update_momentum(tree, kinematics, v.data(), momentum);
     burnish::gravity_torque(tree, kinematics, momentum, gravity.data());
     burnish::passive_torque(passive, v.data(), friction.data(), friction_dv.data());
+    add_spring_torque(passive.springs, q.data(), v.data(), friction.data());
+  }
+
+  void update_passive_derivatives() {
+    passive_dv.diagonal() = friction_dv;
+    spring_slopes(passive.springs, q.data(), slopes.data());
+    const std::vector<Springs::Place>& places = passive.springs.places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      passive_dq(places[i].row, places[i].column) = slopes[i];
+      if (places[i].row == places[i].column)
+        passive_dv(places[i].row, places[i].column) += places[i].by_v;
+      else
+        passive_dv(places[i].row, places[i].column) = places[i].by_v;
+    }
   }
 
   const FrameState<double>& state(int frame) const { return states.at(frame); }
@@ -117,7 +136,9 @@ struct RigidBody::Impl {
   PassiveJoints passive;
   std::vector<CompiledFrame> frames;
   std::vector<FrameState<double>> states;  ///< per frame
-  Eigen::VectorXd v, at_rest;
+  std::vector<double> slopes;              ///< of the springs' places
+  RowMatrix passive_dq, passive_dv;        ///< zero but at places and the diagonal
+  Eigen::VectorXd q, v, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;
   InverseDynamics<double> inverse_dynamics;
@@ -219,6 +240,7 @@ VectorView RigidBody::passive_torque() const { return {impl_->friction.data(), n
 void RigidBody::update_derivatives() {
   momentum_derivatives(impl_->tree, impl_->kinematics, impl_->momentum, impl_->v.data(),
                        impl_->derivatives);
+  impl_->update_passive_derivatives();
 }
 
 MatrixView RigidBody::com_dq() const { return impl_->view(impl_->derivatives.com_dq, 3); }
@@ -242,6 +264,10 @@ VectorView RigidBody::kinetic_energy_dv() const {
 VectorView RigidBody::potential_energy_dq() const {
   return impl_->view(impl_->derivatives.potential_dq);
 }
-VectorView RigidBody::passive_torque_dv() const { return {impl_->friction_dv.data(), nv()}; }
+double RigidBody::spring_energy() const {
+  return burnish::spring_energy(impl_->passive.springs, impl_->q.data());
+}
+MatrixView RigidBody::passive_torque_dq() const { return {impl_->passive_dq.data(), nv(), nv()}; }
+MatrixView RigidBody::passive_torque_dv() const { return {impl_->passive_dv.data(), nv(), nv()}; }
 
 }  // namespace burnish

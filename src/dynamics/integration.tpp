@@ -32,26 +32,6 @@ BURNISH_INLINE Quaternion<S> load_quaternion(const S* q) {
   return {{q[0], q[1], q[2]}, q[3]};
 }
 
-/// Rotation vector of a quaternion of any length; its length, in [0, pi], goes to theta.
-template <class S>
-BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
-  const auto flip = less(rotation.w, S(0.0));
-  const S sign = select(flip, S(-1.0), S(1.0));
-  const Vec3<S> u = rotation.vector * sign;
-  const S w = rotation.w * sign;
-  const S square = dot(u, u);
-  // 2 atan(t)/t, t = |u|/w: its series where t is small.
-  const auto small = less(square, S(S(1e-6) * w * w));
-  const S ratio2 = square / select(small, S(w * w), S(1.0));
-  const S series = S(2.0) / select(small, w, S(1.0)) *
-                   (S(1.0) - ratio2 * (S(1.0 / 3) - ratio2 * (S(1.0 / 5) - ratio2 * S(1.0 / 7))));
-  const S length = square_root(select(small, S(1.0), square));
-  const S angle = S(2.0) * arc_tangent2(length, select(small, S(1.0), w));
-  const Vec3<S> phi = u * select(small, series, S(angle / length));
-  theta = rotation_angle(phi);
-  return phi;
-}
-
 /// The unit pair (cos, sin) times (c, s), as complex numbers, in place.
 template <class S>
 BURNISH_INLINE void turn_pair(const S& c, const S& s, S* pair) {
@@ -59,14 +39,6 @@ BURNISH_INLINE void turn_pair(const S& c, const S& s, S* pair) {
   const S scale = S(1.0) / square_root(S(x * x + y * y));
   pair[0] = x * scale;
   pair[1] = y * scale;
-}
-
-/// Angle from one (cos, sin) pair to another, in [-pi, pi].
-template <class S>
-BURNISH_INLINE S angle_between(const S* from, const S* to) {
-  const S sine = from[0] * to[1] - from[1] * to[0], cosine = from[0] * to[0] + from[1] * to[1];
-  const S angle = arc_tangent2(absolute(sine), cosine);
-  return select(less(sine, S(0.0)), S(-angle), angle);
 }
 
 template <class S>

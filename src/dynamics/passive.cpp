@@ -10,6 +10,7 @@ namespace burnish {
 PassiveJoints::PassiveJoints(const Model& model, double slip_velocity)
     : damping(model.damping.data(), model.damping.data() + model.damping.size()),
       friction(model.friction.data(), model.friction.data() + model.friction.size()),
+      springs(model),
       slip(slip_velocity) {
   if (slip > 0.0 && std::isfinite(slip)) return;
   throw Error("slip_velocity is " + number(slip_velocity) +

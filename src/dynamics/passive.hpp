@@ -1,13 +1,14 @@
-// Torques that joints feel by moving: viscous damping and Coulomb friction, the latter smoothed so
-// that it has a derivative,
-//   tau_k = -damping_k v_k - friction_k tanh(v_k / slip).
-// The model holds the two coefficients; forward and inverse dynamics leave these torques out unless
-// the caller adds them to tau.
+// Torques that joints feel without a motor: viscous damping and Coulomb friction, the latter
+// smoothed so that it has a derivative,
+//   tau_k = -damping_k v_k - friction_k tanh(v_k / slip),
+// and those of springs and tendons (springs.hpp). The model holds the coefficients; forward and
+// inverse dynamics leave these torques out unless the caller adds them to tau.
 #pragma once
 
 #include <vector>
 
 #include "burnish/model/model.hpp"
+#include "dynamics/springs.hpp"
 #include "math/scalar.hpp"
 
 namespace burnish {
@@ -18,11 +19,12 @@ struct PassiveJoints {
 
   std::vector<double> damping;   ///< nv, Nms/rad or Ns/m
   std::vector<double> friction;  ///< nv, Nm or N
+  Springs springs;
   double slip;  ///< rate at which friction has reached tanh(1) = 76 %, rad/s or m/s; positive
 };
 
-/// The torques at v (nv), into tau (nv: Nm or N), and their derivatives d(tau_k)/dv_k, into
-/// dtau_dv (nv: the diagonal of a diagonal matrix).
+/// The torques of damping and friction at v (nv), into tau (nv: Nm or N), and their derivatives
+/// d(tau_k)/dv_k, into dtau_dv (nv: the diagonal of a diagonal matrix).
 template <class S>
 void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv) {
   const S inverse_slip(1.0 / joints.slip);

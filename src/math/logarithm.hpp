@@ -1,7 +1,7 @@
 // Logarithms of rotations and placements and their derivatives, without branches on values.
 #pragma once
 
-#include "math/spatial.hpp"
+#include "math/exponential.hpp"
 
 namespace burnish {
 
@@ -90,6 +90,34 @@ Vec3<S> log_rotation(const Mat3<S>& R, S& theta) {
   const S nonzero = select(less(square, S(1e-300)), S(0.0), square_root(tiny));
   theta = factor * nonzero;
   return u * factor;
+}
+
+/// Rotation vector of a quaternion of any length; its length, in [0, pi], goes to theta.
+template <class S>
+BURNISH_INLINE Vec3<S> log_quaternion(const Quaternion<S>& rotation, S& theta) {
+  const auto flip = less(rotation.w, S(0.0));
+  const S sign = select(flip, S(-1.0), S(1.0));
+  const Vec3<S> u = rotation.vector * sign;
+  const S w = rotation.w * sign;
+  const S square = dot(u, u);
+  // 2 atan(t)/t, t = |u|/w: its series where t is small.
+  const auto small = less(square, S(S(1e-6) * w * w));
+  const S ratio2 = square / select(small, S(w * w), S(1.0));
+  const S series = S(2.0) / select(small, w, S(1.0)) *
+                   (S(1.0) - ratio2 * (S(1.0 / 3) - ratio2 * (S(1.0 / 5) - ratio2 * S(1.0 / 7))));
+  const S length = square_root(select(small, S(1.0), square));
+  const S angle = S(2.0) * arc_tangent2(length, select(small, S(1.0), w));
+  const Vec3<S> phi = u * select(small, series, S(angle / length));
+  theta = rotation_angle(phi);
+  return phi;
+}
+
+/// Angle from one (cos, sin) pair to another, in [-pi, pi].
+template <class S>
+BURNISH_INLINE S angle_between(const S* from, const S* to) {
+  const S sine = from[0] * to[1] - from[1] * to[0], cosine = from[0] * to[0] + from[1] * to[1];
+  const S angle = arc_tangent2(absolute(sine), cosine);
+  return select(less(sine, S(0.0)), S(-angle), angle);
 }
 
 /// J_r^-1(phi) w: rate of the rotation vector phi when the rotation turns with w in its own axes.

@@ -8,6 +8,7 @@
 #include "model/lock.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
+#include "model/tendons.hpp"
 #include "model/tree_check.hpp"
 #include "model/tree_sentence.hpp"
 
@@ -166,6 +167,7 @@ void fill_limits(const Walk& walk, Model& model) {
   model.q_upper = Eigen::VectorXd::Constant(model.nq, infinity);
   model.velocity_limit = model.effort_limit = Eigen::VectorXd::Constant(model.nv, infinity);
   model.damping = model.friction = model.armature = Eigen::VectorXd::Zero(model.nv);
+  model.stiffness = model.spring_rest = model.damping;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     const JointSpec* spec = walk.spec_of_joint[i];
@@ -179,6 +181,9 @@ void fill_limits(const Walk& walk, Model& model) {
     model.damping.segment(joint.v_index, joint.nv).setConstant(spec->damping);
     model.friction.segment(joint.v_index, joint.nv).setConstant(spec->friction);
     model.armature.segment(joint.v_index, joint.nv).setConstant(spec->armature);
+    if (!has_spring(*spec)) continue;
+    model.stiffness.segment(joint.v_index, joint.nv).setConstant(spec->stiffness);
+    if (joint.nv == 1) model.spring_rest[joint.v_index] = spec->rest;
   }
 }
 
@@ -296,6 +301,8 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   couple_followers(walk.spec_of_joint, model);
   fill_limits(walk, model);
   take_over_limits(walk.spec_of_joint, origin_of(tree), model);
+  take_over_springs(walk.spec_of_joint, origin_of(tree), model);
+  model.tendons = compile_tendons(locked.tree, model);
   fill_neutral(walk, model);
   fill_support(model);
   check_inertia_along_joints(model, findings);

@@ -138,6 +138,9 @@ const Description& description_of(const JointSpec* /*of*/) {
           .field("damping", &J::damping, "{Nms/rad} or Ns/m")
           .field("friction", &J::friction, "{Nm} or N, Coulomb")
           .field("armature", &J::armature, "{kg m^2} or kg")
+          .field("stiffness", &J::stiffness, "{Nm/rad} or N/m, of a spring in the joint")
+          .field("rest", &J::rest,
+                 "{rad} or m, where that spring is at rest; a ball's is at no rotation")
           .field("mimic", &J::mimic)
           .field("line", &J::line, "of the file, for sentences about it; 0: none");
   return all;

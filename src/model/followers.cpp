@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <unordered_map>
 
@@ -79,6 +80,41 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
     }
     model.q_lower[q] = lower;
     model.q_upper[q] = upper;
+  }
+}
+
+bool has_spring(const JointSpec& spec) {
+  return spec.stiffness > 0.0 && spec.type != JointType::Planar &&
+         spec.type != JointType::Floating && spec.type != JointType::Fixed;
+}
+
+void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
+                       const std::string& origin, Model& model) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (!joint.follows || !has_spring(*spec_of_joint[i])) continue;
+    const auto [leader_index, multiplier, offset] = *joint.follows;
+    if (multiplier == 0.0) continue;  // stretched alike at all postures
+    // k (m q + o - r) m = m^2 k (q - (r - o) / m)
+    const double added = multiplier * multiplier * spec_of_joint[i]->stiffness;
+    const double rest = (spec_of_joint[i]->rest - offset) / multiplier;
+    double& stiffness = model.stiffness[joint.v_index];
+    double& leader_rest = model.spring_rest[joint.v_index];
+    const Joint& leader = model.joints[static_cast<std::size_t>(leader_index)];
+    if (leader.kind == JointKind::Continuous) {
+      const double apart = std::remainder(rest - leader_rest, 2.0 * std::numbers::pi);
+      if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(apart) > 1e-9)) {
+        refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
+                           in_quotes(leader.name) +
+                           ", which is continuous: on the circle that is no spring of " +
+                           in_quotes(leader.name) +
+                           " unless the multiplier is 1 or -1 and both rest at one angle; make " +
+                           in_quotes(leader.name) + " revolute");
+      }
+    }
+    leader_rest =
+        stiffness > 0.0 ? (stiffness * leader_rest + added * rest) / (stiffness + added) : rest;
+    stiffness += added;
   }
 }
 

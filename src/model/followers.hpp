@@ -20,6 +20,14 @@ void couple_followers(const std::vector<const JointSpec*>& spec_of_joint, Model&
 void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const std::string& origin,
                       Model& model);
 
+/// Whether the joint has a spring that counts: planar and floating joints have none.
+bool has_spring(const JointSpec& spec);
+
+/// Adds the springs of the followers to their leaders'. Throws Error naming the joints where a
+/// leader on the circle would have no one spring.
+void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
+                       const std::string& origin, Model& model);
+
 /// Lays the ways to the root such that entries of v which move a common body are on one: M = L^T L
 /// then has zeros in L wherever two entries are on none.
 void chain_coupled_entries(Model& model);

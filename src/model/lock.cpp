@@ -4,6 +4,7 @@
 
 #include "model/mimic.hpp"
 #include "model/posture.hpp"
+#include "model/tendons.hpp"
 #include "model/tree_sentence.hpp"
 
 namespace burnish {
@@ -100,7 +101,8 @@ std::vector<double> locked_value(const Locking& locking, const JointSpec& joint,
 
 }  // namespace
 
-LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options) {
+LockedTree lock_joints(const TreeSpec& stated_tree, const ModelOptions& options) {
+  const TreeSpec tree = with_held_tendons(stated_tree, options);
   Locking locking{tree, options, {}, {}};
   for (const JointSpec& joint : tree.joints) locking.joint_by_name.emplace(joint.name, &joint);
   choose_locked(locking);
@@ -124,6 +126,7 @@ LockedTree lock_joints(const TreeSpec& tree, const ModelOptions& options) {
     joint.type = JointType::Fixed;
     result.locked.push_back(joint.name);
   }
+  result.tree.tendons = reduced_tendons(tree, locking.joint_by_name, courses);
   return result;
 }
 

@@ -228,6 +228,10 @@ void check_joint(const JointSpec& joint, Findings& findings) {
     check.problem(": its lower limit " + number(joint.lower) + " is above its upper limit " +
                   number(joint.upper) + "; lower must be at most upper");
   }
+  if (is_ball && joint.rest != 0.0 && joint.stiffness > 0.0) {
+    findings.warn(check.element + ": it is a ball, whose spring rests at no rotation; 'rest' of " +
+                  number(joint.rest) + " is passed over");
+  }
   if (is_ball && (std::isfinite(joint.lower) || std::isfinite(joint.upper))) {
     findings.warn(check.element +
                   ": it is a ball, which has no limits of position; those stated are passed over");
@@ -237,9 +241,29 @@ void check_joint(const JointSpec& joint, Findings& findings) {
   check.not_negative("damping", joint.damping, false);
   check.not_negative("friction", joint.friction, false);
   check.not_negative("armature", joint.armature, false);
+  check.not_negative("stiffness", joint.stiffness, false);
+  check.finite("rest of its spring", Eigen::Matrix<double, 1, 1>(joint.rest));
+  if (joint.stiffness > 0.0 &&
+      (joint.type == JointType::Planar || joint.type == JointType::Floating)) {
+    findings.warn(check.element +
+                  ": its spring is passed over; springs are in joints of one coordinate and in "
+                  "balls");
+  }
   if (!joint.mimic) return;
   check.finite("mimic multiplier", Eigen::Matrix<double, 1, 1>(joint.mimic->multiplier));
   check.finite("mimic offset", Eigen::Matrix<double, 1, 1>(joint.mimic->offset));
+}
+
+void check_tendon(const TendonSpec& tendon, Findings& findings) {
+  const ValueCheck check{label("tendon", tendon.name, tendon.line), findings};
+  if (tendon.parts.empty()) check.problem(" couples no joint; it needs at least one");
+  for (const TendonSpec::Part& part : tendon.parts) {
+    check.finite("coefficient of joint " + in_quotes(part.joint),
+                 Eigen::Matrix<double, 1, 1>(part.coefficient));
+  }
+  check.finite("rest", Eigen::Matrix<double, 1, 1>(tendon.rest));
+  check.not_negative("stiffness", tendon.stiffness, false);
+  check.not_negative("damping", tendon.damping, false);
 }
 
 }  // namespace
@@ -268,6 +292,7 @@ void check_values(const TreeSpec& tree, Findings& findings) {
     check_visuals(link, findings);
   }
   for (const JointSpec& joint : tree.joints) check_joint(joint, findings);
+  for (const TendonSpec& tendon : tree.tendons) check_tendon(tendon, findings);
 }
 
 }  // namespace burnish

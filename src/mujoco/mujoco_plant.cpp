@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/springs.hpp"
 #include "mujoco/exact_contact.hpp"
 #include "mujoco/mujoco_engine.hpp"
 #include "sim/state_check.hpp"
@@ -29,6 +30,9 @@ class MujocoPlant final : public Plant {
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),
         friction_(Eigen::VectorXd::Zero(model.nv)),
+        springs_(model),
+        spring_torque_(friction_),
+        total_(friction_),
         theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
         before_(Eigen::VectorXd::Zero(moment_size())) {
     start(q_, v_);
@@ -51,7 +55,7 @@ class MujocoPlant final : public Plant {
 
  private:
   void start(const ConstVectorRef& q, const ConstVectorRef& v);
-  void load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) const;
+  void load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
   void read();
   void store_moment(double* to) const;
   void load_moment(const double* from) const;
@@ -66,7 +70,9 @@ class MujocoPlant final : public Plant {
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   bool in_contact_ = false;
   Eigen::VectorXd friction_;
-  Eigen::VectorXd theirs_;  ///< friction in MuJoCo's entries
+  Springs springs_;
+  Eigen::VectorXd spring_torque_, total_;  ///< at a step's start; with the motors'
+  Eigen::VectorXd theirs_;                 ///< friction in MuJoCo's entries
   Eigen::VectorXd before_;  ///< qpos, qvel, warm start, forces of constraints before a step
 };
 
@@ -125,9 +131,13 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   return Status::Ok;
 }
 
-void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) const {
+/// Springs come from the same kernel as in every other place: MuJoCo's own know no circle.
+void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   mjData* d = engine_.d.get();
-  engine_.coordinates.torque_to(tau, d->qfrc_applied);
+  spring_torque_.setZero();
+  add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
+  total_ = tau + spring_torque_;
+  engine_.coordinates.torque_to(total_, d->qfrc_applied);
   if (push_world.isZero(0.0)) return;
   const mjtNum torque[3] = {0.0, 0.0, 0.0};
   mj_applyFT(engine_.m.get(), d, push_world.data(), torque, d->site_xpos + 3 * engine_.tip_site,
@@ -143,6 +153,7 @@ void MujocoPlant::read() {
   for (int row = 0; row < d->nefc; ++row)
     if (d->efc_type[row] == mjCNSTR_FRICTION_DOF) theirs_[d->efc_id[row]] += d->efc_force[row];
   engine_.coordinates.torque_from(theirs_.data(), friction_);
+  friction_ += spring_torque_;
 }
 
 /// What MuJoCo's future depends on; without the warm start it would differ in the last digits.

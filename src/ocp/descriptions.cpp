@@ -120,7 +120,7 @@ const Description& description_of(const ActuationSpec* /*of*/) {
           .field("joints", &A::joints, "Empty: every joint but a free-flying base.")
           .field("passive_torques", &A::passive_torques,
                  "Joint damping and friction of the model act too, smoothed as "
-                 "dynamics/passive.hpp has it.")
+                 "dynamics/passive.hpp has it, and its springs and tendons.")
           .field("slip_velocity", &A::slip_velocity, "{rad/s} or m/s");
   return all;
 }

@@ -24,12 +24,17 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   if (force.size() != 0 && force.size() != rows)
     throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +
                 std::to_string(rows));
-  // S^T u + J^T lambda = b(q, 0) - bias.
+  // S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
   const int unknown = l.nu + (force.size() == 0 ? rows : 0);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknown);
   for (int i = 0; i < l.nu; ++i) A(l.actuated[static_cast<std::size_t>(i)], i) = 1.0;
   Eigen::VectorXd b = dynamics.bias();
   for (int k = 0; k < l.nv; ++k) b[k] -= compiled.torque_bias[static_cast<std::size_t>(k)];
+  if (compiled.passive) {
+    Eigen::VectorXd springs = zero;
+    add_spring_torque(compiled.passive->springs, x.data(), zero.data(), springs.data());
+    b -= springs;
+  }
   if (force.size() == 0) {
     A.rightCols(rows) = dynamics.jacobian().transpose();
   } else {

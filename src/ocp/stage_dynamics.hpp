@@ -53,7 +53,7 @@ class StageDynamics {
   std::vector<FrameState<S>> frames_;
   Momentum<S> momentum_;
   MomentumDerivatives<S> momentum_derivatives_;
-  std::vector<S> x_, u_, tau_, total_, passive_, dpassive_, scratch_;
+  std::vector<S> x_, u_, tau_, total_, passive_, dpassive_, slopes_, scratch_;
   std::vector<S> stacked_;  ///< (nv + rows) x nz: d(a, lambda)/dz
   std::vector<Status> status_;
   KnotState<S> knot_;

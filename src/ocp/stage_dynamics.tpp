@@ -31,6 +31,7 @@ StageDynamics<S>::StageDynamics(const CompiledProblem& problem)
   u_.assign(room(layout.nu), S(0.0));
   for (auto* vector : {&tau_, &total_, &passive_, &dpassive_})
     vector->assign(room(layout.nv), S(0.0));
+  if (problem.passive) slopes_.assign(problem.passive->springs.places.size(), S(0.0));
   scratch_.assign(room(6 * layout.nz()), S(0.0));
   stacked_.assign(room((layout.nv + problem.contacts.rows()) * layout.nz()), S(0.0));
   knot_.layout = &problem.layout;
@@ -64,8 +65,10 @@ void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
   const bool driven = layout.acts_from_state() || stage.nu > 0;
   if (driven)
     for (int i = 0; i < layout.nu; ++i) tau_[layout.actuated[i]] = driving[i];
-  if (problem_->passive)
+  if (problem_->passive) {
     passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data());
+    add_spring_torque(problem_->passive->springs, knot_.q, knot_.v, passive_.data());
+  }
   for (int k = 0; k < layout.nv; ++k)
     total_[k] = tau_[k] + passive_[k] + S(problem_->torque_bias[k]);
 }
@@ -122,6 +125,7 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
   const int torque_column = from_state ? layout.column_tau() : 0;
   const int idle = from_state ? layout.column_force() : layout.column_tau();  // of the step before
   const bool driven = from_state || stage.nu > 0;
+  if (problem_->passive) spring_slopes(problem_->passive->springs, knot_.q, slopes_.data());
   for (int i = 0; i < rows; ++i) {
     S* const out = stacked_.data() + i * nz;
     const S* const by_tau = derivatives_.d_dtau.data() + i * nv;
@@ -134,6 +138,12 @@ void StageDynamics<S>::stack_by_z(const CompiledStage& stage) {
     S* const out_v = out + layout.column_v();
     if (problem_->passive) {
       for (int k = 0; k < nv; ++k) out_v[k] = by_v[k] + by_tau[k] * dpassive_[k];
+      const std::vector<Springs::Place>& places = problem_->passive->springs.places;
+      for (std::size_t s = 0; s < places.size(); ++s) {
+        const S& torque = by_tau[places[s].row];
+        out[layout.column_q() + places[s].column] += torque * slopes_[s];
+        out_v[places[s].column] += torque * S(places[s].by_v);
+      }
     } else {
       std::copy_n(by_v, nv, out_v);
     }

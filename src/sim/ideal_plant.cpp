@@ -10,6 +10,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
+#include "dynamics/springs.hpp"
 #include "sim/coulomb.hpp"
 #include "sim/descriptions.hpp"
 #include "sim/manifold_step.hpp"
@@ -52,7 +53,7 @@ ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options)
 struct Workspace {
   explicit Workspace(const Model& model)
       : q(model.q_neutral), tau(Eigen::VectorXd::Zero(model.nv)) {
-    for (Eigen::VectorXd* x : {&v, &u, &rate, &u_sum, &a_sum, &v_free, &response})
+    for (Eigen::VectorXd* x : {&v, &u, &rate, &u_sum, &a_sum, &v_free, &response, &total})
       *x = Eigen::VectorXd::Zero(model.nv);
     M = Eigen::MatrixXd::Zero(model.nv, model.nv);
   }
@@ -60,6 +61,7 @@ struct Workspace {
   Eigen::VectorXd u, rate;       ///< increment from the step's start, and its rate
   Eigen::VectorXd u_sum, a_sum;  ///< weighted over the stages
   Eigen::VectorXd tau;           ///< of the step, pushes and friction included
+  Eigen::VectorXd total;         ///< of a moment, springs too
   Eigen::VectorXd v_free, response;
   Eigen::MatrixXd M;
 };
@@ -88,6 +90,7 @@ class IdealPlant final : public Plant {
   Status advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
   Status find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
   Status find_friction();
+  Status forward(const ConstVectorRef& q, const ConstVectorRef& v);
   Status integrate(double h);
   Status stage(double h, double weight);
   Status make_contact();
@@ -112,6 +115,7 @@ class IdealPlant final : public Plant {
   int tip_;
   FrameDerivatives tip_motion_;
   CoulombStep coulomb_;
+  Springs springs_;
   Workspace work_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
 
@@ -123,7 +127,7 @@ class IdealPlant final : public Plant {
   double force_sum_ = 0.0;  ///< mean normal force over the stages of integrate(), N
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   bool in_contact_ = false;
-  Eigen::VectorXd friction_;
+  Eigen::VectorXd friction_, spring_torque_;  ///< spring_torque_: at the step's start
   PlantSnapshot before_;
 };
 
@@ -137,13 +141,15 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       body_(model),
       tip_(body_.frame(scene_.tip.frame)),
       coulomb_(model.nv),
+      springs_(model),
       work_(model),
       factor_(model.nv),
       q_(model.q_neutral),
       v_(Eigen::VectorXd::Zero(model.nv)),
       q_next_(q_),
       v_next_(v_),
-      friction_(v_) {
+      friction_(v_),
+      spring_torque_(v_) {
   coulomb_.joint_viscous = model.damping;
   coulomb_.joint_coulomb = model.friction;
   body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
@@ -222,6 +228,14 @@ Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& pus
   return worst(status, q_.allFinite() && v_.allFinite() ? Status::Ok : Status::NotFinite);
 }
 
+/// Accelerations under the step's torques and what springs and tendons add at this moment.
+Status IdealPlant::forward(const ConstVectorRef& q, const ConstVectorRef& v) {
+  if (springs_.empty()) return dynamics_.forward(q, v, work_.tau);
+  work_.total = work_.tau;
+  add_spring_torque(springs_, q.data(), v.data(), work_.total.data());
+  return dynamics_.forward(q, v, work_.total);
+}
+
 /// Torques of pushes and friction, held over the step; breaks the contact where it would pull.
 Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
   Status status = body_.update(q_, v_);
@@ -230,11 +244,13 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
   body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
   work_.tau = tau + coulomb_.torque();
   add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
-  status = dynamics_.forward(q_, v_, work_.tau);
+  spring_torque_.setZero();
+  add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
+  status = forward(q_, v_);
   if (status > Status::NotConverged) return status;
   if (touching_ && dynamics_.lambda()[0] < 0.0) {
     set_touching(false);
-    status = dynamics_.forward(q_, v_, work_.tau);
+    status = forward(q_, v_);
     if (status > Status::NotConverged) return status;
   }
   if (!has_friction()) {
@@ -290,7 +306,7 @@ Status IdealPlant::integrate(double h) {
 Status IdealPlant::stage(double h, double weight) {
   integrate_configuration(tree_, q_.data(), work_.u.data(), work_.q.data());
   increment_rate(model_, work_.u, work_.v, work_.rate);
-  const Status status = dynamics_.forward(work_.q, work_.v, work_.tau);
+  const Status status = forward(work_.q, work_.v);
   work_.u_sum += weight * work_.rate;
   work_.a_sum += weight * dynamics_.a();
   if (touching_ && status <= Status::NotConverged) force_sum_ += weight * dynamics_.lambda()[0];
@@ -302,7 +318,7 @@ Status IdealPlant::stage(double h, double weight) {
 /// The plastic impact at (q_, v_): the impulse along the normal that leaves no velocity along it.
 Status IdealPlant::make_contact() {
   set_touching(true);
-  const Status status = dynamics_.forward(q_, v_, work_.tau);
+  const Status status = forward(q_, v_);
   if (status > Status::NotConverged) return status;
   const auto normal = dynamics_.jacobian().row(0);
   work_.M = dynamics_.mass_matrix();
@@ -332,7 +348,7 @@ void IdealPlant::report(double normal_force) {
   force_ = total * axes_.col(2);
   if (touching_) force_ += sliding[0] * axes_.col(0) + sliding[1] * axes_.col(1);
   in_contact_ = touching_ && total > 0.0;
-  friction_ = coulomb_.joint_torque();
+  friction_ = coulomb_.joint_torque() + spring_torque_;
 }
 
 void IdealPlant::save(PlantSnapshot& snapshot) const {

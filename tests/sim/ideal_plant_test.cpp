@@ -14,7 +14,7 @@ namespace {
 /// Kinetic and potential energy of a plant, J.
 double energy(RigidBody& body, const Plant& plant) {
   EXPECT_EQ(body.update(plant.q(), plant.v()), Status::Ok);
-  return body.kinetic_energy() + body.potential_energy();
+  return body.kinetic_energy() + body.potential_energy() + body.spring_energy();
 }
 
 struct Fall {

@@ -16,7 +16,8 @@
 namespace burnish::test {
 
 /// revolute - planar - prismatic - floating - continuous - revolute, with branches on the planar
-/// and the floating link, and a ball on one at the root.
+/// and the floating link, and a ball on one at the root. Springs are in joints of every kind that
+/// has some, and a tendon with a spring and a damper goes along three joints.
 inline TreeSpec tree_of_every_joint() {
   using enum JointType;
   std::mt19937_64 generator(6);
@@ -42,12 +43,22 @@ inline TreeSpec tree_of_every_joint() {
   add("d_side", Planar, "d");
   add("root_side", Prismatic, "root");
   add("root_ball", Ball, "root_side");
+  const auto spring = [&](const std::string& link, double stiffness, double rest) {
+    for (JointSpec& joint : tree.joints)
+      if (joint.name == "to_" + link) joint.stiffness = stiffness, joint.rest = rest;
+  };
+  spring("a", 6.0, -0.3);
+  spring("root_side", 9.0, 0.2);
+  spring("e", 4.0, 2.0);
+  spring("root_ball", 5.0, 0.0);
+  tree.tendons.push_back(
+      {"tendon", {{"to_a", 0.8}, {"to_c", -1.2}, {"to_tip", 0.5}}, false, 0.3, 7.0, 1.5});
   return tree;
 }
 
 /// Bodies that hang on several joints in a row, with links without a mass between them: slide -
 /// slide - ball, hinge - hinge - slide, ball - slide, and beside them hinge - slide and hinge -
-/// ball, the hinge with a rotor. Axes are such that no posture lets two joints move a body alike.
+/// ball, both with rotors. Axes are such that no posture lets two joints move a body alike.
 inline TreeSpec tree_of_joints_in_a_row() {
   using enum JointType;
   using Eigen::Vector3d;
@@ -89,6 +100,7 @@ inline TreeSpec tree_of_joints_in_a_row() {
   place();
   tree.joints.back().armature = 0.3;
   add("end", Ball, "rotor");
+  tree.joints.back().armature = 0.1;
   give_mass();
   return tree;
 }

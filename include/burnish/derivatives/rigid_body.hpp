@@ -85,7 +85,9 @@ class RigidBody {
   double kinetic_energy() const;         ///< v^T M v / 2, armature included, J
   double potential_energy() const;       ///< of gravity, zero at the world's origin, J
   VectorView gravity_torque() const;     ///< nv, holds the robot at rest: b(q, 0), Nm (N)
-  VectorView passive_torque() const;     ///< nv, damping and smoothed friction at v, Nm (N)
+  /// Springs and tendons at q, damping and smoothed friction at v: nv, Nm (N).
+  VectorView passive_torque() const;
+  double spring_energy() const;  ///< in springs of joints and tendons, J
 
   /// Fills the views below, at the last accepted state.
   void update_derivatives();
@@ -98,7 +100,8 @@ class RigidBody {
   VectorView kinetic_energy_dq() const;       ///< nv
   VectorView kinetic_energy_dv() const;       ///< nv, M v
   VectorView potential_energy_dq() const;     ///< nv, the gravity torque
-  VectorView passive_torque_dv() const;       ///< nv, the diagonal of a diagonal matrix
+  MatrixView passive_torque_dq() const;       ///< nv x nv
+  MatrixView passive_torque_dv() const;       ///< nv x nv, diagonal unless tendons have dampers
 
  private:
   struct Impl;

@@ -57,6 +57,21 @@ struct Joint {
       Eigen::Matrix3d::Zero();  ///< of the body, about com, joint axes, kg m^2
 };
 
+/// Joints coupled by the length of a tendon, the sum of coefficient times position over its parts,
+/// which has a spring, a damper or both. What locked joints add to the length is taken off `rest`,
+/// and what followers add stands at their leaders.
+struct Tendon {
+  struct Entry {
+    int q = 0, v = 0;          ///< the joint's entry of q, if its kind has one alone, and of v
+    double coefficient = 1.0;  ///< m/rad or 1
+  };
+  std::string name;
+  std::vector<Entry> parts;  ///< ascending in v
+  double rest = 0.0;         ///< m
+  double stiffness = 0.0;    ///< N/m
+  double damping = 0.0;      ///< Ns/m
+};
+
 enum class FrameKind { Link, Joint, User };
 
 /// A named frame fixed to a body.
@@ -110,6 +125,9 @@ struct Model {
   Eigen::VectorXd q_lower, q_upper;
   Eigen::VectorXd velocity_limit, effort_limit;
   Eigen::VectorXd damping, friction, armature;
+  /// Of the springs in joints, Nm/rad (N/m), and where they are at rest, rad (m): 0 of a ball.
+  Eigen::VectorXd stiffness, spring_rest;
+  std::vector<Tendon> tendons;  ///< those with a spring or a damper on a joint that moves
 
   /// Joint that owns entry k of v, and the previous entry on the way to the root (-1 at the root).
   /// Entries of one joint are chained: the second hangs on the first. With followers an entry moves
@@ -147,13 +165,14 @@ struct Model {
 ///
 /// Refused are: no links, more than 2000 links, a tree deeper than 500 links; names that are empty,
 /// used twice or unknown; two roots, a link with two parents, a cycle; numbers that are not finite;
-/// negative masses, moments of inertia, limits, damping, friction or armature; inertias that are
-/// not symmetric; zero axes (others are normalised); lower limits above upper ones.
+/// negative masses, moments of inertia, limits, damping, friction, armature or stiffness; inertias
+/// that are not symmetric; zero axes (others are normalised); lower limits above upper ones.
 ///
 /// Warnings, which ModelOptions::strict turns into refusals, are: inertias that belong to no solid
 /// (principal moments may break the triangle inequality by 5 % of the largest, since published
 /// figures are rounded; what vanishes beside mass x (1 cm)^2 is rounding too); joints that move no
-/// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass.
+/// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass;
+/// position limits of a ball and springs in planar and floating joints, which are passed over.
 ///
 /// Position limits count for revolute and prismatic joints only; the other limits, damping,
 /// friction and armature of a planar, floating or ball joint hold for each of its entries.
@@ -166,6 +185,17 @@ struct Model {
 /// empty range is refused; a follower of a continuous leader has no position limits. A follower
 /// whose leader is locked or fixed is held where it puts it. A follower that is listed as locked is
 /// held at its value in the posture, or else at the one that its locked leader gives.
+///
+/// Springs in joints (torque -k (q - rest); the angle from rest, the short way, on the circle; -k
+/// log(q) of a ball) and springs and dampers of tendons are in no dynamics unless the caller adds
+/// them, as damping and friction: RigidBody::passive_torque. The spring of a follower stands at its
+/// leader, stiffness times multiplier^2; where the leader is continuous that is refused unless the
+/// multiplier is 1 or -1 and both rest at one angle. A spring in a locked joint does nothing.
+///
+/// A tendon that is held couples two joints of one coordinate, of which one then follows the other:
+/// the second the first, unless that one alone can follow. Refused are held tendons of one joint,
+/// and of more than two that are not locked; tendons of joints that are unknown or have not one
+/// coordinate; springs of tendons along continuous joints, whose angle has no length.
 Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 
 /// The posture as a configuration: joints it doesn't name stay neutral. Names of locked joints are

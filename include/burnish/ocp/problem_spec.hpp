@@ -107,7 +107,8 @@ struct TorqueModel {
 struct ActuationSpec {
   /// Empty: every joint but a free-flying base.
   std::vector<std::string> joints = {};
-  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it.
+  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
+  /// its springs and tendons.
   bool passive_torques = false;
   double slip_velocity = 0.01;  ///< rad/s or m/s
 };

@@ -20,7 +20,7 @@ struct PlantSnapshot {
 /// nothing; a status above NotConverged means that the state is as it was before the call.
 ///
 /// The plant's model carries its own joint friction: `damping` (viscous) and `friction` (Coulomb)
-/// of the model act on the joints.
+/// of the model act on the joints, and so do its springs and tendons.
 class Plant {
  public:
   virtual ~Plant() = default;
@@ -49,7 +49,8 @@ class Plant {
   virtual const Eigen::Vector3d& contact_force_world() const = 0;
   /// Whether the surface pushed during the last step.
   virtual bool in_contact() const = 0;
-  /// Torque of joint friction during the last step, nv, Nm or N: against the motion.
+  /// Torque that joints felt without their motors during the last step, nv, Nm or N: of friction,
+  /// against the motion, and of springs and tendons at its start.
   virtual const Eigen::VectorXd& friction_torque() const = 0;
 
   /// Copies everything the future depends on, and the readings. Allocates on first use.

@@ -1,0 +1,169 @@
+#include "model/tendons.hpp"
+
+#include <algorithm>
+
+#include "model/posture.hpp"
+#include "model/tree_sentence.hpp"
+
+namespace burnish {
+namespace {
+
+using Parts = std::vector<TendonSpec::Part>;
+
+std::string label_of(const TendonSpec& tendon) {
+  return (tendon.line > 0 ? "line " + std::to_string(tendon.line) + ": " : "") + "tendon " +
+         in_quotes(tendon.name);
+}
+
+/// Adds to the coefficient of a joint that is there already.
+void add_part(const std::string& joint, double coefficient, Parts& parts) {
+  const auto same = std::find_if(parts.begin(), parts.end(),
+                                 [&](const auto& part) { return part.joint == joint; });
+  if (same == parts.end())
+    parts.push_back({joint, coefficient});
+  else
+    same->coefficient += coefficient;
+}
+
+const JointSpec& joint_of(const TreeSpec& tree, const JointByName& joints, const TendonSpec& tendon,
+                          const std::string& name) {
+  const JointSpec& joint = find_joint(tree, joints, name, label_of(tendon) + ": joint");
+  if (posture_size(joint.type) > 1) {
+    refuse(tree, label_of(tendon) + ": joint " + in_quotes(name) +
+                     " has not one coordinate; a tendon can go along revolute, continuous and "
+                     "prismatic joints");
+  }
+  return joint;
+}
+
+/// A held tendon while it is looked at.
+struct HeldTendon {
+  const TreeSpec& tree;
+  const ModelOptions& options;
+  const JointByName& joints;
+  const TendonSpec& tendon;
+  Parts parts = {};
+  double rest = 0.0;
+
+  bool is_listed(const std::vector<std::string>& names, const std::string& joint) const {
+    return std::find(names.begin(), names.end(), joint) != names.end();
+  }
+  bool is_free(const std::string& joint) const {
+    return options.free.empty() || is_listed(options.free, joint);
+  }
+
+  /// Joints that move, with coefficients that count.
+  void gather() {
+    rest = tendon.rest;
+    for (const TendonSpec::Part& part : tendon.parts) {
+      if (joint_of(tree, joints, tendon, part.joint).type != JointType::Fixed)
+        add_part(part.joint, part.coefficient, parts);
+    }
+    std::erase_if(parts, [](const auto& part) { return part.coefficient == 0.0; });
+  }
+
+  /// Of more than two joints, those that are locked by themselves are lengths.
+  void take_off_locked() {
+    std::erase_if(parts, [&](const TendonSpec::Part& part) {
+      const bool locked = is_listed(options.locked, part.joint) || !is_free(part.joint);
+      if (!locked || joints.at(part.joint)->mimic) return false;
+      const auto stated = options.posture.find(part.joint);
+      if (stated != options.posture.end() && stated->second.size() == 1)
+        rest -= part.coefficient * stated->second[0];
+      return true;
+    });
+  }
+
+  bool can_follow(const std::string& follower, const std::string& leader) const {
+    const bool locked_alone =
+        is_listed(options.locked, follower) && !is_listed(options.locked, leader);
+    return !joints.at(follower)->mimic && !locked_alone && !(is_free(follower) && !is_free(leader));
+  }
+
+  std::string listed_parts() const {
+    std::vector<std::string> names;
+    for (const TendonSpec::Part& part : parts) names.push_back(part.joint);
+    return listed("joint", names);
+  }
+};
+
+}  // namespace
+
+TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
+  TreeSpec result = tree;
+  std::erase_if(result.tendons, [](const TendonSpec& tendon) { return tendon.held; });
+  if (result.tendons.size() == tree.tendons.size()) return result;
+  std::unordered_map<std::string, JointSpec*> changed;
+  JointByName joints;
+  for (JointSpec& joint : result.joints) {
+    changed.emplace(joint.name, &joint);
+    joints.emplace(joint.name, &joint);
+  }
+  for (const TendonSpec& tendon : tree.tendons) {
+    if (!tendon.held) continue;
+    HeldTendon held{tree, options, joints, tendon};
+    held.gather();
+    if (held.parts.size() > 2) held.take_off_locked();
+    Parts& parts = held.parts;
+    if (parts.empty()) continue;
+    if (parts.size() == 1) {
+      refuse(tree, label_of(tendon) + " holds " + held.listed_parts() +
+                       " alone; lock that joint instead");
+    }
+    if (parts.size() > 2) {
+      refuse(tree, label_of(tendon) + " holds the length along " + held.listed_parts() +
+                       "; a joint can follow one other, so that two is the most: lock the rest");
+    }
+    if (!held.can_follow(parts[1].joint, parts[0].joint)) std::swap(parts[0], parts[1]);
+    if (!held.can_follow(parts[1].joint, parts[0].joint)) {
+      refuse(tree, label_of(tendon) + " holds the length along " + held.listed_parts() +
+                       ", but neither can follow the other; one of them must copy no joint, and "
+                       "be locked only with the other");
+    }
+    // c_0 q_0 + c_1 q_1 = rest
+    changed.at(parts[1].joint)->mimic =
+        MimicSpec{parts[0].joint, -parts[0].coefficient / parts[1].coefficient,
+                  held.rest / parts[1].coefficient};
+  }
+  return result;
+}
+
+std::vector<TendonSpec> reduced_tendons(const TreeSpec& tree, const JointByName& joints,
+                                        Courses& courses) {
+  std::vector<TendonSpec> result;
+  for (const TendonSpec& stated : tree.tendons) {
+    TendonSpec tendon = stated;
+    tendon.parts.clear();
+    for (const TendonSpec::Part& part : stated.parts) {
+      const Course course = courses.of(joint_of(tree, joints, stated, part.joint));
+      tendon.rest -= part.coefficient * course.offset;
+      if (course.leader == nullptr) continue;
+      add_part(course.leader->name, part.coefficient * course.multiplier, tendon.parts);
+    }
+    std::erase_if(tendon.parts, [](const auto& part) { return part.coefficient == 0.0; });
+    if (tendon.parts.empty() || (tendon.stiffness == 0.0 && tendon.damping == 0.0)) continue;
+    for (const TendonSpec::Part& part : tendon.parts) {
+      if (tendon.stiffness == 0.0 || joints.at(part.joint)->type != JointType::Continuous) continue;
+      refuse(tree, label_of(stated) + " has a spring along joint " + in_quotes(part.joint) +
+                       ", which is continuous: an angle on the circle has no length; make it "
+                       "revolute");
+    }
+    result.push_back(std::move(tendon));
+  }
+  return result;
+}
+
+std::vector<Tendon> compile_tendons(const TreeSpec& reduced, const Model& model) {
+  std::vector<Tendon> result;
+  for (const TendonSpec& stated : reduced.tendons) {
+    Tendon tendon{stated.name, {}, stated.rest, stated.stiffness, stated.damping};
+    for (const Joint& joint : model.joints)
+      for (const TendonSpec::Part& part : stated.parts)
+        if (part.joint == joint.name)
+          tendon.parts.push_back({joint.q_index, joint.v_index, part.coefficient});
+    result.push_back(std::move(tendon));
+  }
+  return result;
+}
+
+}  // namespace burnish
