@@ -258,8 +258,8 @@ InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh h
       const Stated geom = state(*one.item, one.around, compiler);
       for (VisualSpec& visual : visuals_of(geom, reading))
         reading.drawn.push_back({link, geom.group, std::move(visual)});
-      const bool weighs =
-          how != Weigh::No && geom.group >= compiler.first_group && geom.group <= compiler.last_group;
+      const bool weighs = how != Weigh::No && geom.group >= compiler.first_group &&
+                          geom.group <= compiler.last_group;
       const auto body = weighs ? weigh(geom, how == Weigh::Yes, reading) : std::nullopt;
       if (body) sum = together(sum, *body);
     });

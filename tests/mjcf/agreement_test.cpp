@@ -213,6 +213,22 @@ TEST(MjcfAgreementOnTendons, IsWithMujocosLengths) {
   EXPECT_NEAR(tree.tendons[1].rest, theirs->tendon_length0[1] + 0.1, 1e-15);
 }
 
+TEST(MjcfAgreementOnPassiveTorques, IsWithMujocos) {
+  const std::string text =
+      "<mujoco><default><joint damping='0.3'/></default>" + branches() +
+      "<worldbody><body pos='0 0 1'><joint name='f' type='free' damping='0.2'/>" + inertial +
+      "<body euler='0.1 0.2 0.3'><joint name='o' type='ball' stiffness='3' pos='0 0.1 0'/>" +
+      inertial +
+      "</body></body></worldbody><tendon><fixed name='t' stiffness='3' damping='0.5'><joint "
+      "joint='x' "
+      "coef='0.5'/><joint joint='w' coef='-2'/></fixed><fixed name='u' stiffness='2' "
+      "springlength='0.4'><joint joint='x' coef='2'/><joint joint='y' coef='3'/></fixed></tendon>"
+      "</mujoco>";
+  const Agreement agreement = compare(parse_mjcf(text), *mujoco::compile(text), 50);
+  EXPECT_LE(agreement.worst(), 1e-10);
+  EXPECT_LE(agreement.passive, 1e-10);
+}
+
 TEST(MjcfAgreementOnSprings, IsWithMujocosRest) {
   const std::string text = "<mujoco>" + branches() + "</mujoco>";
   const TreeSpec tree = parse_mjcf(text);

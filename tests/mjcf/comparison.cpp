@@ -131,7 +131,10 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
   std::set<std::string> links;
   for (const LinkSpec& link : tree.links) links.insert(link.name);
   ContactDynamics ours(model);
-  RigidBody body(model);
+  // Coulomb friction is a constraint there.
+  Model without_friction = model;
+  without_friction.friction.setZero();
+  RigidBody body(without_friction);
   Agreement worst;
   std::mt19937_64 generator(3);
   Eigen::MatrixXd B;
@@ -162,6 +165,11 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     const Eigen::VectorXd want = B.transpose() * b;
     const double scale =
         std::max({want.cwiseAbs().maxCoeff(), (B.transpose() * M * B).norm(), 1e-12});
+    const Eigen::VectorXd passive =
+        B.transpose() * Eigen::Map<Eigen::VectorXd>(data->qfrc_passive, theirs.nv);
+    worst.passive =
+        std::max(worst.passive, (body.passive_torque() + passive).cwiseAbs().maxCoeff() /
+                                    std::max(passive.cwiseAbs().maxCoeff(), 1e-12));
     worst.bias = std::max(worst.bias, (ours.bias() - want).cwiseAbs().maxCoeff() / scale);
   }
   return worst;
@@ -206,8 +214,9 @@ class Copy {
   using Attributes = std::vector<const char*>;
   static inline const Attributes pose = {"name",   "pos",   "quat", "axisangle",
                                          "xyaxes", "zaxis", "euler"};
-  static inline const Attributes of_joint = {"name", "class", "type",    "axis",
-                                             "pos",  "ref",   "armature"};
+  static inline const Attributes of_joint = {"name",      "class",    "type",     "axis",
+                                             "pos",       "ref",      "armature", "damping",
+                                             "stiffness", "springref"};
 
   const XMLElement* open(const fs::path& file) {
     documents_.push_back(std::make_unique<tinyxml2::XMLDocument>());
@@ -258,7 +267,9 @@ class Copy {
     each(element, [&](const XMLElement& child) {
       const std::string_view name = child.Name();
       if (name == "default") copy_default(child, text);
-      if (name == "joint") tag(child, "joint", {"type", "axis", "pos", "ref", "armature"}, text);
+      if (name == "joint")
+        tag(child, "joint",
+            {"type", "axis", "pos", "ref", "armature", "damping", "stiffness", "springref"}, text);
     });
     text += "</default>\n";
   }

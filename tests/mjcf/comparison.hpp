@@ -15,6 +15,7 @@ struct Agreement {
   double mass_matrix = 0.0;
   double bias = 0.0;
   double placement = 0.0;  ///< of bodies, m and entries of rotations
+  double passive = 0.0;    ///< torques of springs and dampers, of joints and tendons
   double worst() const { return std::max({mass_matrix, bias, placement}); }
 };
 

@@ -449,11 +449,11 @@ TEST(Mjcf, ReadsMeshesOfEveryFormat) {
 }
 
 TEST(Mjcf, SaysOnceWhichMeshesAreAbsent) {
-  const TreeSpec tree =
-      parse("<asset><mesh file='a.stl'/></asset><worldbody><body name='b'>" + mass +
-            "<geom type='mesh' mesh='a'/></body><body><joint/><geom type='mesh' mesh='a'/><body><geom "
-            "type='mesh' mesh='a'/></body></body><body name='fixed'><geom type='mesh' "
-            "mesh='a'/></body></worldbody>");
+  const TreeSpec tree = parse(
+      "<asset><mesh file='a.stl'/></asset><worldbody><body name='b'>" + mass +
+      "<geom type='mesh' mesh='a'/></body><body><joint/><geom type='mesh' mesh='a'/><body><geom "
+      "type='mesh' mesh='a'/></body></body><body name='fixed'><geom type='mesh' "
+      "mesh='a'/></body></worldbody>");
   ASSERT_EQ(tree.warnings.size(), 1u);
   expect_words(tree.warnings[0], {"m.xml", "2 of them", "absent", "'a.stl'"});
   expect_words(refused("<asset><mesh name='arm' file='a.stl'/></asset>" +

@@ -66,8 +66,8 @@ struct RobotOverrides {
 ///     srdf: talos.srdf                 # its group_states are postures too
 ///     variants: {name: {any of the keys above}, ...}
 ///
-/// Frames, postures and gravity of an MJCF file are the robot's; what settings state goes before, and
-/// without a default posture there that is the file's "home", or else how it draws the robot.
+/// Frames, postures and gravity of an MJCF file are the robot's; what settings state goes before,
+/// and without a default posture there that is the file's "home", or else how it draws the robot.
 /// Without settings the SRDF file beside a URDF file, or in ../srdf, that has its name is read; the
 /// postures of the settings go before those of an SRDF file.
 ///
