@@ -95,12 +95,50 @@ bool is_led_by(const std::string& joint, const std::string& leader, const XMLEle
   return true;
 }
 
-void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
+/// Fixes a joint at a value, and what follows it where that puts it. Of tendons along it what is
+/// left is the rest.
+void fix(JointSpec& joint, double value, Reading& reading) {
   joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
   joint.type = JointType::Fixed;
   joint.mimic.reset();
+  reading.held_at[joint.name] = value;
+  for (TendonSpec& tendon : reading.tree.tendons) {
+    for (const TendonSpec::Part& part : tendon.parts)
+      if (part.joint == joint.name) tendon.rest -= part.coefficient * value;
+    std::erase_if(tendon.parts, [&](const auto& part) { return part.joint == joint.name; });
+  }
+  std::erase_if(reading.tree.tendons, [](const auto& tendon) { return tendon.parts.empty(); });
+  for (JointSpec& other : reading.tree.joints) {
+    if (!other.mimic || other.mimic->leader != joint.name) continue;
+    fix(other, other.mimic->multiplier * value + other.mimic->offset, reading);
+  }
+}
+
+void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
+  // What follows another is held by holding that.
+  JointSpec* leader = &joint;
+  while (leader->mimic) {
+    value = (value - leader->mimic->offset) / leader->mimic->multiplier;
+    leader = &joint_of(leader->mimic->leader, item.xml(), reading);
+  }
+  fix(*leader, value, reading);
   reading.said.note("joints that an equality holds at a value are fixed there",
                     example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
+}
+
+/// A coupling of which one joint is held already holds the other; y - y0 = a0 + a1 (x - x0).
+void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
+                    const Item& item, Reading& reading) {
+  if (first.type != JointType::Fixed) {
+    const double value = reading.held_at.at(second.name);
+    return hold(first, (value - coupling.offset) / coupling.multiplier, item, reading);
+  }
+  if (second.type != JointType::Fixed) {
+    const double value = reading.held_at.at(first.name);
+    return hold(second, coupling.multiplier * value + coupling.offset, item, reading);
+  }
+  reading.said.note("equalities of joints that are held already are passed over",
+                    example_of(item.xml()));
 }
 
 void couple(const Item& item, Reading& reading) {
@@ -110,23 +148,23 @@ void couple(const Item& item, Reading& reading) {
   JointSpec& second = single_joint(follower, xml, reading);
   const double y0 = reference_of(follower, xml, reading);
   const auto stated = item.text("joint2");
-  if (second.type == JointType::Fixed)
+  const bool is_linear = a[2] == 0.0 && a[3] == 0.0 && a[4] == 0.0;
+  if (stated && !is_linear)
+    return reading.said.note("couplings of joints that are not linear are not carried over",
+                             example_of(xml));
+  if (!stated || a[1] == 0.0) {
+    if (second.type != JointType::Fixed) return hold(second, y0 + a[0], item, reading);
     return reading.said.note("equalities of joints that are held already are passed over",
                              example_of(xml));
-  if (!stated) return hold(second, y0 + a[0], item, reading);
+  }
   const std::string leader = *stated;
   JointSpec& first = single_joint(leader, xml, reading);
   const double x0 = reference_of(leader, xml, reading);
-  const bool is_linear = a[2] == 0.0 && a[3] == 0.0 && a[4] == 0.0;
-  if (!is_linear)
-    return reading.said.note("couplings of joints that are not linear are not carried over",
-                             example_of(xml));
-  if (a[1] == 0.0) return hold(second, y0 + a[0], item, reading);
-  if (first.type == JointType::Fixed)
-    return reading.said.note("equalities of joints that are held already are passed over",
-                             example_of(xml));
+  const MimicSpec forwards = coupling(leader, a[0], a[1], x0, y0);
+  if (first.type == JointType::Fixed || second.type == JointType::Fixed)
+    return couple_to_held(second, first, forwards, item, reading);
   if (!second.mimic && !is_led_by(leader, follower, xml, reading)) {
-    second.mimic = coupling(leader, a[0], a[1], x0, y0);
+    second.mimic = forwards;
   } else if (!first.mimic && !is_led_by(follower, leader, xml, reading)) {
     // x - x0 = (y - y0 - a0) / a1
     first.mimic = coupling(follower, -a[0] / a[1], 1.0 / a[1], y0, x0);
@@ -151,7 +189,9 @@ void hold_tendon(const Item& item, Reading& reading) {
     tendon.rest = a0;
     for (const TendonSpec::Part& part : tendon.parts)
       tendon.rest += part.coefficient * reference_of(part.joint, xml, reading);
-    return;
+    if (tendon.parts.size() > 1 || tendon.parts[0].coefficient == 0.0) return;
+    const TendonSpec::Part only = tendon.parts[0];
+    return hold(joint_of(only.joint, xml, reading), tendon.rest / only.coefficient, item, reading);
   }
   reading.said.note("equalities of tendons that are not carried over are not either",
                     example_of(xml));
@@ -257,8 +297,11 @@ void read_tendons(const std::vector<const XMLElement*>& elements, Reading& readi
 }
 
 void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading) {
-  for (const XMLElement* element : elements)
-    reading.findings.attempt([&] { read_equality(equality_item(*element, reading), reading); });
+  // Tendons first: their lengths are measured along all of their joints, before some are held.
+  for (const bool of_tendons : {true, false})
+    for (const XMLElement* element : elements)
+      if ((std::string_view(element->Name()) == "tendon") == of_tendons)
+        reading.findings.attempt([&] { read_equality(equality_item(*element, reading), reading); });
 }
 
 }  // namespace burnish::mjcf

@@ -578,6 +578,26 @@ TEST(Mjcf, HoldsAJointThatAnEqualityHoldsAlone) {
   EXPECT_NE(warning_of(tree, "fixed there"), "");
 }
 
+TEST(Mjcf, HoldsWhatHangsOnAHeldJoint) {
+  const TreeSpec tree = parse(
+      "<compiler angle='radian'/><worldbody><body name='a'><joint name='x'/>" + mass +
+      "</body><body><joint name='y'/>" + mass + "</body><body><joint name='z'/>" + mass +
+      "</body></worldbody><tendon><fixed name='t' stiffness='1' springlength='3'><joint joint='x' "
+      "coef='2'/><joint joint='z' coef='1'/></fixed><fixed name='u'><joint joint='x' "
+      "coef='4'/></fixed></tendon><equality><joint joint1='y' joint2='x' polycoef='0.5 2 0 0 "
+      "0'/><tendon "
+      "tendon1='u' polycoef='1'/></equality>");
+  // The length 4 x is held at 1: x at 0.25, y at 1, and of 3 of the other tendon 2.5 are left.
+  EXPECT_EQ(joint_of(tree, "x").type, JointType::Fixed);
+  EXPECT_EQ(joint_of(tree, "y").type, JointType::Fixed);
+  EXPECT_TRUE(joint_of(tree, "y").placement.linear().isApprox(turn(1.0, Vector3d::UnitZ()), 1e-14));
+  ASSERT_EQ(tree.tendons.size(), 1u);
+  ASSERT_EQ(tree.tendons[0].parts.size(), 1u);
+  EXPECT_EQ(tree.tendons[0].parts[0].joint, "z");
+  EXPECT_DOUBLE_EQ(tree.tendons[0].rest, 2.5);
+  EXPECT_EQ(build_model(tree).nv, 1);
+}
+
 TEST(Mjcf, ClosesLoops) {
   const std::string world =
       "<worldbody><body name='a' pos='1 0 0' euler='0 0 90'><joint name='x'/>" + mass +
