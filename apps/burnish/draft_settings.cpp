@@ -8,6 +8,7 @@
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
+#include "robots/description.hpp"
 #include "urdf/srdf.hpp"
 
 namespace burnish::app {
@@ -100,7 +101,8 @@ std::string limits_text(const Model& model) {
     text += fmt::format("  {}: {{{}}}\n", yaml_word(joint.name), entries);
   }
   if (text.empty()) return "";
-  return "limits:\n  # Those of the URDF, in rad, m, s, Nm and N. What stands here goes before "
+  return "limits:\n  # Those of the description, in rad, m, s, Nm and N. What stands here goes "
+         "before "
          "them; "
          "what is\n  # missing is unlimited, and an effort of 0 means a joint without a motor.\n" +
          text;
@@ -135,14 +137,17 @@ std::vector<std::string> tool_candidates(const Model& model) {
   return names;
 }
 
-std::string draft_settings(const Robot& robot, const std::string& urdf, const std::string& srdf) {
+std::string draft_settings(const Robot& robot, const std::string& key, const std::string& file,
+                           const std::string& srdf) {
   const Model& model = robot.model;
-  const bool floats = !model.joints.empty() && model.joints[0].name == "root_joint" &&
+  // What floats by a joint of an MJCF file does so anyway.
+  const bool floats = key == "urdf" && !model.joints.empty() &&
+                      model.joints[0].name == "root_joint" &&
                       model.joints[0].kind == JointKind::FreeFlyer;
   std::string text =
       "# Settings of a robot, drafted by burnish show --write-settings: change what is not so.\n"
       "# docs/robots.md describes every key.\n";
-  text += fmt::format("urdf: {}\n", yaml_word(urdf));
+  text += fmt::format("{}: {}\n", key, yaml_word(file));
   if (!srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(srdf));
   text += fmt::format("description: {}\n",
                       yaml_word(fmt::format("{}, {} joints", model.name, model.joints.size())));
@@ -163,10 +168,12 @@ fs::path write_settings(const Robot& robot, const std::string& from, const std::
   std::error_code error;
   if (!fs::is_regular_file(from, error))
     throw Error(fmt::format(
-        "{}: settings are drafted for a URDF file that stays where it is; this is none", from));
+        "{}: settings are drafted for a URDF or MJCF file that stays where it is; this is none",
+        from));
   const std::string extension = fs::path(from).extension().string();
   if (extension == ".yaml" || extension == ".yml")
-    throw Error(fmt::format("{}: this robot has settings already; wanted a URDF file", from));
+    throw Error(
+        fmt::format("{}: this robot has settings already; wanted a URDF or MJCF file", from));
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
     throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
@@ -177,8 +184,8 @@ fs::path write_settings(const Robot& robot, const std::string& from, const std::
   const auto beside = [&](const fs::path& other) {
     return other.empty() ? "" : fs::proximate(fs::absolute(other), fs::absolute(folder)).string();
   };
-  const std::string text =
-      draft_settings(robot, beside(from), beside(srdf.empty() ? srdf_of(from) : fs::path(srdf)));
+  const std::string text = draft_settings(robot, description_key(from), beside(from),
+                                          beside(srdf.empty() ? srdf_of(from) : fs::path(srdf)));
   write_whole_file(file, text);
   return file;
 }

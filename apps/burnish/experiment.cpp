@@ -192,9 +192,10 @@ void add_words(CLI::App& command, Campaign& a) {
       ->type_name("SURFACE")
       ->allow_extra_args(false);
   command
-      .add_option("--robot", a.robots,
-                  "Robot or URDF file in place of those that come along; again for more (robots, "
-                  "force_test)")
+      .add_option(
+          "--robot", a.robots,
+          "Robot, URDF or MJCF file in place of those that come along; again for more (robots, "
+          "force_test)")
       ->type_name("ROBOT")
       ->allow_extra_args(false);
   command

@@ -44,9 +44,8 @@ constexpr const char* footer =
     "  burnish experiment paper\n"
     "  burnish bench my_arm.urdf --tool flange\n"
     "\n"
-    "A robot is a URDF file, a folder with robot.yaml, or a name that burnish --robots lists, "
-    "with\n"
-    "':variant' behind it if wanted.\n"
+    "A robot is a URDF or MJCF file, a folder with robot.yaml, or a name that burnish --robots\n"
+    "lists, with ':variant' behind it if wanted.\n"
     "Exit codes: 0 fine; 1 a check failed, an evaluation had a bad status, a solve did not\n"
     "converge or a run did not polish; 2 bad usage or input.";
 

@@ -323,9 +323,10 @@ void add_task_options(CLI::App& command, PolishArguments& a) {
                   "Task file [the default task, on table and board; with --robot on the table]")
       ->type_name("");
   command
-      .add_option("--robot", a.robot,
-                  "Robot: a name, a URDF file, a folder or a settings file, with :variant [the "
-                  "file's, or talos:right_arm]")
+      .add_option(
+          "--robot", a.robot,
+          "Robot: a name, a URDF or MJCF file, a folder or a settings file, with :variant [the "
+          "file's, or talos:right_arm]")
       ->type_name("ROBOT");
   command
       .add_option("--tool", a.tool,

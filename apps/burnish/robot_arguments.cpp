@@ -10,7 +10,7 @@
 namespace burnish::app {
 
 void RobotArguments::add_to(CLI::App& command) {
-  command.add_option("ROBOT", robot, "URDF file, folder with robot.yaml, or known name")
+  command.add_option("ROBOT", robot, "URDF or MJCF file, folder with robot.yaml, or known name")
       ->type_name("")
       ->required();
   command.add_flag("--free-flyer", free_flyer, "Let the base float free");

@@ -101,9 +101,10 @@ void add_run_task_options(CLI::App* command, RunArguments& a) {
       ->type_name("")
       ->required();
   command
-      ->add_option("--robot", a.robot,
-                   "Robot: a name, a URDF file, a folder or a settings file, with :variant [the "
-                   "file's]")
+      ->add_option(
+          "--robot", a.robot,
+          "Robot: a name, a URDF or MJCF file, a folder or a settings file, with :variant [the "
+          "file's]")
       ->type_name("ROBOT");
   command
       ->add_option("--tool", a.tool,

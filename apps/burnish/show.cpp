@@ -223,7 +223,7 @@ void add_show(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--write-settings", arguments->settings,
-                   "Draft robot.yaml for a URDF file in this folder, and print no table")
+                   "Draft robot.yaml for a URDF or MJCF file in this folder, and print no table")
       ->type_name("DIR");
   command->footer(
       "Examples:\n"

@@ -20,8 +20,10 @@ from ._core import (
     integrate,
     load_robot,
     normalized,
+    parse_mjcf,
     parse_urdf,
     random_configuration,
+    read_mjcf,
     read_urdf,
     robot_search_path,
     tangent_map,
@@ -34,8 +36,8 @@ __all__ = [
     "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "Tendon",
     "TendonEntry", "TendonPart", "TendonSpec", "TreeSpec",
     "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
-    "difference", "integrate", "load_robot", "normalized", "parse_urdf", "placement",
-    "random_configuration", "read_urdf", "robot_search_path", "tangent_map",
+    "difference", "integrate", "load_robot", "normalized", "parse_mjcf",
+    "parse_urdf", "placement", "random_configuration", "read_mjcf", "read_urdf", "robot_search_path", "tangent_map",
 ]
 
 Posture = Dict[str, List[float]]

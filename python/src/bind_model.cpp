@@ -1,5 +1,6 @@
 // Robots: descriptions, compiled models, configurations.
 #include "bind.hpp"
+#include "burnish/mjcf/mjcf.hpp"
 #include "burnish/model/state.hpp"
 #include "burnish/urdf/urdf.hpp"
 #include "specs_model.hpp"
@@ -147,7 +148,8 @@ void bind_robot(py::module_& m) {
         return load_robot(name, overrides.value_or(RobotOverrides{}));
       },
       py::arg("name"), py::arg("overrides") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Loads a robot by a URDF file ('arm.urdf'), a settings file ('robots/talos/robot.yaml'), a "
+      "Loads a robot by a URDF or MJCF file ('arm.urdf', 'arm.xml'), a settings file "
+      "('robots/talos/robot.yaml'), a "
       "folder that holds one, or the name of a robot that came with the library ('talos', "
       "'talos:right_arm', 'arm7', 'crane', 'quadruped', 'pendulum'), with ':variant' behind it if "
       "wanted. A path may also be a pipe. Raises Error, with all problems of a URDF file at once; "
@@ -218,6 +220,11 @@ void bind_descriptions(py::module_& m) {
   m.def("read_urdf", &read_urdf, py::arg("file"), "Reads a URDF file into a TreeSpec.");
   m.def("parse_urdf", &parse_urdf, py::arg("xml"), py::arg("source") = "<string>",
         "Reads URDF from a text; `source` stands for the file's name in error sentences.");
+  m.def("read_mjcf", &read_mjcf, py::arg("file"),
+        "Reads an MJCF file into a TreeSpec, with what it includes; the root link is 'world'.");
+  m.def("parse_mjcf", &parse_mjcf, py::arg("xml"), py::arg("source") = "<string>",
+        "Reads MJCF from a text, which opens no file; `source` stands for the file's name in error "
+        "sentences.");
 }
 
 void bind_vectors(py::class_<Model>& model) {

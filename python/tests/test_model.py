@@ -206,6 +206,25 @@ class TestDescriptions:
         with pytest.raises(burnish.Error, match="here.urdf"):
             burnish.parse_urdf("<robot", source="here.urdf")
 
+    def test_are_read_from_mjcf(self, tmp_path: Path) -> None:
+        text = ('<mujoco model="m"><option gravity="0 0 -2"/><worldbody><body name="b"><joint name="j" '
+                'type="slide" range="0 2"/><geom size="0.1"/><site name="tip" pos="0 0 1"/></body>'
+                '</worldbody><actuator><motor joint="j" ctrlrange="-3 3"/></actuator><keyframe><key '
+                'name="home" qpos="1"/></keyframe></mujoco>')
+        file = tmp_path / "m.xml"
+        file.write_text(text)
+        for tree in (burnish.parse_mjcf(text), burnish.read_mjcf(file)):
+            assert tree.joints[0].type is JointType.PRISMATIC
+            assert [frame.name for frame in tree.frames] == ["tip"]
+            assert tree.postures == {"home": {"j": [1.0]}}
+            np.testing.assert_array_equal(tree.gravity, [0.0, 0.0, -2.0])
+            assert burnish.build_model(tree).effort_limit[0] == 3.0
+        robot = burnish.load_robot(str(file))
+        assert robot.default_posture == "home"
+        assert robot.model.gravity[2] == -2.0
+        with pytest.raises(burnish.Error, match="here.xml"):
+            burnish.parse_mjcf("<mujoco", source="here.xml")
+
     def test_keep_shapes_to_draw(self) -> None:
         tree = two_links(joint(JointType.FIXED))
         shapes = [burnish.BoxShape([1.0, 2.0, 3.0]), burnish.CylinderShape(0.5, 2.0),

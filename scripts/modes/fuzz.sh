@@ -3,11 +3,11 @@
 #               text, 1 GB of memory. What was found lies in build-fuzz/found
 #     --seconds=N   per reader (30)
 #     --runs=N      texts per reader, however long that takes
-#     --reader=NAME one of urdf, srdf, robot, problem, task, request, table
+#     --reader=NAME one of urdf, mjcf, srdf, robot, problem, task, request, table
 #     --seed=N      of what is made up (1)
 
 run_fuzz() {
-  local readers=(urdf srdf robot problem task request table) seed=1 extent=-max_total_time=30 word
+  local readers=(urdf mjcf srdf robot problem task request table) seed=1 extent=-max_total_time=30 word
   for word in "$@"; do
     case $word in
       --seconds=*) extent=-max_total_time=${word#*=} ;;

@@ -242,8 +242,8 @@ void check_isometry(const std::string& origin, const std::string& what,
   refuse(origin, what + " is not a placement; wanted a finite position and a rotation matrix");
 }
 
-void add_frames(const TreeSpec& tree, const ModelOptions& options, Model& model) {
-  for (const FrameSpec& added : options.frames) {
+void add_frames(const TreeSpec& tree, const std::vector<FrameSpec>& frames, Model& model) {
+  for (const FrameSpec& added : frames) {
     if (added.name.empty()) refuse(tree, "a frame to add has no name; every frame needs one");
     if (model.has_frame(added.name)) {
       refuse(tree, "frame to add " + in_quotes(added.name) +
@@ -311,7 +311,8 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   model.warnings.insert(model.warnings.end(), findings.warnings().begin(),
                         findings.warnings().end());
   if (options.strict) refuse_warnings(origin_of(tree), model.warnings);
-  add_frames(tree, options, model);
+  add_frames(tree, tree.frames, model);
+  add_frames(tree, options.frames, model);
   return model;
 }
 

@@ -185,6 +185,9 @@ const Description& description_of(const TreeSpec* /*of*/) {
           .field("links", &T::links)
           .field("joints", &T::joints)
           .field("tendons", &T::tendons)
+          .field("frames", &T::frames, "that the file names beside links and joints")
+          .field("postures", &T::postures, "that the file names")
+          .field("gravity", &T::gravity, "{m/s^2}, where the file states it")
           .field("warnings", &T::warnings,
                  "What was odd about the file but stopped nothing, one sentence each; a Model gets "
                  "them too.");

@@ -12,7 +12,7 @@ namespace burnish {
 std::map<std::string, std::filesystem::path> known_robots();
 
 /// Whether load_robot takes the name for a path whatever lies there: it has a slash in it, or ends
-/// in .urdf, .yaml or .yml, in capitals or not, with no variant behind.
+/// in .urdf, .xml, .mjcf, .yaml or .yml, in capitals or not, with no variant behind.
 bool is_robot_path(const std::string& name);
 
 }  // namespace burnish

@@ -12,7 +12,9 @@
 
 #include "base/findings.hpp"
 #include "base/sentence.hpp"
+#include "burnish/mjcf/mjcf.hpp"
 #include "burnish/urdf/urdf.hpp"
+#include "robots/description.hpp"
 #include "robots/known_robots.hpp"
 #include "robots/robot_settings.hpp"
 #include "urdf/srdf.hpp"
@@ -26,7 +28,7 @@ constexpr const char* settings_name = "robot.yaml";
 
 /// Where a robot's name leads.
 struct Place {
-  fs::path file;        // a URDF or a settings file
+  fs::path file;        // a description or a settings file
   std::string variant;  // empty for none
 };
 
@@ -103,18 +105,14 @@ Place find_robot(const std::string& name) {
     throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
   }
   if (!is_settings(*file)) {
-    throw Error("robot " + in_quotes(name) + " asks for a variant of a URDF file; only settings " +
-                "files have variants");
+    throw Error("robot " + in_quotes(name) +
+                " asks for a variant of a description; only settings " + "files have variants");
   }
   return {*file, variant};
 }
 
 RobotSettings settings_at(const Place& place) {
-  if (!is_settings(place.file)) {
-    RobotSettings settings;
-    settings.urdf = place.file.filename().string();
-    return settings;
-  }
+  if (!is_settings(place.file)) return {};
   RobotSettingsFile file = read_robot_settings(place.file);
   if (place.variant.empty()) return std::move(file.common);
   const auto variant = file.variants.find(place.variant);
@@ -239,6 +237,23 @@ void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& fi
   joint.armature += ratio * ratio * figures.rotor_inertia.value_or(0.0);
 }
 
+/// Frames and postures that a description has itself stand behind those of the settings.
+void take_over(TreeSpec& tree, RobotSettings& settings) {
+  const auto is_stated = [&](const FrameSpec& frame) {
+    return std::any_of(settings.frames.begin(), settings.frames.end(),
+                       [&](const FrameSpec& stated) { return stated.name == frame.name; });
+  };
+  tree.frames.erase(std::remove_if(tree.frames.begin(), tree.frames.end(), is_stated),
+                    tree.frames.end());
+  for (const auto& [name, posture] : tree.postures) settings.postures.emplace(name, posture);
+  if (settings.default_posture) return;
+  for (const char* usual : {"home", "qpos0"}) {
+    if (!tree.postures.contains(usual)) continue;
+    settings.default_posture = usual;
+    return;
+  }
+}
+
 /// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
 std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
                                   RobotSettings& settings, Findings& findings) {
@@ -313,8 +328,9 @@ Eigen::VectorXd Robot::reference_configuration() const {
 }
 
 bool is_robot_path(const std::string& name) {
-  return name.find('/') != std::string::npos || lower_extension(name) == ".urdf" ||
-         is_settings(name);
+  const std::string extension = lower_extension(name);
+  return name.find('/') != std::string::npos || extension == ".urdf" || extension == ".xml" ||
+         extension == ".mjcf" || is_settings(name);
 }
 
 std::vector<fs::path> robot_search_path() {
@@ -344,15 +360,15 @@ std::map<std::string, fs::path> known_robots() {
 }
 
 Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
-                 const std::function<TreeSpec(const std::string& urdf)>& read,
-                 const SrdfFile& srdf) {
-  TreeSpec tree = read(*settings.urdf);
+                 TreeSpec tree, const SrdfFile& srdf) {
+  take_over(tree, settings);
   for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
   for (const auto& [joint, figures] : settings.joints) set_figures(tree, joint, figures, origin);
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
   ModelOptions options = options_of(settings, overrides, origin);
+  if (tree.gravity) options.gravity = *tree.gravity;
   if (options.free.empty() && !overrides.carrying.empty())
     options.free = carrying_joints(tree, overrides.carrying);
   Robot robot;
@@ -379,9 +395,10 @@ Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
   SrdfFile srdf{overrides.srdf, true};
   if (srdf.file.empty() && settings.srdf) srdf.file = folder / *settings.srdf;
   if (srdf.file.empty() && !is_settings(place.file)) srdf = {srdf_of(place.file), false};
-  return make_robot(
-      std::move(settings), applying, place.file.string(),
-      [&](const std::string& urdf) { return read_urdf(folder / urdf); }, srdf);
+  TreeSpec tree = settings.urdf   ? read_urdf(folder / *settings.urdf)
+                  : settings.mjcf ? read_mjcf(folder / *settings.mjcf)
+                                  : read_description(place.file);
+  return make_robot(std::move(settings), applying, place.file.string(), std::move(tree), srdf);
 }
 
 }  // namespace burnish

@@ -75,13 +75,14 @@ JointFigures read_figures(const Reader& reader) {
 /// The keys of a file or of a variant; `also`: one that only the file has.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
-      "urdf",  "srdf",    "description",     "base",     "base_placement", "lock",
-      "free",  "posture", "default_posture", "postures", "frames",         "limits",
-      "joints"};
+      "urdf",           "mjcf",   "srdf",   "description", "base",
+      "base_placement", "lock",   "free",   "posture",     "default_posture",
+      "postures",       "frames", "limits", "joints"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
   for (const auto& [key, text] : {std::pair("urdf", &settings.urdf),
+                                  {"mjcf", &settings.mjcf},
                                   {"srdf", &settings.srdf},
                                   {"description", &settings.description},
                                   {"posture", &settings.posture},
@@ -96,6 +97,8 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
     settings.free = free->texts();
     if (settings.free->empty()) free->refuse("wanted at least one joint name");
   }
+  if (settings.urdf && settings.mjcf)
+    reader.refuse("keys 'urdf' and 'mjcf' are both stated; a robot has one description");
   if (settings.lock && settings.free)
     reader.refuse("keys 'lock' and 'free' are both stated; state one, the other follows");
   if (const auto postures = reader.find("postures"))
@@ -122,7 +125,9 @@ RobotSettingsFile parse_robot_settings(const std::string& text, const std::strin
   if (const auto variants = top.find("variants"))
     for (const auto& [variant, value] : variants->items())
       result.variants[variant] = read_settings(value, {});
-  if (!result.common.urdf) top.refuse("key 'urdf' is missing; wanted the name of a URDF file");
+  if (!result.common.urdf && !result.common.mjcf)
+    top.refuse(
+        "key 'urdf' is missing; wanted the name of a URDF file, or 'mjcf' with an MJCF file");
   return result;
 }
 
@@ -131,7 +136,10 @@ RobotSettingsFile read_robot_settings(const std::filesystem::path& file) {
 }
 
 RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
-  if (variant.urdf) common.urdf = variant.urdf;
+  if (variant.urdf || variant.mjcf) {
+    common.urdf = variant.urdf;
+    common.mjcf = variant.mjcf;
+  }
   if (variant.srdf) common.srdf = variant.srdf;
   if (variant.description) common.description = variant.description;
   if (variant.base) common.base = variant.base;

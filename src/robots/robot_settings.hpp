@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace burnish {
 
-/// Limits of a joint that go before those of the URDF.
+/// Limits of a joint that go before those of the description.
 struct JointLimits {
   std::optional<double> lower, upper, velocity, effort;
 };
@@ -27,6 +26,7 @@ struct JointFigures {
 /// What a settings file, or one variant in it, states. Keys that are absent are empty.
 struct RobotSettings {
   std::optional<std::string> urdf;  ///< as written, relative to the settings file
+  std::optional<std::string> mjcf;  ///< the same; one of the two
   std::optional<std::string> srdf;  ///< the same
   std::optional<std::string> description;
   std::optional<Base> base;
@@ -58,10 +58,9 @@ struct SrdfFile {
   bool asked_for = false;
 };
 
-/// The robot that settings with a `urdf` describe; `read` reads that file, `origin` stands for the
-/// settings' file in error sentences.
+/// The robot that settings and a description make; `origin` stands for the settings' file in error
+/// sentences. Frames and postures of the settings go before those of the description.
 Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const std::string& origin,
-                 const std::function<TreeSpec(const std::string& urdf)>& read,
-                 const SrdfFile& srdf = {});
+                 TreeSpec tree, const SrdfFile& srdf = {});
 
 }  // namespace burnish

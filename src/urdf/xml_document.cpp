@@ -9,8 +9,8 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-void parse_xml(tinyxml2::XMLDocument& document, const std::string& xml, const std::string& source,
-               const std::string& format) {
+void parse_text(tinyxml2::XMLDocument& document, const std::string& xml, const std::string& source,
+                const std::string& format) {
   if (xml.find_first_not_of(" \t\r\n") == std::string::npos) {
     refuse(source, "it is empty; a description in " + format + " was wanted");
   }
@@ -54,20 +54,25 @@ class FewAttributes : public tinyxml2::XMLVisitor {
 
 }  // namespace
 
-const XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
-                                  const std::string& source, const std::string& format) {
+const XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
+                            const std::string& source, const std::string& format) {
   constexpr int megabytes = 16;  // of the shortest elements 1 GB in memory
   check_size(xml, source, megabytes);
-  parse_xml(document, xml, source, format);
-  const XMLElement* robot = document.RootElement();
-  if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-    refuse(source, std::string("its outermost element is ") +
-                       (robot == nullptr ? "missing" : "<" + std::string(robot->Name()) + ">") +
-                       "; wanted <robot>");
+  parse_text(document, xml, source, format);
+  const XMLElement* outermost = document.RootElement();
+  if (outermost == nullptr) {
+    refuse(source, "its outermost element is missing; a description in " + format + " was wanted");
   }
   FewAttributes check(source);
-  robot->Accept(&check);
-  return *robot;
+  outermost->Accept(&check);
+  return *outermost;
+}
+
+const XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
+                                  const std::string& source, const std::string& format) {
+  const XMLElement& robot = parse_xml(document, xml, source, format);
+  if (std::string_view(robot.Name()) == "robot") return robot;
+  refuse(source, "its outermost element is <" + std::string(robot.Name()) + ">; wanted <robot>");
 }
 
 }  // namespace burnish

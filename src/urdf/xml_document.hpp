@@ -1,4 +1,4 @@
-// A file in XML whose outermost element is <robot>, within bounds that every reader keeps.
+// A file in XML, within bounds that every reader keeps.
 #pragma once
 
 #include <tinyxml2.h>
@@ -7,8 +7,13 @@
 
 namespace burnish {
 
-/// Throws Error where the text is larger than 16 MB, is no XML, has not <robot> around it, or an
-/// element with more than 100 attributes. `format` says in sentences what was wanted, e.g. "URDF".
+/// The outermost element. Throws Error where the text is larger than 16 MB, is no XML, has no
+/// element, or one with more than 100 attributes. `format` says in sentences what was wanted, e.g.
+/// "URDF".
+const tinyxml2::XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
+                                      const std::string& source, const std::string& format);
+
+/// The same, of a text that must have <robot> around it.
 const tinyxml2::XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                             const std::string& source, const std::string& format);
 

@@ -181,7 +181,30 @@ TEST(Show, DraftsSettings) {
   const Outcome again = run("show " + file + " --write-settings " + folder);
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.err.find("robot.yaml: it is there already"), std::string::npos) << again.err;
-  expect_refused(run("show arm7 --write-settings " + folder), "a URDF file");
+  expect_refused(run("show arm7 --write-settings " + folder), "a URDF or MJCF file");
+}
+
+TEST(Show, TakesMjcfAndDraftsItsSettings) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write(
+      "dog.xml",
+      "<mujoco model='dog'><worldbody><light/><body name='trunk' pos='0 0 1'><freejoint/>"
+      "<geom size='0.1'/><body name='leg'><joint name='hip' range='-20 20'/><geom size='0.1' "
+      "pos='0 0 -0.3'/></body></body></worldbody><actuator><motor joint='hip' "
+      "ctrlrange='-5 5'/></actuator></mujoco>"));
+  const Outcome shown = run("show --json " + file);
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_NE(shown.err.find("1 <light>"), std::string::npos) << shown.err;
+  const Json json = Json::parse(shown.out);
+  EXPECT_EQ(json["nv"], 7);
+  EXPECT_EQ(json["joints"][1]["effort_limit"][0], 5.0);
+  const std::string folder = quoted(scratch.folder / "drafted");
+  EXPECT_EQ(run("show " + file + " --write-settings " + folder).exit_code, 0);
+  const std::string text = contents(scratch.folder / "drafted/robot.yaml");
+  for (const std::string line : {"mjcf: ../dog.xml\n", "base: fixed", "default_posture: qpos0\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  EXPECT_EQ(Json::parse(run("show --json " + folder).out)["nv"], 7);
+  EXPECT_EQ(run("check " + folder + " --states 2").exit_code, 0);
 }
 
 TEST(Check, PassesWithExitCodeZero) {

@@ -216,6 +216,41 @@ INSTANTIATE_TEST_SUITE_P(
                                       "'/><child link='b'/></joint></robot>");
                  },
                  "does not exist"},
+        LongText{"bodies", mjcf,
+                 [] {
+                   return std::string("<mujoco><worldbody>" + many("<body><joint/></body>") +
+                                      "</worldbody></mujoco>");
+                 },
+                 "more than 2000 links"},
+        LongText{"bodies_in_bodies", mjcf,
+                 [] {
+                   return std::string("<mujoco><worldbody>" + times(480, "<body><joint/>") +
+                                      times(480, "</body>") + "</worldbody></mujoco>");
+                 },
+                 ""},
+        LongText{"classes", mjcf,
+                 [] {
+                   return std::string(
+                       "<mujoco><default>" +
+                       many([](const auto& i) { return "<default class='c" + i + "'>"; }, 14000,
+                            "") +
+                       times(400, "</default>") + "</default></mujoco>");
+                 },
+                 "line 1"},
+        LongText{"joints", mjcf,
+                 [] {
+                   return std::string("<mujoco><worldbody><body>" + many("<joint/>", 15000) +
+                                      "</body></worldbody></mujoco>");
+                 },
+                 "links"},
+        LongText{"equalities", mjcf,
+                 [] {
+                   return std::string(
+                       "<mujoco><worldbody><body>" + times(30, "<body><joint name='a'/></body>") +
+                       "</body></worldbody><equality>" + many("<joint joint1='a' joint2='b'/>") +
+                       "</equality></mujoco>");
+                 },
+                 "does not exist"},
         LongText{"file", urdf, [] { return std::string(std::string((16 << 20) + 1, ' ')); },
                  "larger than 16 MB"}),
     name_of);

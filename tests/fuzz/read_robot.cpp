@@ -22,7 +22,9 @@ const TreeSpec& description(const std::string& urdf) {
   return found == trees.end() ? trees.at("arm7.urdf") : found->second;
 }
 
-void load(const RobotSettings& settings) { make_robot(settings, {}, "robot.yaml", description); }
+void load(const RobotSettings& settings) {
+  make_robot(settings, {}, "robot.yaml", description(settings.urdf.value_or("")));
+}
 
 void read(const std::string& text) {
   const RobotSettingsFile file = parse_robot_settings(text, "robot.yaml");

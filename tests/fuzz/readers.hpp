@@ -13,6 +13,7 @@ struct Reader {
 };
 
 extern const Reader urdf;     ///< a robot's description, compiled to a model
+extern const Reader mjcf;     ///< the same in MuJoCo's format
 extern const Reader srdf;     ///< postures of a robot
 extern const Reader robot;    ///< a robot's settings, with its variants
 extern const Reader problem;  ///< an optimal control problem, compiled

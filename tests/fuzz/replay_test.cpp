@@ -33,7 +33,8 @@ TEST_P(Replay, is_read_or_refused_in_one_sentence_within_a_second) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Reader, Replay,
-                         ::testing::Values(&urdf, &srdf, &robot, &problem, &task, &request, &table),
+                         ::testing::Values(&urdf, &mjcf, &srdf, &robot, &problem, &task, &request,
+                                           &table),
                          [](const ::testing::TestParamInfo<const Reader*>& given) {
                            return std::string(given.param->name);
                          });

@@ -53,6 +53,64 @@ TEST_F(RobotFiles, NeedNoEnding) {
   expect_words(refusal([&] { load_robot(write("arm.sdf", "<sdf/>")); }), {"<sdf>", "<robot>"});
 }
 
+/// A slide and a hinge, with what an MJCF file has beside them.
+std::string mjcf(const std::string& more = "") {
+  return "<?xml version='1.0'?>\n<!-- <robot/> --><mujoco model='m'><option gravity='0 0 -2'/>"
+         "<worldbody><body name='b'><joint name='s' type='slide'/><geom size='0.1'/><body "
+         "name='c'><joint name='h' ref='90'/><geom size='0.1'/><site name='tip' pos='0 0 "
+         "1'/></body></body></worldbody>" +
+         more + "</mujoco>";
+}
+
+TEST_F(RobotFiles, AreToldApartByTheirContent) {
+  for (const char* name : {"m.xml", "M.MJCF", "m", "m.urdf"}) {
+    const Robot robot = load_robot(write(name, mjcf()));
+    EXPECT_EQ(robot.model.nv, 2) << name;
+    EXPECT_EQ(robot.model.gravity.z(), -2.0);
+    EXPECT_TRUE(robot.model.has_frame("tip"));
+    EXPECT_EQ(robot.default_posture, "qpos0");
+    EXPECT_NEAR(robot.reference_configuration()[1], 0.5 * std::acos(-1.0), 1e-15);
+  }
+  // What MuJoCo adds to URDF is no MJCF.
+  EXPECT_EQ(
+      load_robot(write("a.xml", "<robot name='a'><mujoco/><link name='l'/></robot>")).model.name,
+      "a");
+  const auto refused = [&](const std::string& text) {
+    return refusal([&] { load_robot(write("m.xml", text)); });
+  };
+  expect_words(refused("<!-- a --><sdf version='1.7'/>"),
+               {"m.xml", "<sdf>", "<mujoco>", "<robot>"});
+  expect_words(refused("#usda 1.0\n"), {"m.xml", "USD", "MJCF"});
+  expect_words(refused("PXR-USDC"), {"m.xml", "USD"});
+  expect_words(refused("<mujocoinclude/>"), {"m.xml", "<mujocoinclude>", "includes it"});
+  expect_words(refused("<mujoco/>"), {"m.xml", "<worldbody>"});
+}
+
+TEST_F(RobotFiles, MayBeMjcfInSettings) {
+  write("m.xml",
+        mjcf("<keyframe><key name='home' qpos='1 2'/><key name='far' qpos='3 4'/></keyframe>"));
+  const auto load = [&](const std::string& settings) {
+    return load_robot(write("robot.yaml", settings));
+  };
+  const Robot robot = load("mjcf: m.xml");
+  EXPECT_EQ(robot.default_posture, "home");
+  EXPECT_EQ(robot.posture("far"), Eigen::Vector2d(3, 4));
+  const Robot changed = load(
+      "mjcf: m.xml\nlock: [h]\ndefault_posture: far\npostures: {home: {s: 7}}\n"
+      "frames: {tip: {parent: c, xyz: [1, 0, 0]}, more: {parent: tip}}\nvariants: {free: {lock: "
+      "[]}}");
+  EXPECT_EQ(changed.model.nv, 1);
+  EXPECT_EQ(changed.posture("home")[0], 7.0);
+  EXPECT_EQ(changed.reference_configuration()[0], 3.0);
+  const auto frame = static_cast<std::size_t>(changed.model.frame_index("more"));
+  // Held at 4 rad, as the default posture has it, one m beside the body.
+  EXPECT_NEAR(std::abs(changed.model.frames[frame].placement.translation().norm()), 1.0, 1e-14);
+  expect_words(refusal([&] { load("mjcf: m.xml\nurdf: m.urdf"); }),
+               {"robot.yaml", "'urdf'", "'mjcf'"});
+  expect_words(refusal([&] { load("description: none"); }), {"robot.yaml", "'urdf'", "'mjcf'"});
+  expect_words(refusal([&] { load("urdf: m.xml"); }), {"m.xml", "<mujoco>", "<robot>"});
+}
+
 TEST_F(RobotFiles, MayComeThroughAPipe) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);

@@ -41,7 +41,8 @@ struct RobotOverrides {
 };
 
 /// Loads a robot by
-///  - a URDF file (`arm.urdf`), or whatever else a path leads to, such as /dev/stdin or a pipe,
+///  - a URDF or MJCF file (`arm.urdf`, `arm.xml`), told apart by what is in it, or whatever else a
+///    path leads to, such as /dev/stdin or a pipe,
 ///  - a settings file (`robots/talos/robot.yaml`), with `:variant` behind it if wanted,
 ///  - a folder that holds robot.yaml (`robots/talos`, `robots/talos:right_arm`),
 ///  - the name of a robot that came with the library (`talos`, `talos:right_arm`), looked up in
@@ -52,7 +53,7 @@ struct RobotOverrides {
 ///
 /// A settings file (all keys but `urdf` are optional; angles in rad, lengths in m):
 ///
-///     urdf: talos.urdf                 # beside the settings file
+///     urdf: talos.urdf                 # beside the settings file; or mjcf: talos.xml
 ///     description: one line
 ///     base: free_flyer                 # or fixed, which is the default
 ///     base_placement: {xyz: [0, 0, 1.02], rpy: [0, 0, 0]}
@@ -65,6 +66,8 @@ struct RobotOverrides {
 ///     srdf: talos.srdf                 # its group_states are postures too
 ///     variants: {name: {any of the keys above}, ...}
 ///
+/// Frames, postures and gravity of an MJCF file are the robot's; what settings state goes before,
+/// and without a default posture there that is the file's "home", or else how it draws the robot.
 /// Without settings the SRDF file beside a URDF file, or in ../srdf, that has its name is read; the
 /// postures of the settings go before those of an SRDF file.
 ///

@@ -1,0 +1,134 @@
+// Actuators: how much they can do is the effort limit of their joints. Gains are no part of a
+// model.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/sentence.hpp"
+#include "mjcf/reading.hpp"
+
+namespace burnish::mjcf {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What an element or the compiler says of a range: its larger end, or infinity where there is
+/// none.
+double bound(const Item& item, const char* limited, const char* range, const Reading& reading,
+             bool& is_even) {
+  const auto stated = item.numbers(range, 2);
+  const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
+  if (!item.choice(limited).value_or(has_range && reading.compiler.autolimits)) return infinity;
+  if (!has_range) refuse_at(item.xml(), std::string("it is limited, but has no ") + range);
+  is_even = is_even && (*stated)[0] == -(*stated)[1];
+  return std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
+}
+
+/// Servos push as hard as they are far from where they should be: their controls limit no force.
+bool is_servo(const Item& item) {
+  const std::string_view kind = item.xml().Name();
+  if (kind == "motor" || kind == "cylinder") return false;
+  if (kind != "general") return true;
+  return item.text("gaintype").value_or("fixed") != "fixed" ||
+         item.text("biastype").value_or("none") != "none" ||
+         item.text("dyntype").value_or("none") == "integrator" || item.stating("kp") != nullptr ||
+         item.stating("kv") != nullptr;
+}
+
+double gain_of(const Item& item) {
+  const std::string_view kind = item.xml().Name();
+  if (kind == "general") return item.overlaid("gainprm", {1.0})[0];
+  if (kind != "cylinder") return 1.0;
+  const double diameter = item.number("diameter", 0.0);
+  return diameter > 0.0 ? 0.25 * std::numbers::pi * diameter * diameter : item.number("area", 1.0);
+}
+
+/// The largest force before the gear, N or Nm.
+double largest_force(const Item& item, Reading& reading) {
+  bool is_even = true;
+  double force = bound(item, "forcelimited", "forcerange", reading, is_even);
+  if (is_servo(item)) {
+    reading.said.note("gains of servos and muscles are not carried over, only their largest force",
+                      example_of(item.xml()));
+  } else {
+    const double control = bound(item, "ctrllimited", "ctrlrange", reading, is_even);
+    const double gain = std::abs(gain_of(item));
+    if (control < infinity) force = std::min(force, gain * control);
+  }
+  if (!is_even) reading.said.note(uneven_forces, example_of(item.xml()));
+  return force;
+}
+
+/// Torques by joint as they add up.
+class Efforts {
+ public:
+  explicit Efforts(Reading& reading) : reading_(reading), sums_(reading.tree.joints.size(), 0.0) {}
+
+  void add(const Item& item) {
+    const std::vector<double> gear = item.overlaid("gear", {1.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    for (const char* attribute : {"joint", "jointinparent"}) {
+      if (const auto joint = item.text(attribute)) {
+        const std::size_t index = reading_.coordinate(*joint, item.xml()).joint;
+        add_to(index, largest_gear(gear, reading_.tree.joints[index].type), item);
+        return;
+      }
+    }
+    if (const auto tendon = item.text("tendon")) return add_by_tendon(*tendon, gear[0], item);
+    reading_.said.note("actuators that act on no joint or fixed tendon are not carried over",
+                       example_of(item.xml()));
+  }
+
+  void limit_joints() const {
+    if (!any_) return;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      JointSpec& joint = reading_.tree.joints[i];
+      if (joint.type != JointType::Fixed)
+        joint.effort_limit = std::min(joint.effort_limit, sums_[i]);
+    }
+  }
+
+ private:
+  static double largest_gear(const std::vector<double>& gear, JointType type) {
+    const std::ptrdiff_t entries = type == JointType::Floating ? 6
+                                   : type == JointType::Ball   ? 3
+                                                               : 1;
+    double largest = 0.0;
+    for (auto g = gear.begin(); g != gear.begin() + entries; ++g)
+      largest = std::max(largest, std::abs(*g));
+    return largest;
+  }
+
+  void add_to(std::size_t joint, double factor, const Item& item) {
+    any_ = true;
+    const double force = largest_force(item, reading_);
+    if (factor != 0.0) sums_[joint] += std::abs(factor) * force;  // no gear, no infinity
+  }
+
+  void add_by_tendon(const std::string& name, double gear, const Item& item) {
+    for (const TendonSpec& tendon : reading_.tree.tendons) {
+      if (tendon.name != name) continue;
+      for (const TendonSpec::Part& part : tendon.parts)
+        add_to(reading_.coordinate(part.joint, item.xml()).joint, part.coefficient * gear, item);
+      return;
+    }
+    reading_.said.note("actuators on tendons that are not carried over are not either",
+                       example_of(item.xml()));
+  }
+
+  Reading& reading_;
+  std::vector<double> sums_;
+  bool any_ = false;
+};
+
+}  // namespace
+
+void read_actuators(const std::vector<const XMLElement*>& elements, Reading& reading) {
+  Efforts efforts(reading);
+  for (const XMLElement* element : elements)
+    reading.findings.attempt([&] { efforts.add(reading.item(*element)); });
+  efforts.limit_joints();
+}
+
+}  // namespace burnish::mjcf

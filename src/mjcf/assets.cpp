@@ -1,0 +1,67 @@
+// <asset>: where meshes are and which colours materials have.
+#include "base/sentence.hpp"
+#include "mjcf/reading.hpp"
+
+namespace burnish::mjcf {
+namespace {
+
+namespace fs = std::filesystem;
+
+MeshInertia inertia_kind(const Item& item, const Compiler& compiler, MeshAsset& mesh) {
+  const std::string word =
+      item.text("inertia").value_or(compiler.exact_meshes ? "exact" : "legacy");
+  mesh.is_hull = word == "convex";
+  if (word == "exact" || word == "convex") return MeshInertia::Exact;
+  if (word == "shell") return MeshInertia::Shell;
+  if (word == "legacy") return MeshInertia::Legacy;
+  refuse_at(item.xml(),
+            "inertia is " + in_quotes(word) + "; wanted legacy, exact, convex or shell");
+}
+
+void read_mesh(const Item& item, Reading& reading) {
+  MeshAsset mesh;
+  mesh.xml = &item.xml();
+  const std::string stated = item.text("file").value_or("");
+  fs::path file = stated;
+  std::string name = item.name();
+  if (name.empty()) name = file.stem().string();
+  if (name.empty()) refuse_at(item.xml(), "it has neither a name nor a file; one is needed");
+  if (reading.compiler.strip_paths) file = file.filename();
+  // What is absolute stays so.
+  if (!stated.empty()) mesh.file = (fs::path(reading.compiler.mesh_folder) / file).string();
+  if (const auto scale = item.numbers("scale", 3))
+    mesh.scale = Eigen::Vector3d((*scale)[0], (*scale)[1], (*scale)[2]);
+  if (const auto at = item.numbers("refpos", 3))
+    mesh.reference.translation() = Eigen::Vector3d((*at)[0], (*at)[1], (*at)[2]);
+  if (const auto turned = item.numbers("refquat", 4))
+    mesh.reference.linear() = quaternion_of(*turned, item.xml()).toRotationMatrix();
+  mesh.inertia = inertia_kind(item, reading.compiler, mesh);
+  if (!reading.meshes.emplace(name, mesh).second)
+    refuse_at(item.xml(), "a mesh of the name " + in_quotes(name) + " is defined twice");
+}
+
+void read_material(const Item& item, Reading& reading) {
+  Eigen::Vector4d colour = Eigen::Vector4d::Ones();
+  if (const auto rgba = item.numbers("rgba", 4))
+    colour = Eigen::Vector4d((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]);
+  reading.colours.emplace(item.name(), colour);
+}
+
+}  // namespace
+
+void read_assets(const XMLElement& section, Reading& reading) {
+  for (const XMLElement* child : reading.source.children(section)) {
+    const std::string_view kind = child->Name();
+    if (kind == "mesh")
+      reading.findings.attempt([&] { read_mesh(reading.item(*child), reading); });
+    else if (kind == "material")
+      reading.findings.attempt_or_warn([&] { read_material(reading.item(*child), reading); },
+                                       "; it is drawn in grey");
+    else if (kind == "model")
+      reading.said.note("models to attach are passed over", example_of(*child));
+    else
+      ++reading.passed_over[std::string(kind)];
+  }
+}
+
+}  // namespace burnish::mjcf

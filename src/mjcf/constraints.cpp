@@ -1,0 +1,307 @@
+// Tendons and equalities: what couples joints and closes chains.
+#include <algorithm>
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "mjcf/reading.hpp"
+#include "model/posture.hpp"
+
+namespace burnish::mjcf {
+namespace {
+
+using Eigen::Isometry3d;
+
+double reference_of(const std::string& joint, const XMLElement& asking, Reading& reading) {
+  return reading.coordinate(joint, asking).start.front();
+}
+
+JointSpec& joint_of(const std::string& name, const XMLElement& asking, Reading& reading) {
+  return reading.tree.joints[reading.coordinate(name, asking).joint];
+}
+
+/// A hinge or a slide by name, as MuJoCo's tendons and couplings of joints want it.
+JointSpec& single_joint(const std::string& name, const XMLElement& asking, Reading& reading) {
+  JointSpec& joint = joint_of(name, asking, reading);
+  if (posture_size(joint.type) > 1)
+    refuse_at(asking, "joint " + in_quotes(name) + " is no hinge or slide; wanted one");
+  return joint;
+}
+
+// ---- Tendons
+
+/// Where a spring is at rest: where stated, or else at the rest of the joints' springs.
+void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& reading) {
+  const std::vector<double> stiffness = item.overlaid("stiffness", {0.0});
+  tendon.stiffness = stiffness[0];
+  tendon.damping = item.overlaid("damping", {0.0})[0];
+  tendon.rest = at_rest;
+  const XMLElement* at = item.stating("springlength");
+  if (at == nullptr) return;
+  const std::vector<double> stated = all_numbers(*at, "springlength", place_of(*at));
+  if (stated.empty() || stated[0] < 0.0) return;  // -1: MuJoCo takes the joints' rest
+  tendon.rest = stated[0];
+  if (stated.size() < 2 || stated[1] == stated[0]) return;
+  tendon.stiffness = 0.0;
+  reading.said.note("springs of tendons with play between two lengths are not carried over",
+                    example_of(item.xml()));
+}
+
+void say_of_tendon(const Item& item, Reading& reading) {
+  const auto range = item.numbers("range", 2);
+  const bool has_range = range && ((*range)[0] != 0.0 || (*range)[1] != 0.0);
+  if (item.choice("limited").value_or(has_range && reading.compiler.autolimits))
+    reading.said.note("limits of tendons are not carried over", example_of(item.xml()));
+  if (item.number("frictionloss", 0.0) != 0.0 || item.number("armature", 0.0) != 0.0)
+    reading.said.note("friction and inertia of tendons are not carried over",
+                      example_of(item.xml()));
+}
+
+void read_fixed(const Item& item, Reading& reading) {
+  TendonSpec tendon;
+  tendon.name = item.name();
+  tendon.line = item.xml().GetLineNum();
+  double at_rest = 0.0;
+  for (const XMLElement* part : reading.source.children(item.xml())) {
+    if (std::string_view(part->Name()) != "joint") continue;
+    const std::string name = needed_attribute(*part, "joint", place_of(*part));
+    const double coefficient = needed_number(*part, "coef", place_of(*part));
+    JointSpec& joint = single_joint(name, *part, reading);
+    const double rest = joint.stiffness != 0.0 ? joint.rest : 0.0;
+    at_rest += coefficient * rest;
+    tendon.parts.push_back({name, coefficient});
+  }
+  if (tendon.parts.empty()) refuse_at(item.xml(), "it runs over no joint; wanted one at least");
+  read_spring(item, at_rest, tendon, reading);
+  say_of_tendon(item, reading);
+  reading.tree.tendons.push_back(std::move(tendon));
+}
+
+// ---- Couplings of joints
+
+/// y - y0 = a0 + a1 (x - x0), with the references x0 and y0: y = a1 x + a0 + y0 - a1 x0.
+MimicSpec coupling(const std::string& leader, double a0, double a1, double x0, double y0) {
+  return {leader, a1, a0 + y0 - a1 * x0};
+}
+
+/// Whether `joint` is led by `leader`, or is it.
+bool is_led_by(const std::string& joint, const std::string& leader, const XMLElement& asking,
+               Reading& reading) {
+  std::string at = joint;
+  while (at != leader) {
+    const JointSpec& spec = joint_of(at, asking, reading);
+    if (!spec.mimic) return false;
+    at = spec.mimic->leader;
+  }
+  return true;
+}
+
+/// Fixes a joint at a value, and what follows it where that puts it. Of tendons along it what is
+/// left is the rest.
+void fix(JointSpec& joint, double value, Reading& reading) {
+  joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
+  joint.type = JointType::Fixed;
+  joint.mimic.reset();
+  reading.held_at[joint.name] = value;
+  for (TendonSpec& tendon : reading.tree.tendons) {
+    for (const TendonSpec::Part& part : tendon.parts)
+      if (part.joint == joint.name) tendon.rest -= part.coefficient * value;
+    std::erase_if(tendon.parts, [&](const auto& part) { return part.joint == joint.name; });
+  }
+  std::erase_if(reading.tree.tendons, [](const auto& tendon) { return tendon.parts.empty(); });
+  for (JointSpec& other : reading.tree.joints) {
+    if (!other.mimic || other.mimic->leader != joint.name) continue;
+    fix(other, other.mimic->multiplier * value + other.mimic->offset, reading);
+  }
+}
+
+void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
+  // What follows another is held by holding that.
+  JointSpec* leader = &joint;
+  while (leader->mimic) {
+    value = (value - leader->mimic->offset) / leader->mimic->multiplier;
+    leader = &joint_of(leader->mimic->leader, item.xml(), reading);
+  }
+  fix(*leader, value, reading);
+  reading.said.note("joints that an equality holds at a value are fixed there",
+                    example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
+}
+
+/// A coupling of which one joint is held already holds the other; y - y0 = a0 + a1 (x - x0).
+void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
+                    const Item& item, Reading& reading) {
+  if (first.type != JointType::Fixed) {
+    const double value = reading.held_at.at(second.name);
+    return hold(first, (value - coupling.offset) / coupling.multiplier, item, reading);
+  }
+  if (second.type != JointType::Fixed) {
+    const double value = reading.held_at.at(first.name);
+    return hold(second, coupling.multiplier * value + coupling.offset, item, reading);
+  }
+  reading.said.note("equalities of joints that are held already are passed over",
+                    example_of(item.xml()));
+}
+
+void couple(const Item& item, Reading& reading) {
+  const XMLElement& xml = item.xml();
+  const std::string follower = needed_attribute(xml, "joint1", place_of(xml));
+  const std::vector<double> a = item.overlaid("polycoef", {0.0, 1.0, 0.0, 0.0, 0.0});
+  JointSpec& second = single_joint(follower, xml, reading);
+  const double y0 = reference_of(follower, xml, reading);
+  const auto stated = item.text("joint2");
+  const bool is_linear = a[2] == 0.0 && a[3] == 0.0 && a[4] == 0.0;
+  if (stated && !is_linear)
+    return reading.said.note("couplings of joints that are not linear are not carried over",
+                             example_of(xml));
+  if (!stated || a[1] == 0.0) {
+    if (second.type != JointType::Fixed) return hold(second, y0 + a[0], item, reading);
+    return reading.said.note("equalities of joints that are held already are passed over",
+                             example_of(xml));
+  }
+  const std::string leader = *stated;
+  JointSpec& first = single_joint(leader, xml, reading);
+  const double x0 = reference_of(leader, xml, reading);
+  const MimicSpec forwards = coupling(leader, a[0], a[1], x0, y0);
+  if (first.type == JointType::Fixed || second.type == JointType::Fixed)
+    return couple_to_held(second, first, forwards, item, reading);
+  if (!second.mimic && !is_led_by(leader, follower, xml, reading)) {
+    second.mimic = forwards;
+  } else if (!first.mimic && !is_led_by(follower, leader, xml, reading)) {
+    // x - x0 = (y - y0 - a0) / a1
+    first.mimic = coupling(follower, -a[0] / a[1], 1.0 / a[1], y0, x0);
+  } else {
+    reading.said.note("couplings of joints that are coupled already are passed over",
+                      example_of(xml));
+  }
+}
+
+void hold_tendon(const Item& item, Reading& reading) {
+  const XMLElement& xml = item.xml();
+  const std::string name = needed_attribute(xml, "tendon1", place_of(xml));
+  if (item.text("tendon2"))
+    return reading.said.note("equalities of two tendons are not carried over", example_of(xml));
+  const double a0 = item.overlaid("polycoef", {0.0})[0];
+  for (TendonSpec& tendon : reading.tree.tendons) {
+    if (tendon.name != name) continue;
+    if (tendon.stiffness != 0.0)
+      reading.said.note("springs of tendons that are held are not carried over", example_of(xml));
+    tendon.held = true;
+    tendon.stiffness = 0.0;
+    tendon.rest = a0;
+    for (const TendonSpec::Part& part : tendon.parts)
+      tendon.rest += part.coefficient * reference_of(part.joint, xml, reading);
+    if (tendon.parts.size() > 1 || tendon.parts[0].coefficient == 0.0) return;
+    const TendonSpec::Part only = tendon.parts[0];
+    return hold(joint_of(only.joint, xml, reading), tendon.rest / only.coefficient, item, reading);
+  }
+  reading.said.note("equalities of tendons that are not carried over are not either",
+                    example_of(xml));
+}
+
+// ---- Loops
+
+std::string link_of(const Item& item, const char* attribute, const Reading& reading) {
+  const auto stated = item.text(attribute);
+  if (!stated || stated->empty()) return world_name;
+  if (reading.link_at_start.contains(*stated)) return *stated;
+  std::vector<std::string> known;
+  for (const auto& [name, pose] : reading.link_at_start) known.push_back(name);
+  refuse_at(item.xml(),
+            "body " + in_quotes(*stated) + " does not exist" + did_you_mean(*stated, known));
+}
+
+const Placed& site_of(const Item& item, const char* attribute, const Reading& reading) {
+  const std::string name = needed_attribute(item.xml(), attribute, place_of(item.xml()));
+  const auto found = reading.sites.find(name);
+  if (found != reading.sites.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [one, site] : reading.sites) known.push_back(one);
+  refuse_at(item.xml(), "site " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
+}
+
+Isometry3d at_point(const std::vector<double>& p) {
+  Isometry3d placement = Isometry3d::Identity();
+  placement.translation() = Eigen::Vector3d(p[0], p[1], p[2]);
+  return placement;
+}
+
+/// Pose of the second body in the first one's frame that a weld holds, by `relpose`, or as the file
+/// draws them where that states no rotation.
+Isometry3d held_pose(const Item& item, const LoopSpec& loop, const Reading& reading) {
+  const auto pose = item.numbers("relpose", 7);
+  const bool is_stated =
+      pose && std::any_of(pose->begin() + 3, pose->end(), [](double x) { return x != 0.0; });
+  if (!is_stated)
+    return reading.link_at_start.at(loop.first_link).inverse() *
+           reading.link_at_start.at(loop.second_link);
+  Isometry3d held = at_point(*pose);
+  held.linear() = quaternion_of({pose->begin() + 3, pose->end()}, item.xml()).toRotationMatrix();
+  return held;
+}
+
+void close_loop(const Item& item, bool is_weld, Reading& reading) {
+  LoopSpec loop;
+  loop.line = item.xml().GetLineNum();
+  loop.name = item.name().empty() ? reading.loops.unique("loop") : item.name();
+  reading.loops.take(loop.name);
+  loop.directions = is_weld ? Directions::all() : Directions::linear();
+  if (item.stating("site1") != nullptr) {
+    const Placed &first = site_of(item, "site1", reading),
+                 &second = site_of(item, "site2", reading);
+    loop.first_link = first.link, loop.first = first.in_link;
+    loop.second_link = second.link, loop.second = second.in_link;
+  } else {
+    needed_attribute(item.xml(), "body1", place_of(item.xml()));
+    loop.first_link = link_of(item, "body1", reading);
+    loop.second_link = link_of(item, "body2", reading);
+    const auto anchor = item.numbers("anchor", 3);
+    if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
+    const Isometry3d held = held_pose(item, loop, reading);
+    const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
+    // The anchor is a point of the first body, but of a weld one of the second.
+    loop.first = is_weld ? held * at : at;
+    loop.second = is_weld ? at : held.inverse() * at;
+  }
+  if (loop.first_link == loop.second_link)
+    refuse_at(item.xml(),
+              "it ties " + in_quotes(loop.first_link) + " to itself; wanted two bodies");
+  reading.tree.loops.push_back(std::move(loop));
+}
+
+void read_equality(const Item& item, Reading& reading) {
+  const std::string_view kind = item.xml().Name();
+  if (!item.flag("active", true))
+    return reading.said.note("equalities that are not active are passed over",
+                             example_of(item.xml()));
+  if (kind == "connect") return close_loop(item, false, reading);
+  if (kind == "weld") return close_loop(item, true, reading);
+  if (kind == "joint") return couple(item, reading);
+  if (kind == "tendon") return hold_tendon(item, reading);
+  reading.said.note("equalities of <" + std::string(kind) + "> are not carried over",
+                    example_of(item.xml()));
+}
+
+/// An equality of joints or tendons has the same name as these, but other defaults.
+Item equality_item(const XMLElement& element, const Reading& reading) {
+  return Item(element, reading.item(element).defaults(), "equality");
+}
+
+}  // namespace
+
+void read_tendons(const std::vector<const XMLElement*>& elements, Reading& reading) {
+  for (const XMLElement* element : elements) {
+    if (std::string_view(element->Name()) == "fixed")
+      reading.findings.attempt([&] { read_fixed(reading.item(*element), reading); });
+    else
+      reading.said.note("spatial tendons are not carried over", example_of(*element));
+  }
+}
+
+void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading) {
+  // Tendons first: their lengths are measured along all of their joints, before some are held.
+  for (const bool of_tendons : {true, false})
+    for (const XMLElement* element : elements)
+      if ((std::string_view(element->Name()) == "tendon") == of_tendons)
+        reading.findings.attempt([&] { read_equality(equality_item(*element, reading), reading); });
+}
+
+}  // namespace burnish::mjcf

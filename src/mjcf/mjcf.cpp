@@ -1,0 +1,199 @@
+#include "burnish/mjcf/mjcf.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "base/sentence.hpp"
+#include "base/text_file.hpp"
+#include "mjcf/read_model.hpp"
+#include "mjcf/reading.hpp"
+#include "model/tree_check.hpp"
+
+namespace burnish {
+namespace mjcf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sections of a model by name, each in its own order, whatever the order of the sections is.
+using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less<>>;
+
+constexpr std::array<std::string_view, 16> known_sections = {
+    "compiler",  "option",  "size",   "visual",   "statistic", "default", "custom",   "asset",
+    "worldbody", "contact", "tendon", "equality", "actuator",  "sensor",  "keyframe", "extension"};
+
+Sections sections_of(Reading& reading) {
+  Sections sections;
+  for (const XMLElement* section : reading.source.children(reading.source.root())) {
+    const std::string name = section->Name();
+    const bool is_known =
+        std::find(known_sections.begin(), known_sections.end(), name) != known_sections.end();
+    if (!is_known && name != "deformable")
+      reading.said.note("sections of unknown names are passed over", example_of(*section));
+    sections[name].push_back(section);
+  }
+  return sections;
+}
+
+/// What the sections of one name hold together.
+std::vector<const XMLElement*> elements_of(const Sections& sections, std::string_view name,
+                                           Reading& reading) {
+  std::vector<const XMLElement*> all;
+  const auto found = sections.find(name);
+  if (found == sections.end()) return all;
+  for (const XMLElement* section : found->second) {
+    const auto children = reading.source.children(*section);
+    all.insert(all.end(), children.begin(), children.end());
+  }
+  return all;
+}
+
+template <class Read>
+void for_each_section(const Sections& sections, std::string_view name, Reading& reading,
+                      Read&& read) {
+  const auto found = sections.find(name);
+  if (found == sections.end()) return;
+  for (const XMLElement* section : found->second) reading.findings.attempt([&] { read(*section); });
+}
+
+void read_option(const XMLElement& section, Reading& reading) {
+  const Item item(section, nullptr);
+  if (const auto stated = item.numbers("gravity", 3))
+    reading.tree.gravity = Eigen::Vector3d((*stated)[0], (*stated)[1], (*stated)[2]);
+  if (item.number("density", 0.0) != 0.0 || item.number("viscosity", 0.0) != 0.0)
+    reading.said.note("the drag of a medium (density, viscosity) is not carried over",
+                      example_of(section));
+  for (const XMLElement* child : reading.source.children(section)) {
+    const char* gravity = child->Attribute("gravity");
+    if (gravity != nullptr && std::string_view(gravity) == "disable")
+      reading.tree.gravity = Eigen::Vector3d::Zero();
+  }
+}
+
+std::string model_name(const Reading& reading) {
+  const char* stated = reading.source.root().Attribute("model");
+  if (stated != nullptr && *stated != '\0') return stated;
+  const std::string name = fs::path(reading.source.name()).stem().string();
+  const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  return is_name && !reading.source.name().starts_with("/dev/") ? name : "robot";
+}
+
+/// What is for eyes alone is drawn where a file has any: geoms of the groups 0 to 2. Others are
+/// what collides.
+void add_visuals(Reading& reading) {
+  constexpr int seen_groups = 3;
+  const auto is_seen = [](const Drawn& drawn) { return drawn.group < seen_groups; };
+  const bool any = std::any_of(reading.drawn.begin(), reading.drawn.end(), is_seen);
+  for (Drawn& drawn : reading.drawn)
+    if (!any || is_seen(drawn))
+      reading.tree.links[drawn.link].visuals.push_back(std::move(drawn.visual));
+}
+
+void scale_masses(Reading& reading) {
+  if (reading.compiler.total_mass <= 0.0) return;
+  double sum = 0.0;
+  for (const LinkSpec& link : reading.tree.links) sum += link.inertia.mass;
+  if (!(sum > 0.0)) return;
+  for (LinkSpec& link : reading.tree.links) {
+    link.inertia.mass *= reading.compiler.total_mass / sum;
+    link.inertia.inertia_at_com *= reading.compiler.total_mass / sum;
+  }
+}
+
+/// What is for eyes and simulators alone, in one sentence.
+void say_what_is_passed_over(const Sections& sections, Reading& reading) {
+  for (const std::string_view name : {"contact", "sensor", "custom", "extension", "deformable"})
+    for (const XMLElement* element : elements_of(sections, name, reading))
+      ++reading.passed_over[element->Name()];
+  if (reading.passed_over.empty()) return;
+  constexpr std::size_t most = 30;
+  std::string kinds;
+  std::size_t listed = 0;
+  for (const auto& [name, count] : reading.passed_over) {
+    if (++listed > most) {
+      kinds += " and " + std::to_string(reading.passed_over.size() - most) + " more kinds";
+      break;
+    }
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " <" + name.substr(0, 80) + ">";
+  }
+  reading.findings.warn("passed over is what dynamics does not need: " + kinds);
+}
+
+void read_sections(const Sections& sections, Reading& reading) {
+  for_each_section(sections, "compiler", reading,
+                   [&](const XMLElement& s) { reading.compiler.read(s); });
+  for_each_section(sections, "option", reading,
+                   [&](const XMLElement& s) { read_option(s, reading); });
+  for_each_section(sections, "default", reading,
+                   [&](const XMLElement& s) { reading.classes.read(s, reading.source); });
+  for_each_section(sections, "asset", reading,
+                   [&](const XMLElement& s) { read_assets(s, reading); });
+  for_each_section(sections, "worldbody", reading,
+                   [&](const XMLElement& s) { read_world(s, reading); });
+  read_tendons(elements_of(sections, "tendon", reading), reading);
+  read_actuators(elements_of(sections, "actuator", reading), reading);
+  read_equalities(elements_of(sections, "equality", reading), reading);
+  read_keyframes(elements_of(sections, "keyframe", reading), reading);
+}
+
+}  // namespace
+
+std::string Names::unique(const std::string& wanted) {
+  std::string name = wanted;
+  while (!taken_.insert(name).second) name = wanted + "_" + std::to_string(++numbers_[wanted]);
+  return name;
+}
+
+Item Reading::item(const XMLElement& xml, const DefaultClass* around) const {
+  const char* stated = xml.Attribute("class");
+  if (stated != nullptr && *stated != '\0') return {xml, &classes.named(stated, xml)};
+  return {xml, around == nullptr ? &classes.main() : around};
+}
+
+const DefaultClass* Reading::class_inside(const XMLElement& xml, const DefaultClass* around) const {
+  const char* stated = xml.Attribute("childclass");
+  return stated == nullptr || *stated == '\0' ? around : &classes.named(stated, xml);
+}
+
+Coordinate& Reading::coordinate(const std::string& joint, const XMLElement& asking) {
+  const auto found = joint_by_name.find(joint);
+  if (found != joint_by_name.end()) return coordinates[found->second];
+  std::vector<std::string> known;
+  if (findings.are_few())
+    for (const auto& [name, index] : joint_by_name) known.push_back(name);
+  refuse_at(asking, "joint " + in_quotes(joint) + " does not exist" + did_you_mean(joint, known));
+}
+
+TreeSpec read_model(const std::string& xml, const std::string& name,
+                    std::optional<fs::path> folder) {
+  Reading reading(xml, name, std::move(folder));
+  TreeSpec& tree = reading.tree;
+  tree.source = name;
+  tree.name = model_name(reading);
+  const Sections sections = sections_of(reading);
+  if (!sections.contains("worldbody"))
+    refuse(name, "it has no <worldbody>; the bodies of a robot were wanted in one");
+  read_sections(sections, reading);
+  add_visuals(reading);
+  scale_masses(reading);
+  reading.said.tell(reading.findings);
+  say_what_is_passed_over(sections, reading);
+  tree.warnings = reading.findings.warnings();  // what is odd about the values, build_model says
+  if (!reading.findings.has_problems()) check_topology(tree, reading.findings);
+  check_values(tree, reading.findings);
+  reading.findings.refuse_problems();
+  return std::move(tree);
+}
+
+}  // namespace mjcf
+
+TreeSpec parse_mjcf(const std::string& xml, const std::string& source) {
+  return mjcf::read_model(xml, source, std::nullopt);
+}
+
+TreeSpec read_mjcf(const std::filesystem::path& file) {
+  return mjcf::read_model(read_text(file, "MJCF file"), file.string(), file.parent_path());
+}
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+// What is not carried over: one sentence for each kind, however often it occurs.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/findings.hpp"
+
+namespace burnish::mjcf {
+
+class Said {
+ public:
+  /// `what` is a whole sentence about several; `example` one of them.
+  void note(const std::string& what, const std::string& example) {
+    const auto same = std::find_if(kinds_.begin(), kinds_.end(),
+                                   [&](const Kind& kind) { return kind.what == what; });
+    if (same != kinds_.end())
+      ++same->count;
+    else
+      kinds_.push_back({what, example, 1});
+  }
+
+  void tell(Findings& findings) const {
+    for (const Kind& kind : kinds_) {
+      const std::string several =
+          kind.count > 1 ? std::to_string(kind.count) + " of them, such as " : "";
+      findings.warn(kind.what + " (" + several + kind.example + ")");
+    }
+  }
+
+ private:
+  struct Kind {
+    std::string what, example;
+    int count;
+  };
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace burnish::mjcf

@@ -1,0 +1,362 @@
+#include "mjcf/comparison.hpp"
+
+#include <tinyxml2.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "base/sentence.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/model/state.hpp"
+#include "support/contact_states.hpp"
+
+namespace burnish::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using tinyxml2::XMLElement;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::string name_in(const mjModel& model, int type, int index) {
+  const char* name = mj_id2name(&model, type, index);
+  return name == nullptr ? "" : name;
+}
+
+/// For each of MuJoCo's joints the tree's: by its name, or else the next that the file does not
+/// name.
+std::vector<std::string> joints_of(const TreeSpec& tree, const mjModel& theirs) {
+  std::set<std::string> stated;
+  for (int j = 0; j < theirs.njnt; ++j) stated.insert(name_in(theirs, mjOBJ_JOINT, j));
+  std::vector<std::string> unnamed;
+  for (const JointSpec& joint : tree.joints)
+    if (joint.type != JointType::Fixed && !stated.contains(joint.name))
+      unnamed.push_back(joint.name);
+  std::vector<std::string> names;
+  auto next = unnamed.begin();
+  for (int j = 0; j < theirs.njnt; ++j) {
+    const std::string name = name_in(theirs, mjOBJ_JOINT, j);
+    if (name.empty() && next == unnamed.end()) throw Error("MuJoCo has more joints");
+    names.push_back(name.empty() ? *next++ : name);
+  }
+  if (next != unnamed.end()) throw Error("MuJoCo has fewer joints");
+  return names;
+}
+
+/// Places of the joints in both, and values of those that are fixed in the tree.
+struct Map {
+  const Model& model;
+  const mjModel& theirs;
+  std::vector<int> ours;  // index of a joint of the model, -1: held
+
+  Map(const TreeSpec& tree, const Model& compiled, const mjModel& other)
+      : model(compiled), theirs(other) {
+    for (const std::string& name : joints_of(tree, other)) {
+      const auto found = std::find_if(model.joints.begin(), model.joints.end(),
+                                      [&](const Joint& joint) { return joint.name == name; });
+      ours.push_back(found == model.joints.end() ? -1
+                                                 : static_cast<int>(found - model.joints.begin()));
+    }
+  }
+
+  /// Writes qpos, and the matrix B with qvel = B v and its rate of change times v.
+  void store(const Eigen::VectorXd& q, const Eigen::VectorXd& v, mjData& data, Eigen::MatrixXd& B,
+             Eigen::VectorXd& drift) const {
+    B.setZero(theirs.nv, model.nv);
+    drift.setZero(theirs.nv);
+    mju_copy(data.qpos, theirs.qpos0, theirs.nq);
+    for (int j = 0; j < theirs.njnt; ++j) {
+      const int index = ours[static_cast<std::size_t>(j)];
+      if (index < 0) continue;
+      const Joint& joint = model.joints[static_cast<std::size_t>(index)];
+      mjtNum* qpos = data.qpos + theirs.jnt_qposadr[j];
+      const int dof = theirs.jnt_dofadr[j];
+      if (theirs.jnt_type[j] == mjJNT_FREE) {
+        const auto x = q.segment<7>(joint.q_index);
+        const Eigen::Quaterniond r(x[6], x[3], x[4], x[5]);
+        const double theirs_q[7] = {x[0], x[1], x[2], x[6], x[3], x[4], x[5]};
+        mju_copy(qpos, theirs_q, 7);
+        B.block<3, 3>(dof, joint.v_index) = r.toRotationMatrix();
+        B.block<3, 3>(dof + 3, joint.v_index + 3).setIdentity();
+        const Eigen::Vector3d u = v.segment<3>(joint.v_index), w = v.segment<3>(joint.v_index + 3);
+        drift.segment<3>(dof) = r * w.cross(u);
+      } else if (theirs.jnt_type[j] == mjJNT_BALL) {
+        const auto x = q.segment<4>(joint.q_index);
+        const double theirs_q[4] = {x[3], x[0], x[1], x[2]};
+        mju_copy(qpos, theirs_q, 4);
+        B.block<3, 3>(dof, joint.v_index).setIdentity();
+      } else {
+        const double factor = joint.follows ? joint.follows->multiplier : 1.0;
+        const double offset = joint.follows ? joint.follows->offset : 0.0;
+        qpos[0] = factor * q[joint.q_index] + offset;
+        B(dof, joint.v_index) = factor;
+      }
+    }
+    Eigen::Map<Eigen::VectorXd>(data.qvel, theirs.nv) = B * v;
+  }
+};
+
+Eigen::MatrixXd mass_matrix_of(const mjModel& model, const mjData& data) {
+  RowMajor full(model.nv, model.nv);
+  mj_fullM(&model, full.data(), data.qM);
+  return full;
+}
+
+double placement_error(const mjModel& theirs, const mjData& data, const RigidBody& body,
+                       const std::set<std::string>& frames) {
+  double worst = 0.0;
+  for (int b = 1; b < theirs.nbody; ++b) {
+    const std::string name = name_in(theirs, mjOBJ_BODY, b);
+    if (!frames.contains(name)) continue;
+    const Eigen::Isometry3d ours = body.placement(body.frame(name));
+    const Eigen::Vector3d p = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * b);
+    const Eigen::MatrixXd r = Eigen::Map<const RowMajor>(data.xmat + 9 * b, 3, 3);
+    worst = std::max({worst, (ours.translation() - p).cwiseAbs().maxCoeff() / (1.0 + p.norm()),
+                      (ours.linear() - r).cwiseAbs().maxCoeff()});
+  }
+  return worst;
+}
+
+}  // namespace
+
+Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
+  ModelOptions options;
+  options.gravity = tree.gravity.value_or(options.gravity);
+  const Model model = build_model(tree, options);
+  const mujoco::DataPointer data(mj_makeData(&theirs));
+  const Map map(tree, model, theirs);
+  std::set<std::string> links;
+  for (const LinkSpec& link : tree.links) links.insert(link.name);
+  ContactDynamics ours(model);
+  // Coulomb friction is a constraint there.
+  Model without_friction = model;
+  without_friction.friction.setZero();
+  RigidBody body(without_friction);
+  Agreement worst;
+  std::mt19937_64 generator(3);
+  Eigen::MatrixXd B;
+  Eigen::VectorXd drift;
+  for (int i = 0; i < states; ++i) {
+    const Eigen::VectorXd q = random_configuration(model, generator);
+    const Eigen::VectorXd v = test::uniform(model.nv, 1.5, generator);
+    if (model.nv > 0) ours.forward(q, v, Eigen::VectorXd::Zero(model.nv));
+    body.update(q, v);
+    map.store(q, v, *data, B, drift);
+    mj_fwdPosition(&theirs, data.get());
+    mj_fwdVelocity(&theirs, data.get());
+    worst.placement = std::max(worst.placement, placement_error(theirs, *data, body, links));
+    if (model.nv == 0) continue;
+    const Eigen::MatrixXd M = mass_matrix_of(theirs, *data);
+    // The armature of a floating joint meets the rate of v in burnish, along axes that turn.
+    const Eigen::VectorXd armature =
+        Eigen::Map<const Eigen::VectorXd>(theirs.dof_armature, theirs.nv);
+    const Eigen::VectorXd b = Eigen::Map<Eigen::VectorXd>(data->qfrc_bias, theirs.nv) + M * drift -
+                              armature.cwiseProduct(drift);
+    const auto error = [](const auto& got, const Eigen::MatrixXd& want) {
+      return (Eigen::MatrixXd(got) - want).cwiseAbs().maxCoeff() /
+             std::max(want.cwiseAbs().maxCoeff(), 1e-12);
+    };
+    worst.mass_matrix =
+        std::max(worst.mass_matrix, error(ours.mass_matrix(), B.transpose() * M * B));
+    // What gravity and motion add up to may cancel: it is beside what a weight does.
+    const Eigen::VectorXd want = B.transpose() * b;
+    const double scale =
+        std::max({want.cwiseAbs().maxCoeff(), (B.transpose() * M * B).norm(), 1e-12});
+    const Eigen::VectorXd passive =
+        B.transpose() * Eigen::Map<Eigen::VectorXd>(data->qfrc_passive, theirs.nv);
+    worst.passive =
+        std::max(worst.passive, (body.passive_torque() + passive).cwiseAbs().maxCoeff() /
+                                    std::max(passive.cwiseAbs().maxCoeff(), 1e-12));
+    worst.bias = std::max(worst.bias, (ours.bias() - want).cwiseAbs().maxCoeff() / scale);
+  }
+  return worst;
+}
+
+mujoco::ModelPointer load(const fs::path& file) {
+  char reason[1000] = "";
+  mjModel* model = mj_loadXML(file.string().c_str(), nullptr, reason, sizeof reason);
+  if (model == nullptr) throw Error("MuJoCo refuses the file: " + std::string(reason));
+  return mujoco::ModelPointer(model);
+}
+
+namespace {
+
+/// Writes the copy, element by element.
+class Copy {
+ public:
+  Copy(const fs::path& file, const TreeSpec& tree) : folder_(file.parent_path()) {
+    for (const LinkSpec& link : tree.links) masses_[link.name] = link.inertia;
+    root_ = open(file);
+    take_names(*root_);
+  }
+
+  std::string text() {
+    std::string sections;
+    each(*root_, [&](const XMLElement& section) {
+      const std::string_view name = section.Name();
+      if (name == "compiler")
+        tag(section, "compiler", {"angle", "eulerseq"}, sections, "inertiafromgeom=\"false\"");
+      if (name == "option") copy_option(section, sections);
+      if (name == "default") copy_default(section, sections);
+      if (name == "worldbody") {
+        sections += "<worldbody>\n";
+        copy_inside(section, sections, true);
+        sections += "</worldbody>\n";
+      }
+    });
+    return "<mujoco>\n<compiler inertiafromgeom=\"false\"/>\n" + sections + "</mujoco>\n";
+  }
+
+ private:
+  using Attributes = std::vector<const char*>;
+  static inline const Attributes pose = {"name",   "pos",   "quat", "axisangle",
+                                         "xyaxes", "zaxis", "euler"};
+  static inline const Attributes of_joint = {"name",      "class",    "type",     "axis",
+                                             "pos",       "ref",      "armature", "damping",
+                                             "stiffness", "springref"};
+
+  const XMLElement* open(const fs::path& file) {
+    documents_.push_back(std::make_unique<tinyxml2::XMLDocument>());
+    if (documents_.back()->LoadFile(file.string().c_str()) != tinyxml2::XML_SUCCESS)
+      throw Error("cannot copy " + file.string());
+    return documents_.back()->RootElement();
+  }
+
+  template <class Visit>
+  void each(const XMLElement& element, Visit&& visit) {
+    for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      if (std::string_view(child->Name()) != "include") {
+        visit(*child);
+        continue;
+      }
+      each(*open(folder_ / child->Attribute("file")), visit);
+    }
+  }
+
+  static void tag(const XMLElement& from, const std::string& name, const Attributes& kept,
+                  std::string& text, const std::string& more = "", bool open = false) {
+    text += "<" + name + " " + more;
+    for (const char* attribute : kept)
+      if (const char* value = from.Attribute(attribute))
+        text += std::string(" ") + attribute + "=\"" + value + "\"";
+    text += open ? ">\n" : "/>\n";
+  }
+
+  void take_names(const XMLElement& element) {
+    each(element, [&](const XMLElement& child) {
+      const char* name = child.Attribute("name");
+      if (std::string_view(child.Name()) == "body" && name != nullptr) taken_.insert(name);
+      take_names(child);
+    });
+  }
+
+  void copy_option(const XMLElement& option, std::string& text) {
+    tag(option, "option", {"gravity"}, text, "", true);
+    each(option, [&](const XMLElement& child) {
+      if (std::string_view(child.Name()) == "flag") tag(child, "flag", {"gravity"}, text);
+    });
+    text += "</option>\n";
+  }
+
+  void copy_default(const XMLElement& element, std::string& text) {
+    tag(element, "default", {"class"}, text, "", true);
+    each(element, [&](const XMLElement& child) {
+      const std::string_view name = child.Name();
+      if (name == "default") copy_default(child, text);
+      if (name == "joint")
+        tag(child, "joint",
+            {"type", "axis", "pos", "ref", "armature", "damping", "stiffness", "springref"}, text);
+    });
+    text += "</default>\n";
+  }
+
+  void copy_inertia(const std::string& body, std::string& text) {
+    const InertiaSpec& inertia = masses_.at(body);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia.inertia_at_com);
+    Eigen::Matrix3d axes = principal.eigenvectors();
+    if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
+    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+    at.linear() = axes;
+    at.translation() = inertia.com;
+    // load_masses() puts in the true ones: MuJoCo refuses what moves without a mass.
+    text += "<inertial " + mujoco::pose_attributes(at) + " mass=\"1\" diaginertia=\"1 1 1\"/>\n";
+  }
+
+  void copy_inside(const XMLElement& element, std::string& text, bool in_world) {
+    each(element, [&](const XMLElement& child) {
+      const std::string_view kind = child.Name();
+      if (kind == "body") {
+        copy_body(child, text);
+      } else if (kind == "frame") {
+        if (!in_world || child.FirstChildElement("joint") != nullptr) check_frame(child);
+        tag(child, "body", {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "childclass"},
+            text, "", true);
+        text += "<inertial pos=\"0 0 0\" mass=\"0\" diaginertia=\"0 0 0\"/>\n";
+        copy_inside(child, text, in_world);
+        text += "</body>\n";
+      } else if (kind == "joint") {
+        tag(child, "joint", of_joint, text);
+      } else if (kind == "freejoint") {
+        tag(child, "freejoint", {"name"}, text);
+      }
+    });
+  }
+
+  void check_frame(const XMLElement& frame) {
+    each(frame, [&](const XMLElement& child) {
+      const std::string_view kind = child.Name();
+      if (kind == "joint" || kind == "freejoint") throw Error("a frame holds joints");
+      if (kind == "frame") check_frame(child);
+    });
+  }
+
+  void copy_body(const XMLElement& body, std::string& text) {
+    const char* stated = body.Attribute("name");
+    std::string name = stated == nullptr ? "body" : stated;
+    for (int i = 1; stated == nullptr && !taken_.insert(name).second; ++i)
+      name = "body_" + std::to_string(i);
+    Attributes kept(pose.begin() + 1, pose.end());
+    kept.push_back("childclass");
+    tag(body, "body", kept, text, "name=\"" + name + "\"", true);
+    copy_inertia(name, text);
+    copy_inside(body, text, false);
+    text += "</body>\n";
+  }
+
+  fs::path folder_;
+  std::vector<std::unique_ptr<tinyxml2::XMLDocument>> documents_;
+  const XMLElement* root_;
+  std::map<std::string, InertiaSpec> masses_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace
+
+std::string plain_copy(const fs::path& file, const TreeSpec& tree) {
+  return Copy(file, tree).text();
+}
+
+void load_masses(const TreeSpec& tree, mjModel& theirs) {
+  for (const LinkSpec& link : tree.links) {
+    const int body = mj_name2id(&theirs, mjOBJ_BODY, link.name.c_str());
+    if (body <= 0) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(link.inertia.inertia_at_com);
+    Eigen::Matrix3d axes = principal.eigenvectors();
+    if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
+    const Eigen::Quaterniond r(axes);
+    const double wxyz[4] = {r.w(), r.x(), r.y(), r.z()};
+    theirs.body_mass[body] = link.inertia.mass;
+    mju_copy3(theirs.body_inertia + 3 * body, principal.eigenvalues().data());
+    mju_copy3(theirs.body_ipos + 3 * body, link.inertia.com.data());
+    mju_copy4(theirs.body_iquat + 4 * body, wxyz);
+  }
+  // Of bodies that move along axes of their own MuJoCo keeps the inertia from the start.
+  const mujoco::DataPointer data(mj_makeData(&theirs));
+  mj_setConst(&theirs, data.get());
+}
+
+}  // namespace burnish::testing
