@@ -18,7 +18,7 @@ namespace burnish {
 namespace {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
+using MotionColumns = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 constexpr double no_inertia = 1e-12;  // kg m^2 or kg
@@ -46,7 +46,7 @@ Matrix6d motion_transform(const Eigen::Isometry3d& placement) {
   return result;
 }
 
-Directions directions_of(JointKind kind) {
+MotionColumns directions_of(JointKind kind) {
   switch (kind) {
     case JointKind::Revolute:
     case JointKind::Continuous:
@@ -54,7 +54,7 @@ Directions directions_of(JointKind kind) {
     case JointKind::Prismatic:
       return Matrix6d::Identity().col(2);
     case JointKind::Planar: {
-      Directions planar = Directions::Zero(6, 3);
+      MotionColumns planar = MotionColumns::Zero(6, 3);
       planar(0, 0) = planar(1, 1) = planar(5, 2) = 1.0;
       return planar;
     }
@@ -143,7 +143,7 @@ std::vector<double> inertia_of_followers(const Model& model, std::vector<Matrix6
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
     if (joint.follows) {
-      const Directions along = directions_of(joint.kind);
+      const MotionColumns along = directions_of(joint.kind);
       const double factor = joint.follows->multiplier;
       result[static_cast<std::size_t>(joint.follows->leader)] +=
           factor * factor * (along.transpose() * subtree[i] * along)(0, 0);
@@ -170,14 +170,14 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
     Matrix6d given = articulated[i];
     bool finite = articulated[i].allFinite() && composite[i].allFinite();
     if (!joint.follows) {  // a follower does not give way by itself
-      const Directions along = directions_of(joint.kind);
+      const MotionColumns along = directions_of(joint.kind);
       Square added = model.armature.segment(joint.v_index, joint.nv).asDiagonal();
       added(0, 0) += followers[i];
       const Met met(along.transpose() * articulated[i] * along + added,
                     along.transpose() * composite[i] * along + added);
       finite = finite && met.inertia.allFinite();
       if (finite) oddities.look(joint, met);
-      const Directions pushed = articulated[i] * along;
+      const MotionColumns pushed = articulated[i] * along;
       given -= pushed * met.inverse() * pushed.transpose();
     }
     if (!finite) {
