@@ -6,6 +6,7 @@
 #include "burnish/model/model.hpp"
 #include "model/followers.hpp"
 #include "model/lock.hpp"
+#include "model/loops.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
 #include "model/tree_check.hpp"
@@ -301,6 +302,7 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   model.warnings.insert(model.warnings.end(), findings.warnings().begin(),
                         findings.warnings().end());
   if (options.strict) refuse_warnings(origin_of(tree), model.warnings);
+  add_loops(tree, model);
   add_frames(tree, options, model);
   return model;
 }
