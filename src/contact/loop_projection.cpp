@@ -170,8 +170,8 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
       x = i * beside * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
     const Eigen::VectorXd start =
         integrate(model, q, (moves.array() > 0.0).select(apart, 0.0).matrix());
-    const Eigen::VectorXd found = descent.from(i == 0 ? Eigen::VectorXd(q) : start,
-                                               result.iterations);
+    const Eigen::VectorXd found =
+        descent.from(i == 0 ? Eigen::VectorXd(q) : start, result.iterations);
     const double left = rows.error().norm();
     if (left < least) {
       least = left;
@@ -237,16 +237,24 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
   return v - solve_positive(M, J.transpose() * impulse);
 }
 
-Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture) {
+Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture,
+                                     const std::vector<std::string>& keep) {
   const Eigen::VectorXd q = configuration(model, posture);
   if (model.loops.empty()) return q;
   LoopProjectionOptions options;
   for (const Joint& joint : model.joints)
-    if (posture.contains(joint.name)) options.keep.push_back(joint.name);
+    if (std::find(keep.begin(), keep.end(), joint.name) != keep.end())
+      options.keep.push_back(joint.name);
   LoopProjection found = project_onto_loops(model, q, options);
   if (found.status != Status::Ok) found = project_onto_loops(model, q);
   if (found.status == Status::Ok) return found.q;
   throw Error("robot " + in_quotes(model.name) + ": " + found.explanation());
+}
+
+Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture) {
+  std::vector<std::string> keep;
+  for (const auto& [name, values] : posture) keep.push_back(name);
+  return closed_configuration(model, posture, keep);
 }
 
 }  // namespace burnish

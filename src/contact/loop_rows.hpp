@@ -17,8 +17,8 @@ class LoopRows {
   const ContactSet& set() const { return set_; }
   /// Loads the configuration q (nq), which is one.
   void update(const Eigen::VectorXd& q);
-  const Eigen::VectorXd& error() const { return error_; }      ///< rows, m and rad
-  const Eigen::MatrixXd& jacobian() const { return J_; }       ///< rows x nv
+  const Eigen::VectorXd& error() const { return error_; }  ///< rows, m and rad
+  const Eigen::MatrixXd& jacobian() const { return J_; }   ///< rows x nv
   /// The same with the entries of linear rows in units of what the joints could do (row_size.hpp).
   Eigen::MatrixXd by_reach() const;
   /// nv x nv, at the last configuration.

@@ -40,8 +40,7 @@ std::vector<Eigen::MatrixXd> jacobians_on_the_loops(const Model& model, LoopRows
   std::mt19937_64 generator(20260101);
   std::vector<Eigen::MatrixXd> result;
   for (int i = 0; i < postures; ++i) {
-    const Eigen::VectorXd from =
-        i == 0 ? model.q_neutral : random_configuration(model, generator);
+    const Eigen::VectorXd from = i == 0 ? model.q_neutral : random_configuration(model, generator);
     const LoopProjection on = project_onto_loops(model, from);
     if (on.status != Status::Ok) continue;
     rows.update(on.q);
@@ -145,8 +144,7 @@ LoopFreedom loop_freedom(const Model& model, const Eigen::Ref<const Eigen::Vecto
   const std::vector<Directions> held = directions_of(model, independent);
   for (std::size_t i = 0; i < model.loops.size(); ++i) {
     const Loop& loop = model.loops[i];
-    const Directions redundant{
-        static_cast<std::uint8_t>(loop.directions.bits & ~held[i].bits)};
+    const Directions redundant{static_cast<std::uint8_t>(loop.directions.bits & ~held[i].bits)};
     if (redundant.bits != 0) result.redundant.push_back({loop.name, redundant});
   }
   return result;

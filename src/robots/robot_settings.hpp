@@ -29,6 +29,7 @@ struct RobotSettings {
   std::map<std::string, Posture> postures;
   std::vector<FrameSpec> frames;  ///< in the order of the file
   std::map<std::string, JointLimits> limits;
+  std::vector<LoopSpec> loops;  ///< in the order of the file
 };
 
 struct RobotSettingsFile {

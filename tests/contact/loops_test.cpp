@@ -124,8 +124,7 @@ TEST(LoopProjectionTest, HoldsRotationsToo) {
   std::mt19937_64 generator(6);
   for (int i = 0; i < 10; ++i) {
     const VectorXd away = random_vector(model.nv, generator);
-    const LoopProjection on =
-        project_onto_loops(model, integrate(model, model.q_neutral, away));
+    const LoopProjection on = project_onto_loops(model, integrate(model, model.q_neutral, away));
     ASSERT_EQ(on.status, Status::Ok) << on.explanation();
     EXPECT_TRUE(apart(model, on.q, "ball_0").isApprox(Eigen::Isometry3d::Identity(), 1e-8));
   }
@@ -168,8 +167,7 @@ TEST(LoopProjectionTest, StaysWithinLimits) {
   std::mt19937_64 generator(8);
   int found = 0;
   for (int i = 0; i < 30; ++i) {
-    const LoopProjection on =
-        project_onto_loops(model, random_configuration(model, generator));
+    const LoopProjection on = project_onto_loops(model, random_configuration(model, generator));
     EXPECT_TRUE((on.q.array() >= model.q_lower.array() - 1e-12).all());
     EXPECT_TRUE((on.q.array() <= model.q_upper.array() + 1e-12).all());
     found += on.status == Status::Ok ? 1 : 0;
@@ -265,8 +263,7 @@ TEST(LoopDynamics, AreThoseOfTheKktSystem) {
     ContactDynamics dynamics(model, loop_contacts(model));
     for (int i = 0; i < 20; ++i) {
       const VectorXd q = closed(model, generator), tau = random_vector(model.nv, generator);
-      const VectorXd v =
-          project_velocity_onto_loops(model, q, random_vector(model.nv, generator));
+      const VectorXd v = project_velocity_onto_loops(model, q, random_vector(model.nv, generator));
       const VectorXd want = by_kkt(model, dynamics, q, v, tau);
       ASSERT_EQ(dynamics.forward(q, v, tau), Status::Ok);
       VectorXd got(want.size());

@@ -21,8 +21,7 @@ TEST(Loops, AddTwoFramesThatHangOnTheirLinks) {
   const Frame& second = model.frames[model.frame_index(model.loops[0].second)];
   EXPECT_EQ(first.body, model.joint_index("knee"));
   EXPECT_EQ(second.body, model.joint_index("pivot"));
-  const Eigen::Isometry3d tip =
-      burnish::frame_placement(model, model.q_neutral, "pin/first");
+  const Eigen::Isometry3d tip = burnish::frame_placement(model, model.q_neutral, "pin/first");
   EXPECT_TRUE(tip.translation().isApprox(Eigen::Vector3d(0.4, 0.0, 0.0), 1e-12));
 }
 

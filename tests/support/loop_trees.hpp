@@ -27,8 +27,7 @@ inline TreeSpec four_bar(const Directions& directions = Directions::linear()) {
   tree.links = {link("base"), bar("crank", 0.1), bar("coupler", 0.3), bar("rocker", 0.25)};
   const auto hinge = [&](const std::string& name, const std::string& parent,
                          const std::string& child, double at) {
-    JointSpec spec =
-        joint(name, JointType::Revolute, parent, child, -Eigen::Vector3d::UnitY());
+    JointSpec spec = joint(name, JointType::Revolute, parent, child, -Eigen::Vector3d::UnitY());
     spec.placement.translation() = Eigen::Vector3d(at, 0.0, 0.0);
     tree.joints.push_back(spec);
   };
@@ -63,8 +62,8 @@ inline TreeSpec tripod(bool turned = true) {
     tree.links.push_back(bar("shank_" + leg, 0.25));
     const Eigen::Matrix3d around =
         Eigen::AngleAxisd(2.0 * i * M_PI / 3.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    JointSpec hip = joint("hip_" + leg, JointType::Revolute, "base", "thigh_" + leg,
-                          -Eigen::Vector3d::UnitY());
+    JointSpec hip =
+        joint("hip_" + leg, JointType::Revolute, "base", "thigh_" + leg, -Eigen::Vector3d::UnitY());
     hip.placement.linear() = around;
     hip.placement.translation() = around * Eigen::Vector3d(0.2, 0.0, 0.0);
     JointSpec knee = joint("knee_" + leg, JointType::Revolute, "thigh_" + leg, "shank_" + leg,
@@ -79,8 +78,8 @@ inline TreeSpec tripod(bool turned = true) {
     loop.first.translation().x() = 0.25;
     loop.second.translation() = around * Eigen::Vector3d(0.1, 0.0, 0.0);
     if (turned)
-      loop.first.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized())
-                                .toRotationMatrix();
+      loop.first.linear() =
+          Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
     tree.loops.push_back(loop);
   }
   return tree;

@@ -73,7 +73,7 @@ struct LoopMiss {
 
 /// A posture that closes the loops, or the nearest to one that was found.
 struct LoopProjection {
-  Eigen::VectorXd q;  ///< nq
+  Eigen::VectorXd q;             ///< nq
   std::vector<LoopMiss> misses;  ///< what is left, per loop
   int iterations = 0;
   Status status = Status::Ok;  ///< NotConverged: some loop is not closed
@@ -109,8 +109,10 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
 
 /// configuration() of the posture, moved onto the loops of the model: joints that the posture names
 /// stay where it says if the others can close the loops, and move too otherwise, as rounded values
-/// need. Throws Error as configuration() does, and where the loops cannot be closed, with what is
-/// left.
+/// need. `keep`: joints to try to keep in place of those that the posture names. Throws Error as
+/// configuration() does, and where the loops cannot be closed, with what is left.
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture);
+Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture,
+                                     const std::vector<std::string>& keep);
 
 }  // namespace burnish
