@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
 #include "derivatives/check_run.hpp"
@@ -130,7 +131,8 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
 
 CheckRow check_row(const Model& model, const CheckOptions& options, const Checked& checked,
                    bool forward, const TamperWithBlocks& tamper) {
-  const std::vector<ContactSpec>& contacts = checked.contacts;
+  // Beside what is checked the robot's loops hold, at postures that leave them open: soft gains.
+  const std::vector<ContactSpec> contacts = with_loops(model, checked.contacts, {100.0, 20.0});
   CheckRow row = describe_row(checked);
   ContactDynamics dynamics(model, contacts);
   CheckStates source(model, options.seed, checked.surface);

@@ -105,6 +105,8 @@ struct CheckReport {
 /// are extrapolated (Richardson), again at smaller steps where the three disagree. By v the values
 /// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
 ///
+/// The loops of the robot hold in every row.
+///
 /// What the rounding of large sums can do to a difference of their values is no error: with torques
 /// that cancel, or where the values are zero.
 ///
