@@ -144,7 +144,7 @@ void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string
       return of < 0 ? std::string("world") : model.joints[static_cast<std::size_t>(of)].name;
     };
     table.add({loop.name, loop.directions.text(),
-               found == freedom.redundant.end() ? "-" : found->redundant.text(),
+               found == freedom.redundant.end() ? "-" : found->directions.text(),
                fmt::format("{} and {}", body(loop.first), body(loop.second))});
   }
   table.print();

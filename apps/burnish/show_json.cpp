@@ -52,7 +52,7 @@ Json loops_json(const Model& model, const LoopFreedom& freedom) {
   for (const Loop& loop : model.loops) {
     Directions redundant;
     for (const auto& of : freedom.redundant)
-      if (of.loop == loop.name) redundant = of.redundant;
+      if (of.loop == loop.name) redundant = of.directions;
     loops.push_back({{"name", loop.name},
                      {"first", loop.first},
                      {"second", loop.second},

@@ -30,7 +30,7 @@ from ._spec import Spec, items
 
 __all__ = [
     "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
-    "JointKind", "JointSpec", "JointType", "LinkSpec", "MeshShape", "MimicSpec", "Model",
+    "JointKind", "JointSpec", "JointType", "LinkSpec", "Loop", "LoopSpec", "MeshShape", "MimicSpec", "Model",
     "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "TreeSpec",
     "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
     "difference", "integrate", "load_robot", "normalized", "parse_urdf", "placement",

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
+#include "contact/descriptions.hpp"
 #include "contact/loop_rows.hpp"
 #include "model/loops.hpp"
 #include "model/posture.hpp"
@@ -137,12 +138,8 @@ std::vector<LoopMiss> misses_of(const Model& model, const LoopRows& rows) {
 }
 
 void check(const LoopProjectionOptions& options) {
-  if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
-    throw Error("projection onto loops: tolerance is " + number(options.tolerance) +
-                "; wanted a positive number");
-  if (options.max_iterations < 1)
-    throw Error("projection onto loops: max_iterations is " +
-                std::to_string(options.max_iterations) + "; wanted at least 1");
+  check_ranges(description_of(&options), &options,
+               [](const std::string& entry) { return "projection onto loops: " + entry; });
 }
 
 }  // namespace

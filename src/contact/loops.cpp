@@ -152,11 +152,11 @@ LoopFreedom loop_freedom(const Model& model, const Eigen::Ref<const Eigen::Vecto
 
 std::string LoopFreedom::text() const {
   std::string lines;
-  for (const OfLoop& of : redundant) {
+  for (const RedundantLoop& of : redundant) {
     lines += of.loop + ":";
     const char* before = " ";
     for (int d = 0; d < 6; ++d)
-      if (of.redundant.has(d)) {
+      if (of.directions.has(d)) {
         lines += before + std::string(direction_names[static_cast<std::size_t>(d)]);
         before = ", ";
       }

@@ -18,6 +18,7 @@ const Description& description_of(const VisualSpec*);
 const Description& description_of(const LinkSpec*);
 const Description& description_of(const MimicSpec*);
 const Description& description_of(const JointSpec*);
+const Description& description_of(const LoopSpec*);
 const Description& description_of(const TreeSpec*);
 const Description& description_of(const FrameSpec*);
 const Description& description_of(const ModelOptions*);
@@ -25,5 +26,6 @@ const Description& description_of(const Following*);
 const Description& description_of(const Joint*);
 const Description& description_of(const Frame*);
 const Description& description_of(const Visual*);
+const Description& description_of(const Loop*);
 
 }  // namespace burnish

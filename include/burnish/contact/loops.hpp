@@ -38,16 +38,18 @@ std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec>
 /// Whether a contact is that of a loop of the model.
 bool is_loop(const Model& model, const ContactSpec& contact);
 
+/// Rows of a loop that those of its other directions, or of other loops, imply.
+struct RedundantLoop {
+  std::string loop;
+  Directions directions;
+};
+
 /// What loops leave of the freedom of a robot.
 struct LoopFreedom {
-  struct OfLoop {
-    std::string loop;
-    Directions redundant;  ///< rows that those of other directions or loops imply
-  };
-  int rows = 0;                   ///< of all loops as described
-  int rank = 0;                   ///< of their Jacobian
-  int freedom = 0;                ///< nv - rank
-  std::vector<OfLoop> redundant;  ///< loops that have some
+  int rows = 0;                          ///< of all loops as described
+  int rank = 0;                          ///< of their Jacobian
+  int freedom = 0;                       ///< nv - rank
+  std::vector<RedundantLoop> redundant;  ///< loops that have some
   /// "four_bar: z, rx, ry redundant", one line per loop.
   std::string text() const;
 };
