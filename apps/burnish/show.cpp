@@ -205,7 +205,8 @@ void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArgument
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
-  const Eigen::VectorXd q = posture.empty() ? robot.reference_configuration() : robot.posture(posture);
+  const Eigen::VectorXd q =
+      posture.empty() ? robot.reference_configuration() : robot.posture(posture);
   if (!arguments.settings.empty()) {
     const std::string file =
         write_settings(robot, arguments.robot.robot, arguments.robot.srdf, arguments.settings)

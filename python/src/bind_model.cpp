@@ -117,10 +117,12 @@ void bind_robot(py::module_& m) {
           "warnings", [](const Robot& robot) { return robot.warnings; },
           "What is odd about its files but computes, one sentence each.")
       .def("posture", &Robot::posture, py::arg("name"),
-           "Configuration (nq,) of a named posture, loops closed. Raises Error with the nearest known "
+           "Configuration (nq,) of a named posture, loops closed. Raises Error with the nearest "
+           "known "
            "name, and where loops cannot be closed.")
       .def("reference_configuration", &Robot::reference_configuration,
-           "Configuration (nq,) of the default posture, or the neutral one when there is none, loops "
+           "Configuration (nq,) of the default posture, or the neutral one when there is none, "
+           "loops "
            "closed.")
       .def("__repr__",
            [](const Robot& robot) {

@@ -31,7 +31,9 @@ const ContactSpec& ProblemScope::contact(const std::string& name) const {
               (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
 }
 
-std::vector<const Joint*> ProblemScope::driven() const { return driven_joints(spec.model, spec.actuation); }
+std::vector<const Joint*> ProblemScope::driven() const {
+  return driven_joints(spec.model, spec.actuation);
+}
 
 int ProblemScope::controls() const {
   int sum = 0;

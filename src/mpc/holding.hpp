@@ -20,8 +20,8 @@ class Holding {
   /// this tick.
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               Eigen::VectorXd& tau) noexcept;
-  /// Torques of the actuated entries (nv, zero elsewhere; Nm, N) that hold the robot still: b(q, 0),
-  /// with what the other joints of a robot with loops lay on them. Null where they cannot be
+  /// Torques of the actuated entries (nv, zero elsewhere; Nm, N) that hold the robot still: b(q,
+  /// 0), with what the other joints of a robot with loops lay on them. Null where they cannot be
   /// evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
 

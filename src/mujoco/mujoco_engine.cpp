@@ -133,8 +133,8 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
   // Room for friction and limits of every entry, for followers, loops and contacts.
-  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() +
-                    9 * model.loops.size() + 40;
+  const auto rows =
+      4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 9 * model.loops.size() + 40;
   result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"8\"/>\n<equality>\n";
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const auto& follows = model.joints[i].follows;

@@ -320,7 +320,7 @@ Status IdealPlant::make_contact() {
   if (answered > Status::NotConverged) return answered;
   const double inverse_mass = work_.normal.dot(work_.response);
   if (!(inverse_mass > 0.0)) return Status::SingularContacts;
-  impulse_ = std::max(-normal.dot(v_) / inverse_mass, 0.0);
+  impulse_ = std::max(-work_.normal.dot(v_) / inverse_mass, 0.0);
   v_ += impulse_ * work_.response;
   return status;
 }

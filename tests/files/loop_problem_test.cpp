@@ -1,5 +1,5 @@
-// Problems of robots with loops: every knot holds them, starts are consistent, hinges without motors
-// are not driven.
+// Problems of robots with loops: every knot holds them, starts are consistent, hinges without
+// motors are not driven.
 #include <gtest/gtest.h>
 
 #include "burnish/contact/loops.hpp"

@@ -38,8 +38,7 @@ std::vector<LoopRobot> loop_robots() {
   std::vector<LoopRobot> robots{
       {"bars", [] { return build_model(testing::four_bar()); }},
       {"tripod", [] { return build_model(testing::tripod()); }},
-      {"tripod_floating",
-       [] { return build_model(testing::tripod(), {.base = Base::FreeFlyer}); }},
+      {"tripod_floating", [] { return build_model(testing::tripod(), {.base = Base::FreeFlyer}); }},
       {"every_kind", [] { return build_model(legs_of_every_kind()); }}};
   if (has_robot_files)
     for (const char* name : {"four_bar", "parallel_ankle", "gripper"})
@@ -54,8 +53,7 @@ class LoopLaw : public ::testing::TestWithParam<LoopRobot> {
   VectorXd closed() {
     for (int tries = 0; tries < 200; ++tries) {
       const VectorXd away = random_vector(model.nv, 0.5, generator);
-      const LoopProjection on =
-          project_onto_loops(model, integrate(model, model.q_neutral, away));
+      const LoopProjection on = project_onto_loops(model, integrate(model, model.q_neutral, away));
       if (on.status == Status::Ok) return on.q;
     }
     ADD_FAILURE() << "no posture closes the loops";

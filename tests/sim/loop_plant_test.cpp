@@ -127,11 +127,10 @@ MpcSpec tracking(const Robot& robot, const VectorXd& q, double to) {
   spec.problem.initial_state.head(model.nq) = q;
   VectorXd target = spec.problem.initial_state;
   target.head(model.nq) = closed_configuration(model, {{"drive", {to}}});
-  spec.problem.stages = {
-      {.name = "track",
-       .costs = {{.residual = residual::State{target}, .weight = 10.0},
-                 {.residual = residual::Control{}, .weight = 1e-3}},
-       .step = 0.01}};
+  spec.problem.stages = {{.name = "track",
+                          .costs = {{.residual = residual::State{target}, .weight = 10.0},
+                                    {.residual = residual::Control{}, .weight = 1e-3}},
+                          .step = 0.01}};
   spec.problem.horizon = {{"track", 30}};
   spec.problem.terminal = {{.residual = residual::State{target}, .weight = 1.0}};
   spec.schedule = {{.name = "track", .stage = "track"}};
