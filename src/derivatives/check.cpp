@@ -17,9 +17,14 @@ std::string default_tool(const Model& model) {
   std::vector<char> has_child(model.joints.size(), 0);
   for (const Joint& joint : model.joints)
     if (joint.parent >= 0) has_child[joint.parent] = 1;
+  const auto closes = [&](const std::string& frame) {
+    return std::any_of(model.loops.begin(), model.loops.end(), [&](const Loop& loop) {
+      return loop.first == frame || loop.second == frame;
+    });
+  };
   std::string last;
   for (const Frame& frame : model.frames)
-    if (frame.body >= 0 && !has_child[frame.body]) last = frame.name;
+    if (frame.body >= 0 && !has_child[frame.body] && !closes(frame.name)) last = frame.name;
   if (last.empty()) throw Error("no frame of the robot moves, so that it has no tool");
   return last;
 }

@@ -21,7 +21,7 @@ struct CheckGains {
 };
 
 /// The frame named "tool" if it moves, or else the last frame of the model that is fixed to a body
-/// without children. Throws Error if no frame moves.
+/// without children and is not a loop's. Throws Error if no frame moves.
 std::string default_tool(const Model& model);
 
 /// What the sweep tries unless told otherwise.
