@@ -100,9 +100,10 @@ LoopDistance loop_distance(const Directions& directions, const Eigen::Isometry3d
 
 std::string LoopDistance::text() const {
   const std::string length = number(1e3 * translation) + " mm";
-  if (rotation == 0.0) return length;
+  constexpr double nothing = 1e-6;  // rad and m, beside what is worth a word
+  if (rotation < nothing) return length;
   const std::string angle = number(degrees_per_radian * rotation) + " degrees";
-  return translation == 0.0 ? angle : length + " and " + angle;
+  return translation < nothing ? angle : length + " and " + angle;
 }
 
 }  // namespace burnish

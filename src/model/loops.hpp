@@ -22,7 +22,7 @@ struct LoopDistance {
   double translation = 0.0;  ///< m
   double rotation = 0.0;     ///< rad
   bool closes() const { return translation <= loop_miss_m && rotation <= loop_miss_rad; }
-  std::string text() const;  ///< "2.3 mm and 0.4 degrees", of what is not zero
+  std::string text() const;  ///< "2.3 mm and 0.4 degrees", of what is above 1e-6
 };
 LoopDistance loop_distance(const Directions& directions, const Eigen::Isometry3d& second_in_first);
 

@@ -38,7 +38,7 @@ std::vector<LoopRobot> loop_robots() {
   std::vector<LoopRobot> robots{
       {"bars", [] { return build_model(testing::four_bar()); }},
       {"tripod", [] { return build_model(testing::tripod()); }},
-      {"tripod_floating", [] { return build_model(testing::tripod(), {.base = Base::FreeFlyer}); }},
+      {"tripod_floating", [] { return compiled(testing::tripod(), Base::FreeFlyer); }},
       {"every_kind", [] { return build_model(legs_of_every_kind()); }}};
   if (has_robot_files)
     for (const char* name : {"four_bar", "parallel_ankle", "gripper"})

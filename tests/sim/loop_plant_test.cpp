@@ -18,15 +18,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-struct Kind {
+struct LoopPlantKind {
   std::string name;
   std::unique_ptr<Plant> (*make)(const Model&, const SceneSpec&);
   double drift;  ///< m
 };
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+void PrintTo(const LoopPlantKind& kind, std::ostream* out) { *out << kind.name; }
 
-std::vector<Kind> kinds() {
-  std::vector<Kind> result{
+std::vector<LoopPlantKind> loop_plants() {
+  std::vector<LoopPlantKind> result{
       {"ideal", [](const Model& m, const SceneSpec& s) { return make_ideal_plant(m, s); }, 1e-6}};
 #ifdef BURNISH_HAS_MUJOCO
   result.push_back({"mujoco",
@@ -56,7 +56,7 @@ double worst_miss(const Model& model, const VectorXd& q) {
   return worst;
 }
 
-class LoopPlant : public ::testing::TestWithParam<Kind> {};
+class LoopPlant : public ::testing::TestWithParam<LoopPlantKind> {};
 
 TEST_P(LoopPlant, moves_as_the_model_says) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
@@ -161,8 +161,10 @@ TEST_P(LoopPlant, follows_a_controller_that_plans_with_the_loop) {
   EXPECT_LT(worst, GetParam().drift);
   // The model is right: what the loop carries is not taken for an error of it.
   EXPECT_LT(controller.torque_error().cwiseAbs().maxCoeff(), 0.02);
-  for (int k = 0; k < model.nv; ++k)
-    if (k != model.joints[drive].v_index) EXPECT_EQ(loop.command().tau[k], 0.0);
+  for (int k = 0; k < model.nv; ++k) {
+    if (k == model.joints[drive].v_index) continue;
+    EXPECT_EQ(loop.command().tau[k], 0.0) << "a hinge has no motor";
+  }
 }
 
 TEST_P(LoopPlant, is_held_by_the_fallback) {
@@ -181,7 +183,7 @@ TEST_P(LoopPlant, is_held_by_the_fallback) {
   EXPECT_LT((plant->q() - q).cwiseAbs().maxCoeff(), 0.05) << "it fell";
 }
 
-INSTANTIATE_TEST_SUITE_P(plants, LoopPlant, ::testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(plants, LoopPlant, ::testing::ValuesIn(loop_plants()),
                          [](const auto& test) { return test.param.name; });
 
 #ifdef BURNISH_HAS_MUJOCO
