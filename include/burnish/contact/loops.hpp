@@ -85,7 +85,7 @@ struct LoopProjection {
 };
 
 /// Moves q (nq) onto the loops: damped Gauss-Newton steps on the configuration's manifold, of which
-/// each is the least one in the metric of the weights,
+/// each is the least one in the metric of the weights (eq. (11.5) of docs/theory.md),
 ///   dq = -W^-1 J^T (J W^-1 J^T + damping)^-1 e.
 /// Where that comes to rest with loops open, as at a dead point, it starts again from postures a
 /// little beside q, always the same ones. Throws Error for a bad q and options out of range.
@@ -100,9 +100,9 @@ enum class LoopMetric {
   Plain,  ///< |dv|^2, rad/s and m/s alike
   Mass,   ///< dv^T M dv: what impulses in the loops do
 };
-/// The velocity (nv) nearest to v that the loops allow at q: J v = 0. Joints of `keep` keep theirs
-/// as far as the others can follow (plain metric alone). Throws Error for a bad q or v, unknown
-/// joints, and a mass matrix that is singular.
+/// The velocity (nv) nearest to v that the loops allow at q: J v = 0 (eq. (11.6)). Joints of `keep`
+/// keep theirs as far as the others can follow (plain metric alone). Throws Error for a bad q or v,
+/// unknown joints, and a mass matrix that is singular.
 Eigen::VectorXd project_velocity_onto_loops(const Model& model,
                                             const Eigen::Ref<const Eigen::VectorXd>& q,
                                             const Eigen::Ref<const Eigen::VectorXd>& v,
