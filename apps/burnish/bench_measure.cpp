@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/allocation_guard.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/check.hpp"
 #include "burnish/derivatives/contact_dynamics_batch.hpp"
 #include "burnish/model/state.hpp"
@@ -61,15 +62,15 @@ BenchLine repeat(std::string group, std::string name, double seconds, int pieces
   return line;
 }
 
-/// The tool held along world z.
-ContactSpec pressing(const std::string& tool) {
+/// The tool held along world z, and the robot's loops.
+std::vector<ContactSpec> pressing(const Model& model, const std::string& tool) {
   ContactSpec contact{.name = "surface", .tool = tool, .directions = Directions::z()};
-  return contact.with_gains(0.0, 50.0);
+  return with_loops(model, {contact.with_gains(0.0, 50.0)});
 }
 
 /// Whether the tool can press there: not a pendulum's that hangs.
 bool can_press(const Model& model, const std::string& tool, const Eigen::VectorXd& q) {
-  ContactDynamics dynamics(model, {pressing(tool)});
+  ContactDynamics dynamics(model, pressing(model, tool));
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
   return dynamics.forward(q, still, still) <= Status::NotConverged;
 }
@@ -117,11 +118,11 @@ class States {
           Eigen::VectorXd::NullaryExpr(model_.nv, [&] { return size * uniform(generator); }));
     };
     for (int i = 0; i < ring; ++i) {
-      q_.col(i) = integrate(model_, q0, draw(0.3));
-      v_.col(i) = draw(1.0);
+      q_.col(i) = closed(integrate(model_, q0, draw(0.3)), q0);
+      v_.col(i) = project_velocity_onto_loops(model_, q_.col(i), draw(1.0));
     }
     tau_ = Eigen::MatrixXd::Zero(model_.nv, ring);
-    contacts_ = {pressing(spec.tool)};
+    contacts_ = pressing(model_, spec.tool);
   }
 
   void measure(BenchReport& report) {
@@ -160,6 +161,12 @@ class States {
                [&] { require(batch.forward_with_derivatives(q, v, tau), "the robot in contact"); }),
         counts.derivatives);
     report.lines.back().peak_share /= threads;
+  }
+
+  /// Near q on the loops, or the one that is there already.
+  Eigen::VectorXd closed(const Eigen::VectorXd& q, const Eigen::VectorXd& otherwise) const {
+    const LoopProjection on = project_onto_loops(model_, q);
+    return on.status == Status::Ok ? on.q : otherwise;
   }
 
   static void add(BenchReport& report, BenchLine line, const Operations& work) {

@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/contact/contact_set.hpp"
+#include "burnish/contact/loops.hpp"
 #include "document/text.hpp"
 #include "dynamics/reference.hpp"
 #include "files/read_parts.hpp"
@@ -172,6 +173,7 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
     const bool some = states && states->is_list() && states->size() > 0;
     read_contacts(*contacts, some ? read_q(states->entries().front(), space) : space.q, request);
   }
+  request.contacts = reader.named([&] { return with_loops(model, request.contacts); });
   const ContactSet set(model, request.contacts);
   std::vector<std::string> v_names;
   for (int k = 0; k < model.nv; ++k) v_names.push_back(model.v_name(k));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "command.hpp"
 #include "draft_settings.hpp"
@@ -127,6 +128,28 @@ void print_followers(const Model& model) {
   table.print();
 }
 
+/// The loops, and what they leave of the freedom at a posture.
+void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string& posture) {
+  if (model.loops.empty()) return;
+  const LoopFreedom freedom = loop_freedom(model, q);
+  fmt::print("\nLoops: {} entries of v, {} rows of rank {}: {} degrees of freedom at {}\n",
+             model.nv, freedom.rows, freedom.rank, freedom.freedom, posture);
+  Table table(4);
+  table.add({"loop", "directions", "redundant", "between"});
+  for (const Loop& loop : model.loops) {
+    const auto found = std::find_if(freedom.redundant.begin(), freedom.redundant.end(),
+                                    [&](const auto& of) { return of.loop == loop.name; });
+    const auto body = [&](const std::string& frame) {
+      const int of = model.frames[static_cast<std::size_t>(model.frame_index(frame))].body;
+      return of < 0 ? std::string("world") : model.joints[static_cast<std::size_t>(of)].name;
+    };
+    table.add({loop.name, loop.directions.text(),
+               found == freedom.redundant.end() ? "-" : found->directions.text(),
+               fmt::format("{} and {}", body(loop.first), body(loop.second))});
+  }
+  table.print();
+}
+
 void print_held(const Model& model) {
   if (model.locked_joints.empty()) return;
   fmt::print("\nHeld joints\n");
@@ -182,7 +205,8 @@ void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArgument
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
-  const Eigen::VectorXd q = posture.empty() ? robot.model.q_neutral : robot.posture(posture);
+  const Eigen::VectorXd q =
+      posture.empty() ? robot.reference_configuration() : robot.posture(posture);
   if (!arguments.settings.empty()) {
     const std::string file =
         write_settings(robot, arguments.robot.robot, arguments.robot.srdf, arguments.settings)
@@ -202,8 +226,9 @@ void show(const ShowArguments& arguments) {
   print_joints(robot.model);
   print_followers(robot.model);
   print_held(robot.model);
-  print_frames(robot.model, q, posture.empty() ? "the neutral posture" : "'" + posture + "'",
-               arguments.all_frames);
+  const std::string at = posture.empty() ? "the neutral posture" : "'" + posture + "'";
+  print_loops(robot.model, q, at);
+  print_frames(robot.model, q, at, arguments.all_frames);
   print_postures(robot);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "record/json_text.hpp"
 
@@ -39,6 +40,28 @@ Json joint_json(const Model& model, const Joint& joint) {
           {"spring_rest", numbers_json(model.spring_rest.segment(v, joint.nv))},
           {"mass", joint.mass},
           {"com", numbers_json(joint.com)}};
+}
+
+Json names_json(const Directions& directions) {
+  Json names = Json::array();
+  for (int d = 0; d < 6; ++d)
+    if (directions.has(d)) names.push_back(direction_names[static_cast<std::size_t>(d)]);
+  return names;
+}
+
+Json loops_json(const Model& model, const LoopFreedom& freedom) {
+  Json loops = Json::array();
+  for (const Loop& loop : model.loops) {
+    Directions redundant;
+    for (const auto& of : freedom.redundant)
+      if (of.loop == loop.name) redundant = of.directions;
+    loops.push_back({{"name", loop.name},
+                     {"first", loop.first},
+                     {"second", loop.second},
+                     {"directions", names_json(loop.directions)},
+                     {"redundant", names_json(redundant)}});
+  }
+  return loops;
 }
 
 }  // namespace
@@ -89,6 +112,13 @@ Json show_json(const Robot& robot, const Eigen::VectorXd& q, const std::string& 
                                 : Json(model.joints[static_cast<std::size_t>(frame.body)].name)}};
     entry.update(placement_json(placements[i]));
     result["frames"].push_back(entry);
+  }
+  if (!model.loops.empty()) {
+    const LoopFreedom freedom = loop_freedom(model, q);
+    result["loops"] = loops_json(model, freedom);
+    result["loop_rows"] = freedom.rows;
+    result["loop_rank"] = freedom.rank;
+    result["degrees_of_freedom"] = freedom.freedom;
   }
   for (const auto& [name, values] : robot.postures) result["postures"][name] = values;
   return result;

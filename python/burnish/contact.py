@@ -9,11 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._core import (
+    closed_configuration,
+    loop_contacts,
+    loop_freedom,
+    loop_misses,
+    project_onto_loops,
+    project_velocity_onto_loops,
+)
 from ._signal import Signal
 from ._spec import Spec, identity
 
-__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "PoseError", "Quadric", "Reference",
-           "SlidingFriction", "SurfaceKind", "SurfaceShape"]
+__all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "LoopFreedom", "LoopGains", "LoopMetric",
+           "LoopMiss", "LoopProjection", "LoopProjectionOptions", "PoseError", "Quadric", "RedundantLoop",
+           "Reference", "SlidingFriction", "SurfaceKind", "SurfaceShape", "closed_configuration", "loop_contacts",
+           "loop_freedom", "loop_misses", "project_onto_loops", "project_velocity_onto_loops"]
 
 
 # Described classes stand here (scripts/describe).
@@ -138,6 +148,21 @@ class ContactSpec(Spec):
     def with_gains(self, kp_all: float, kd_all: float) -> ContactSpec:
         """A copy with the same gains in every direction: kp in 1/s^2, kd in 1/s."""
         return self.replace(kp=np.full(6, float(kp_all)), kd=np.full(6, float(kd_all)))
+
+
+@dataclass(eq=False, repr=False)
+class LoopGains(Spec):
+    @classmethod
+    def for_step(cls, step: float) -> LoopGains:
+        """For semi-implicit Euler steps of that length, s: a step takes away what the loop misses at its start."""
+        return _core.loop_gains_for_step(step)
+
+
+@dataclass(eq=False, repr=False)
+class LoopProjection(Spec):
+    def explanation(self) -> str:
+        """Which loop is not closed, and what is left of it; empty where all are."""
+        return _core.loop_projection_explanation(self)
 
 
 @dataclass(eq=False, repr=False)

@@ -32,7 +32,7 @@ from ._spec import Spec, items
 
 __all__ = [
     "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
-    "JointKind", "JointSpec", "JointType", "LinkSpec", "MeshShape", "MimicSpec", "Model",
+    "JointKind", "JointSpec", "JointType", "LinkSpec", "Loop", "LoopSpec", "MeshShape", "MimicSpec", "Model",
     "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "Tendon",
     "TendonEntry", "TendonPart", "TendonSpec", "TreeSpec",
     "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",

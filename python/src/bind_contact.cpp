@@ -3,6 +3,50 @@
 #include "specs_contact.hpp"
 
 namespace burnish::python {
+namespace {
+
+using Vector = Eigen::Ref<const Eigen::VectorXd>;
+
+void bind_loops(py::module_& m) {
+  m.def(
+      "loop_contacts",
+      [](const Model& model, const std::optional<LoopGains>& gains, bool all_directions) {
+        return loop_contacts(model, gains.value_or(LoopGains{}), all_directions);
+      },
+      py::arg("model"), py::arg("gains") = py::none(), py::arg("all_directions") = false,
+      "One contact per loop of the robot, called as it, with independent rows; with "
+      "all_directions those of the description.");
+  m.def("loop_freedom", &loop_freedom, py::arg("model"), py::arg("q"),
+        "Rows of all loops, their rank, the degrees of freedom left and what is redundant, at a "
+        "configuration (nq,).");
+  m.def(
+      "project_onto_loops",
+      [](const Model& model, const Vector& q, const std::optional<LoopProjectionOptions>& options) {
+        return project_onto_loops(model, q, options.value_or(LoopProjectionOptions{}));
+      },
+      py::arg("model"), py::arg("q"), py::arg("options") = py::none(),
+      "Moves a configuration (nq,) onto the loops by damped Gauss-Newton steps, each of them the "
+      "least one. Its status says whether they are closed.");
+  m.def("loop_misses", &loop_misses, py::arg("model"), py::arg("q"),
+        "What is left of each loop at a configuration (nq,).");
+  m.def("project_velocity_onto_loops", &project_velocity_onto_loops, py::arg("model"), py::arg("q"),
+        py::arg("v"), py::arg("metric") = LoopMetric::Plain,
+        py::arg("keep") = std::vector<std::string>{},
+        "The velocity (nv,) nearest to v that the loops allow at q; joints of `keep` keep theirs "
+        "as far as the others can follow.");
+  m.def(
+      "closed_configuration",
+      [](const Model& model, const Posture& posture) {
+        return closed_configuration(model, posture);
+      },
+      py::arg("model"), py::arg("posture"),
+      "configuration() of the posture, moved onto the loops: joints that it names stay if the "
+      "others can close them. Raises Error where they cannot be closed.");
+  m.def("loop_gains_for_step", &LoopGains::for_step, py::arg("step"));
+  m.def("loop_projection_explanation", &LoopProjection::explanation, py::arg("projection"));
+}
+
+}  // namespace
 
 void bind_contact(py::module_& m) {
   m.def("surface_with_normal", &Reference::surface_with_normal, py::arg("normal"));
@@ -39,6 +83,7 @@ void bind_contact(py::module_& m) {
   m.def("force_axes", &ContactForce::axes, py::arg("force"));
   m.def("force_origin", &ContactForce::origin, py::arg("force"));
   m.def("force_text", &ContactForce::text, py::arg("force"));
+  bind_loops(m);
 }
 
 }  // namespace burnish::python

@@ -16,6 +16,7 @@ void for_each_member(Visit&& visit) {
   visit("joints", &Model::joints);
   visit("frames", &Model::frames);
   visit("visuals", &Model::visuals);
+  visit("loops", &Model::loops);
   visit("nq", &Model::nq);
   visit("nv", &Model::nv);
   visit("gravity", &Model::gravity);
@@ -120,9 +121,13 @@ void bind_robot(py::module_& m) {
           "warnings", [](const Robot& robot) { return robot.warnings; },
           "What is odd about its files but computes, one sentence each.")
       .def("posture", &Robot::posture, py::arg("name"),
-           "Configuration (nq,) of a named posture. Raises Error with the nearest known name.")
+           "Configuration (nq,) of a named posture, loops closed. Raises Error with the nearest "
+           "known "
+           "name, and where loops cannot be closed.")
       .def("reference_configuration", &Robot::reference_configuration,
-           "Configuration (nq,) of the default posture, or the neutral one when there is none.")
+           "Configuration (nq,) of the default posture, or the neutral one when there is none, "
+           "loops "
+           "closed.")
       .def("__repr__",
            [](const Robot& robot) {
              return "<Robot '" + robot.model.name + "': " + std::to_string(robot.postures.size()) +
@@ -284,6 +289,8 @@ void bind_model(py::module_& m) {
           "Those with a spring or a damper on a joint that moves.")
       .def_property_readonly(
           "visuals", [](const Model& self) { return self.visuals; }, "Solids to draw.")
+      .def_property_readonly(
+          "loops", [](const Model& self) { return self.loops; }, "Loops that close chains.")
       .def_property_readonly(
           "gravity", [](const Model& self) { return self.gravity; }, "(3,), m/s^2, world.")
       .def_readonly("locked_joints", &Model::locked_joints,

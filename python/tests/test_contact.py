@@ -188,3 +188,36 @@ class TestForces:
         for number in (1, -1):
             with pytest.raises(burnish.Error, match=f"no contact {number}; the set has 1"):
                 dynamics.force(number)
+
+
+class TestLoops:
+    ROBOT = burnish.load_robot("four_bar")
+
+    def test_are_values_of_the_model(self) -> None:
+        [loop] = self.ROBOT.model.loops
+        assert (loop.name, loop.first, loop.second) == ("pin", "pin/first", "pin/second")
+        assert loop.directions == "x,y,z"
+
+    def test_are_contacts_with_independent_rows(self) -> None:
+        [contact] = burnish.contact.loop_contacts(self.ROBOT.model)
+        assert (contact.tool, contact.base, contact.directions) == ("pin/second", "pin/first", "x,z")
+        gains = burnish.contact.LoopGains.for_step(0.02)
+        assert burnish.contact.loop_contacts(self.ROBOT.model, gains)[0].kd[0] == pytest.approx(50.0)
+
+    def test_leave_one_degree_of_freedom(self) -> None:
+        freedom = burnish.contact.loop_freedom(self.ROBOT.model, self.ROBOT.reference_configuration())
+        assert (freedom.rows, freedom.rank, freedom.freedom) == (3, 2, 1)
+        assert [(r.loop, r.directions) for r in freedom.redundant] == [("pin", "y")]
+
+    def test_postures_and_velocities_are_moved_onto_them(self) -> None:
+        model = self.ROBOT.model
+        q = self.ROBOT.reference_configuration() + np.array([0.0, 0.1, -0.1])
+        assert burnish.contact.loop_misses(model, q)[0].translation > 1e-2
+        found = burnish.contact.project_onto_loops(model, q)
+        assert burnish.contact.loop_misses(model, found.q)[0].translation < 1e-8
+        assert found.explanation() == ""
+        v = burnish.contact.project_velocity_onto_loops(model, found.q, [1.0, 0.0, 0.0], keep=["drive"])
+        assert v[0] == pytest.approx(1.0)
+        dynamics = burnish.ContactDynamics(model, burnish.contact.loop_contacts(model))
+        dynamics.forward(found.q, v, np.zeros(3))
+        np.testing.assert_allclose(dynamics.contact_velocity, 0.0, atol=1e-9)

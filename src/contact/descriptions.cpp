@@ -106,4 +106,86 @@ const Description& description_of(const ContactForce* /*of*/) {
   return all;
 }
 
+const Words& words_of(LoopMetric /*of*/) {
+  static const Words all{"contact",
+                         "LoopMetric",
+                         "What a change of velocity is measured by.",
+                         {{"plain", "|dv|^2, rad/s and m/s alike"},
+                          {"mass", "dv^T M dv: what impulses in the loops do"}}};
+  return all;
+}
+
+const Description& description_of(const LoopGains* /*of*/) {
+  using G = LoopGains;
+  static const Description all =
+      Describe<G>("contact", "LoopGains",
+                  "How a loop that has drifted comes back: alpha + kd nu + kp e = 0.")
+          .field("kp", &G::kp, "{1/s^2}", range::not_negative)
+          .field("kd", &G::kd, "{1/s}", range::not_negative);
+  return all;
+}
+
+const Description& description_of(const RedundantLoop* /*of*/) {
+  using R = RedundantLoop;
+  static const Description all =
+      Describe<R>("contact", "RedundantLoop",
+                  "Rows of a loop that those of its other directions, or of other loops, imply.")
+          .result()
+          .field("loop", &R::loop)
+          .field("directions", &R::directions);
+  return all;
+}
+
+const Description& description_of(const LoopFreedom* /*of*/) {
+  using F = LoopFreedom;
+  static const Description all =
+      Describe<F>("contact", "LoopFreedom", "What loops leave of the freedom of a robot.")
+          .result()
+          .field("rows", &F::rows, "of all loops as described")
+          .field("rank", &F::rank, "of their Jacobian")
+          .field("freedom", &F::freedom, "nv - rank")
+          .field("redundant", &F::redundant, "loops that have some");
+  return all;
+}
+
+const Description& description_of(const LoopProjectionOptions* /*of*/) {
+  using O = LoopProjectionOptions;
+  static const Description all =
+      Describe<O>("contact", "LoopProjectionOptions", "How a posture is moved onto the loops.")
+          .field("keep", &O::keep, "Joints that stay where they are.")
+          .field("weights", &O::weights,
+                 "How dear a change of each entry of v is, nv positive numbers, or empty: all "
+                 "alike.")
+          .field("tolerance", &O::tolerance, "m and rad, of every row", range::positive)
+          .field("max_iterations", &O::max_iterations, "of all attempts", Range{.least = 1.0})
+          .field("within_limits", &O::within_limits,
+                 "Revolute and prismatic joints stay within their limits, or where they start "
+                 "beyond them.");
+  return all;
+}
+
+const Description& description_of(const LoopMiss* /*of*/) {
+  using M = LoopMiss;
+  static const Description all =
+      Describe<M>("contact", "LoopMiss", "How far a loop is from closed.")
+          .result()
+          .field("loop", &M::loop)
+          .field("translation", &M::translation, "{m}, along the held directions")
+          .field("rotation", &M::rotation, "{rad}, about the held directions");
+  return all;
+}
+
+const Description& description_of(const LoopProjection* /*of*/) {
+  using P = LoopProjection;
+  static const Description all =
+      Describe<P>("contact", "LoopProjection",
+                  "A posture that closes the loops, or the nearest to one that was found.")
+          .result()
+          .field("q", &P::q, "nq")
+          .field("misses", &P::misses, "what is left, per loop")
+          .field("iterations", &P::iterations)
+          .field("status", &P::status, "NotConverged: some loop is not closed");
+  return all;
+}
+
 }  // namespace burnish

@@ -5,14 +5,22 @@
 #include "burnish/contact/contact.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
+#include "burnish/contact/loops.hpp"
 #include "dynamics/descriptions.hpp"
 
 namespace burnish {
 const Words& words_of(Acceleration);
 const Words& words_of(PoseError);
+const Words& words_of(LoopMetric);
 const Description& description_of(const SlidingFriction*);
 const Description& description_of(const ContactSpec*);
 const Description& description_of(const ContactSolver*);
 const Description& description_of(const ContactForce*);
+const Description& description_of(const LoopGains*);
+const Description& description_of(const RedundantLoop*);
+const Description& description_of(const LoopFreedom*);
+const Description& description_of(const LoopProjectionOptions*);
+const Description& description_of(const LoopMiss*);
+const Description& description_of(const LoopProjection*);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
 #include "derivatives/check_run.hpp"
@@ -16,9 +17,14 @@ std::string default_tool(const Model& model) {
   std::vector<char> has_child(model.joints.size(), 0);
   for (const Joint& joint : model.joints)
     if (joint.parent >= 0) has_child[joint.parent] = 1;
+  const auto closes = [&](const std::string& frame) {
+    return std::any_of(model.loops.begin(), model.loops.end(), [&](const Loop& loop) {
+      return loop.first == frame || loop.second == frame;
+    });
+  };
   std::string last;
   for (const Frame& frame : model.frames)
-    if (frame.body >= 0 && !has_child[frame.body]) last = frame.name;
+    if (frame.body >= 0 && !has_child[frame.body] && !closes(frame.name)) last = frame.name;
   if (last.empty()) throw Error("no frame of the robot moves, so that it has no tool");
   return last;
 }
@@ -130,7 +136,8 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
 
 CheckRow check_row(const Model& model, const CheckOptions& options, const Checked& checked,
                    bool forward, const TamperWithBlocks& tamper) {
-  const std::vector<ContactSpec>& contacts = checked.contacts;
+  // Beside what is checked the robot's loops hold, at postures that leave them open: soft gains.
+  const std::vector<ContactSpec> contacts = with_loops(model, checked.contacts, {100.0, 20.0});
   CheckRow row = describe_row(checked);
   ContactDynamics dynamics(model, contacts);
   CheckStates source(model, options.seed, checked.surface);

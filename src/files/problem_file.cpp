@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "burnish/contact/loops.hpp"
 #include "files/read_costs.hpp"
 #include "files/read_parts.hpp"
 #include "files/read_problem.hpp"
@@ -11,13 +12,29 @@
 namespace burnish::files {
 namespace {
 
-/// Names of the contacts that hold in a stage.
+/// Names of the contacts that hold in a stage: those it states, and the robot's loops.
 std::vector<std::string> read_stage_contacts(const Reader& stage, const ProblemScope& scope) {
   const auto given = stage.find("contacts");
-  if (!given || (given->is_list() && given->entries().empty())) return {};
-  std::vector<std::string> names = given->texts();
+  std::vector<std::string> names;
+  if (given && !(given->is_list() && given->entries().empty())) names = given->texts();
   for (const std::string& name : names) given->named([&] { scope.contact(name); });
+  for (const ContactSpec& contact : scope.spec.contacts)
+    if (is_loop(scope.model(), contact) &&
+        std::find(names.begin(), names.end(), contact.name) == names.end())
+      names.push_back(contact.name);
   return names;
+}
+
+/// Of the stages in which time passes, s.
+double longest_step(const Reader& stages) {
+  double longest = 0.0;
+  for (const auto& [name, stage] : stages.items()) {
+    const auto impact = stage.find("impact");
+    if (impact && impact->yes_or_no()) continue;
+    const auto step = stage.find("step");
+    longest = std::max(longest, step ? step->positive() : Stage().step);
+  }
+  return longest;
 }
 
 Stage read_stage(const std::string& name, const Reader& reader, const ProblemScope& scope,
@@ -70,6 +87,19 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
   if (horizon.empty()) reader.refuse("it has no knots; wanted stages with their knots");
 }
 
+/// Moves the velocity at the start to the nearest one that the loops allow; joints that are named
+/// keep theirs.
+void close_velocity(const Reader& stated, ProblemSpec& spec) {
+  if (spec.model.loops.empty()) return;
+  std::vector<std::string> keep;
+  if (stated.is_map())
+    for (const auto& [joint, value] : stated.items())
+      if (joint != "other") keep.push_back(joint);
+  auto v = spec.initial_state.segment(spec.model.nq, spec.model.nv);
+  v = project_velocity_onto_loops(spec.model, spec.initial_state.head(spec.model.nq), v,
+                                  LoopMetric::Plain, keep);
+}
+
 /// Reads start: configuration, velocity and time; torques come when the stages are known.
 void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
   reader.allow_only({"posture", "q", "velocity", "torques", "forces", "time"});
@@ -81,6 +111,7 @@ void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
   if (const auto v = reader.find("velocity")) {
     spec.initial_state.segment(spec.model.nq, spec.model.nv) =
         read_rows(*v, velocity_rows(spec.model), 0.0);
+    close_velocity(*v, spec);
   }
   if (const auto time = reader.find("time")) spec.start_time = time->number();
 }
@@ -158,6 +189,9 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
     for (const auto& [name, contact] : contacts_in(*contacts))
       spec.contacts.push_back(
           read_contact(name, contact, model, spec.initial_state.head(model.nq), &folder));
+  if (!model.loops.empty())
+    spec.contacts = with_loops(model, std::move(spec.contacts),
+                               LoopGains::for_step(longest_step(top["stages"])));
   if (const auto solver = top.find("contact_solver"))
     spec.contact_solver = read_contact_solver(*solver);
   if (const auto actuation = top.find("actuation"))

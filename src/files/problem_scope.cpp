@@ -15,16 +15,6 @@ std::string name_of_contact(const ContactSpec& contact) {
   return contact.name.empty() ? contact.tool : contact.name;
 }
 
-std::vector<const Joint*> driven_joints(const ProblemSpec& spec) {
-  std::vector<const Joint*> result;
-  for (const std::string& name : spec.actuation.joints)
-    result.push_back(&spec.model.joints[static_cast<std::size_t>(spec.model.joint_index(name))]);
-  if (spec.actuation.joints.empty())
-    for (const Joint& joint : spec.model.joints)
-      if (joint.kind != JointKind::FreeFlyer && !joint.follows) result.push_back(&joint);
-  return result;
-}
-
 bool holds(const std::vector<std::string>& contacts, const std::string& name) {
   return std::find(contacts.begin(), contacts.end(), name) != contacts.end();
 }
@@ -41,7 +31,9 @@ const ContactSpec& ProblemScope::contact(const std::string& name) const {
               (known.empty() ? "; the problem has no contacts" : did_you_mean(name, known)));
 }
 
-std::vector<const Joint*> ProblemScope::driven() const { return driven_joints(spec); }
+std::vector<const Joint*> ProblemScope::driven() const {
+  return driven_joints(spec.model, spec.actuation);
+}
 
 int ProblemScope::controls() const {
   int sum = 0;
@@ -82,7 +74,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
   if (dynamics.forward(q, zero, zero) > Status::NotConverged)
     throw Error("the robot cannot be held: its dynamics at the start cannot be evaluated");
   // S^T u + J^T lambda = b, the prescribed lambda on the right.
-  const std::vector<const Joint*> driven = driven_joints(spec);
+  const std::vector<const Joint*> driven = driven_joints(spec.model, spec.actuation);
   int nu = 0;
   for (const Joint* joint : driven) nu += joint->nv;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(nv, nu + dynamics.rows());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
 #include "document/text.hpp"
 #include "files/read_target.hpp"
@@ -165,8 +166,10 @@ Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
     posture = robot.postures.at(robot.default_posture);
   }
   for (const auto& item : reader.items()) forget_coupled(robot.model, item.first, posture);
+  std::vector<std::string> named;
   for (const auto& [joint, value] : reader.items()) {
     if (joint == "from") continue;
+    named.push_back(joint);
     if (value.is_list()) {
       const Eigen::VectorXd values = value.numbers();
       posture[joint] = {values.begin(), values.end()};
@@ -174,7 +177,10 @@ Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
       posture[joint] = {value.number()};
     }
   }
-  return reader.named([&] { return configuration(robot.model, posture); });
+  return reader.named([&] {
+    return named.empty() ? closed_configuration(robot.model, posture)
+                         : closed_configuration(robot.model, posture, named);
+  });
 }
 
 std::vector<RowGroup> velocity_rows(const Model& model) {

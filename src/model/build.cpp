@@ -6,6 +6,7 @@
 #include "burnish/model/model.hpp"
 #include "model/followers.hpp"
 #include "model/lock.hpp"
+#include "model/loops.hpp"
 #include "model/mass_check.hpp"
 #include "model/posture.hpp"
 #include "model/tendons.hpp"
@@ -313,6 +314,7 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   if (options.strict) refuse_warnings(origin_of(tree), model.warnings);
   add_frames(tree, tree.frames, model);
   add_frames(tree, options.frames, model);
+  add_loops(tree, model);
   return model;
 }
 

@@ -173,6 +173,27 @@ const Description& description_of(const TendonSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const LoopSpec* /*of*/) {
+  using L = LoopSpec;
+  static const Description all =
+      Describe<L>("model", "LoopSpec",
+                  "Two links tied to each other along some directions: what closes a chain. "
+                  "Relative motion of the second frame seen from the first, in the first one's "
+                  "axes, is held to none.")
+          .field("name", &L::name)
+          .required()
+          .field("first_link", &L::first_link, "or \"world\"")
+          .required()
+          .field("second_link", &L::second_link, "or \"world\"")
+          .required()
+          .field("first", &L::first, "frame in the first link")
+          .field("second", &L::second, "frame in the second link")
+          .field("directions", &L::directions,
+                 "\"linear\", \"all\", or names separated by commas such as \"x,y,z,rx,rz\"")
+          .field("line", &L::line, "of the file, for sentences about it; 0: none");
+  return all;
+}
+
 const Description& description_of(const TreeSpec* /*of*/) {
   using T = TreeSpec;
   static const Description all =
@@ -184,6 +205,7 @@ const Description& description_of(const TreeSpec* /*of*/) {
                  "file it was read from, used in error sentences; may be empty")
           .field("links", &T::links)
           .field("joints", &T::joints)
+          .field("loops", &T::loops)
           .field("tendons", &T::tendons)
           .field("frames", &T::frames, "that the file names beside links and joints")
           .field("postures", &T::postures, "that the file names")
@@ -313,6 +335,20 @@ const Description& description_of(const Visual* /*of*/) {
           .required()
           .field("shape", &V::shape)
           .field("rgba", &V::rgba);
+  return all;
+}
+
+const Description& description_of(const Loop* /*of*/) {
+  using L = Loop;
+  static const Description all =
+      Describe<L>("model", "Loop",
+                  "Two frames of a Model tied to each other along some directions: motion of the "
+                  "second seen from the first, in the first one's axes.")
+          .result()
+          .field("name", &L::name)
+          .field("first", &L::first, "frame of the model, NAME/first")
+          .field("second", &L::second, "frame of the model, NAME/second")
+          .field("directions", &L::directions);
   return all;
 }
 

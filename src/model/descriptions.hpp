@@ -20,6 +20,7 @@ const Description& description_of(const MimicSpec*);
 const Description& description_of(const JointSpec*);
 const Description& description_of(const TendonSpec::Part*);
 const Description& description_of(const TendonSpec*);
+const Description& description_of(const LoopSpec*);
 const Description& description_of(const TreeSpec*);
 const Description& description_of(const FrameSpec*);
 const Description& description_of(const ModelOptions*);
@@ -29,5 +30,6 @@ const Description& description_of(const Tendon::Entry*);
 const Description& description_of(const Tendon*);
 const Description& description_of(const Frame*);
 const Description& description_of(const Visual*);
+const Description& description_of(const Loop*);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/sentence.hpp"
+#include "model/loops.hpp"
 
 namespace burnish {
 namespace {
@@ -283,6 +284,7 @@ void check_topology(const TreeSpec& tree, Findings& findings) {
     check_depths(tree, links, above, of_names);
     if (!of_names.has_problems()) check_one_root(tree, above, of_names);
   }
+  check_loops(tree, of_names);
   findings.add(of_names);
 }
 

@@ -15,7 +15,8 @@ inline constexpr double inertia_tolerance = 0.05;
 
 /// Notes as problems: names that are missing, used twice or unknown; links with two parents; more
 /// than one root; cycles; more than max_links links, more than max_depth of them one behind the
-/// other. Looks at names only.
+/// other; loops without a name, directions or known links, or of a link with itself. Looks at names
+/// only.
 void check_topology(const TreeSpec& tree, Findings& findings);
 
 /// Notes as problems: numbers that are not finite (limits may be infinite) or have a sign that

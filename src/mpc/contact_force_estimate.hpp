@@ -25,8 +25,9 @@ class ContactForceEstimate {
   std::vector<Signal> rotations_;  ///< per contact, empty where its reference stays
   Eigen::VectorXd xyzw_;
   ContactDynamics dynamics_;
-  std::vector<int> following_;            ///< contacts_on_surface()
-  std::vector<int> rubbing_;              ///< contacts_that_rub()
+  std::vector<int> following_;  ///< contacts_on_surface()
+  std::vector<int> rubbing_;    ///< contacts_that_rub()
+  std::vector<char> is_loop_;   ///< per contact: of the robot's own, which is no force on it
   std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
 };
 

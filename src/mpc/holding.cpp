@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/contact/loops.hpp"
 #include "dynamics/integration.hpp"
 
 namespace burnish {
+namespace {
+
+/// The robot without contacts but its loops, those with a little compliance for dead points.
+ContactDynamics at_rest_dynamics(const Model& model) {
+  if (model.loops.empty()) return ContactDynamics(model);
+  return ContactDynamics(model, loop_contacts(model, {0.0, 0.0}), {.mu = 1e-9});
+}
+
+}  // namespace
 
 Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
     : fallback_(spec.fallback),
@@ -14,20 +24,68 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       actuated_(std::move(actuated)),
       effort_(spec.problem.model.effort_limit),
       tree_(spec.problem.model),
-      free_(spec.problem.model),
+      has_loops_(!spec.problem.model.loops.empty()),
+      free_(at_rest_dynamics(spec.problem.model)),
+      weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
+      mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
       zero_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       q_hold_(spec.problem.initial_state.head(spec.problem.model.nq)),
       error_(zero_),
       stretch_(zero_),
-      pull_(zero_) {}
+      pull_(zero_) {
+  const auto count = static_cast<Eigen::Index>(actuated_.size());
+  mobility_ = inertia_ = Eigen::MatrixXd::Zero(count, count);
+  fall_ = Eigen::VectorXd::Zero(count);
+  factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
+}
 
 void Holding::reset() noexcept {
   blind_for_ = 0.0;
   holding_ = false;
 }
 
-const ContactDynamics* Holding::at_rest(const Eigen::VectorXd& q) noexcept {
-  return free_.forward(q, zero_, zero_) > Status::NotConverged ? nullptr : &free_;
+const Eigen::VectorXd* Holding::at_rest(const Eigen::VectorXd& q) noexcept {
+  const bool known = has_loops_ ? weigh_with_loops(q) : weigh_freely(q);
+  return known ? &weight_ : nullptr;
+}
+
+bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
+  if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
+  for (const int k : actuated_) {
+    weight_[k] = free_.bias()[k];
+    for (const int j : actuated_) mass_(k, j) = free_.mass_matrix()(k, j);
+  }
+  return true;
+}
+
+/// With a = a_0 + A tau of the closed mechanism the actuated entries move as a body of the inertia
+/// A_aa^-1 does, and -A_aa^-1 a_0 holds them.
+bool Holding::weigh_with_loops(const Eigen::VectorXd& q) noexcept {
+  if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
+  if (free_.forward_derivatives() > Status::NotConverged) return false;
+  const auto count = static_cast<Eigen::Index>(actuated_.size());
+  double trace = 0.0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int k = actuated_[static_cast<std::size_t>(i)];
+    fall_[i] = -free_.a()[k];
+    for (Eigen::Index j = 0; j < count; ++j)
+      mobility_(i, j) = free_.da_dtau()(k, actuated_[static_cast<std::size_t>(j)]);
+    trace += mobility_(i, i);
+  }
+  // Motors may be more than the degrees of freedom.
+  mobility_.diagonal().array() += 1e-9 * trace;
+  factor_.compute(mobility_);
+  if (factor_.info() != Eigen::Success) return false;
+  factor_.solveInPlace(fall_);
+  inertia_.setIdentity();
+  factor_.solveInPlace(inertia_);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int k = actuated_[static_cast<std::size_t>(i)];
+    weight_[k] = fall_[i];
+    for (Eigen::Index j = 0; j < count; ++j)
+      mass_(k, actuated_[static_cast<std::size_t>(j)]) = inertia_(i, j);
+  }
+  return weight_.allFinite() && mass_.allFinite();
 }
 
 void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
@@ -35,11 +93,10 @@ void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fr
   blind_for_ = fresh ? 0.0 : blind_for_ + tick_period_;
   tau.setZero();
   if (at_rest(q) == nullptr) return;
-  const auto mass = free_.mass_matrix();
   const bool held = stretch(q, fresh);
   for (const int k : actuated_) {
-    tau[k] = free_.bias()[k];
-    for (const int j : actuated_) tau[k] -= fallback_.damping * mass(k, j) * v[j];
+    tau[k] = weight_[k];
+    for (const int j : actuated_) tau[k] -= fallback_.damping * mass_(k, j) * v[j];
     if (held) tau[k] -= pull_[k];
   }
 }
@@ -52,14 +109,13 @@ bool Holding::stretch(const Eigen::VectorXd& q, bool fresh) noexcept {
     holding_ = true;
   }
   if (!holding_ || fallback_.stiffness == 0.0) return false;
-  const auto mass = free_.mass_matrix();
   difference_configuration(tree_, q_hold_.data(), q.data(), error_.data());
   stretch_.setZero();
   for (const int k : actuated_) stretch_[k] = error_[k];
   double share = 1.0;  // of the stretch, what stays
   for (const int k : actuated_) {
     pull_[k] = 0.0;
-    for (const int j : actuated_) pull_[k] += fallback_.stiffness * mass(k, j) * stretch_[j];
+    for (const int j : actuated_) pull_[k] += fallback_.stiffness * mass_(k, j) * stretch_[j];
     const double most = fallback_.give * effort_[k];
     // A joint without torque has no part in it.
     if (effort_[k] > 0.0 && std::abs(pull_[k]) > most)

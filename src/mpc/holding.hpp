@@ -1,6 +1,8 @@
 // What an MpcController sends after a fault: see Fallback.
 #pragma once
 
+#include <Eigen/Cholesky>
+
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "dynamics/tree.hpp"
@@ -18,18 +20,29 @@ class Holding {
   /// this tick.
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               Eigen::VectorXd& tau) noexcept;
-  /// b(q, 0), nv, Nm (N), that holds the robot still; null where it cannot be evaluated.
-  const ContactDynamics* at_rest(const Eigen::VectorXd& q) noexcept;
+  /// Torques of the actuated entries (nv, zero elsewhere; Nm, N) that hold the robot still: b(q,
+  /// 0), with what the other joints of a robot with loops lay on them. Null where they cannot be
+  /// evaluated.
+  const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
 
  private:
   bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;
+  bool weigh_freely(const Eigen::VectorXd& q) noexcept;
+  bool weigh_with_loops(const Eigen::VectorXd& q) noexcept;
 
   Fallback fallback_;
   double tick_period_, bridged_;  ///< s
   std::vector<int> actuated_;
   Eigen::VectorXd effort_;
   Tree tree_;
-  ContactDynamics free_;                                    ///< the robot without contacts
+  bool has_loops_;
+  ContactDynamics free_;  ///< the robot without contacts but its loops
+  /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
+  Eigen::VectorXd weight_;
+  Eigen::MatrixXd mass_;
+  Eigen::MatrixXd mobility_, inertia_;  ///< of the actuated entries alone, of a robot with loops
+  Eigen::VectorXd fall_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< nv, nq, nv, nv, nv
   double blind_for_ = 0.0;                                  ///< s without a good measurement
   bool holding_ = false;                                    ///< the spring has its q_hold_

@@ -13,8 +13,10 @@ namespace {
 /// Of specifications without one.
 struct NoTask final : MpcTask {};
 
-MpcSpec with_unit_normal(MpcSpec spec) {
+/// With a normal of length one, and the loops of the robot among the contacts.
+MpcSpec completed(MpcSpec spec) {
   spec.normal_world.normalize();
+  spec.problem = with_loops(std::move(spec.problem));
   return spec;
 }
 
@@ -39,7 +41,7 @@ DdpOptions roomy(const MpcSpec& spec) {
 
 MpcController::Impl::Impl(MpcSpec given)
     : ticks_per_update_(checked_ticks_per_update(given)),
-      spec(with_unit_normal(std::move(given))),
+      spec(completed(std::move(given))),
       task(task_of(spec)),
       problem(spec.problem),
       solver(problem, roomy(spec)),
@@ -207,11 +209,10 @@ bool MpcController::Impl::solve(double schedule_time) {
     horizon.guess_shifted(x_, solver, schedule_time);
     solver.shift_limits(horizon.knots_since(schedule_time));
   } else {
-    const ContactDynamics* const rest = holding_.at_rest(gate.last().q);
+    const Eigen::VectorXd* const rest = holding_.at_rest(gate.last().q);
     for (int i = 0; i < problem.layout().nu; ++i)
-      u_[i] = rest == nullptr
-                  ? 0.0
-                  : rest->bias()[problem.layout().actuated[static_cast<std::size_t>(i)]];
+      u_[i] =
+          rest == nullptr ? 0.0 : (*rest)[problem.layout().actuated[static_cast<std::size_t>(i)]];
     horizon.guess_rest(x_, u_);
   }
   warm_ = false;

@@ -55,6 +55,62 @@ void check_engine_has(const SurfaceSpec& surface) {
                 "contact: exact");
 }
 
+/// Points of a loop's frames that are to meet: one for a ball, two along the free axis for a hinge,
+/// three for a loop that holds everything. m, in the frames' axes.
+std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
+  constexpr double arm = 0.1;  // m
+  const Directions held = loop.directions;
+  const int turns = (held.has(3) ? 1 : 0) + (held.has(4) ? 1 : 0) + (held.has(5) ? 1 : 0);
+  if ((held.bits & Directions::linear().bits) != Directions::linear().bits || turns == 1)
+    throw Error("the MuJoCo plant holds loops at points that meet, and loop " +
+                in_quotes(loop.name) + " holds " + held.text() +
+                "; wanted x,y,z, or these with two or three of rx,ry,rz");
+  if (turns == 0) return {Eigen::Vector3d::Zero()};
+  if (turns == 3)
+    return {Eigen::Vector3d::Zero(), Eigen::Vector3d(arm, 0.0, 0.0),
+            Eigen::Vector3d(0.0, arm, 0.0)};
+  const int axis = !held.has(3) ? 0 : !held.has(4) ? 1 : 2;
+  return {-arm * Eigen::Vector3d::Unit(axis), arm * Eigen::Vector3d::Unit(axis)};
+}
+
+/// Connections of MuJoCo, whose points load_loops() puts in: the text would have the second one
+/// where the first is at the neutral posture, which need not close the loop.
+std::string connections_of(const Model& model) {
+  std::string text;
+  for (const Loop& loop : model.loops) {
+    const auto body = [&](const std::string& frame) {
+      return body_name(model.frames[static_cast<std::size_t>(model.frame_index(frame))].body);
+    };
+    for (std::size_t i = 0; i < points_of(loop).size(); ++i)
+      text += "<connect body1=\"" + body(loop.first) + "\" body2=\"" + body(loop.second) +
+              "\" anchor=\"0 0 0\"/>\n";
+  }
+  return text;
+}
+
+/// The points of connections in their bodies, and how they come back from drift, as the ideal
+/// plant's loops do. `first`: the number of the first one among the equalities.
+void load_loops(const Model& model, int first, mjModel& m) {
+  constexpr mjtNum d = mjMAXIMP, kp = 1e4, kd = 200.0;  // -, 1/s^2, 1/s
+  int i = first;
+  for (const Loop& loop : model.loops)
+    for (const Eigen::Vector3d& point : points_of(loop)) {
+      mjtNum* data = m.eq_data + mjNEQDATA * i;
+      for (const std::string& name : {loop.first, loop.second}) {
+        const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(name))];
+        const Eigen::Vector3d at = frame.placement * point;
+        mju_copy3(data, at.data());
+        data += 3;
+      }
+      mjtNum* solref = m.eq_solref + mjNREF * i;
+      solref[0] = -kp;
+      solref[1] = -kd;
+      const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
+      mju_copy(m.eq_solimp + mjNIMP * i, constant, mjNIMP);
+      ++i;
+    }
+}
+
 /// Tip and surface meet each other and nothing else.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
@@ -76,8 +132,9 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
-  // Room for friction and limits of every entry, for followers and for contacts.
-  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 40;
+  // Room for friction and limits of every entry, for followers, loops and contacts.
+  const auto rows =
+      4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 9 * model.loops.size() + 40;
   result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"8\"/>\n<equality>\n";
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const auto& follows = model.joints[i].follows;
@@ -86,7 +143,7 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                        joint_name(follows->leader) + "\" polycoef=\"" +
                        numbers(follows->offset, follows->multiplier, 0.0, 0.0, 0.0) + "\"/>\n";
   }
-  result.sections += "</equality>\n";
+  result.sections += connections_of(model) + "</equality>\n";
   return result;
 }
 
@@ -121,14 +178,17 @@ void load_joint_friction(const Model& model, const Coordinates& coordinates, mjM
   }
 }
 
-/// Followers accelerate as their leaders do; the plant puts them back after each step.
-void load_followers(mjModel& m) {
+/// Followers accelerate as their leaders do; the plant puts them back after each step. How many
+/// there are: they are the first of the equalities.
+int load_followers(mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
-  for (int i = 0; i < m.neq; ++i) {
+  int i = 0;
+  for (; i < m.neq && m.eq_type[i] == mjEQ_JOINT; ++i) {
     mju_zero(m.eq_solref + mjNREF * i, mjNREF);
     const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
     mju_copy(m.eq_solimp + mjNIMP * i, constant, mjNIMP);
   }
+  return i;
 }
 
 }  // namespace
@@ -148,11 +208,11 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
   if (own_contact) check_engine_has(scene.surface);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
-  load_followers(*m);
+  load_loops(model, load_followers(*m), *m);
   load_contact(scene.surface, options, *m, surface_geom, tip_geom);
 }
 
-void Engine::stiffen_followers() const {
+void Engine::stiffen_equalities() const {
   // MuJoCo's own bound on the impedance would let them lag by 1e-4 of the acceleration.
   constexpr mjtNum softer = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {

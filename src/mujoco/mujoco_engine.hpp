@@ -19,8 +19,9 @@ struct Engine {
   int tip_geom, surface_geom, tip_site, tip_body;
   bool own_contact;  ///< MujocoContact::Engine
 
-  /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders to 1e-8.
-  void stiffen_followers() const;
+  /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders,
+  /// and loops together, to 1e-8 of the acceleration.
+  void stiffen_equalities() const;
 
   /// Lets tip and surface collide at the configuration in `d` where there is surface under the tip,
   /// and only there; `in_contact`: whether they touched in the step before. To be called before

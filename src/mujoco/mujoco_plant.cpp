@@ -107,7 +107,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   store_moment(before_.data());
   engine_.meet_where_there_is_surface(in_contact_);
   mj_fwdPosition(m, d);
-  engine_.stiffen_followers();
+  engine_.stiffen_equalities();
   mj_fwdVelocity(m, d);
   load_forces(tau, push_world);
   mj_fwdActuation(m, d);

@@ -4,8 +4,10 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/model/state.hpp"
 #include "model/followers.hpp"
+#include "model/loops.hpp"
 #include "ocp/compiled_problem.hpp"
 
 namespace burnish::ocp {
@@ -29,8 +31,7 @@ StateLayout make_layout(const ProblemSpec& spec) {
     add(joint);
   }
   if (spec.actuation.joints.empty())
-    for (const Joint& joint : spec.model.joints)
-      if (joint.kind != JointKind::FreeFlyer) add(joint);
+    for (const Joint* joint : driven_joints(spec.model, spec.actuation)) add(*joint);
   layout.nu = static_cast<int>(layout.actuated.size());
   if (layout.nu == 0) throw Error("actuation: no joint is driven; wanted at least one");
   if (spec.torque_model) layout.filtered = layout.nu;
@@ -79,6 +80,12 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
                 ")");
   check_configuration(spec.model, x.head(layout.nq), "initial_state");
   check_tangent(spec.model, x.segment(layout.nq, layout.nv), "initial_state");
+  for (const LoopMiss& miss : loop_misses(spec.model, x.head(layout.nq))) {
+    const LoopDistance distance{miss.translation, miss.rotation};
+    if (!distance.closes())
+      throw Error("initial_state leaves loop " + in_quotes(miss.loop) + " open by " +
+                  distance.text() + "; wanted a posture that project_onto_loops() closes");
+  }
   if (!x.allFinite())
     throw Error("initial_state holds a NaN or an infinity in its torques or forces");
 }

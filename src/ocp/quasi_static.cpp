@@ -1,5 +1,6 @@
 #include "base/decomposition.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "ocp/problem_impl.hpp"
 
@@ -29,20 +30,27 @@ Problem::QuasiStatic Problem::quasi_static(int stage, const ConstVectorRef& x,
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(l.nv);
   const Status status = dynamics.acceleration(x.head(l.nq), zero, zero);
   if (status != Status::Ok) throw Error("quasi_static: " + std::string(describe(status)));
-  const int rows = dynamics.rows();
+  // Loops stand behind the other contacts, and what they carry is never prescribed unless stated.
+  int rows = dynamics.rows();
+  int loops = 0;
+  for (int c = 0; c < compiled.contacts.size(); ++c) {
+    const CompiledContact& contact = compiled.contacts.contacts()[static_cast<std::size_t>(c)];
+    const bool counts = dynamics.is_active(c) && is_loop(compiled.model, contact.spec);
+    loops = counts ? loops + static_cast<int>(contact.directions.size()) : 0;
+  }
+  const bool loops_are_free = force.size() != 0 && force.size() == rows - loops;
+  if (loops_are_free) rows -= loops;
   if (force.size() != 0 && force.size() != rows)
     throw Error("quasi_static: force has " + std::to_string(force.size()) + " entries; wanted " +
                 std::to_string(rows));
   // S^T u + J^T lambda = b(q, 0) - bias - torque of springs.
-  const int unknown = l.nu + (force.size() == 0 ? rows : 0);
+  const int free = force.size() == 0 ? rows : loops_are_free ? loops : 0;
+  const int unknown = l.nu + free;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(l.nv, unknown);
   for (int i = 0; i < l.nu; ++i) A(l.actuated[static_cast<std::size_t>(i)], i) = 1.0;
   Eigen::VectorXd b = dynamics.bias() - ocp::torque_at_rest(compiled, x.head(l.nq));
-  if (force.size() == 0) {
-    A.rightCols(rows) = dynamics.jacobian().transpose();
-  } else {
-    b -= dynamics.jacobian().transpose() * force;
-  }
+  A.rightCols(free) = dynamics.jacobian().bottomRows(free).transpose();
+  if (force.size() != 0) b -= dynamics.jacobian().topRows(rows).transpose() * force;
   const Eigen::VectorXd solution = least_squares(A, b);
   QuasiStatic result;
   result.control = solution.head(l.nu);

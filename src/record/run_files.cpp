@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/whole_file.hpp"
+#include "burnish/contact/loops.hpp"
 #include "record/json_text.hpp"
 #include "record/mesh_file.hpp"
 #include "record/run_folder.hpp"
@@ -83,7 +84,7 @@ std::optional<PageFault> page_fault(const FaultReport& fault) {
 RobotDrawing drawing_of(const Robot& robot, const std::string& name, const Eigen::VectorXd& q) {
   RobotDrawing drawing{.model = robot.model, .q = q};
   for (const auto& [posture, values] : robot.postures)
-    drawing.postures[posture] = configuration(robot.model, values);
+    drawing.postures[posture] = closed_configuration(robot.model, values);
   drawing.meshes = load_meshes(robot.model, robot_folder(name));
   return drawing;
 }

@@ -12,8 +12,10 @@
 
 #include "base/findings.hpp"
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/urdf/urdf.hpp"
+#include "model/loops.hpp"
 #include "robots/description.hpp"
 #include "robots/known_robots.hpp"
 #include "robots/robot_settings.hpp"
@@ -254,6 +256,14 @@ void take_over(TreeSpec& tree, RobotSettings& settings) {
   }
 }
 
+/// Loops of the settings, in the place of those of the description that have their names.
+void put_loops(const std::vector<LoopSpec>& loops, TreeSpec& tree) {
+  for (const LoopSpec& loop : loops) {
+    std::erase_if(tree.loops, [&](const LoopSpec& other) { return other.name == loop.name; });
+    tree.loops.push_back(loop);
+  }
+}
+
 /// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
 std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
                                   RobotSettings& settings, Findings& findings) {
@@ -275,7 +285,7 @@ std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
 void drop_bad_postures(const std::vector<std::string>& names, Robot& robot, Findings& findings) {
   for (const std::string& name : names) {
     try {
-      configuration(robot.model, robot.postures.at(name));
+      closed_configuration(robot.model, robot.postures.at(name));
     } catch (const Error& error) {
       findings.warn("posture " + in_quotes(name) + ": " + error.what() +
                     "; this posture is left out");
@@ -291,6 +301,43 @@ void check_postures(const Robot& robot, const std::string& origin) {
       configuration(robot.model, posture);
     } catch (const Error& error) {
       refuse(origin, "posture " + in_quotes(name) + ": " + error.what());
+    }
+  }
+}
+
+/// Whether the posture has a value for every joint that moves.
+bool names_every_joint(const Model& model, const Posture& posture) {
+  return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+    return joint.follows || joint.kind == JointKind::FreeFlyer || posture.contains(joint.name);
+  });
+}
+
+/// Postures that leave loops open: those that cannot be closed are refused, those of values for all
+/// joints that miss are odd.
+void check_loops_closed(const Robot& robot, Findings& findings) {
+  if (robot.model.loops.empty()) return;
+  if (robot.default_posture.empty()) {
+    try {
+      closed_configuration(robot.model, {});
+    } catch (const Error& error) {
+      findings.problem("neutral posture: " + std::string(error.what()) +
+                       "; state a default_posture that is near to one which closes it");
+    }
+  }
+  for (const auto& [name, posture] : robot.postures) {
+    const std::string what = "posture " + in_quotes(name) + ": ";
+    try {
+      closed_configuration(robot.model, posture);
+    } catch (const Error& error) {
+      findings.problem(what + error.what());
+      continue;
+    }
+    if (!names_every_joint(robot.model, posture)) continue;
+    for (const LoopMiss& miss : loop_misses(robot.model, configuration(robot.model, posture))) {
+      const LoopDistance distance{miss.translation, miss.rotation};
+      if (!distance.closes())
+        findings.warn(what + "its values leave loop " + in_quotes(miss.loop) + " open by " +
+                      distance.text() + "; joints are moved so that it closes");
     }
   }
 }
@@ -318,13 +365,13 @@ std::optional<fs::path> robots_beside_the_library() {
 
 Eigen::VectorXd Robot::posture(const std::string& name) const {
   const auto found = postures.find(name);
-  if (found != postures.end()) return configuration(model, found->second);
+  if (found != postures.end()) return closed_configuration(model, found->second);
   refuse("robot " + in_quotes(model.name),
          "posture " + in_quotes(name) + " does not exist" + did_you_mean(name, keys_of(postures)));
 }
 
 Eigen::VectorXd Robot::reference_configuration() const {
-  return default_posture.empty() ? model.q_neutral : posture(default_posture);
+  return default_posture.empty() ? closed_configuration(model, {}) : posture(default_posture);
 }
 
 bool is_robot_path(const std::string& name) {
@@ -364,6 +411,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   take_over(tree, settings);
   for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
   for (const auto& [joint, figures] : settings.joints) set_figures(tree, joint, figures, origin);
+  put_loops(settings.loops, tree);
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
@@ -380,9 +428,15 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
     robot.default_posture = *settings.default_posture;
   }
   check_postures(robot, origin);
+  Findings of_loops(origin);
+  check_loops_closed(robot, of_loops);
+  of_loops.refuse_problems();
   if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
+  if (overrides.strict) refuse_warnings(of_loops.origin(), of_loops.warnings());
   robot.warnings = robot.model.warnings;
   robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
+  robot.warnings.insert(robot.warnings.end(), of_loops.warnings().begin(),
+                        of_loops.warnings().end());
   return robot;
 }
 

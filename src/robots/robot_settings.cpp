@@ -21,6 +21,27 @@ FrameSpec read_frame(const std::string& name, const Reader& reader) {
   return frame;
 }
 
+/// {between: [link, link], first: placement, second: placement, directions: [x, y, z]}.
+LoopSpec read_loop(const std::string& name, const Reader& reader) {
+  reader.allow_only({"between", "first", "second", "directions"});
+  LoopSpec loop;
+  loop.name = name;
+  const std::vector<std::string> links = reader["between"].texts();
+  if (links.size() != 2)
+    reader["between"].refuse("it has " + std::to_string(links.size()) +
+                             " entries; wanted two links, one of which may be 'world'");
+  loop.first_link = links[0];
+  loop.second_link = links[1];
+  if (const auto first = reader.find("first")) loop.first = document::read_placement(*first);
+  if (const auto second = reader.find("second")) loop.second = document::read_placement(*second);
+  if (const auto directions = reader.find("directions")) {
+    std::string words;
+    for (const std::string& word : directions->texts()) words += (words.empty() ? "" : ",") + word;
+    loop.directions = directions->named([&] { return Directions::parse(words); });
+  }
+  return loop;
+}
+
 Posture read_posture(const Reader& reader) {
   Posture posture;
   for (const auto& [joint, value] : reader.items()) {
@@ -77,7 +98,7 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
   std::vector<std::string> keys{
       "urdf",           "mjcf",   "srdf",   "description", "base",
       "base_placement", "lock",   "free",   "posture",     "default_posture",
-      "postures",       "frames", "limits", "joints"};
+      "postures",       "frames", "limits", "joints",      "loops"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
@@ -112,7 +133,23 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
   if (const auto joints = reader.find("joints"))
     for (const auto& [joint, figures] : joints->items())
       settings.joints[joint] = read_figures(figures);
+  if (const auto loops = reader.find("loops"))
+    for (const auto& [name, loop] : loops->items()) settings.loops.push_back(read_loop(name, loop));
   return settings;
+}
+
+/// Puts what has a name in the place of that which has the same, or behind the others.
+template <class Named>
+void replace_or_add(const std::vector<Named>& added, std::vector<Named>& all) {
+  for (const Named& entry : added) {
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&](const Named& other) { return other.name == entry.name; });
+    if (same != all.end()) {
+      *same = entry;
+    } else {
+      all.push_back(entry);
+    }
+  }
 }
 
 }  // namespace
@@ -153,15 +190,8 @@ RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
   for (const auto& [name, posture] : variant.postures) common.postures[name] = posture;
   for (const auto& [joint, limits] : variant.limits) common.limits[joint] = limits;
   for (const auto& [joint, figures] : variant.joints) common.joints[joint] = figures;
-  for (const FrameSpec& frame : variant.frames) {
-    const auto same = std::find_if(common.frames.begin(), common.frames.end(),
-                                   [&](const FrameSpec& f) { return f.name == frame.name; });
-    if (same != common.frames.end()) {
-      *same = frame;
-    } else {
-      common.frames.push_back(frame);
-    }
-  }
+  replace_or_add(variant.frames, common.frames);
+  replace_or_add(variant.loops, common.loops);
   return common;
 }
 

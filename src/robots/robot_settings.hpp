@@ -37,6 +37,7 @@ struct RobotSettings {
   std::vector<FrameSpec> frames;  ///< in the order of the file
   std::map<std::string, JointLimits> limits;
   std::map<std::string, JointFigures> joints;
+  std::vector<LoopSpec> loops;  ///< in the order of the file
 };
 
 struct RobotSettingsFile {

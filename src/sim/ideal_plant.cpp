@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
@@ -49,11 +50,18 @@ ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options)
   return spec;
 }
 
+/// That of the surface first, then the loops of the robot, which always hold.
+std::vector<ContactSpec> contacts_of(const Model& model, const SceneSpec& scene,
+                                     const IdealPlantOptions& options) {
+  return with_loops(model, {contact_of(scene, options)},
+                    {options.stabilize_kp, options.stabilize_kd});
+}
+
 /// The state and its rates at the stages of a step.
 struct Workspace {
   explicit Workspace(const Model& model)
       : q(model.q_neutral), tau(Eigen::VectorXd::Zero(model.nv)) {
-    for (Eigen::VectorXd* x : {&v, &u, &rate, &u_sum, &a_sum, &v_free, &response, &total})
+    for (Eigen::VectorXd* x : {&v, &u, &rate, &u_sum, &a_sum, &v_free, &response, &normal, &total})
       *x = Eigen::VectorXd::Zero(model.nv);
     M = Eigen::MatrixXd::Zero(model.nv, model.nv);
   }
@@ -62,7 +70,7 @@ struct Workspace {
   Eigen::VectorXd u_sum, a_sum;  ///< weighted over the stages
   Eigen::VectorXd tau;           ///< of the step, pushes and friction included
   Eigen::VectorXd total;         ///< of a moment, springs too
-  Eigen::VectorXd v_free, response;
+  Eigen::VectorXd v_free, response, normal;
   Eigen::MatrixXd M;
 };
 
@@ -94,6 +102,8 @@ class IdealPlant final : public Plant {
   Status integrate(double h);
   Status stage(double h, double weight);
   Status make_contact();
+  Status respond_freely();
+  Status respond_with_loops();
   double gap_at(const Eigen::VectorXd& q);
   bool has_friction() const;
   void report(double normal_force);
@@ -137,7 +147,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       scene_(checked_scene(model, scene)),
       options_((check(options), check_surface(scene_), options)),
       axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
-      dynamics_(model, {contact_of(scene_, options)}),
+      dynamics_(model, contacts_of(model, scene_, options)),
       body_(model),
       tip_(body_.frame(scene_.tip.frame)),
       coulomb_(model.nv),
@@ -320,15 +330,35 @@ Status IdealPlant::make_contact() {
   set_touching(true);
   const Status status = forward(q_, v_);
   if (status > Status::NotConverged) return status;
-  const auto normal = dynamics_.jacobian().row(0);
+  work_.normal = dynamics_.jacobian().row(0);
+  work_.response = work_.normal;
+  const Status answered = model_.loops.empty() ? respond_freely() : respond_with_loops();
+  if (answered > Status::NotConverged) return answered;
+  const double inverse_mass = work_.normal.dot(work_.response);
+  if (!(inverse_mass > 0.0)) return Status::SingularContacts;
+  impulse_ = std::max(-work_.normal.dot(v_) / inverse_mass, 0.0);
+  v_ += impulse_ * work_.response;
+  return status;
+}
+
+/// work_.response <- M^-1 work_.response
+Status IdealPlant::respond_freely() {
   work_.M = dynamics_.mass_matrix();
-  work_.response = normal.transpose();
   factor_.compute(work_.M);
   factor_.solveInPlace(work_.response);
-  const double inverse_mass = normal.dot(work_.response);
-  if (factor_.info() != Eigen::Success || !(inverse_mass > 0.0)) return Status::SingularContacts;
-  impulse_ = std::max(-normal.dot(v_) / inverse_mass, 0.0);
-  v_ += impulse_ * work_.response;
+  return factor_.info() == Eigen::Success ? Status::Ok : Status::SingularContacts;
+}
+
+/// The same with the impulses in the loops that go with it, from da/dtau without the surface.
+Status IdealPlant::respond_with_loops() {
+  set_touching(false);
+  Status status = dynamics_.forward(q_, v_, work_.tau);
+  if (status <= Status::NotConverged) status = worst(status, dynamics_.forward_derivatives());
+  if (status <= Status::NotConverged) {
+    work_.response.setZero();
+    add_product(1.0, dynamics_.da_dtau(), work_.normal, work_.response);
+  }
+  set_touching(true);
   return status;
 }
 

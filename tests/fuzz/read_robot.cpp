@@ -12,7 +12,7 @@ namespace {
 const TreeSpec& description(const std::string& urdf) {
   static const auto trees = [] {
     std::map<std::string, TreeSpec> result;
-    for (const char* name : {"arm7", "crane", "pendulum", "quadruped", "talos"}) {
+    for (const char* name : {"arm7", "crane", "four_bar", "pendulum", "quadruped", "talos"}) {
       const std::string file = std::string(name) + ".urdf";
       result[file] = read_urdf(std::filesystem::path(BURNISH_ROBOTS_DIR) / name / file);
     }

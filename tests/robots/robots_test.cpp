@@ -33,6 +33,9 @@ const std::vector<Expected> robots{
     {"quadruped", 6 + 12, 20.0, "standing", {"fl_foot", "rr_foot"}},
     {"crane", 10, 157.74, "work", {"left_tip", "right_tip"}},
     {"crane:left_only", 6, 157.74, "work", {"left_tip", "right_tip"}},
+    {"four_bar", 3, 1.4, "start", {"tool"}},
+    {"parallel_ankle", 9, 4.7071429, "bent", {"tool", "sole"}},
+    {"gripper", 5, 0.2, "half_open", {"tool", "right_tip"}},
     {"crane:floating", 6 + 10, 477.74, "afloat", {"left_tip", "right_tip"}},
 };
 

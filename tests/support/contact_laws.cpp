@@ -22,6 +22,7 @@ const std::vector<LawRobot>& law_robots() {
       all = {{"talos:right_arm", "tool", "torso_2_link"},
              {"talos", "right_sole_link", "left_sole_link", Base::FreeFlyer},
              {"arm7", "tool", "link_1"},
+             {"parallel_ankle", "left_ball/second", "left_ball/first"},
              {"crane", "left_tip", "right_tip"}};
     for (const BuiltRobot& built : built_robots())
       all.push_back({built.name, built.tool, built.other_tool, built.usual});

@@ -21,7 +21,7 @@ struct CheckGains {
 };
 
 /// The frame named "tool" if it moves, or else the last frame of the model that is fixed to a body
-/// without children. Throws Error if no frame moves.
+/// without children and is not a loop's. Throws Error if no frame moves.
 std::string default_tool(const Model& model);
 
 /// What the sweep tries unless told otherwise.
@@ -104,6 +104,8 @@ struct CheckReport {
 /// with differences of the values in the tangent space. By q, central differences at three steps
 /// are extrapolated (Richardson), again at smaller steps where the three disagree. By v the values
 /// are quadratic and by tau, a and lambda linear, so that one central difference is exact.
+///
+/// The loops of the robot hold in every row.
 ///
 /// What the rounding of large sums can do to a difference of their values is no error: with torques
 /// that cancel, or where the values are zero.

@@ -91,6 +91,16 @@ struct Visual {
   Eigen::Vector4d rgba;
 };
 
+/// Two frames tied to each other along some directions, which closes a chain (LoopSpec): motion of
+/// the second seen from the first, in the first one's axes. contact/loops.hpp makes contacts of
+/// them.
+struct Loop {
+  std::string name;
+  std::string first;   ///< frame of the model, NAME/first
+  std::string second;  ///< frame of the model, NAME/second
+  Directions directions;
+};
+
 enum class Base { Fixed, FreeFlyer };
 
 /// How a TreeSpec becomes a Model.
@@ -118,6 +128,7 @@ struct Model {
   std::vector<Joint> joints;  ///< depth-first, children in the order of joint names
   std::vector<Frame> frames;
   std::vector<Visual> visuals;
+  std::vector<Loop> loops;  ///< that the description closes, in its order
   int nq = 0;
   int nv = 0;
   Eigen::Vector3d gravity;
@@ -173,6 +184,11 @@ struct Model {
 /// figures are rounded; what vanishes beside mass x (1 cm)^2 is rounding too); joints that move no
 /// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass;
 /// position limits of a ball and springs in planar and floating joints, which are passed over.
+///
+/// A loop adds two frames, NAME/first and NAME/second, that hang on its links or stand in the
+/// world. Refused are loops without a name, directions or known links, two of one name, and one of
+/// a link with itself. Where a loop's links are one body, because joints are fixed or locked, it is
+/// dropped if they meet there to 1 mm and 0.1 degrees along its directions, and refused otherwise.
 ///
 /// Position limits count for revolute and prismatic joints only; the other limits, damping,
 /// friction and armature of a planar, floating or ball joint hold for each of its entries.

@@ -77,7 +77,8 @@ class Problem final : public ShootingProblem {
     Eigen::VectorXd force;    ///< rows of the stage's contacts, N and Nm
     double residual = 0.0;    ///< largest torque that nothing balances, Nm
   };
-  /// `force`, when not empty, prescribes the contact forces, and only the control is free.
+  /// `force`, when not empty, prescribes the contact forces, and only the control is free; without
+  /// rows for the robot's loops those carry what they must.
   /// References that turn are as at the first knot of the stage.
   QuasiStatic quasi_static(int stage, const ConstVectorRef& x,
                            const Eigen::VectorXd& force = {}) const;

@@ -105,7 +105,8 @@ struct TorqueModel {
 
 /// Which joints are driven.
 struct ActuationSpec {
-  /// Empty: every joint but a free-flying base.
+  /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
+  /// that is an effort limit above zero.
   std::vector<std::string> joints = {};
   /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
   /// its springs and tendons.
@@ -137,7 +138,9 @@ inline constexpr std::size_t max_knots = 100'000;
 
 struct ProblemSpec {
   Model model;
-  std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose
+  /// All contacts of the problem, of which stages choose. Those of the robot's loops need not be
+  /// among them: with_loops().
+  std::vector<ContactSpec> contacts = {};
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
@@ -154,5 +157,14 @@ struct ProblemSpec {
   Eigen::VectorXd initial_state = {};
   double start_time = 0.0;  ///< s, of the first knot
 };
+
+/// The problem with the loops of its robot among the contacts, held in every stage: what a Problem
+/// compiles. Those that are stated already are left as they are; others have the gains of
+/// LoopGains::for_step at the longest step. Throws Error where a contact that is none has a loop's
+/// name.
+ProblemSpec with_loops(ProblemSpec spec);
+
+/// Joints that the problem drives.
+std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec& actuation);
 
 }  // namespace burnish

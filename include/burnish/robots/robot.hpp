@@ -19,9 +19,11 @@ struct Robot {
   /// What is odd about its files but computes, one sentence each: those of the model and others.
   std::vector<std::string> warnings;
 
-  /// Configuration of a named posture. Throws Error with the nearest known name.
+  /// Configuration of a named posture; of a robot with loops one that closes them
+  /// (closed_configuration() in contact/loops.hpp). Throws Error with the nearest known name, and
+  /// where loops cannot be closed.
   Eigen::VectorXd posture(const std::string& name) const;
-  /// The default posture, or the neutral configuration when there is none.
+  /// The default posture, or the neutral configuration when there is none, with loops closed.
   Eigen::VectorXd reference_configuration() const;
 };
 
@@ -63,16 +65,21 @@ struct RobotOverrides {
 ///     postures: {name: {joint: value or list of values, ...}, ...}
 ///     frames: {name: {parent: frame, xyz: [0, 0, 0], rpy: [0, 0, 0]}, ...}
 ///     limits: {joint: {lower: -1, upper: 1, velocity: 2, effort: 40}, ...}  # before the URDF's
+///     loops: {name: {between: [link, link], first: {xyz: [0, 0, 0]}, second: {xyz: [0, 0, 0]},
+///                    directions: [x, y, z]}, ...}  # that close chains; placements are in the
+///                    links
 ///     srdf: talos.srdf                 # its group_states are postures too
 ///     variants: {name: {any of the keys above}, ...}
 ///
 /// Frames, postures and gravity of an MJCF file are the robot's; what settings state goes before,
 /// and without a default posture there that is the file's "home", or else how it draws the robot.
 /// Without settings the SRDF file beside a URDF file, or in ../srdf, that has its name is read; the
-/// postures of the settings go before those of an SRDF file.
+/// postures of the settings go before those of an SRDF file. Loops of the settings go before those
+/// of the description that have their names. Where the values of a posture leave a loop open by
+/// more than 1 mm or 0.1 degrees, a warning says so, unless it leaves joints to close it with.
 ///
-/// A variant's keys replace those of the file; its postures, frames and limits are added, replacing
-/// those of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
+/// A variant's keys replace those of the file; its postures, frames, limits and loops are added,
+/// replacing those of the same name; its `lock` or `free` replaces the file's `lock` and `free`.
 Robot load_robot(const std::string& name, const RobotOverrides& overrides = {});
 
 /// Folders searched for robots by name, in order.

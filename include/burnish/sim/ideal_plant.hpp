@@ -7,6 +7,7 @@
 // plastic impact at the moment when the tip reaches the surface, and broken when the surface would
 // have to pull. Friction of joints and tip holds over a step, chosen so that the velocity at its
 // end is one that Coulomb's law allows; the tip's law uses the normal force of the step before.
+// Loops of the robot hold throughout, with the gains of the surface's gap against drift.
 #pragma once
 
 #include <memory>
@@ -18,7 +19,7 @@ namespace burnish {
 struct IdealPlantOptions {
   double dt = 5e-4;           ///< s
   double tip_viscous = 0.0;   ///< Ns/m, against the contact point's sliding, besides Coulomb
-  double stabilize_kp = 1e4;  ///< 1/s^2, on the gap while in contact
+  double stabilize_kp = 1e4;  ///< 1/s^2, on the gap while in contact, and on loops
   double stabilize_kd = 200;  ///< 1/s, on its rate
 };
 

@@ -1,0 +1,42 @@
+// What a robot's loops mean for a problem: contacts that every stage holds, joints without motors.
+#include <algorithm>
+
+#include "burnish/contact/loops.hpp"
+#include "burnish/ocp/problem_spec.hpp"
+
+namespace burnish {
+
+ProblemSpec with_loops(ProblemSpec spec) {
+  if (spec.model.loops.empty()) return spec;
+  double step = 0.0;
+  for (const Stage& stage : spec.stages)
+    if (!stage.impact && stage.step > step) step = stage.step;
+  const LoopGains gains = step > 0.0 ? LoopGains::for_step(step) : LoopGains();
+  spec.contacts = with_loops(spec.model, std::move(spec.contacts), gains);
+  for (const ContactSpec& contact : spec.contacts) {
+    if (!is_loop(spec.model, contact)) continue;
+    for (Stage& stage : spec.stages)
+      if (std::find(stage.contacts.begin(), stage.contacts.end(), contact.name) ==
+          stage.contacts.end())
+        stage.contacts.push_back(contact.name);
+  }
+  return spec;
+}
+
+std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec& actuation) {
+  std::vector<const Joint*> result;
+  for (const std::string& name : actuation.joints)
+    result.push_back(&model.joints[static_cast<std::size_t>(model.joint_index(name))]);
+  if (!actuation.joints.empty()) return result;
+  for (const Joint& joint : model.joints) {
+    if (joint.kind == JointKind::FreeFlyer || joint.follows) continue;
+    // Descriptions of chains often state no effort where they mean no limit; in a mechanism most
+    // joints are hinges.
+    const auto effort = model.effort_limit.segment(joint.v_index, joint.nv);
+    if (!model.loops.empty() && effort.isZero(0.0)) continue;
+    result.push_back(&joint);
+  }
+  return result;
+}
+
+}  // namespace burnish

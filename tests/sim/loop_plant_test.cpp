@@ -1,0 +1,199 @@
+// Robots with loops as plants, and in closed loop with a controller that plans.
+#include <gtest/gtest.h>
+
+#include "burnish/contact/loops.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#ifdef BURNISH_HAS_MUJOCO
+#include "burnish/mujoco/mujoco_plant.hpp"
+#endif
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+using Eigen::VectorXd;
+
+struct LoopPlantKind {
+  std::string name;
+  std::unique_ptr<Plant> (*make)(const Model&, const SceneSpec&);
+  double drift;  ///< m
+};
+void PrintTo(const LoopPlantKind& kind, std::ostream* out) { *out << kind.name; }
+
+std::vector<LoopPlantKind> loop_plants() {
+  std::vector<LoopPlantKind> result{
+      {"ideal", [](const Model& m, const SceneSpec& s) { return make_ideal_plant(m, s); }, 1e-6}};
+#ifdef BURNISH_HAS_MUJOCO
+  result.push_back({"mujoco",
+                    [](const Model& m, const SceneSpec& s) {
+                      return make_mujoco_plant(m, s, {.joint_stops = false});
+                    },
+                    1e-4});
+#endif
+  return result;
+}
+
+Robot loop_robot(const std::string& name) {
+  return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name);
+}
+
+SceneSpec far_below() {
+  SceneSpec scene;
+  scene.tip.frame = "tool";
+  scene.surface.point.z() = -100.0;
+  return scene;
+}
+
+double worst_miss(const Model& model, const VectorXd& q) {
+  double worst = 0.0;
+  for (const LoopMiss& miss : loop_misses(model, q))
+    worst = std::max({worst, miss.translation, miss.rotation});
+  return worst;
+}
+
+class LoopPlant : public ::testing::TestWithParam<LoopPlantKind> {};
+
+TEST_P(LoopPlant, moves_as_the_model_says) {
+  for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
+    const Robot robot = loop_robot(name);
+    const Model model = plant_model(robot.model, {});
+    const auto plant = GetParam().make(model, far_below());
+    ContactDynamics dynamics(model, loop_contacts(model));
+    const VectorXd q = robot.reference_configuration();
+    std::mt19937_64 generator(5);
+    const VectorXd v =
+        project_velocity_onto_loops(model, q, random_vector(model.nv, 0.3, generator));
+    const VectorXd tau = random_vector(model.nv, 0.5, generator);
+    ASSERT_EQ(plant->reset(q, v), Status::Ok);
+    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(dynamics.forward(q, v, tau), Status::Ok);
+    const VectorXd a = (plant->v() - v) / plant->dt();
+    EXPECT_LE((a - dynamics.a()).norm(), 0.03 * dynamics.a().norm()) << name;
+  }
+}
+
+TEST_P(LoopPlant, keeps_its_loops_closed_while_it_swings) {
+  for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
+    const Robot robot = loop_robot(name);
+    const Model model = plant_model(robot.model, {});
+    const auto plant = GetParam().make(model, far_below());
+    const VectorXd q = robot.reference_configuration(), rest = VectorXd::Zero(model.nv);
+    ASSERT_EQ(plant->reset(q, rest), Status::Ok);
+    double worst = 0.0;
+    while (plant->time() < 2.0) {
+      // Motors that brake: without them a leg falls through its dead points.
+      const VectorXd tau = -(model.effort_limit.array() > 0.0).select(0.5 * plant->v(), 0.0);
+      ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged) << name;
+      worst = std::max(worst, worst_miss(model, plant->q()));
+    }
+    EXPECT_LT(worst, GetParam().drift) << name;
+    EXPECT_GT((plant->q() - q).norm(), 0.1) << name << ": nothing moved";
+  }
+}
+
+TEST_P(LoopPlant, meets_a_surface_with_its_loops) {
+  const Robot robot = loop_robot("parallel_ankle");
+  const Model model = plant_model(robot.model, {});
+  SceneSpec scene = far_below();
+  const VectorXd q = robot.reference_configuration();
+  scene.tip.radius = 0.01;
+  scene.surface.point.z() = frame_placement(model, q, "tool").translation().z() - 0.012;
+  scene.surface.friction = 0.0;
+  const auto plant = GetParam().make(model, scene);
+  ASSERT_EQ(plant->reset(q, VectorXd::Zero(model.nv)), Status::Ok);
+  bool touched = false;
+  double worst = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const VectorXd tau = -(model.effort_limit.array() > 0.0).select(2.0 * plant->v(), 0.0);
+    ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged);
+    touched = touched || plant->in_contact();
+    worst = std::max(worst, worst_miss(model, plant->q()));
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_LT(worst, 2.0 * GetParam().drift);
+}
+
+/// Tracks a posture of the crank, from another one, with plans 0.3 s long.
+MpcSpec tracking(const Robot& robot, const VectorXd& q, double to) {
+  MpcSpec spec;
+  spec.problem.model = robot.model;
+  const Model& model = robot.model;
+  spec.problem.initial_state = VectorXd::Zero(model.nq + model.nv);
+  spec.problem.initial_state.head(model.nq) = q;
+  VectorXd target = spec.problem.initial_state;
+  target.head(model.nq) = closed_configuration(model, {{"drive", {to}}});
+  spec.problem.stages = {{.name = "track",
+                          .costs = {{.residual = residual::State{target}, .weight = 10.0},
+                                    {.residual = residual::Control{}, .weight = 1e-3}},
+                          .step = 0.01}};
+  spec.problem.horizon = {{"track", 30}};
+  spec.problem.terminal = {{.residual = residual::State{target}, .weight = 1.0}};
+  spec.schedule = {{.name = "track", .stage = "track"}};
+  spec.tick_period = 1e-3;
+  spec.update_period = 0.01;
+  return spec;
+}
+
+TEST_P(LoopPlant, follows_a_controller_that_plans_with_the_loop) {
+  const Robot robot = loop_robot("four_bar");
+  const Model& model = robot.model;
+  const VectorXd q = closed_configuration(model, {{"drive", {0.8}}});
+  const double goal = 1.4;
+  MpcController controller(tracking(robot, q, goal));
+  const Model nominal = plant_model(model, {});
+  const auto plant = GetParam().make(nominal, far_below());
+  ClosedLoop loop(*plant, controller, {}, {.control_period = 1e-3, .max_duration = 2.5});
+  ASSERT_EQ(loop.reset(q, VectorXd::Zero(model.nv)), Status::Ok);
+  double worst = 0.0;
+  while (plant->time() < 2.0) {
+    ASSERT_LE(loop.step(), Status::NotConverged);
+    worst = std::max(worst, worst_miss(model, plant->q()));
+  }
+  EXPECT_EQ(controller.fault().kind, FaultKind::None) << controller.fault().text();
+  const int drive = model.joint_index("drive");
+  EXPECT_NEAR(plant->q()[model.joints[drive].q_index], goal, 0.02);
+  EXPECT_LT(plant->v().norm(), 0.05);
+  EXPECT_LT(worst, GetParam().drift);
+  // The model is right: what the loop carries is not taken for an error of it.
+  EXPECT_LT(controller.torque_error().cwiseAbs().maxCoeff(), 0.02);
+  for (int k = 0; k < model.nv; ++k) {
+    if (k == model.joints[drive].v_index) continue;
+    EXPECT_EQ(loop.command().tau[k], 0.0) << "a hinge has no motor";
+  }
+}
+
+TEST_P(LoopPlant, is_held_by_the_fallback) {
+  const Robot robot = loop_robot("four_bar");
+  const Model& model = robot.model;
+  const VectorXd q = closed_configuration(model, {{"drive", {0.8}}});
+  MpcSpec spec = tracking(robot, q, 1.4);
+  spec.limits.joint_speed_ratio = 1e-3;  // the first motion is a fault
+  MpcController controller(spec);
+  const auto plant = GetParam().make(plant_model(model, {}), far_below());
+  ClosedLoop loop(*plant, controller, {}, {.control_period = 1e-3, .max_duration = 2.5});
+  ASSERT_EQ(loop.reset(q, VectorXd::Zero(model.nv)), Status::Ok);
+  ASSERT_LE(loop.run(1.5), Status::NotConverged);
+  EXPECT_NE(controller.fault().kind, FaultKind::None);
+  EXPECT_LT(plant->v().norm(), 1e-2);
+  EXPECT_LT((plant->q() - q).cwiseAbs().maxCoeff(), 0.05) << "it fell";
+}
+
+INSTANTIATE_TEST_SUITE_P(plants, LoopPlant, ::testing::ValuesIn(loop_plants()),
+                         [](const auto& test) { return test.param.name; });
+
+#ifdef BURNISH_HAS_MUJOCO
+TEST(LoopPlantOfMujoco, says_which_loops_it_cannot_hold) {
+  Model model = loop_robot("four_bar").model;
+  model.loops[0].directions = Directions::parse("x,z");
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, far_below()); }),
+                        {"MuJoCo", "loop 'pin' holds x,z", "x,y,z"});
+}
+#endif
+
+}  // namespace
+}  // namespace burnish::test
