@@ -140,6 +140,13 @@ int RigidBody::frame(const std::string& name) const {
   return impl_->model.frame_index(name);
 }
 
+Status RigidBody::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const LoadedBody loaded = loaded_body("set_payload", impl_->model, frame, payload);
+  if (loaded.status == Status::Ok)
+    set_body_inertia(impl_->tree, loaded.body, body_inertia(loaded.inertia));
+  return loaded.status;
+}
+
 Status RigidBody::update(const ConstVectorRef& q, const ConstVectorRef& v) {
   return update(q, v, impl_->at_rest);
 }

@@ -25,6 +25,12 @@ class StageDynamics {
   /// derivative, nv x nz (q and v columns).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
+  /// Another mass distribution of a body, for what is evaluated from then on.
+  void set_body_inertia(int body, const BodyInertia& inertia) {
+    dynamics_.set_body_inertia(body, inertia);
+    if (impact_) impact_->dynamics.set_body_inertia(body, inertia);
+  }
+
   const KnotState<S>& knot() const { return knot_; }
   const S* acceleration() const { return dynamics_.a.data(); }
   const S* velocity_after() const { return impact_->dynamics.velocity_after.data(); }

@@ -220,6 +220,29 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
   joint->effort_limit = limits.effort.value_or(joint->effort_limit);
 }
 
+void set_inertia(TreeSpec& tree, const std::string& name, const InertiaSpec& inertia,
+                 const std::string& origin) {
+  const auto link = std::find_if(tree.links.begin(), tree.links.end(),
+                                 [&](const LinkSpec& spec) { return spec.name == name; });
+  if (link == tree.links.end()) {
+    std::vector<std::string> known;
+    for (const LinkSpec& spec : tree.links) known.push_back(spec.name);
+    refuse(origin, "inertias: link " + in_quotes(name) + " does not exist" +
+                       did_you_mean(name, known));
+  }
+  link->inertia = inertia;
+}
+
+/// The model with what the settings say that it carries.
+Model loaded(Model model, const std::optional<Payload>& payload, const std::string& origin) {
+  if (!payload) return model;
+  try {
+    return with_payload(std::move(model), *payload);
+  } catch (const Error& error) {
+    refuse(origin, error.what());
+  }
+}
+
 /// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
 std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
                                   RobotSettings& settings, Findings& findings) {
@@ -329,6 +352,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
                  const SrdfFile& srdf) {
   TreeSpec tree = read(*settings.urdf);
   for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
+  for (const auto& [link, inertia] : settings.inertias) set_inertia(tree, link, inertia, origin);
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
@@ -336,7 +360,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   if (options.free.empty() && !overrides.carrying.empty())
     options.free = carrying_joints(tree, overrides.carrying);
   Robot robot;
-  robot.model = build_model(tree, options);
+  robot.model = loaded(build_model(tree, options), settings.payload, origin);
   robot.postures = settings.postures;
   drop_bad_postures(from_srdf, robot, of_srdf);
   if (settings.default_posture) {

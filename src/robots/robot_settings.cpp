@@ -5,6 +5,7 @@
 
 #include "base/text_file.hpp"
 #include "document/geometry.hpp"
+#include "robots/read_inertia.hpp"
 
 namespace burnish {
 namespace {
@@ -54,7 +55,7 @@ JointLimits read_limits(const Reader& reader) {
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
       "urdf", "srdf",    "description",     "base",     "base_placement", "lock",
-      "free", "posture", "default_posture", "postures", "frames",         "limits"};
+      "free", "posture", "default_posture", "postures", "frames",         "limits",  "inertias", "payload"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
@@ -83,6 +84,10 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
       settings.frames.push_back(read_frame(name, frame));
   if (const auto limits = reader.find("limits"))
     for (const auto& [joint, limit] : limits->items()) settings.limits[joint] = read_limits(limit);
+  if (const auto inertias = reader.find("inertias"))
+    for (const auto& [link, inertia] : inertias->items())
+      settings.inertias[link] = read_inertia(inertia);
+  if (const auto payload = reader.find("payload")) settings.payload = read_payload(*payload);
   return settings;
 }
 
@@ -118,6 +123,8 @@ RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
   }
   for (const auto& [name, posture] : variant.postures) common.postures[name] = posture;
   for (const auto& [joint, limits] : variant.limits) common.limits[joint] = limits;
+  for (const auto& [link, inertia] : variant.inertias) common.inertias[link] = inertia;
+  if (variant.payload) common.payload = variant.payload;
   for (const FrameSpec& frame : variant.frames) {
     const auto same = std::find_if(common.frames.begin(), common.frames.end(),
                                    [&](const FrameSpec& f) { return f.name == frame.name; });

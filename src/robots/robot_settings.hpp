@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "burnish/model/inertia.hpp"
 #include "burnish/robots/robot.hpp"
 
 namespace burnish {
@@ -29,6 +30,8 @@ struct RobotSettings {
   std::map<std::string, Posture> postures;
   std::vector<FrameSpec> frames;  ///< in the order of the file
   std::map<std::string, JointLimits> limits;
+  std::map<std::string, InertiaSpec> inertias;  ///< of links, in the place of the URDF's
+  std::optional<Payload> payload;
 };
 
 struct RobotSettingsFile {
