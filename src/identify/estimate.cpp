@@ -10,7 +10,7 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double slip_velocity = 0.02;    // rad/s (m/s), at which Coulomb's friction has its sign
-constexpr double correlation_time = 0.5;  // s, beyond which residuals know nothing of each other
+constexpr double correlation_time = 1.0;  // s, beyond which residuals know nothing of each other
 
 /// Samples between which residuals are correlated, at most.
 int lags_of(const Regression& of) { return std::min(of.lags, of.samples / 4); }

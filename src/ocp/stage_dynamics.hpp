@@ -25,8 +25,10 @@ class StageDynamics {
   /// derivative, nv x nz (q and v columns).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
-  /// Another mass distribution of a body, for what is evaluated from then on.
+  /// Another mass distribution of a body, which the problem's tree has already; for what is
+  /// evaluated from then on.
   void set_body_inertia(int body, const BodyInertia& inertia) {
+    momentum_.set_mass(problem_->tree);
     dynamics_.set_body_inertia(body, inertia);
     if (impact_) impact_->dynamics.set_body_inertia(body, inertia);
   }

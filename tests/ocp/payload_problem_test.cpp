@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/ocp/sensitivity.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/ocp_cases.hpp"
@@ -33,7 +34,7 @@ ProblemSpec pressing(const Model& model, bool limited) {
   spec.contacts[0].with_gains(0.0, 30.0);
   const std::vector<CostTerm> shared = {
       {.name = "position",
-       .residual = residual::FramePosition{"tool", Signal(Eigen::Vector3d(p + Eigen::Vector3d(0.03, 0.05, 0.0)))},
+       .residual = residual::FramePosition{"tool", Eigen::VectorXd(p + Eigen::Vector3d(0.03, 0.05, 0.0))},
        .weight = 100.0},
       {.name = "speed", .residual = residual::JointVelocity{}, .weight = 0.1},
       {.name = "momentum", .residual = residual::CentroidalMomentum{}, .weight = 0.1},
@@ -41,7 +42,7 @@ ProblemSpec pressing(const Model& model, bool limited) {
   Stage swing{.name = "swing", .costs = shared, .step = 0.01};
   Stage press{.name = "press", .contacts = {"pad"}, .costs = shared, .step = 0.01};
   press.costs.push_back({.name = "force",
-                         .residual = residual::ContactForce{"pad", Signal(Eigen::VectorXd::Constant(1, 20.0))},
+                         .residual = residual::ContactForce{.contact = "pad", .target = Eigen::VectorXd(Eigen::VectorXd::Constant(1, 20.0))},
                          .weight = 0.01});
   if (limited)
     press.constraints = {{.name = "limit",
@@ -101,7 +102,7 @@ TEST_P(CostByPayload, equals_that_of_solving_again) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Limited, CostByPayload, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "yes" : "no"; });
+                         [](const auto& of) { return of.param ? "yes" : "no"; });
 
 TEST(CostOfAPayload, WantsASolvedProblem) {
   Problem problem(pressing(named_robot("arm7"), false));
