@@ -107,9 +107,9 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
              WA.middleRows((i + lag) * of.nv, of.nv);
     middle += falling * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
-  // Fitted parameters took a part of the noise with them.
-  const double rows = static_cast<double>(residual.size());
-  middle *= rows / std::max(1.0, rows - p);
+  // Fitted parameters took a part of the noise with them, of which each window has one piece.
+  const double pieces = static_cast<double>(residual.size()) / of.samples_per_window;
+  middle *= pieces / std::max(1.0, pieces - p);
   Eigen::MatrixXd information = A.transpose() * WA;
   const Eigen::ArrayXd prior = of.prior_sigma.array().square().inverse();
   information.diagonal().array() += prior;
@@ -128,6 +128,7 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion,
                        const std::vector<Unknown>& unknowns, const IdentificationSpec& spec)
     : nv(model.nv), samples(motion.samples()), inertias(static_cast<int>(unknowns.size())) {
   lags = static_cast<int>(std::ceil(correlation_time / motion.spacing));
+  samples_per_window = spec.window / motion.spacing;
   const Eigen::Index rows = static_cast<Eigen::Index>(samples) * nv;
   int columns = 10 * inertias;
   const auto add = [&](bool wanted, int count) {

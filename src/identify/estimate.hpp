@@ -24,6 +24,7 @@ struct Regression {
 
   int nv = 0, samples = 0, inertias = 0;
   int lags = 0;            ///< samples that residuals may be correlated over
+  double samples_per_window = 1.0;
   Eigen::VectorXd rest;    ///< torques less what is known of them
   Eigen::VectorXd before;  ///< torques less what the model as given says
   Eigen::MatrixXd Y;       ///< 10 columns per inertia, of parameters in its frame
