@@ -1,12 +1,11 @@
 // burnish identify: what a robot carries or weighs, from a recorded motion.
-#include "burnish/identify/identification.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
 
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
+#include "burnish/identify/identification.hpp"
 #include "burnish/identify/trial.hpp"
 #include "command.hpp"
 #include "files/csv_table.hpp"
@@ -127,12 +126,14 @@ std::string settings_of(const Identification& found, bool of_payload) {
   for (const EstimatedInertia& one : found.inertias) {
     const Vector10 &x = one.values, &s = one.sigma;
     const std::string indent = of_payload ? "  " : "    ";
-    text += of_payload ? fmt::format("  frame: {}\n", one.frame) : fmt::format("  {}:\n", one.frame);
+    text +=
+        of_payload ? fmt::format("  frame: {}\n", one.frame) : fmt::format("  {}:\n", one.frame);
     text += fmt::format("{}mass: {:.8g}  # {:.2g} kg\n", indent, x[0], s[0]);
-    text += fmt::format("{}com: [{:.8g}, {:.8g}, {:.8g}]  # {:.2g}, {:.2g}, {:.2g} m\n", indent, x[1],
-                        x[2], x[3], s[1], s[2], s[3]);
+    text += fmt::format("{}com: [{:.8g}, {:.8g}, {:.8g}]  # {:.2g}, {:.2g}, {:.2g} m\n", indent,
+                        x[1], x[2], x[3], s[1], s[2], s[3]);
     text += fmt::format(
-        "{}inertia: [{:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}]  # xx xy xz yy yz zz about com, "
+        "{}inertia: [{:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}]  # xx xy xz yy yz zz about "
+        "com, "
         "kg m^2\n",
         indent, x[4], x[5], x[6], x[7], x[8], x[9]);
   }
@@ -188,16 +189,18 @@ int try_seeds(const IdentifyArguments& a, const Robot& robot) {
     trials.push_back(try_identification(robot.model, motion, disturbances, a.spec,
                                         static_cast<std::uint64_t>(seed)));
   const TrialSummary all = summary_of(trials);
-  fmt::print("{} payloads at {} of {}, {:g} s each, disturbances: {}, {:g} Nm of sensor "
-             "noise\n\n",
-             all.trials, a.spec.payload, robot.model.name, motion.duration(), a.disturbances,
-             disturbances.torque_sensor_noise);
+  fmt::print(
+      "{} payloads at {} of {}, {:g} s each, disturbances: {}, {:g} Nm of sensor "
+      "noise\n\n",
+      all.trials, a.spec.payload, robot.model.name, motion.duration(), a.disturbances,
+      disturbances.torque_sensor_noise);
   fmt::print("| {:<6} | {:>10} | {:>10} |\n|:-------|-----------:|-----------:|\n", "", "rms error",
              "rms stated");
   for (const Row& row : rows)
     for (int i = row.first; i < row.first + row.count; ++i)
-      fmt::print("| {:<6} | {:>10.3g} | {:>10.3g} | {}\n", estimate_names[static_cast<std::size_t>(i)],
-                 row.factor * all.rms_error[i], row.factor * all.rms_sigma[i], row.unit);
+      fmt::print("| {:<6} | {:>10.3g} | {:>10.3g} | {}\n",
+                 estimate_names[static_cast<std::size_t>(i)], row.factor * all.rms_error[i],
+                 row.factor * all.rms_sigma[i], row.unit);
   fmt::print("\n| {:<34} | {:>8} | {:>6} | {:<6} |\n|:{:-<34}-|-{:->8}:|-{:->6}:|:{:-<6}-|\n", "",
              "measured", "aim", "", "", "", "", "");
   const auto line = [](const char* what, double value, double limit, bool below) {
@@ -233,8 +236,9 @@ int identify_command(const IdentifyArguments& a) {
   if (!a.simulate.empty()) return simulate(a, robot);
   if (a.seeds > 0) return try_seeds(a, robot);
   if (a.data.empty())
-    throw Error("nothing to identify from; wanted DATA, a table of a motion, or --excite, --simulate "
-                "or --seeds");
+    throw Error(
+        "nothing to identify from; wanted DATA, a table of a motion, or --excite, --simulate "
+        "or --seeds");
   return identify_file(a, robot);
 }
 
@@ -248,7 +252,8 @@ void add_identify(CLI::App& app, int& exit_code) {
   a.robot.add_to(*command);
   command->add_option("DATA", a.data, "CSV with time, q_<joint> and tau_<joint>, or a run's trace")
       ->type_name("");
-  command->add_option("--bodies", a.spec.bodies, "Links whose own masses are wanted, not a payload's")
+  command
+      ->add_option("--bodies", a.spec.bodies, "Links whose own masses are wanted, not a payload's")
       ->type_name("LINK,...")
       ->delimiter(',');
   command->add_option("--payload", a.spec.payload, "Frame that the payload is written in [tool]")
@@ -262,14 +267,16 @@ void add_identify(CLI::App& app, int& exit_code) {
   command->add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--out", a.out, "File for the lines that robot.yaml takes")->type_name("FILE");
+  command->add_option("--out", a.out, "File for the lines that robot.yaml takes")
+      ->type_name("FILE");
   command->add_flag("--json", a.json, "As JSON");
   command
       ->add_option("--excite", a.excite, "Write a motion that shows a payload, as CSV, and no more")
       ->type_name("FILE");
   command
-      ->add_option("--simulate", a.simulate,
-                   "Write a simulated record of that motion with a payload that is drawn, and no more")
+      ->add_option(
+          "--simulate", a.simulate,
+          "Write a simulated record of that motion with a payload that is drawn, and no more")
       ->type_name("FILE");
   command->add_option("--posture", a.posture, "Posture that it begins at [the robot's default]")
       ->type_name("NAME");
@@ -277,19 +284,20 @@ void add_identify(CLI::App& app, int& exit_code) {
       ->type_name("S");
   command->add_option("--highest", a.excitation.highest, "Hz of its fastest harmonic [0.7]")
       ->type_name("HZ");
-  command->add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
+  command
+      ->add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
       ->type_name("RAD");
   command->add_option("--joints", a.excitation.joints, "Joints that move [all]")
       ->type_name("JOINT,...")
       ->delimiter(',');
-  command->add_option("--seed", a.excitation.seed, "Of what is drawn: motion, payload, noise [1]")->type_name("N");
+  command->add_option("--seed", a.excitation.seed, "Of what is drawn: motion, payload, noise [1]")
+      ->type_name("N");
   command
       ->add_option("--seeds", a.seeds,
                    "Try it: payloads that are drawn, carried in simulation and identified")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  command
-      ->add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
+  command->add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
       ->type_name("NAME");
   command->footer(
       "Examples:\n"
@@ -298,7 +306,8 @@ void add_identify(CLI::App& app, int& exit_code) {
       "  burnish identify arm7 recorded.csv --bodies link_6,link_7 --friction\n"
       "  burnish identify arm7 --seeds 100\n"
       "\n"
-      "docs/identification.md has the method. Exit code 1: the estimate did not converge, or an aim\n"
+      "docs/identification.md has the method. Exit code 1: the estimate did not converge, or an "
+      "aim\n"
       "of --seeds was missed.");
   command->callback([arguments, &exit_code] { exit_code = identify_command(*arguments); });
 }

@@ -321,7 +321,8 @@ void bind_contacts(DynamicsClass& of) {
             self.evaluated = 0;
           },
           py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in the "
+          "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in "
+          "the "
           "place of what that frame's body carried before. Results before it are gone.")
       .def(
           "is_active",

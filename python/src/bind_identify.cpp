@@ -29,12 +29,14 @@ py::object arrays_of(const std::vector<Estimate>& estimates) {
 }
 
 void bind_inertia(py::module_& m) {
-  m.def("inertia_parameters", &inertia_parameters, py::arg("inertia"),
-        "(10,): mass, mass times centre, and xx xy xz yy yz zz about the origin, of an InertiaSpec.");
+  m.def(
+      "inertia_parameters", &inertia_parameters, py::arg("inertia"),
+      "(10,): mass, mass times centre, and xx xy xz yy yz zz about the origin, of an InertiaSpec.");
   m.def("inertia_of", &inertia_of, py::arg("parameters"),
         "The InertiaSpec that has these ten parameters.");
-  m.def("inertia_of_body", [](const Model& model, int body) { return inertia_of_body(model, body); },
-        py::arg("model"), py::arg("body"), "Of the body that a joint (its number) carries.");
+  m.def(
+      "inertia_of_body", [](const Model& model, int body) { return inertia_of_body(model, body); },
+      py::arg("model"), py::arg("body"), "Of the body that a joint (its number) carries.");
   m.def("inertia_problem", &inertia_problem, py::arg("inertia"),
         "Why no solid has it, one sentence; empty where one has.");
   m.def(
@@ -51,10 +53,11 @@ void bind_results(py::module_& m) {
   py::class_<E>(m, "EstimatedInertia", "A mass distribution from a motion, in the axes of `frame`.")
       .def_readonly("frame", &E::frame)
       .def_readonly("inertia", &E::inertia, "InertiaSpec: a solid has it.")
-      .def_property_readonly("values", [](const E& e) { return named(e.values); },
-                             "By name: mass (kg), com (m), moments about com (kg m^2).")
-      .def_property_readonly("sigma", [](const E& e) { return named(e.sigma); },
-                             "Their standard deviations.")
+      .def_property_readonly(
+          "values", [](const E& e) { return named(e.values); },
+          "By name: mass (kg), com (m), moments about com (kg m^2).")
+      .def_property_readonly(
+          "sigma", [](const E& e) { return named(e.sigma); }, "Their standard deviations.")
       .def_property_readonly(
           "not_shown",
           [](const E& e) {
@@ -67,15 +70,19 @@ void bind_results(py::module_& m) {
   using I = Identification;
   py::class_<I>(m, "Identification", "What identify() found.")
       .def_readonly("inertias", &I::inertias)
-      .def_property_readonly("viscous", [](const I& i) { return arrays_of(i.viscous); },
-                             "Values and standard deviations (nv,) each, Nms/rad (Ns/m), or None.")
-      .def_property_readonly("coulomb", [](const I& i) { return arrays_of(i.coulomb); },
-                             "Likewise, Nm (N).")
-      .def_property_readonly("offset", [](const I& i) { return arrays_of(i.offset); },
-                             "Likewise, Nm (N).")
-      .def_property_readonly("delay",
-                             [](const I& i) { return std::pair{i.delay.value, i.delay.sigma}; },
-                             "s of torques behind positions, and its standard deviation.")
+      .def_property_readonly(
+          "viscous", [](const I& i) { return arrays_of(i.viscous); },
+          "Values and standard deviations (nv,) each, Nms/rad (Ns/m), or None.")
+      .def_property_readonly(
+          "coulomb", [](const I& i) { return arrays_of(i.coulomb); }, "Likewise, Nm (N).")
+      .def_property_readonly(
+          "offset", [](const I& i) { return arrays_of(i.offset); }, "Likewise, Nm (N).")
+      .def_property_readonly(
+          "delay",
+          [](const I& i) {
+            return std::pair{i.delay.value, i.delay.sigma};
+          },
+          "s of torques behind positions, and its standard deviation.")
       .def_readonly("rms_before", &I::rms_before, "(nv,), Nm (N), that the model leaves.")
       .def_readonly("rms_after", &I::rms_after, "(nv,), Nm (N), that what was found leaves.")
       .def_readonly("samples", &I::samples)
@@ -101,7 +108,8 @@ void bind_identify(py::module_& m) {
       py::arg("bodies") = std::vector<std::string>(), py::arg("payload") = "tool",
       py::arg("friction") = false, py::arg("offset") = false, py::arg("delay") = true,
       py::arg("window") = 0.12, py::arg("start") = 0.0,
-      "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; of "
+      "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; "
+      "of "
       "the links `bodies`, or of what is carried at the frame `payload`. See "
       "docs/identification.md.");
   m.def(

@@ -303,7 +303,8 @@ void bind_setters(ProblemClass& c) {
             require(self.problem.set_payload(frame, payload), call);
           },
           py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the frame's "
+          "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the "
+          "frame's "
           "axes, in the place of what that frame's body carried before.")
       .def(
           "set_torque_bias",

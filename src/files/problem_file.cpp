@@ -203,9 +203,9 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
 }  // namespace
 
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
-  top.allow_only({"description", "robot", "payload", "start", "contacts", "contact_solver", "actuation",
-                  "torque_model", "remembered_forces", "control_bounds", "terms", "stages",
-                  "horizon", "terminal", "terminal_constraints", "solver", "guess"});
+  top.allow_only({"description", "robot", "payload", "start", "contacts", "contact_solver",
+                  "actuation", "torque_model", "remembered_forces", "control_bounds", "terms",
+                  "stages", "horizon", "terminal", "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);

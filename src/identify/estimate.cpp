@@ -88,9 +88,9 @@ bool minimize(const Regression& of, const Eigen::VectorXd& weight, Eigen::Vector
   return false;
 }
 
-/// B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1: the covariance of the estimate when noise is
-/// correlated between torques and over time as the residuals are (W. Newey, K. West, 1987, with one
-/// autocovariance for all samples).
+/// B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1: the covariance of the estimate when noise
+/// is correlated between torques and over time as the residuals are (W. Newey, K. West, 1987, with
+/// one autocovariance for all samples).
 Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& weight) {
   const Eigen::VectorXd residual = of.residual(x);
@@ -103,8 +103,8 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
     const Eigen::MatrixXd C = covariance_at(of, residual, lag);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
     for (int i = 0; i + lag < of.samples; ++i)
-      sum += WA.middleRows(i * of.nv, of.nv).transpose() * C *
-             WA.middleRows((i + lag) * of.nv, of.nv);
+      sum +=
+          WA.middleRows(i * of.nv, of.nv).transpose() * C * WA.middleRows((i + lag) * of.nv, of.nv);
     middle += falling * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
   // Fitted parameters took a part of the noise with them, of which each window has one piece.

@@ -14,8 +14,8 @@
 namespace burnish {
 namespace {
 
-constexpr double fade = 1.0;        // s from rest to the full motion
-constexpr double look_every = 0.02; // s, between instants at which limits are looked at
+constexpr double fade = 1.0;         // s from rest to the full motion
+constexpr double look_every = 0.02;  // s, between instants at which limits are looked at
 
 /// 0 to 1 over x in 0 to 1 with two derivatives that vanish at the ends.
 struct Fade {
@@ -31,7 +31,9 @@ Fade fade_at(double x) {
 void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationSpec& spec) {
   check_configuration(model, q_start, "the excitation's start");
   const auto want = [](const char* what, double value, bool good, const char* wanted) {
-    if (!good) throw Error(std::string("excitation: ") + what + " is " + number(value) + "; wanted " + wanted);
+    if (!good)
+      throw Error(std::string("excitation: ") + what + " is " + number(value) + "; wanted " +
+                  wanted);
   };
   want("duration", spec.duration, spec.duration >= 4.0 * fade && spec.duration <= 1e4,
        "4 to 10000 s");
@@ -39,7 +41,8 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
        "1/duration to 20 Hz");
   want("range", spec.range, spec.range > 0.0, "more than 0");
   want("margin", spec.margin, spec.margin >= 0.0, "at least 0");
-  want("speed_share", spec.speed_share, spec.speed_share > 0.0 && spec.speed_share <= 1.0, "0 to 1");
+  want("speed_share", spec.speed_share, spec.speed_share > 0.0 && spec.speed_share <= 1.0,
+       "0 to 1");
   want("effort_share", spec.effort_share, spec.effort_share > 0.0 && spec.effort_share <= 1.0,
        "0 to 1");
   want("candidates", spec.candidates, spec.candidates >= 1, "at least 1");
@@ -126,7 +129,8 @@ void Excitation::limit(double effort_share) {
     for (double t = 0.0; t <= duration_; t += 2.0 * look_every) {
       at(t, q, v, a);
       if (dynamics.inverse(q, v, a, none) > Status::NotConverged) continue;
-      worst = std::max(worst, (dynamics.tau().array().abs() / model_.effort_limit.array()).maxCoeff());
+      worst =
+          std::max(worst, (dynamics.tau().array().abs() / model_.effort_limit.array()).maxCoeff());
     }
     if (worst <= effort_share) return;
     drawn_.sine *= 0.8;
@@ -191,8 +195,10 @@ Trace Excitation::trace(double period) const {
     return (joint.kind == JointKind::Prismatic ? "m" : "rad") + std::string(rates);
   };
   for (int k = 0; k < model_.nq; ++k) columns.push_back({"q_" + model_.q_name(k), "rad"});
-  for (int k = 0; k < model_.nv; ++k) columns.push_back({"v_" + model_.v_name(k), unit_of(k, "/s")});
-  for (int k = 0; k < model_.nv; ++k) columns.push_back({"a_" + model_.v_name(k), unit_of(k, "/s2")});
+  for (int k = 0; k < model_.nv; ++k)
+    columns.push_back({"v_" + model_.v_name(k), unit_of(k, "/s")});
+  for (int k = 0; k < model_.nv; ++k)
+    columns.push_back({"a_" + model_.v_name(k), unit_of(k, "/s2")});
   const int rows = static_cast<int>(std::floor(duration_ / period)) + 1;
   Trace result(columns, rows);
   Eigen::VectorXd q, v, a;

@@ -33,8 +33,7 @@ Unknown unknown_payload(const Model& model, const std::string& name) {
 Unknown unknown_body(const Model& model, const std::string& link) {
   const Frame& frame = frame_on_body("bodies", model, link);
   Unknown result{link, frame.body, inertia_transform(frame.placement), {}, {}};
-  const InertiaSpec own =
-      placed(inertia_of_body(model, frame.body), frame.placement.inverse());
+  const InertiaSpec own = placed(inertia_of_body(model, frame.body), frame.placement.inverse());
   result.eta = LogCholesky::of(own);
   const double radius = std::exp(result.eta.segment<3>(1).maxCoeff());
   result.sigma << 0.5, 0.5, 0.5, 0.5, 0.3 * radius, 0.3 * radius, 0.3 * radius, 0.1, 0.1, 0.1;
@@ -82,8 +81,9 @@ EstimatedInertia estimated(const Unknown& before, const Vector10& eta, const Mat
 
 void warn_of(Identification& result) {
   if (!result.converged)
-    result.warnings.emplace_back("the estimate did not converge: the motion hardly tells the bodies "
-                                 "apart; name fewer of them");
+    result.warnings.emplace_back(
+        "the estimate did not converge: the motion hardly tells the bodies "
+        "apart; name fewer of them");
   for (const EstimatedInertia& one : result.inertias) {
     const std::vector<int> missing = one.not_shown();
     if (missing.empty()) continue;
@@ -125,8 +125,8 @@ Identification identify(const Model& model, const MotionRecord& record,
   result.rms_after = fit.rms_after;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(10 * i);
-    result.inertias.push_back(estimated(unknowns[i], fit.x.segment<10>(at),
-                                        fit.covariance.block<10, 10>(at, at)));
+    result.inertias.push_back(
+        estimated(unknowns[i], fit.x.segment<10>(at), fit.covariance.block<10, 10>(at, at)));
   }
   const auto estimates = [&](int first) {
     std::vector<Estimate> list;

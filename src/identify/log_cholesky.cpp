@@ -20,7 +20,8 @@ Eigen::Matrix4d root(const Vector10& eta) {
 }  // namespace
 
 Vector10 LogCholesky::of(const InertiaSpec& inertia) {
-  // Without extent in some direction there is no finite logarithm: a millimetre is none that counts.
+  // Without extent in some direction there is no finite logarithm: a millimetre is none that
+  // counts.
   constexpr double least_mass = 1e-4, least_radius = 1e-3;
   const double mass = std::max(inertia.mass, least_mass);
   const Eigen::Matrix3d I = inertia.inertia_at_com / mass;
@@ -49,7 +50,8 @@ Matrix10 LogCholesky::derivative(const Vector10& eta) {
   const double scale = std::exp(2.0 * eta[0]);
   Matrix10 D;
   D.col(0) = parameters_of_pseudo_inertia(2.0 * scale * V * V.transpose());
-  constexpr int entries[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  constexpr int entries[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2},
+                                 {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   for (int k = 0; k < 9; ++k) {
     const auto [i, j] = entries[k];
     Eigen::Matrix4d dV = Eigen::Matrix4d::Zero();

@@ -64,8 +64,8 @@ Trace record_motion(const Model& model, const Payload& payload, const Excitation
   Status status = loop.reset(q, v);
   if (status == Status::Ok) status = loop.run(motion.duration());
   if (status > Status::NotConverged)
-    throw Error("the simulated motion ended at " + number(plant->time()) + " s: " +
-                std::string(describe(status)));
+    throw Error("the simulated motion ended at " + number(plant->time()) +
+                " s: " + std::string(describe(status)));
   return loop.trace();
 }
 

@@ -28,15 +28,17 @@ void check(const Model& model, const MotionRecord& record, const IdentificationS
     throw Error("identify: the record holds a NaN or an infinity");
   if (!(record.period > 0.0) || !std::isfinite(record.period))
     throw Error("identify: the period is " + number(record.period) + " s; wanted one above 0");
-  if (!(spec.start >= 0.0)) throw Error("identify: start is " + number(spec.start) + " s; wanted at least 0");
+  if (!(spec.start >= 0.0))
+    throw Error("identify: start is " + number(spec.start) + " s; wanted at least 0");
 }
 
 /// Samples on either side of a window's middle.
 int half_window(const MotionRecord& record, const IdentificationSpec& spec) {
   const double half = 0.5 * spec.window / record.period;
   if (!(half >= 3.0))
-    throw Error("identify: a window of " + number(spec.window) + " s holds fewer than 7 samples of " +
-                number(record.period) + " s; wanted a longer one, or a record of more samples");
+    throw Error("identify: a window of " + number(spec.window) +
+                " s holds fewer than 7 samples of " + number(record.period) +
+                " s; wanted a longer one, or a record of more samples");
   if (half * 20.0 > static_cast<double>(record.q.rows()))
     throw Error("identify: the record lasts " +
                 number(record.period * static_cast<double>(record.q.rows())) +
@@ -57,8 +59,7 @@ Eigen::MatrixXd way_of(const Model& model, const RowMatrix& q) {
 
 double even_period(const Eigen::Ref<const Eigen::VectorXd>& time) {
   if (time.size() < 2) throw Error("the record has fewer than two samples");
-  const double period =
-      (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
+  const double period = (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
   for (Eigen::Index i = 1; i < time.size(); ++i)
     if (!(std::abs(time[i] - time[i - 1] - period) <= 0.01 * period))
       throw Error("the record's times are not evenly spaced: " + number(time[i] - time[i - 1]) +

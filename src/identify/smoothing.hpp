@@ -1,6 +1,6 @@
-// Signals smoothed and differentiated by local polynomials of degree four (A. Savitzky, M. Golay,
-// "Smoothing and Differentiation of Data by Simplified Least Squares Procedures", 1964): symmetric in
-// time, hence without delay, and exact for what is a polynomial within the window.
+// Signals smoothed and differentiated by local polynomials of degree five (A. Savitzky, M. Golay,
+// "Smoothing and Differentiation of Data by Simplified Least Squares Procedures", 1964): symmetric
+// in time, hence without delay, and exact for what is a polynomial within the window.
 #pragma once
 
 #include <Eigen/Core>

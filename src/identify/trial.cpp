@@ -54,8 +54,8 @@ TrialSummary summary_of(const std::vector<Trial>& trials) {
   int inside = 0;
   for (const Trial& trial : trials) {
     const EstimatedInertia& found = trial.found.inertias.front();
-    result.mass_error = std::max(result.mass_error,
-                                 std::abs(trial.error[0]) / trial.carried.inertia.mass);
+    result.mass_error =
+        std::max(result.mass_error, std::abs(trial.error[0]) / trial.carried.inertia.mass);
     result.centre_error = std::max(result.centre_error, trial.error.segment<3>(1).norm());
     result.rms_error += trial.error.cwiseAbs2();
     result.rms_sigma += found.sigma.cwiseAbs2();

@@ -227,8 +227,8 @@ void set_inertia(TreeSpec& tree, const std::string& name, const InertiaSpec& ine
   if (link == tree.links.end()) {
     std::vector<std::string> known;
     for (const LinkSpec& spec : tree.links) known.push_back(spec.name);
-    refuse(origin, "inertias: link " + in_quotes(name) + " does not exist" +
-                       did_you_mean(name, known));
+    refuse(origin,
+           "inertias: link " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
   }
   link->inertia = inertia;
 }

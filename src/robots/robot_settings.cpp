@@ -54,8 +54,9 @@ JointLimits read_limits(const Reader& reader) {
 /// The keys of a file or of a variant; `also`: one that only the file has.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
-      "urdf", "srdf",    "description",     "base",     "base_placement", "lock",
-      "free", "posture", "default_posture", "postures", "frames",         "limits",  "inertias", "payload"};
+      "urdf",     "srdf",    "description",     "base",     "base_placement", "lock",
+      "free",     "posture", "default_posture", "postures", "frames",         "limits",
+      "inertias", "payload"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;

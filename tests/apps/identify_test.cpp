@@ -28,7 +28,8 @@ TEST(Identify, FindsInARecordWhatWasCarried) {
   EXPECT_LE(payload.at("sigma").at(0).get<double>(), 0.01 * mass);
 
   // The lines that it wrote are a robot's.
-  scratch.write("robot.yaml", "urdf: " BURNISH_ROBOTS_DIR "/arm7/arm7.urdf\nframes: {tool: {parent: flange, "
+  scratch.write("robot.yaml", "urdf: " BURNISH_ROBOTS_DIR
+                              "/arm7/arm7.urdf\nframes: {tool: {parent: flange, "
                               "xyz: [0, 0, 0.12], rpy: [0, 0, 0.785398]}}\n" +
                                   contents(yaml));
   const auto total = [](const std::string& robot) {

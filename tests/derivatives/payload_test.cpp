@@ -108,8 +108,8 @@ TEST_P(PayloadOf, derivatives_by_parameters_equal_differences) {
   EXPECT_LE(relative_error(got, wanted), 1e-6);
 }
 
-/// Torques by the parameters of all bodies with the parameters as duals: J_i^T (I_i a_i + v_i x* I_i
-/// v_i) summed over bodies, by the algebra of spatial vectors alone.
+/// Torques by the parameters of all bodies with the parameters as duals: J_i^T (I_i a_i + v_i x*
+/// I_i v_i) summed over bodies, by the algebra of spatial vectors alone.
 Eigen::MatrixXd regressor_by_duals(const Model& model, const RobotState& s,
                                    const Eigen::VectorXd& a) {
   const Tree tree(model);
@@ -134,7 +134,8 @@ Eigen::MatrixXd regressor_by_duals(const Model& model, const RobotState& s,
     for (int first = 0; first < 10; first += dual_directions) {
       std::array<Dual, 10> p;
       for (int i = 0; i < 10; ++i)
-        p[i] = i >= first && i < first + dual_directions ? Dual(theta[i], i - first) : Dual(theta[i]);
+        p[i] =
+            i >= first && i < first + dual_directions ? Dual(theta[i], i - first) : Dual(theta[i]);
       const Inertia<Dual> inertia{p[0], {p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7], p[8], p[9]}};
       const Force<Dual> force = inertia * acceleration + cross(v, inertia * v);
       for (int k = tree.joints[body].axis + tree.joints[body].nv - 1; k >= 0;

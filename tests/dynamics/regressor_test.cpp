@@ -73,8 +73,8 @@ TEST_P(Regressor, times_the_parameters_is_inverse_dynamics) {
     Eigen::VectorXd wanted = as_vector(id.tau);
     for (int k = 0; k < tree.axes; ++k)
       wanted[tree.v_of_axis[k]] -= tree.armature[k] * s.a[tree.v_of_axis[k]];
-    EXPECT_LE(relative_error(
-                  as_vector(kernel.values<double>(s.q.data(), s.v.data(), s.a.data())), wanted),
+    EXPECT_LE(relative_error(as_vector(kernel.values<double>(s.q.data(), s.v.data(), s.a.data())),
+                             wanted),
               1e-12);
   }
 }

@@ -71,7 +71,8 @@ TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   const Payload carried = drawn_payload("tool", 3);
   const Trace trace = record_motion(model, carried, motion, d);
   MotionRecord record = motion_record(model, trace);
-  for (int k = 0; k < model.nv; ++k) record.tau.col(k) = trace.column("tau_applied_" + model.v_name(k));
+  for (int k = 0; k < model.nv; ++k)
+    record.tau.col(k) = trace.column("tau_applied_" + model.v_name(k));
   IdentificationSpec spec;
   spec.friction = true;
   const Identification found = identify(model, record, spec);
@@ -131,7 +132,8 @@ TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
   MotionRecord record;
   record.q = RowMatrix::Zero(2000, model.nq);
   record.tau = RowMatrix::Zero(2000, model.nv);
-  const auto refused = [&](const auto& change, const std::string& with, IdentificationSpec spec = {}) {
+  const auto refused = [&](const auto& change, const std::string& with,
+                           IdentificationSpec spec = {}) {
     MotionRecord bad = record;
     change(bad);
     try {

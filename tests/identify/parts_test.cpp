@@ -15,13 +15,14 @@ using identify_detail::LogCholesky;
 using identify_detail::Matrix10;
 using identify_detail::Smoother;
 
-TEST(Smoothing, IsExactForPolynomialsOfDegreeFour) {
+TEST(Smoothing, IsExactForPolynomialsOfDegreeFive) {
   const double period = 1e-3;
   const Smoother smoother(40, period);
   Eigen::VectorXd signal(201);
   for (int i = 0; i < 201; ++i) {
     const double t = period * (i - 100);
-    signal[i] = 1.0 + 2.0 * t - 3.0 * t * t + 40.0 * t * t * t - 500.0 * t * t * t * t;
+    signal[i] = 1.0 + 2.0 * t - 3.0 * t * t + 40.0 * t * t * t - 500.0 * t * t * t * t +
+                900.0 * t * t * t * t * t;
   }
   EXPECT_NEAR(smoother.at(signal, 100, 0), 1.0, 1e-12);
   EXPECT_NEAR(smoother.at(signal, 100, 1), 2.0, 1e-9);
@@ -38,7 +39,7 @@ TEST(Smoothing, TakesNoiseAway) {
     for (double& x : noise) x = draw(generator);
     square += std::pow(smoother.at(noise, 60, 0), 2);
   }
-  // 225/64 of the noise's variance over the number of samples, of degree four in the middle.
+  // 225/64 of the noise's variance over the number of samples, of degree four (five) in the middle.
   EXPECT_NEAR(std::sqrt(square / 400.0), std::sqrt(225.0 / 64.0 / 121.0), 0.03);
 }
 
@@ -51,7 +52,8 @@ TEST(LogCholesky, LeadsBackAndIsDifferentiatedExactly) {
     const Matrix10 D = LogCholesky::derivative(eta);
     for (int k = 0; k < 10; ++k) {
       const Vector10 h = 1e-6 * Vector10::Unit(k);
-      const Vector10 by = (LogCholesky::parameters(eta + h) - LogCholesky::parameters(eta - h)) / 2e-6;
+      const Vector10 by =
+          (LogCholesky::parameters(eta + h) - LogCholesky::parameters(eta - h)) / 2e-6;
       EXPECT_LE((D.col(k) - by).cwiseAbs().maxCoeff(), 1e-7 * (1.0 + by.cwiseAbs().maxCoeff()));
     }
   }

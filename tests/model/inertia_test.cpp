@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-
 #include <limits>
 
 #include "support/built_robots.hpp"
@@ -25,7 +24,8 @@ struct Points {
     result.com = moment / result.mass;
     for (const auto& [m, p] : masses) {
       const Eigen::Vector3d r = p - result.com;
-      result.inertia_at_com += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+      result.inertia_at_com +=
+          m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
     }
     return result;
   }
@@ -87,10 +87,14 @@ TEST(Inertia, WhatNoSolidHasIsRefused) {
   skewed.inertia_at_com(0, 1) = 0.1;
   far.com[2] = nan;
   const std::vector<std::pair<InertiaSpec, Status>> cases = {
-      {with(1.0, {0.1, 0.1, 0.1}), Status::Ok},        {with(0.0, {0.0, 0.0, 0.0}), Status::Ok},
-      {with(2.0, {0.0, 0.0, 0.0}), Status::Ok},        {with(1.0, {1.0, 1.0, 2.04}), Status::Ok},
-      {with(-0.1, {1.0, 1.0, 1.0}), Status::NotFinite}, {with(nan, {1.0, 1.0, 1.0}), Status::NotFinite},
-      {far, Status::NotFinite},                         {skewed, Status::NotPhysical},
+      {with(1.0, {0.1, 0.1, 0.1}), Status::Ok},
+      {with(0.0, {0.0, 0.0, 0.0}), Status::Ok},
+      {with(2.0, {0.0, 0.0, 0.0}), Status::Ok},
+      {with(1.0, {1.0, 1.0, 2.04}), Status::Ok},
+      {with(-0.1, {1.0, 1.0, 1.0}), Status::NotFinite},
+      {with(nan, {1.0, 1.0, 1.0}), Status::NotFinite},
+      {far, Status::NotFinite},
+      {skewed, Status::NotPhysical},
       {with(1.0, {1.0, 1.0, 2.2}), Status::NotPhysical},
       {with(1.0, {-0.1, 0.1, 0.1}), Status::NotPhysical},
       {with(0.0, {1.0, 1.0, 1.0}), Status::NotPhysical}};

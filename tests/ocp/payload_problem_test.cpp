@@ -19,7 +19,8 @@ InertiaSpec brick() {
   return result;
 }
 
-/// The arm swings in the air and then presses where its tool is; `limited`: not as hard as is wanted.
+/// The arm swings in the air and then presses where its tool is; `limited`: not as hard as is
+/// wanted.
 ProblemSpec pressing(const Model& model, bool limited) {
   ProblemSpec spec{.model = model};
   Eigen::VectorXd q = model.q_neutral;
@@ -34,16 +35,20 @@ ProblemSpec pressing(const Model& model, bool limited) {
   spec.contacts[0].with_gains(0.0, 30.0);
   const std::vector<CostTerm> shared = {
       {.name = "position",
-       .residual = residual::FramePosition{"tool", Eigen::VectorXd(p + Eigen::Vector3d(0.03, 0.05, 0.0))},
+       .residual =
+           residual::FramePosition{"tool", Eigen::VectorXd(p + Eigen::Vector3d(0.03, 0.05, 0.0))},
        .weight = 100.0},
       {.name = "speed", .residual = residual::JointVelocity{}, .weight = 0.1},
       {.name = "momentum", .residual = residual::CentroidalMomentum{}, .weight = 0.1},
       {.name = "control", .residual = residual::Control{}, .weight = 1e-3}};
   Stage swing{.name = "swing", .costs = shared, .step = 0.01};
   Stage press{.name = "press", .contacts = {"pad"}, .costs = shared, .step = 0.01};
-  press.costs.push_back({.name = "force",
-                         .residual = residual::ContactForce{.contact = "pad", .target = Eigen::VectorXd(Eigen::VectorXd::Constant(1, 20.0))},
-                         .weight = 0.01});
+  press.costs.push_back(
+      {.name = "force",
+       .residual =
+           residual::ContactForce{.contact = "pad",
+                                  .target = Eigen::VectorXd(Eigen::VectorXd::Constant(1, 20.0))},
+       .weight = 0.01});
   if (limited)
     press.constraints = {{.name = "limit",
                           .residual = residual::ContactForce{"pad"},

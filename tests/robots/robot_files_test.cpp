@@ -178,13 +178,14 @@ TEST_F(RobotFiles, SettingsSayWhatLinksWeighAndWhatIsCarried) {
     return load_robot(folder_.string() + variant).model;
   };
   const std::string hand = "frames: {hand: {parent: " + link + ", xyz: [0, 0, 0.1]}}\n";
-  const std::string brick = "payload: {frame: hand, mass: 2, com: [0, 0, 0.1], inertia: [0.1, 0.1, 0.1]}\n";
+  const std::string brick =
+      "payload: {frame: hand, mass: 2, com: [0, 0, 0.1], inertia: [0.1, 0.1, 0.1]}\n";
   EXPECT_NEAR(loaded(hand + brick).total_mass(), plain.total_mass() + 2.0, 1e-12);
-  EXPECT_NEAR(loaded(hand + "variants: {full: {" + brick.substr(0, brick.size() - 1) + "}}", ":full")
-                  .total_mass(),
-              plain.total_mass() + 2.0, 1e-12);
-  const Model other =
-      loaded("inertias: {" + link + ": {mass: 7, inertia: [1, 0, 0, 1, 0, 1]}}");
+  EXPECT_NEAR(
+      loaded(hand + "variants: {full: {" + brick.substr(0, brick.size() - 1) + "}}", ":full")
+          .total_mass(),
+      plain.total_mass() + 2.0, 1e-12);
+  const Model other = loaded("inertias: {" + link + ": {mass: 7, inertia: [1, 0, 0, 1, 0, 1]}}");
   EXPECT_EQ(other.joints.back().mass, 7.0);
   EXPECT_EQ(other.joints.back().inertia_at_com, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   const auto sentence = [&](const std::string& lines) {
