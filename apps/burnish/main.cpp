@@ -31,6 +31,7 @@ void add_sweep(CLI::App& app);
 void add_tune(CLI::App& app);
 void add_report(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+void add_identify(CLI::App& app, int& exit_code);
 
 namespace {
 
@@ -139,6 +140,7 @@ int run(int count, char** words) {
   add_tune(app);
   add_report(app, exit_code);
   add_bench(app, exit_code);
+  add_identify(app, exit_code);
   if (count < 2) {
     fmt::print(stderr, "{}", app.help());
     return exit_usage;

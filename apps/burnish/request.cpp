@@ -10,6 +10,7 @@
 #include "document/text.hpp"
 #include "dynamics/reference.hpp"
 #include "files/read_parts.hpp"
+#include "robots/read_inertia.hpp"
 
 namespace burnish::app {
 namespace {
@@ -151,7 +152,7 @@ void read_states(const Reader& states, const StateSpace& space, Shared& shared,
 /// Everything is read and checked before anything is computed.
 EvalRequest read_request(const Reader& reader, Shared& shared) {
   reader.allow_only({"robot", "base", "lock", "free", "lock_posture", "strict", "frames", "gravity",
-                     "states", "contacts", "solver", "compute", "forces_in"});
+                     "payload", "states", "contacts", "solver", "compute", "forces_in"});
   EvalRequest request;
   request.robot = read_robot(reader, shared);
   const Reader robot = reader["robot"];
@@ -159,6 +160,8 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
   Model& model = request.robot.model;
   if (const auto frames = reader.find("frames")) add_frames(*frames, model);
   if (const auto gravity = reader.find("gravity")) model.gravity = gravity->vector3();
+  if (const auto payload = reader.find("payload"))
+    model = payload->named([&] { return with_payload(std::move(model), read_payload(*payload)); });
   if (const auto solver = reader.find("solver"))
     request.solver = files::read_contact_solver(*solver);
   const auto compute = reader.find("compute");

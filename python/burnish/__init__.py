@@ -10,6 +10,7 @@ from .contact import *
 from .derivatives import *
 from .dynamics import *
 from .files import *
+from .identification import *
 from .model import *
 from .mpc import *
 from .ocp import *

@@ -19,6 +19,7 @@ void bind_solver(py::module_& m);
 void bind_files(py::module_& m);
 void bind_mpc(py::module_& m);
 void bind_sim(py::module_& m);
+void bind_identify(py::module_& m);
 void bind_report(py::module_& m);
 void bind_polishing(py::module_& m);
 void bind_press_hold(py::module_& m);

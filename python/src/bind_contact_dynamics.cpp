@@ -1,6 +1,7 @@
 // Contact dynamics of one state, with all derivatives.
 #include "bind_derivatives.hpp"
 #include "machine.hpp"
+#include "specs_model.hpp"
 
 namespace burnish::python {
 
@@ -229,6 +230,35 @@ void bind_forces(DynamicsClass& of) {
           "Derivatives of wrench(), (6, nv) each, at the last forward_derivatives().");
 }
 
+/// Derivatives by mass distributions.
+void bind_parameters(DynamicsClass& of) {
+  of.def(
+        "regressor",
+        [](Dynamics& self, const std::vector<int>& bodies) {
+          const Busy::Lock lock(self.busy, "ContactDynamics.regressor");
+          self.require_result("regressor", forward | inverse, false);
+          RowMatrix Y;
+          require(self.machine.regressor(bodies, Y), "ContactDynamics.regressor");
+          return Y;
+        },
+        py::arg("bodies"),
+        "(nv, 10 per body) at the last forward() or inverse(): with the inertia_parameters() theta "
+        "of all bodies (numbers of the model's joints), M a + b = Y theta + armature * a.")
+      .def(
+          "inertia_derivatives",
+          [](Dynamics& self, const std::vector<int>& bodies) {
+            const Busy::Lock lock(self.busy, "ContactDynamics.inertia_derivatives");
+            self.require_result("inertia_derivatives", forward, true);
+            InertiaDerivatives d;
+            require(self.machine.inertia_derivatives(bodies, d),
+                    "ContactDynamics.inertia_derivatives");
+            return std::pair{d.a, d.lambda};
+          },
+          py::arg("bodies"),
+          "Derivatives of a (nv, 10 per body) and lambda_ (rows, 10 per body) by those parameters, "
+          "torques held, at the last forward_derivatives().");
+}
+
 /// Which contacts hold, and how.
 void bind_contacts(DynamicsClass& of) {
   of.def(
@@ -282,6 +312,19 @@ void bind_contacts(DynamicsClass& of) {
           "Another coefficient of the friction of a contact (name or number), for states evaluated "
           "from then on. Results before it are gone.")
       .def(
+          "set_payload",
+          [](Dynamics& self, const std::string& frame, const InertiaSpec& payload) {
+            constexpr const char* call = "ContactDynamics.set_payload";
+            const Busy::Lock lock(self.busy, call);
+            check_payload(call, payload);
+            require(self.machine.set_payload(frame, payload), call);
+            self.evaluated = 0;
+          },
+          py::arg("frame"), py::arg("payload"),
+          "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in "
+          "the "
+          "place of what that frame's body carried before. Results before it are gone.")
+      .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(
@@ -325,6 +368,7 @@ void bind_contact_dynamics(py::module_& m) {
         return text + (self.machine.rows() == 0 ? " none>" : ">");
       });
   bind_contacts(of);
+  bind_parameters(of);
   bind_forward(of);
   bind_inverse(of);
   bind_results(of);

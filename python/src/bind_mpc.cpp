@@ -272,6 +272,17 @@ void bind_mpc_controller(py::module_& m) {
             return std::make_unique<ProblemMachine>(self.spec().problem);
           },
           "A Problem of the specification; the controller's own moves with its schedule.")
+      .def(
+          "set_payload",
+          [](BoundMpc& self, const std::string& frame, const InertiaSpec& payload) {
+            constexpr const char* call = "MpcController.set_payload";
+            const Busy::Lock lock(self.busy, call);
+            check_payload(call, payload);
+            require(self.mpc().set_payload(frame, payload), call);
+          },
+          py::arg("frame"), py::arg("payload"),
+          "What the robot carries at a frame from the next tick on: an InertiaSpec in the frame's "
+          "axes, in the place of what that frame's body carried before.")
       .def("fault",
            reading("MpcController.fault", [](const MpcController& mpc) { return mpc.fault(); }),
            "A FaultReport; its kind is NONE until there is a fault.")

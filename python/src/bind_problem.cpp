@@ -1,6 +1,7 @@
 // Problem: what it is, its knots, targets and states, evaluations of one knot.
 #include "bind_derivatives.hpp"
 #include "bind_ocp.hpp"
+#include "specs_model.hpp"
 #include "specs_ocp.hpp"
 
 namespace burnish::python {
@@ -293,6 +294,18 @@ void bind_setters(ProblemClass& c) {
           py::arg("knot"), py::arg("term"), py::arg("target"),
           "Writes the target of one term (index or name) at one knot until the knot is set or "
           "advanced again: entries as the residual says.")
+      .def(
+          "set_payload",
+          [](ProblemMachine& self, const std::string& frame, const InertiaSpec& payload) {
+            constexpr const char* call = "Problem.set_payload";
+            const Busy::Lock lock(self.busy, call);
+            check_payload(call, payload);
+            require(self.problem.set_payload(frame, payload), call);
+          },
+          py::arg("frame"), py::arg("payload"),
+          "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the "
+          "frame's "
+          "axes, in the place of what that frame's body carried before.")
       .def(
           "set_torque_bias",
           [](ProblemMachine& self, const Vector& torque) {

@@ -1,6 +1,7 @@
 // What a robot's state alone says: frames, centre of mass, momentum, energy.
 #include "bind_derivatives.hpp"
 #include "machine.hpp"
+#include "specs_model.hpp"
 
 namespace burnish::python {
 
@@ -191,6 +192,17 @@ void bind_rigid_body(py::module_& m) {
            "Evaluates the state: q (nq,), v and a (nv,), rad/s or m/s and their rates; without `a` "
            "the joint accelerations are zero. Raises EvaluationError for a state that is not "
            "finite or not normalized, Error for wrong sizes; then all results stay as they were.")
+      .def(
+          "set_payload",
+          [](Body& self, const std::string& frame, const InertiaSpec& payload) {
+            constexpr const char* call = "RigidBody.set_payload";
+            const Busy::Lock lock(self.busy, call);
+            check_payload(call, payload);
+            require(self.machine.set_payload(frame, payload), call);
+          },
+          py::arg("frame"), py::arg("payload"),
+          "What the robot carries at a frame, an InertiaSpec in the frame's axes, in the place of "
+          "what that frame's body carried before; of states updated from then on.")
       .def(
           "update_derivatives",
           [](Body& self) {

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, module) {
   bind_files(module);
   bind_mpc(module);
   bind_sim(module);
+  bind_identify(module);
   bind_report(module);
   bind_polishing(module);
   bind_press_hold(module);

@@ -1,12 +1,19 @@
 // Values of the model layer.
 #pragma once
 
+#include "burnish/model/inertia.hpp"
 #include "burnish/model/model.hpp"
 #include "burnish/robots/robot.hpp"
 #include "model/descriptions.hpp"
 #include "spec.hpp"
 
 namespace burnish::python {
+
+/// Throws Error("<call>: ...") for a mass distribution that no solid has.
+inline void check_payload(const char* call, const InertiaSpec& inertia) {
+  if (const std::string problem = inertia_problem(inertia); !problem.empty())
+    throw Error(std::string(call) + ": " + problem);
+}
 
 template <>
 struct SpecOf<RobotOverrides> : AsDataclass<RobotOverrides> {};

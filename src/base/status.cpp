@@ -16,6 +16,8 @@ std::string_view describe(Status status) {
       return "the mass matrix is not positive definite at this posture: a joint moves no mass";
     case Status::NotNormalized:
       return "a quaternion or a (cos, sin) pair in q is not of unit length: normalise it";
+    case Status::NotPhysical:
+      return "a mass distribution is none that a solid has: inertia_problem() says what is wrong";
     case Status::NotFinite:
       return "an input holds a NaN or an infinity, or is so large that the result does";
     case Status::WrongSize:
@@ -38,6 +40,7 @@ const Words& words_of(Status /*of*/) {
        {"singular_contacts", "contact rows are redundant or not controllable, and mu = 0"},
        {"singular_mass", "the mass matrix is not positive definite at this posture"},
        {"not_normalized", "a quaternion or a (cos, sin) pair is not of unit length to 1e-6"},
+       {"not_physical", "a mass distribution that no solid has"},
        {"not_finite", "an input holds a NaN or an infinity, or is so large that the result does"},
        {"wrong_size", "an argument has the wrong number of entries"},
        {"not_evaluated", "derivatives of an evaluation that was not the last one made"}}};

@@ -32,6 +32,11 @@ class ConstrainedDynamics {
   /// Another coefficient of a contact's friction, likewise.
   void set_friction(int contact, const S& coefficient) { coefficients_[contact] = coefficient; }
 
+  /// Another mass distribution in the place of that of a body, the same in all lanes; likewise.
+  void set_body_inertia(int body, const BodyInertia& inertia) {
+    burnish::set_body_inertia(tree_, body, inertia);
+  }
+
   /// Loads a state: lane l of q (nq) and v (nv). Lanes that are not finite or not normalised are
   /// marked and computed at the neutral posture instead.
   void set_state(const S* q, const S* v);

@@ -6,6 +6,7 @@
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
 #include "derivatives/wrench_transport.hpp"
+#include "dynamics/regressor.tpp"
 
 namespace burnish {
 
@@ -52,6 +53,30 @@ struct ContactDynamics::Impl {
     return {stacked.data() + nv * nv, dynamics.rows(), nv};
   }
 
+  /// What was evaluated is not that of the robot any more.
+  void forget() {
+    evaluated = Evaluated::Nothing;
+    differentiated = false;
+  }
+  void check_bodies(const char* call, std::span<const int> bodies) const {
+    const auto count = static_cast<int>(model.joints.size());
+    for (const int body : bodies)
+      if (body < 0 || body >= count)
+        throw Error(std::string(call) + ": there is no body " + std::to_string(body) +
+                    "; the robot has " + std::to_string(count));
+  }
+  /// Y of the bodies at the accelerations that the workspace holds.
+  void fill_regressor(std::span<const int> bodies, RowMatrix& out) {
+    const auto columns = static_cast<Eigen::Index>(10 * bodies.size());
+    if (out.rows() != nv || out.cols() != columns) out.resize(nv, columns);
+    out.setZero();
+    accelerate(dynamics.tree(), dynamics.kinematics(), dynamics.a.data(),
+               dynamics.inverse_dynamics());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      body_regressor(dynamics.tree(), dynamics.kinematics(), dynamics.inverse_dynamics(), bodies[i],
+                     out.data() + 10 * i, static_cast<int>(columns));
+  }
+
   /// Loads the state and the copies that the views show.
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
@@ -74,7 +99,7 @@ struct ContactDynamics::Impl {
   /// Loads the state and runs `kernel` on it, unless an argument has the wrong size.
   Status evaluate(const ConstVectorRef& q, const ConstVectorRef& v, Evaluated what, bool sizes_fit,
                   const auto& kernel) {
-    evaluated = Evaluated::Nothing;
+    forget();
     if (!sizes_fit || load(q, v) == Status::WrongSize) return Status::WrongSize;
     kernel(dynamics);
     evaluated = what;
@@ -84,6 +109,7 @@ struct ContactDynamics::Impl {
   Status differentiate(Evaluated what, const auto& kernel) {
     if (evaluated != what) return Status::NotEvaluated;
     kernel(derivatives, dynamics);
+    differentiated = true;
     return dynamics.status();
   }
 
@@ -113,6 +139,8 @@ struct ContactDynamics::Impl {
   RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
   Eigen::VectorXd velocity, error;
   Evaluated evaluated = Evaluated::Nothing;
+  bool differentiated = false;           ///< it was
+  RowMatrix regressor;                   ///< of the last inertia_derivatives()
   std::vector<WrenchEntry> entries;      ///< of the last derivatives of a wrench
   std::vector<std::string> joint_names;  ///< per entry of v
 };
@@ -131,7 +159,7 @@ int ContactDynamics::rows() const { return impl_->dynamics.rows(); }
 void ContactDynamics::set_active(int contact, bool active) {
   impl_->check("set_active", contact);
   impl_->active[contact] = active ? 1 : 0;
-  impl_->evaluated = Evaluated::Nothing;
+  impl_->forget();
   impl_->dynamics.set_active(contact, active);
 }
 
@@ -141,7 +169,7 @@ Status ContactDynamics::set_reference_rotation(int contact, const Eigen::Matrix3
   impl_->check("set_reference_rotation", contact);
   if (!is_rotation(rotation)) return Status::NotNormalized;
   impl_->references[static_cast<std::size_t>(contact)].rotation = rotation;
-  impl_->evaluated = Evaluated::Nothing;
+  impl_->forget();
   impl_->dynamics.set_reference_rotation(contact, from_eigen(rotation));
   return Status::Ok;
 }
@@ -154,7 +182,7 @@ Status ContactDynamics::set_surface(int contact, const Quadric& surface) {
                 " follows no surface; wanted one of Reference::on");
   if (!surface.is_finite()) return Status::NotFinite;
   impl_->references[static_cast<std::size_t>(contact)].quadric = surface;
-  impl_->evaluated = Evaluated::Nothing;
+  impl_->forget();
   impl_->dynamics.set_surface(contact, {from_eigen(surface.Q), from_eigen(surface.b)});
   return Status::Ok;
 }
@@ -163,8 +191,16 @@ Status ContactDynamics::set_friction(int contact, double coefficient) {
   impl_->check("set_friction", contact);
   check_rubs("set_friction", impl_->set.contacts()[contact]);
   if (!std::isfinite(coefficient) || coefficient < 0.0) return Status::NotFinite;
-  impl_->evaluated = Evaluated::Nothing;
+  impl_->forget();
   impl_->dynamics.set_friction(contact, coefficient);
+  return Status::Ok;
+}
+
+Status ContactDynamics::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const LoadedBody loaded = loaded_body("set_payload", impl_->model, frame, payload);
+  if (loaded.status != Status::Ok) return loaded.status;
+  impl_->forget();
+  impl_->dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
   return Status::Ok;
 }
 
@@ -224,6 +260,24 @@ Status ContactDynamics::acceleration_derivatives() {
     impl_->negated_q.topRows(m) = -impl_->rows_of_lambda(d.rhs_q);
     impl_->negated_v.topRows(m) = -impl_->rows_of_lambda(d.rhs_v);
   });
+}
+
+Status ContactDynamics::regressor(std::span<const int> bodies, RowMatrix& out) {
+  impl_->check_bodies("regressor", bodies);
+  if (impl_->evaluated != Evaluated::Forward && impl_->evaluated != Evaluated::Inverse)
+    return Status::NotEvaluated;
+  impl_->fill_regressor(bodies, out);
+  return impl_->dynamics.status();
+}
+
+Status ContactDynamics::inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out) {
+  impl_->check_bodies("inertia_derivatives", bodies);
+  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated)
+    return Status::NotEvaluated;
+  impl_->fill_regressor(bodies, impl_->regressor);
+  out.a.noalias() = -da_dtau() * impl_->regressor;
+  out.lambda.noalias() = -dlambda_dtau() * impl_->regressor;
+  return impl_->dynamics.status();
 }
 
 VectorView ContactDynamics::a() const { return {impl_->dynamics.a.data(), impl_->nv}; }

@@ -65,7 +65,8 @@ struct ContactDynamicsBatch::Impl {
 
   Impl(const Model& model, const std::vector<ContactSpec>& specs, int room,
        const ContactSolver& solver, int threads, bool pin_threads)
-      : set(model, specs),
+      : robot(model),
+        set(model, specs),
         nq(model.nq),
         nv(model.nv),
         capacity(room),
@@ -152,6 +153,7 @@ struct ContactDynamicsBatch::Impl {
     return {stacked.data() + block(state) + nv * nv, rows(), nv};
   }
 
+  Model robot;
   ContactSet set;
   int nq, nv, capacity;
   ThreadPool pool;
@@ -177,6 +179,13 @@ void ContactDynamicsBatch::set_active(int contact, bool active) {
     throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
                 std::to_string(impl_->set.size()));
   for (Impl::Worker& worker : impl_->workers) worker.dynamics.set_active(contact, active);
+}
+Status ContactDynamicsBatch::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const LoadedBody loaded = loaded_body("set_payload", impl_->robot, frame, payload);
+  if (loaded.status != Status::Ok) return loaded.status;
+  for (Impl::Worker& worker : impl_->workers)
+    worker.dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
+  return Status::Ok;
 }
 int ContactDynamicsBatch::rows() const { return impl_->rows(); }
 int ContactDynamicsBatch::capacity() const { return impl_->capacity; }

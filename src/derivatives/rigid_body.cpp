@@ -160,6 +160,14 @@ int RigidBody::frame(const std::string& name) const {
   return impl_->model.frame_index(name);
 }
 
+Status RigidBody::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const LoadedBody loaded = loaded_body("set_payload", impl_->model, frame, payload);
+  if (loaded.status != Status::Ok) return loaded.status;
+  set_body_inertia(impl_->tree, loaded.body, body_inertia(loaded.inertia));
+  impl_->momentum.set_mass(impl_->tree);
+  return Status::Ok;
+}
+
 Status RigidBody::update(const ConstVectorRef& q, const ConstVectorRef& v) {
   return update(q, v, impl_->at_rest);
 }

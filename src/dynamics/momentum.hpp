@@ -12,6 +12,8 @@ namespace burnish {
 template <class S>
 struct Momentum {
   explicit Momentum(const Tree& tree);
+  /// When a body's mass has become another.
+  void set_mass(const Tree& tree);
 
   std::vector<Inertia<S>> composite;         ///< per body: I^C of its subtree
   std::vector<Force<S>> composite_momentum;  ///< per body: h^C of its subtree
@@ -22,7 +24,7 @@ struct Momentum {
   Force<S> centroidal;                       ///< about the centre of mass
   S kinetic;                                 ///< v^T M v / 2, armature included, J
   S potential;                               ///< -mass gravity . com, zero at the world's origin, J
-  double mass = 0.0;                         ///< kg; filled when made
+  double mass = 0.0;                         ///< kg; by set_mass, and when made
   double inverse_mass = 0.0;                 ///< 1/kg; zero for a massless robot
 };
 

@@ -8,8 +8,14 @@ namespace burnish {
 template <class S>
 Momentum<S>::Momentum(const Tree& tree)
     : composite(tree.joints.size()), composite_momentum(tree.joints.size()) {
+  set_mass(tree);
+}
+
+template <class S>
+void Momentum<S>::set_mass(const Tree& tree) {
+  mass = 0.0;
   for (const TreeJoint& joint : tree.joints) mass += joint.mass;
-  if (mass > 0.0) inverse_mass = 1.0 / mass;
+  inverse_mass = mass > 0.0 ? 1.0 / mass : 0.0;
 }
 
 template <class S>

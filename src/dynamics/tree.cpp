@@ -93,6 +93,27 @@ int moving_axis(const Tree& tree, int body, int v) {
   return -1;
 }
 
+BodyInertia body_inertia(const InertiaSpec& inertia) {
+  const Eigen::Matrix3d& I = inertia.inertia_at_com;
+  return {inertia.mass,
+          from_eigen(inertia.com),
+          {I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2)}};
+}
+
+void set_body_inertia(Tree& tree, int body, const BodyInertia& inertia) {
+  TreeJoint& joint = tree.joints[static_cast<std::size_t>(body)];
+  joint.mass = inertia.mass;
+  joint.com = inertia.com;
+  joint.inertia = inertia.inertia;
+}
+
+LoadedBody loaded_body(std::string_view call, const Model& model, std::string_view frame,
+                       const InertiaSpec& carried) {
+  const Frame& at = frame_on_body(call, model, frame);
+  return {check_inertia(carried), at.body,
+          together(inertia_of_body(model, at.body), placed(carried, at.placement))};
+}
+
 Tree::Tree(const Model& model)
     : parent_of_v(model.parent_of_v),
       gravity(from_eigen(model.gravity)),
@@ -103,7 +124,7 @@ Tree::Tree(const Model& model)
   joints.reserve(model.joints.size());
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
-    const Eigen::Matrix3d& I = joint.inertia_at_com;
+    const BodyInertia own = body_inertia({joint.mass, joint.com, joint.inertia_at_com});
     const int count = joint_nv(joint.kind);
     joints.push_back({kind_in_tree(model, joint),
                       joint.parent,
@@ -114,9 +135,9 @@ Tree::Tree(const Model& model)
                       joint.follows ? static_cast<int>(followers.size()) : -1,
                       from_eigen(Eigen::Matrix3d(joint.placement.linear())),
                       from_eigen(Eigen::Vector3d(joint.placement.translation())),
-                      joint.mass,
-                      from_eigen(joint.com),
-                      {I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2)}});
+                      own.mass,
+                      own.com,
+                      own.inertia});
     if (joint.follows) followers.push_back(follower_of(*joint.follows));
     int previous = -1;
     if (joint.parent >= 0) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "burnish/model/model.hpp"
+#include "burnish/model/inertia.hpp"
 #include "math/spatial.hpp"
 
 namespace burnish {
@@ -25,6 +25,13 @@ struct TreeJoint {
   double mass;       ///< kg
   Vec3<double> com;  ///< in the body, m
   Sym3<double> inertia;  ///< about com, body axes, kg m^2
+};
+
+/// Mass distribution of a body, in its axes.
+struct BodyInertia {
+  double mass;           ///< kg
+  Vec3<double> com;      ///< m
+  Sym3<double> inertia;  ///< about com, kg m^2
 };
 
 /// Value of a follower: multiplier * value of its leader + offset, rad or m.
@@ -66,6 +73,22 @@ struct Tree {
   /// before it and each but the last carries that one alone; ascending.
   std::vector<std::pair<int, int>> chains() const;
 };
+
+BodyInertia body_inertia(const InertiaSpec& inertia);
+/// Another mass distribution in the place of that of a body: a payload taken up, for states that
+/// are evaluated from then on. Allocates nothing.
+void set_body_inertia(Tree& tree, int body, const BodyInertia& inertia);
+
+/// A body of a model together with what it carries at one of its frames, whatever it carried
+/// before; `status` is that of check_inertia. Throws Error as frame_on_body does. Allocates nothing
+/// otherwise.
+struct LoadedBody {
+  Status status;
+  int body;
+  InertiaSpec inertia;  ///< in the body's axes
+};
+LoadedBody loaded_body(std::string_view call, const Model& model, std::string_view frame,
+                       const InertiaSpec& carried);
 
 /// An entry of v that moves a body, and the axis, or sum of axes, by which it does.
 struct MovingAxis {

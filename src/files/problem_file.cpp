@@ -8,6 +8,7 @@
 #include "files/read_parts.hpp"
 #include "files/read_problem.hpp"
 #include "files/read_solver.hpp"
+#include "robots/read_inertia.hpp"
 
 namespace burnish::files {
 namespace {
@@ -236,12 +237,15 @@ void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec
 }  // namespace
 
 ProblemFile read_problem(const Reader& top, const std::filesystem::path& folder) {
-  top.allow_only({"description", "robot", "start", "contacts", "contact_solver", "actuation",
-                  "torque_model", "remembered_forces", "control_bounds", "terms", "stages",
-                  "horizon", "terminal", "terminal_constraints", "solver", "guess"});
+  top.allow_only({"description", "robot", "payload", "start", "contacts", "contact_solver",
+                  "actuation", "torque_model", "remembered_forces", "control_bounds", "terms",
+                  "stages", "horizon", "terminal", "terminal_constraints", "solver", "guess"});
   ProblemFile result;
   if (const auto text = top.find("description")) result.description = text->text();
   result.robot = read_robot(top["robot"], folder);
+  if (const auto payload = top.find("payload"))
+    result.robot.model = payload->named(
+        [&] { return with_payload(std::move(result.robot.model), read_payload(*payload)); });
   result.spec.model = result.robot.model;
   read_scope(top, folder, result);
   ProblemSpec& spec = result.spec;

@@ -13,6 +13,10 @@ class ContactForceEstimate {
   void set_surface(const Quadric& surface) noexcept;
   /// The coefficient of the tool's contacts with friction.
   void set_friction(double coefficient) noexcept;
+  /// ContactDynamics::set_payload.
+  void set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)dynamics_.set_payload(frame, payload);
+  }
   bool has_contact(int stage) const noexcept;
   /// Of all contacts of the stage, N, world axes, at tau (nv), their references as they are at a
   /// time of the schedule, s. False and zero where it has none, or the dynamics no solution.

@@ -29,6 +29,12 @@ class ErrorEstimate {
     normal_world_ = normal_world;
     contact_force_.set_surface(surface);
   }
+  /// What the robot carries at a frame, of which torques and forces are told from now on.
+  void set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)observer_.set_payload(frame, payload);
+    felt_.set_payload(frame, payload);
+    contact_force_.set_payload(frame, payload);
+  }
   const Eigen::Vector3d& normal_world() const { return normal_world_; }
   /// Of the tool's contacts with friction: their coefficient; 0 without them.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }

@@ -18,6 +18,10 @@ class FeltForce {
   /// evaluated changes nothing.
   void update(const MeasurementGate& gate, const Eigen::VectorXd& acted, bool free) noexcept;
 
+  /// TorqueErrorObserver::set_payload.
+  void set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)observer_.set_payload(frame, payload);
+  }
   const Eigen::Vector3d& force_world() const { return force_; }        ///< N
   const Eigen::VectorXd& model_error() const { return model_error_; }  ///< d, nv, Nm (N)
   double bandwidth() const { return observer_.bandwidth(); }           ///< rad/s, of the observer

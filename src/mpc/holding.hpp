@@ -14,6 +14,10 @@ class Holding {
   Holding(const MpcSpec& spec, std::vector<int> actuated);
 
   void reset() noexcept;
+  /// What the robot carries at a frame: as ContactDynamics::set_payload, whose status it is.
+  void set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)free_.set_payload(frame, payload);
+  }
   /// The next time it holds, it holds where the robot is then.
   void release() noexcept { holding_ = false; }
   /// tau (nv, Nm or N) at q, v; zero where the dynamics cannot be evaluated. fresh: q and v are of

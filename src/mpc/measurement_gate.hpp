@@ -24,6 +24,10 @@ class MeasurementGate {
   double now() const { return now_; }       ///< s, of this tick
   const Measurement& last() const { return last_; }
   const RigidBody& body() const { return body_; }  ///< at last()
+  /// RigidBody::set_payload.
+  void set_payload(std::string_view frame, const InertiaSpec& payload) {
+    (void)body_.set_payload(frame, payload);
+  }
   /// The force at the tool in place of a sensor's, N, world axes.
   void feel(const Eigen::Vector3d& force_world) noexcept { last_.tool_force_world = force_world; }
   /// Of the velocity, what stays, where it is of long ago.

@@ -162,6 +162,10 @@ void TorqueErrorObserver::reset() noexcept {
   impl_->bandwidth = impl_->options.bandwidth;
 }
 
+Status TorqueErrorObserver::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  return impl_->dynamics.set_payload(frame, payload);
+}
+
 const Eigen::VectorXd& TorqueErrorObserver::torque_error() const { return impl_->error; }
 double TorqueErrorObserver::bandwidth() const { return impl_->bandwidth; }
 

@@ -15,6 +15,9 @@ void MpcController::reset() noexcept { impl_->reset(); }
 const Command& MpcController::tick(const Measurement& measurement) noexcept {
   return impl_->tick(measurement);
 }
+Status MpcController::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  return impl_->set_payload(frame, payload);
+}
 const FaultReport& MpcController::fault() const { return impl_->fault.report; }
 std::exception_ptr MpcController::take_exception() noexcept {
   return std::exchange(impl_->thrown, nullptr);

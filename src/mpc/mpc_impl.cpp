@@ -70,6 +70,15 @@ MpcController::Impl::Impl(MpcSpec given)
   fault.report.quantity.reserve(longest);
 }
 
+Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const Status status = problem.set_payload(frame, payload);
+  if (status != Status::Ok) return status;
+  error.set_payload(frame, payload);
+  gate.set_payload(frame, payload);
+  holding_.set_payload(frame, payload);
+  return status;
+}
+
 void MpcController::Impl::reset() noexcept {
   task->reset();
   schedule.reset();

@@ -21,6 +21,7 @@ struct MpcController::Impl {
   explicit Impl(MpcSpec given);
 
   void reset() noexcept;
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   const Command& tick(const Measurement& m) noexcept;
 
  private:

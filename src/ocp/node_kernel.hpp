@@ -23,6 +23,11 @@ class NodeKernel {
   void expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
               const double* times);
 
+  /// Another mass distribution of a body, for what is evaluated from then on.
+  void set_body_inertia(int body, const BodyInertia& inertia) {
+    dynamics_.set_body_inertia(body, inertia);
+  }
+
   Status status(int lane) const { return status_[static_cast<std::size_t>(lane)]; }
   /// Outcome of a lane, and what is to blame where it is not finite.
   KnotValue outcome(const CompiledStage& stage, int lane) const;

@@ -113,6 +113,12 @@ Status Problem::set_term_surface(int knot, int term, const Quadric& surface) {
   return Status::Ok;
 }
 
+Status Problem::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  const LoadedBody loaded = loaded_body("set_payload", impl_->spec.model, frame, payload);
+  if (loaded.status == Status::Ok) impl_->set_body_inertia(loaded.body, loaded.inertia);
+  return loaded.status;
+}
+
 Status Problem::set_torque_bias(const ConstVectorRef& torque) {
   std::vector<double>& bias = impl_->compiled.torque_bias;
   if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;

@@ -142,6 +142,16 @@ void Problem::Impl::prepare(int count) {
     workers.push_back(std::make_unique<ocp::Worker>(compiled));
 }
 
+void Problem::Impl::set_body_inertia(int body, const InertiaSpec& inertia) {
+  const BodyInertia own = body_inertia(inertia);
+  set_inertia_of_body(compiled.model, body, inertia);
+  burnish::set_body_inertia(compiled.tree, body, own);
+  for (const auto& each : workers) {
+    each->one.set_body_inertia(body, own);
+    each->pack.set_body_inertia(body, own);
+  }
+}
+
 Status Problem::Impl::set_initial_state(const ConstVectorRef& x) {
   if (x.size() != static_cast<Eigen::Index>(initial_state.size())) return Status::WrongSize;
   if (!x.allFinite()) return Status::NotFinite;

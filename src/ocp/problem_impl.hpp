@@ -41,6 +41,8 @@ struct Problem::Impl {
   ocp::Worker& worker(int index) { return *workers[static_cast<std::size_t>(index)]; }
 
   Status set_initial_state(const ConstVectorRef& x);
+  /// Of the compiled model, and of what workers have made of it; those to come make it anew.
+  void set_body_inertia(int body, const InertiaSpec& inertia);
   void set_knot(int knot, int stage, double time);
   void advance(int stage);
   void load_targets(int knot);

@@ -25,6 +25,14 @@ class StageDynamics {
   /// derivative, nv x nz (q and v columns).
   void impact(const CompiledStage& stage, bool with_derivatives);
 
+  /// Another mass distribution of a body, which the problem's tree has already; for what is
+  /// evaluated from then on.
+  void set_body_inertia(int body, const BodyInertia& inertia) {
+    momentum_.set_mass(problem_->tree);
+    dynamics_.set_body_inertia(body, inertia);
+    if (impact_) impact_->dynamics.set_body_inertia(body, inertia);
+  }
+
   const KnotState<S>& knot() const { return knot_; }
   const S* acceleration() const { return dynamics_.a.data(); }
   const S* velocity_after() const { return impact_->dynamics.velocity_after.data(); }

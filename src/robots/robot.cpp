@@ -264,6 +264,29 @@ void put_loops(const std::vector<LoopSpec>& loops, TreeSpec& tree) {
   }
 }
 
+void set_inertia(TreeSpec& tree, const std::string& name, const InertiaSpec& inertia,
+                 const std::string& origin) {
+  const auto link = std::find_if(tree.links.begin(), tree.links.end(),
+                                 [&](const LinkSpec& spec) { return spec.name == name; });
+  if (link == tree.links.end()) {
+    std::vector<std::string> known;
+    for (const LinkSpec& spec : tree.links) known.push_back(spec.name);
+    refuse(origin,
+           "inertias: link " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
+  }
+  link->inertia = inertia;
+}
+
+/// The model with what the settings say that it carries.
+Model loaded(Model model, const std::optional<Payload>& payload, const std::string& origin) {
+  if (!payload) return model;
+  try {
+    return with_payload(std::move(model), *payload);
+  } catch (const Error& error) {
+    refuse(origin, error.what());
+  }
+}
+
 /// Adds the SRDF file's postures, behind those of the settings; gives the names of the new ones.
 std::vector<std::string> add_srdf(const SrdfFile& srdf, const TreeSpec& tree,
                                   RobotSettings& settings, Findings& findings) {
@@ -412,6 +435,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   for (const auto& [joint, limits] : settings.limits) set_limits(tree, joint, limits, origin);
   for (const auto& [joint, figures] : settings.joints) set_figures(tree, joint, figures, origin);
   put_loops(settings.loops, tree);
+  for (const auto& [link, inertia] : settings.inertias) set_inertia(tree, link, inertia, origin);
   Findings of_srdf(srdf.file.string());
   std::vector<std::string> from_srdf;
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
@@ -420,7 +444,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   if (options.free.empty() && !overrides.carrying.empty())
     options.free = carrying_joints(tree, overrides.carrying);
   Robot robot;
-  robot.model = build_model(tree, options);
+  robot.model = loaded(build_model(tree, options), settings.payload, origin);
   robot.postures = settings.postures;
   drop_bad_postures(from_srdf, robot, of_srdf);
   if (settings.default_posture) {

@@ -5,6 +5,7 @@
 
 #include "base/text_file.hpp"
 #include "document/geometry.hpp"
+#include "robots/read_inertia.hpp"
 
 namespace burnish {
 namespace {
@@ -96,9 +97,9 @@ JointFigures read_figures(const Reader& reader) {
 /// The keys of a file or of a variant; `also`: one that only the file has.
 RobotSettings read_settings(const Reader& reader, const std::vector<std::string>& also) {
   std::vector<std::string> keys{
-      "urdf",           "mjcf",   "srdf",   "description", "base",
-      "base_placement", "lock",   "free",   "posture",     "default_posture",
-      "postures",       "frames", "limits", "joints",      "loops"};
+      "urdf",   "mjcf",   "srdf",    "description",     "base",     "base_placement",
+      "lock",   "free",   "posture", "default_posture", "postures", "frames",
+      "limits", "joints", "loops",   "inertias",        "payload"};
   keys.insert(keys.end(), also.begin(), also.end());
   reader.allow_only(keys);
   RobotSettings settings;
@@ -135,6 +136,10 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
       settings.joints[joint] = read_figures(figures);
   if (const auto loops = reader.find("loops"))
     for (const auto& [name, loop] : loops->items()) settings.loops.push_back(read_loop(name, loop));
+  if (const auto inertias = reader.find("inertias"))
+    for (const auto& [link, inertia] : inertias->items())
+      settings.inertias[link] = read_inertia(inertia);
+  if (const auto payload = reader.find("payload")) settings.payload = read_payload(*payload);
   return settings;
 }
 
@@ -192,6 +197,8 @@ RobotSettings with_variant(RobotSettings common, const RobotSettings& variant) {
   for (const auto& [joint, figures] : variant.joints) common.joints[joint] = figures;
   replace_or_add(variant.frames, common.frames);
   replace_or_add(variant.loops, common.loops);
+  for (const auto& [link, inertia] : variant.inertias) common.inertias[link] = inertia;
+  if (variant.payload) common.payload = variant.payload;
   return common;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "burnish/model/inertia.hpp"
 #include "burnish/robots/robot.hpp"
 
 namespace burnish {
@@ -38,6 +39,8 @@ struct RobotSettings {
   std::map<std::string, JointLimits> limits;
   std::map<std::string, JointFigures> joints;
   std::vector<LoopSpec> loops;  ///< in the order of the file
+  std::map<std::string, InertiaSpec> inertias;  ///< of links, in the place of the URDF's
+  std::optional<Payload> payload;
 };
 
 struct RobotSettingsFile {

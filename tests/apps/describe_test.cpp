@@ -105,7 +105,7 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   const std::string program = "\"" BURNISH_PROGRAM "\" ";
   EXPECT_EQ(bash_offers(program + "po"), "polish");
   EXPECT_EQ(bash_offers(program + "\"\""),
-            "show check eval solve polish run experiment merge sweep tune report bench");
+            "show check eval solve polish run experiment merge sweep tune report bench identify");
   EXPECT_EQ(bash_offers(program + "--ver"), "--version");
   EXPECT_EQ(bash_offers(program + "polish --sur"), "--surface");
   EXPECT_EQ(bash_offers(program + "polish --surface \"\""),

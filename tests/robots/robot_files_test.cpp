@@ -251,6 +251,37 @@ TEST_F(RobotFiles, SettingsStateSpringsFrictionAndRotorsBehindGears) {
   expect_words(sentence("{hinge: {gear_ratio: 50}}"), {"'gear_ratio'", "'rotor_inertia'"});
 }
 
+TEST_F(RobotFiles, SettingsSayWhatLinksWeighAndWhatIsCarried) {
+  write("arm.urdf", two_joints());
+  write("robot.yaml", "urdf: arm.urdf");
+  const Model plain = load_robot(folder_.string()).model;
+  const std::string link = plain.frames[static_cast<std::size_t>(plain.frames.size()) - 1].name;
+  const auto loaded = [&](const std::string& lines, const std::string& variant = "") {
+    write("robot.yaml", "urdf: arm.urdf\n" + lines);
+    return load_robot(folder_.string() + variant).model;
+  };
+  const std::string hand = "frames: {hand: {parent: " + link + ", xyz: [0, 0, 0.1]}}\n";
+  const std::string brick =
+      "payload: {frame: hand, mass: 2, com: [0, 0, 0.1], inertia: [0.1, 0.1, 0.1]}\n";
+  EXPECT_NEAR(loaded(hand + brick).total_mass(), plain.total_mass() + 2.0, 1e-12);
+  EXPECT_NEAR(
+      loaded(hand + "variants: {full: {" + brick.substr(0, brick.size() - 1) + "}}", ":full")
+          .total_mass(),
+      plain.total_mass() + 2.0, 1e-12);
+  const Model other = loaded("inertias: {" + link + ": {mass: 7, inertia: [1, 0, 0, 1, 0, 1]}}");
+  EXPECT_EQ(other.joints.back().mass, 7.0);
+  EXPECT_EQ(other.joints.back().inertia_at_com, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  const auto sentence = [&](const std::string& lines) {
+    return refusal([&] { (void)loaded(hand + lines); });
+  };
+  expect_words(sentence("payload: {frame: hnd, mass: 1}"), {"robot.yaml", "'hnd'", "'hand'?"});
+  expect_words(sentence("payload: {mass: -1}"), {"payload.mass", "-1"});
+  expect_words(sentence("payload: {mass: 1, inertia: [1, 1, 3]}"), {"payload", "no solid"});
+  expect_words(sentence("payload: {mass: 1, inertia: [1, 1]}"), {"payload.inertia", "2 numbers"});
+  expect_words(sentence("payload: {com: [0, 0, 0]}"), {"payload", "'mass'"});
+  expect_words(sentence("inertias: {nothing: {mass: 1}}"), {"robot.yaml", "'nothing'"});
+}
+
 TEST_F(RobotFiles, MoveWhatCarriesTheToolAloneWhereNothingSaysMore) {
   const std::string xml =
       "<robot name='two arms'><link name='base'/>" + body("left") + body("hand") + body("right") +

@@ -16,6 +16,7 @@ enum class Status : std::uint8_t {
   SingularContacts,  ///< contact rows are redundant or not controllable, and mu = 0
   SingularMass,      ///< the mass matrix is not positive definite at this posture
   NotNormalized,     ///< a quaternion or a (cos, sin) pair is not of unit length to 1e-6
+  NotPhysical,       ///< a mass distribution that no solid has
   NotFinite,         ///< an input holds a NaN or an infinity, or is so large that the result does
   WrongSize,         ///< an argument has the wrong number of entries
   NotEvaluated,      ///< derivatives of an evaluation that was not the last one made

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
 #include "burnish/contact/contact_force.hpp"
 #include "burnish/contact/contact_set.hpp"
+#include "burnish/model/inertia.hpp"
 
 namespace burnish {
 
@@ -18,6 +21,13 @@ struct WrenchDerivatives {
   RowMatrix dq;  ///< N/rad (N/m), Nm/rad (Nm/m), by the right tangent increment of q
   RowMatrix dv;
   RowMatrix dtau;  ///< 1/m (force per torque), dimensionless (moment per torque)
+};
+
+/// Derivatives by the mass distributions of chosen bodies: ten columns per body, in the order of the
+/// bodies and of inertia_parameter_names.
+struct InertiaDerivatives {
+  RowMatrix a;       ///< nv rows
+  RowMatrix lambda;  ///< rows()
 };
 
 /// Dynamics of a robot in contact, with all derivatives (eqs. 1 to 6 and 30 to 32 of the paper).
@@ -56,6 +66,12 @@ class ContactDynamics {
   /// Another coefficient of a contact's friction, likewise: NotFinite for one that is no number of
   /// at least zero. Throws Error for an unknown index and a contact without friction.
   Status set_friction(int contact, double coefficient);
+  /// What the robot carries at a frame from now on, in the frame's axes: its body's mass
+  /// distribution is the model's and this one, in the place of what that body carried before; a mass
+  /// of 0 puts it down. For states evaluated from then on. Does not allocate. Returns Ok, or
+  /// NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws Error with the
+  /// nearest known name for a frame that there is not, and for one that is fixed to the world.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
 
@@ -76,6 +92,15 @@ class ContactDynamics {
   /// Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian()
   /// (Proposition 3).
   Status acceleration_derivatives();
+
+  /// The regressor of inverse dynamics at the last forward() or inverse(): with the parameters theta
+  /// of all bodies (inertia_parameters), M a + b = Y theta + diag(armature) a. Y is nv x 10 per body,
+  /// `bodies` being numbers of joints of the model; `out` is resized on first use. Throws Error for a
+  /// body that there is not.
+  Status regressor(std::span<const int> bodies, RowMatrix& out);
+  /// Derivatives of a and lambda by those parameters at the torques of the last forward(), whose
+  /// forward_derivatives() were made: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y.
+  Status inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out);
 
   VectorView a() const;            ///< nv, rad/s^2 or m/s^2
   VectorView lambda() const;       ///< rows, N or Nm

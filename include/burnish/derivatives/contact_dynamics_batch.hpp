@@ -28,6 +28,8 @@ class ContactDynamicsBatch {
   ContactDynamicsBatch& operator=(ContactDynamicsBatch&&) noexcept;
 
   void set_active(int contact, bool active);
+  /// As ContactDynamics::set_payload, of all states.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   int rows() const;
   int capacity() const;
   int threads() const;

@@ -9,10 +9,12 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
 #include "burnish/dynamics/reference.hpp"
+#include "burnish/model/inertia.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -55,6 +57,13 @@ class RigidBody {
   /// Number of a frame of the model, for the functions below; "world" is always known. Throws Error
   /// with the nearest known name.
   int frame(const std::string& name) const;
+
+  /// What the robot carries at a frame (any of the model's) from now on, in the frame's axes, in the
+  /// place of what that frame's body carried before; of states updated from then on. Allocates
+  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing.
+  /// Throws Error with the nearest known name for a frame that there is not, and for one that is
+  /// fixed to the world.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Evaluates the state: q has nq entries, v and a nv (rad/s, m/s; rad/s^2, m/s^2). Without `a`
   /// the joint accelerations are zero. Returns WrongSize, NotFinite, NotNormalized or Ok; throws

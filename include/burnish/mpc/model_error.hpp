@@ -71,6 +71,8 @@ class TorqueErrorObserver {
   /// allocation.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt) noexcept;
+  /// As ContactDynamics::set_payload.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   const Eigen::VectorXd& torque_error() const;  ///< d, nv, Nm (N)
   double bandwidth() const;                     ///< w of the last update, rad/s
 

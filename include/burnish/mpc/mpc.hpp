@@ -134,6 +134,13 @@ class MpcController final : public Controller {
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 
+  /// What the robot carries at a frame from the next tick on, in the frame's axes, in the place of
+  /// what that frame's body carried before: plans, estimates and the fallback all have it, and
+  /// reset() keeps it. Between ticks; allocates nothing. Returns Ok, or NotFinite or NotPhysical as
+  /// check_inertia() does, which changes nothing. Throws Error with the nearest known name for a
+  /// frame that there is not, and for one that is fixed to the world.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
+
   /// Its kind is None until there is one. reset() clears it.
   const FaultReport& fault() const;
   /// The first exception that a function of the specification threw since reset() or since this was

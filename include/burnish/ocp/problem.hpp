@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "burnish/base/views.hpp"
+#include "burnish/model/inertia.hpp"
 #include "burnish/ocp/node_view.hpp"
 #include "burnish/ocp/problem_spec.hpp"
 #include "burnish/solver/shooting_problem.hpp"
@@ -66,6 +68,12 @@ class Problem final : public ShootingProblem {
   /// The same of the surface that the reference of one term follows. Throws Error for a knot or
   /// term that there is not, and for one whose reference follows no surface.
   Status set_term_surface(int knot, int term, const Quadric& surface);
+  /// What the robot carries at a frame from now on, at all knots, in the frame's axes and in the
+  /// place of what that frame's body carried before; model() has it from then on. Allocates nothing.
+  /// Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws
+  /// Error with the nearest known name for a frame that there is not, and for one that is fixed to
+  /// the world.
+  Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
   Status set_torque_bias(const ConstVectorRef& torque);

@@ -1,0 +1,63 @@
+// Motions that show what a robot weighs, and records of simulated ones.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "burnish/identify/identification.hpp"
+#include "burnish/sim/disturbances.hpp"
+
+namespace burnish {
+
+struct ExcitationSpec {
+  double duration = 10.0;       ///< s, from rest to rest
+  double highest = 0.7;         ///< Hz, of the harmonics of 1/duration that joints move with
+  double range = 0.8;           ///< rad (m) that joints leave their start at most
+  double margin = 0.1;          ///< rad (m) that they keep from their limits
+  double speed_share = 0.4;     ///< of velocity limits that is used at most; 2 rad/s without one
+  double effort_share = 0.8;    ///< of effort limits, of the robot without a payload
+  std::vector<std::string> joints = {};  ///< that move; empty: all
+  int candidates = 40;          ///< drawn, of which the one is taken that shows most
+  std::uint64_t seed = 1;
+};
+
+/// A motion from rest to rest about a configuration: per joint a sum of harmonics, faded in and out
+/// (J. Swevers et al., "Optimal Robot Excitation and Identification", 1997).
+class Excitation {
+ public:
+  /// The one of several drawn at random that tells most of a payload at `frame`: whose information
+  /// has the largest determinant. q_start: nq. Throws Error with one sentence for names that the
+  /// robot does not know, numbers out of range, joints of several entries, and a start that is
+  /// outside the limits. It knows no obstacles, the robot's own links included.
+  Excitation(const Model& model, const Eigen::VectorXd& q_start, const std::string& frame,
+             const ExcitationSpec& spec = {});
+
+  double duration() const { return duration_; }
+  /// At a time (s; held before and after): q (nq), v and a (nv).
+  void at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
+  /// Columns time, q_<joint>, v_<joint>, a_<joint>, every `period` s.
+  Trace trace(double period) const;
+
+ private:
+  struct Drawn {
+    Eigen::MatrixXd sine, cosine;  ///< nv x harmonics, rad (m)
+  };
+  void limit(double effort_share);
+  double information(const std::string& frame) const;
+  void way_at(double time, Eigen::VectorXd& way, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
+
+  Model model_;
+  Eigen::VectorXd q_start_;
+  double duration_;
+  Drawn drawn_;
+};
+
+/// What a robot with a payload records while it follows a motion: on the ideal plant, in the air, by
+/// computed torque of the model without the payload, at 1 kHz. `start`: where joints begin. Throws
+/// Error as check_disturbances() does, and where the simulation fails.
+Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+                    const Disturbances& disturbances);
+
+}  // namespace burnish

@@ -1,0 +1,90 @@
+// Mass distributions from a recorded motion: those of chosen bodies, or of what a robot carries,
+// with their uncertainty.
+//
+// Positions and torques are smoothed and differentiated by the same local polynomials (A. Savitzky,
+// M. Golay, 1964), forwards and backwards alike, so that neither is late; with the smoothed motion
+// the torques are linear in the masses (ContactDynamics::regressor). Masses are estimated in
+// log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body Inertia",
+// 2022), in which every value is a body that there can be. docs/identification.md has the equations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/model/inertia.hpp"
+
+namespace burnish {
+
+/// A motion as it was measured, a row per sample.
+struct MotionRecord {
+  double period = 1e-3;  ///< s between samples
+  RowMatrix q;           ///< n x nq
+  RowMatrix tau;         ///< n x nv: Nm, N
+};
+
+/// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_ and
+/// tau_ where it has none of these. Throws Error where one is missing and for times that are not
+/// evenly spaced to 1 %.
+MotionRecord motion_record(const Model& model, const Trace& trace);
+
+struct IdentificationSpec {
+  /// Links whose own mass distributions are estimated; empty: those of what the robot carries.
+  std::vector<std::string> bodies = {};
+  /// Frame that what the robot carries is written in, where no bodies are named.
+  std::string payload = "tool";
+  /// Joint friction: Coulomb's and viscous of each entry of v. For torques that motors give; sensors
+  /// behind the gears do not feel it.
+  bool friction = false;
+  bool offset = false;   ///< a constant error of each torque
+  bool delay = true;     ///< of torques behind positions
+  double window = 0.12;  ///< s that a polynomial spans
+  double start = 0.0;    ///< s at the start of the record that are left out
+};
+
+/// A number with its standard deviation.
+struct Estimate {
+  double value = 0.0, sigma = 0.0;
+};
+
+/// One of the mass distributions that were asked for.
+struct EstimatedInertia {
+  std::string frame;    ///< the link, or the payload's frame; all is in its axes
+  InertiaSpec inertia;  ///< as estimated: a solid has it
+  /// of `inertia`: mass (kg), com (m), then xx xy xz yy yz zz about com (kg m^2)
+  Vector10 values = Vector10::Zero();
+  Vector10 sigma = Vector10::Zero();
+  /// The standard deviation before the motion was seen. What the motion does not show has nearly
+  /// this one still, and its value is little but what was believed before.
+  Vector10 prior_sigma = Vector10::Zero();
+  /// Whether the motion shows entry i of values: it halved the standard deviation at least.
+  bool is_shown(int i) const { return sigma[i] < 0.5 * prior_sigma[i]; }
+  /// Numbers of the entries that it does not show.
+  std::vector<int> not_shown() const;
+};
+/// mass, com and moments about com, as EstimatedInertia::values has them.
+Vector10 estimate_values(const InertiaSpec& inertia);
+/// Names of those entries.
+inline constexpr std::array<std::string_view, 10> estimate_names{
+    "mass", "com x", "com y", "com z", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
+
+struct Identification {
+  std::vector<EstimatedInertia> inertias;
+  /// nv each where they were asked for, else empty: Nms/rad (Ns/m), Nm (N), Nm (N).
+  std::vector<Estimate> viscous, coulomb, offset;
+  Estimate delay;                   ///< s
+  Eigen::VectorXd rms_before;       ///< nv, of the torques that the model as given leaves, Nm (N)
+  Eigen::VectorXd rms_after;        ///< nv, of those that what was found leaves
+  int samples = 0;                  ///< that were used, of each torque
+  bool converged = false;
+  std::vector<std::string> warnings;  ///< sentences
+};
+
+/// Estimates them from a motion without contact. Throws Error with one sentence for names that the
+/// robot does not know, a floating base and joints of several entries (whose motion encoders do not
+/// tell), records of other sizes or with numbers that are none, and records that are shorter than
+/// ten windows.
+Identification identify(const Model& model, const MotionRecord& record,
+                        const IdentificationSpec& spec = {});
+
+}  // namespace burnish

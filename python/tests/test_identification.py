@@ -1,0 +1,83 @@
+"""Payloads as data, the regressor, and masses from recorded motions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import ContactDynamics, InertiaSpec, RigidBody
+from dynamics_cases import state
+
+ARM = burnish.load_robot("arm7")
+
+
+def brick() -> InertiaSpec:
+    return InertiaSpec(mass=1.2, com=[0.01, -0.02, 0.06], inertia_at_com=np.diag([3e-3, 4e-3, 2e-3]))
+
+
+class TestPayload:
+    def test_is_as_if_it_were_in_the_model(self) -> None:
+        q, v, tau = state(ARM.model)
+        told, made = ContactDynamics(ARM.model), ContactDynamics(burnish.with_payload(ARM.model, "tool", brick()))
+        told.set_payload("tool", brick())
+        told.forward(q, v, tau)
+        made.forward(q, v, tau)
+        np.testing.assert_allclose(told.a, made.a, rtol=1e-12)
+        body = RigidBody(ARM.model)
+        body.set_payload("tool", brick())
+        body.update(q, v)
+        assert body.mass == pytest.approx(ARM.model.total_mass + 1.2)
+
+    def test_what_no_solid_has_is_refused(self) -> None:
+        dynamics = ContactDynamics(ARM.model)
+        with pytest.raises(burnish.Error, match="mass is -1"):
+            dynamics.set_payload("tool", InertiaSpec(mass=-1.0))
+        with pytest.raises(burnish.Error, match="no solid"):
+            dynamics.set_payload("tool", InertiaSpec(mass=1.0, inertia_at_com=np.diag([1.0, 1.0, 9.0])))
+        with pytest.raises(burnish.Error, match="'tool'"):
+            dynamics.set_payload("tol", brick())
+
+    def test_parameters_lead_back(self) -> None:
+        theta = burnish.inertia_parameters(brick())
+        assert theta[0] == 1.2
+        back = burnish.inertia_of(theta)
+        np.testing.assert_allclose(back.inertia_at_com, brick().inertia_at_com, atol=1e-15)
+
+
+def test_the_regressor_times_the_parameters_is_the_torque() -> None:
+    q, v, tau = state(ARM.model)
+    dynamics = ContactDynamics(ARM.model)
+    bodies = list(range(len(ARM.model.joints)))
+    with pytest.raises(burnish.EvaluationError):
+        dynamics.regressor(bodies)
+    dynamics.forward(q, v, tau)
+    theta = np.concatenate([burnish.inertia_parameters(burnish.inertia_of_body(ARM.model, b)) for b in bodies])
+    np.testing.assert_allclose(
+        dynamics.regressor(bodies) @ theta + ARM.model.armature * dynamics.a, tau, atol=1e-9)
+    dynamics.forward_derivatives()
+    by_a, by_lambda = dynamics.inertia_derivatives(bodies)
+    assert by_a.shape == (7, 70) and by_lambda.shape == (0, 70)
+    # Twice the mass everywhere needs twice the torque: -K^-1 Y theta.
+    np.testing.assert_allclose(by_a @ theta, -dynamics.da_dtau @ (tau - ARM.model.armature * dynamics.a), atol=1e-7)
+
+
+def test_a_payload_is_identified_from_exact_torques() -> None:
+    motion = burnish.excitation(ARM.model, ARM.reference_configuration())
+    columns = {name: motion[name] for name in motion.columns}
+    joints = [j.name for j in ARM.model.joints]
+    q, v, a = (np.column_stack([columns[f"{x}_{j}"] for j in joints]) for x in "qva")
+    dynamics = ContactDynamics(ARM.model)
+    dynamics.set_payload("tool", brick())
+    tau = np.empty_like(v)
+    for i in range(len(q)):
+        dynamics.inverse(q[i], v[i], a[i], np.zeros(0))
+        tau[i] = dynamics.tau
+    found = burnish.identify(ARM.model, q, tau, 1e-3)
+    assert found.converged
+    one = found.inertias[0]
+    assert one.values["mass"] == pytest.approx(1.2, rel=1e-3)
+    assert one.values["com z"] == pytest.approx(0.06, abs=1e-3)
+    assert one.sigma["mass"] < 0.01
+    with pytest.raises(burnish.Error, match="'tool'"):
+        burnish.identify(ARM.model, q, tau, 1e-3, payload="tol")

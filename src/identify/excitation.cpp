@@ -1,0 +1,217 @@
+#include "burnish/identify/excitation.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/decomposition.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/model/state.hpp"
+#include "sim/random.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double fade = 1.0;         // s from rest to the full motion
+constexpr double look_every = 0.02;  // s, between instants at which limits are looked at
+
+/// 0 to 1 over x in 0 to 1 with two derivatives that vanish at the ends.
+struct Fade {
+  double value = 1.0, slope = 0.0, bend = 0.0;
+};
+Fade fade_at(double x) {
+  if (x >= 1.0) return {};
+  if (x <= 0.0) return {0.0, 0.0, 0.0};
+  return {x * x * x * (10.0 + x * (-15.0 + 6.0 * x)), 30.0 * x * x * (1.0 + x * (-2.0 + x)),
+          60.0 * x * (1.0 + x * (-3.0 + 2.0 * x))};
+}
+
+void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationSpec& spec) {
+  check_configuration(model, q_start, "the excitation's start");
+  const auto want = [](const char* what, double value, bool good, const char* wanted) {
+    if (!good)
+      throw Error(std::string("excitation: ") + what + " is " + number(value) + "; wanted " +
+                  wanted);
+  };
+  want("duration", spec.duration, spec.duration >= 4.0 * fade && spec.duration <= 1e4,
+       "4 to 10000 s");
+  want("highest", spec.highest, spec.highest * spec.duration >= 1.0 && spec.highest <= 20.0,
+       "1/duration to 20 Hz");
+  want("range", spec.range, spec.range > 0.0, "more than 0");
+  want("margin", spec.margin, spec.margin >= 0.0, "at least 0");
+  want("speed_share", spec.speed_share, spec.speed_share > 0.0 && spec.speed_share <= 1.0,
+       "0 to 1");
+  want("effort_share", spec.effort_share, spec.effort_share > 0.0 && spec.effort_share <= 1.0,
+       "0 to 1");
+  want("candidates", spec.candidates, spec.candidates >= 1, "at least 1");
+  for (const Joint& joint : model.joints)
+    if (joint_nv(joint.kind) > 1)
+      throw Error("excitation: joint " + in_quotes(joint.name) + " is " +
+                  std::string(name_of(joint.kind)) + "; wanted joints of one coordinate");
+}
+
+/// Per entry of v: how far a joint may leave its start, and how fast it may be; 0 of those at rest.
+struct Room {
+  Eigen::VectorXd way, speed;
+};
+Room room_of(const Model& model, const Eigen::VectorXd& q_start, const ExcitationSpec& spec) {
+  std::vector<char> moves(static_cast<std::size_t>(model.nv), spec.joints.empty() ? 1 : 0);
+  for (const std::string& name : spec.joints)
+    moves[static_cast<std::size_t>(
+        model.joints[static_cast<std::size_t>(model.joint_index(name))].v_index)] = 1;
+  Room room{Eigen::VectorXd::Zero(model.nv), Eigen::VectorXd::Zero(model.nv)};
+  for (const Joint& joint : model.joints) {
+    const int k = joint.v_index;
+    if (joint.follows || moves[static_cast<std::size_t>(k)] == 0) continue;
+    double way = spec.range;
+    if (joint.nq == 1) {
+      const double q = q_start[joint.q_index];
+      way = std::min({way, q - model.q_lower[joint.q_index] - spec.margin,
+                      model.q_upper[joint.q_index] - q - spec.margin});
+      if (way < 0.02)
+        throw Error("excitation: joint " + in_quotes(joint.name) + " starts at " + number(q) +
+                    ", within " + number(spec.margin) +
+                    " of a limit; wanted a start further inside, a smaller margin or other joints");
+    }
+    room.way[k] = way;
+    room.speed[k] = spec.speed_share * std::min(model.velocity_limit[k], 2.0 / spec.speed_share);
+  }
+  return room;
+}
+
+}  // namespace
+
+Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const std::string& frame,
+                       const ExcitationSpec& spec)
+    : model_(model), q_start_(q_start), duration_(spec.duration) {
+  check(model, q_start, spec);
+  (void)frame_on_body("excitation", model, frame);
+  const Room room = room_of(model, q_start, spec);
+  const int harmonics = std::max(1, static_cast<int>(spec.highest * spec.duration));
+  RandomStream random(spec.seed, 0);
+  Drawn best;
+  double most = -std::numeric_limits<double>::infinity();
+  Eigen::VectorXd way, v, a;
+  for (int candidate = 0; candidate < spec.candidates; ++candidate) {
+    drawn_ = {Eigen::MatrixXd(model.nv, harmonics), Eigen::MatrixXd(model.nv, harmonics)};
+    for (Eigen::MatrixXd* matrix : {&drawn_.sine, &drawn_.cosine})
+      for (int k = 0; k < model.nv; ++k)
+        for (int h = 0; h < harmonics; ++h) (*matrix)(k, h) = random.normal();
+    Eigen::ArrayXd farthest = Eigen::ArrayXd::Constant(model.nv, 1e-12), fastest = farthest;
+    for (double t = 0.0; t <= duration_; t += look_every) {
+      way_at(t, way, v, a);
+      farthest = farthest.max(way.array().abs());
+      fastest = fastest.max(v.array().abs());
+    }
+    const Eigen::VectorXd scale =
+        (room.way.array() / farthest).min(room.speed.array() / fastest).matrix();
+    drawn_.sine = scale.asDiagonal() * drawn_.sine;
+    drawn_.cosine = scale.asDiagonal() * drawn_.cosine;
+    limit(spec.effort_share);
+    const double told = information(frame);
+    if (told > most) most = told, best = drawn_;
+  }
+  if (!std::isfinite(most))
+    throw Error("excitation: no motion was found that stays within the effort limits and moves " +
+                in_quotes(frame) + "; wanted a smaller range, or other joints");
+  drawn_ = best;
+}
+
+/// Slower until the efforts fit: a smaller motion about the same posture.
+void Excitation::limit(double effort_share) {
+  ContactDynamics dynamics(model_);
+  const Eigen::VectorXd none(0);
+  Eigen::VectorXd q, v, a;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    double worst = 0.0;
+    for (double t = 0.0; t <= duration_; t += 2.0 * look_every) {
+      at(t, q, v, a);
+      if (dynamics.inverse(q, v, a, none) > Status::NotConverged) continue;
+      worst =
+          std::max(worst, (dynamics.tau().array().abs() / model_.effort_limit.array()).maxCoeff());
+    }
+    if (worst <= effort_share) return;
+    drawn_.sine *= 0.8;
+    drawn_.cosine *= 0.8;
+  }
+}
+
+/// log det of what the motion tells of a payload's ten parameters, in units of a kilogram and a
+/// decimetre.
+double Excitation::information(const std::string& frame) const {
+  ContactDynamics dynamics(model_);
+  const std::vector<int> bodies{frame_on_body("excitation", model_, frame).body};
+  const Eigen::VectorXd none(0);
+  Eigen::VectorXd q, v, a;
+  RowMatrix Y;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(10, 10);
+  Vector10 unit;
+  unit << 1.0, Eigen::Vector3d::Constant(0.1), Eigen::VectorXd::Constant(6, 0.01);
+  for (double t = 0.0; t <= duration_; t += 5.0 * look_every) {
+    at(t, q, v, a);
+    (void)dynamics.inverse(q, v, a, none);
+    (void)dynamics.regressor(bodies, Y);
+    sum += unit.asDiagonal() * (Y.transpose() * Y) * unit.asDiagonal();
+  }
+  const Eigen::VectorXd values = symmetric_eigen(sum).values;
+  // What no motion shows counts for all motions alike.
+  return values.cwiseMax(1e-9).array().log().sum();
+}
+
+void Excitation::way_at(double time, Eigen::VectorXd& way, Eigen::VectorXd& v,
+                        Eigen::VectorXd& a) const {
+  const double t = std::clamp(time, 0.0, duration_);
+  const bool ends = t > 0.5 * duration_;
+  const Fade f = fade_at((ends ? duration_ - t : t) / fade);
+  const double slope = (ends ? -1.0 : 1.0) * f.slope / fade, bend = f.bend / (fade * fade);
+  way.setZero(model_.nv), v.setZero(model_.nv), a.setZero(model_.nv);
+  for (Eigen::Index h = 0; h < drawn_.sine.cols(); ++h) {
+    const double w = 2.0 * std::numbers::pi * static_cast<double>(h + 1) / duration_;
+    const double s = std::sin(w * t), c = std::cos(w * t);
+    way += drawn_.sine.col(h) * s + drawn_.cosine.col(h) * (c - 1.0);
+    v += w * (drawn_.sine.col(h) * c - drawn_.cosine.col(h) * s);
+    a -= w * w * (drawn_.sine.col(h) * s + drawn_.cosine.col(h) * c);
+  }
+  a = f.value * a + 2.0 * slope * v + bend * way;
+  v = f.value * v + slope * way;
+  way *= f.value;
+}
+
+void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const {
+  Eigen::VectorXd way;
+  way_at(time, way, v, a);
+  q = integrate(model_, q_start_, way);
+}
+
+Trace Excitation::trace(double period) const {
+  if (!(period > 0.0) || duration_ / period > 1e7)
+    throw Error("excitation: a period of " + number(period) + " s; wanted one above 0");
+  std::vector<TraceColumn> columns{{"time", "s"}};
+  const auto unit_of = [&](int entry_of_v, const char* rates) {
+    const Joint& joint = model_.joints[static_cast<std::size_t>(
+        model_.joint_of_v[static_cast<std::size_t>(entry_of_v)])];
+    return (joint.kind == JointKind::Prismatic ? "m" : "rad") + std::string(rates);
+  };
+  for (int k = 0; k < model_.nq; ++k) columns.push_back({"q_" + model_.q_name(k), "rad"});
+  for (int k = 0; k < model_.nv; ++k)
+    columns.push_back({"v_" + model_.v_name(k), unit_of(k, "/s")});
+  for (int k = 0; k < model_.nv; ++k)
+    columns.push_back({"a_" + model_.v_name(k), unit_of(k, "/s2")});
+  const int rows = static_cast<int>(std::floor(duration_ / period)) + 1;
+  Trace result(columns, rows);
+  Eigen::VectorXd q, v, a;
+  for (int i = 0; i < rows; ++i) {
+    double* const row = result.add_row();
+    const double t = i * period;
+    at(t, q, v, a);
+    row[0] = t;
+    Eigen::Map<Eigen::VectorXd>(row + 1, model_.nq) = q;
+    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq, model_.nv) = v;
+    Eigen::Map<Eigen::VectorXd>(row + 1 + model_.nq + model_.nv, model_.nv) = a;
+  }
+  return result;
+}
+
+}  // namespace burnish

@@ -1,0 +1,165 @@
+#include "burnish/identify/identification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/decomposition.hpp"
+#include "base/sentence.hpp"
+#include "burnish/model/state.hpp"
+#include "identify/estimate.hpp"
+#include "identify/smoothed_motion.hpp"
+
+namespace burnish {
+namespace {
+
+using identify_detail::LogCholesky;
+using identify_detail::Matrix10;
+using identify_detail::Unknown;
+
+/// A thing that a hand holds: half a kilogram to three, decimetres from the frame at most.
+Unknown unknown_payload(const Model& model, const std::string& name) {
+  const Frame& frame = frame_on_body("payload", model, name);
+  Unknown result{name, frame.body, inertia_transform(frame.placement), {}, {}};
+  InertiaSpec thing;
+  thing.mass = 1.0;
+  constexpr double radius = 0.04;  // m, of its masses about their centre
+  thing.inertia_at_com = 2.0 * radius * radius * Eigen::Matrix3d::Identity();
+  result.eta = LogCholesky::of(thing);
+  result.sigma << 1.0, 0.5, 0.5, 0.5, 0.02, 0.02, 0.02, 0.15, 0.15, 0.15;
+  return result;
+}
+
+/// A link's own: what the model has, give or take a factor.
+Unknown unknown_body(const Model& model, const std::string& link) {
+  const Frame& frame = frame_on_body("bodies", model, link);
+  Unknown result{link, frame.body, inertia_transform(frame.placement), {}, {}};
+  const InertiaSpec own = placed(inertia_of_body(model, frame.body), frame.placement.inverse());
+  result.eta = LogCholesky::of(own);
+  const double radius = std::exp(result.eta.segment<3>(1).maxCoeff());
+  result.sigma << 0.5, 0.5, 0.5, 0.5, 0.3 * radius, 0.3 * radius, 0.3 * radius, 0.1, 0.1, 0.1;
+  result.replaces = true;
+  return result;
+}
+
+std::vector<Unknown> unknowns_of(const Model& model, const IdentificationSpec& spec) {
+  if (spec.bodies.empty()) return {unknown_payload(model, spec.payload)};
+  std::vector<Unknown> result;
+  for (const std::string& link : spec.bodies) {
+    result.push_back(unknown_body(model, link));
+    for (std::size_t i = 0; i + 1 < result.size(); ++i)
+      if (result[i].body == result.back().body)
+        throw Error("bodies: " + in_quotes(result[i].frame) + " and " + in_quotes(link) +
+                    " are fixed to each other and one body; wanted one of them");
+  }
+  return result;
+}
+
+/// d(values)/d(eta), by differences of what is smooth and costs nothing.
+Matrix10 derivative_of_values(const Vector10& eta) {
+  Matrix10 result;
+  constexpr double step = 1e-5;
+  for (int k = 0; k < 10; ++k) {
+    const auto at = [&](double h) {
+      return estimate_values(inertia_of(LogCholesky::parameters(eta + h * Vector10::Unit(k))));
+    };
+    result.col(k) = (at(step) - at(-step)) / (2.0 * step);
+  }
+  return result;
+}
+
+EstimatedInertia estimated(const Unknown& before, const Vector10& eta, const Matrix10& covariance) {
+  EstimatedInertia result;
+  result.frame = before.frame;
+  result.inertia = inertia_of(LogCholesky::parameters(eta));
+  result.values = estimate_values(result.inertia);
+  const Matrix10 D = derivative_of_values(eta);
+  result.sigma = (D * covariance * D.transpose()).diagonal().cwiseSqrt();
+  const Matrix10 prior = before.sigma.cwiseAbs2().asDiagonal();
+  result.prior_sigma = (D * prior * D.transpose()).diagonal().cwiseSqrt();
+  return result;
+}
+
+void warn_of(Identification& result) {
+  if (!result.converged)
+    result.warnings.emplace_back(
+        "the estimate did not converge: the motion hardly tells the bodies "
+        "apart; name fewer of them");
+  for (const EstimatedInertia& one : result.inertias) {
+    const std::vector<int> missing = one.not_shown();
+    if (missing.empty()) continue;
+    std::string list;
+    for (const int i : missing)
+      list += (list.empty() ? "" : ", ") + std::string(estimate_names[static_cast<std::size_t>(i)]);
+    result.warnings.push_back("the motion does not show of " + in_quotes(one.frame) + ": " + list +
+                              "; what stands there is little but what was believed before");
+  }
+}
+
+}  // namespace
+
+Vector10 estimate_values(const InertiaSpec& inertia) {
+  const Eigen::Matrix3d& I = inertia.inertia_at_com;
+  Vector10 result;
+  result << inertia.mass, inertia.com, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2);
+  return result;
+}
+
+std::vector<int> EstimatedInertia::not_shown() const {
+  std::vector<int> result;
+  for (int i = 0; i < 10; ++i)
+    if (!is_shown(i)) result.push_back(i);
+  return result;
+}
+
+Identification identify(const Model& model, const MotionRecord& record,
+                        const IdentificationSpec& spec) {
+  const identify_detail::SmoothedMotion motion(model, record, spec);
+  const std::vector<Unknown> unknowns = unknowns_of(model, spec);
+  const identify_detail::Regression regression(model, motion, unknowns, spec);
+  const identify_detail::Fit fit = identify_detail::fit(regression);
+
+  Identification result;
+  result.samples = motion.samples();
+  result.converged = fit.converged;
+  result.rms_before = fit.rms_before;
+  result.rms_after = fit.rms_after;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(10 * i);
+    result.inertias.push_back(
+        estimated(unknowns[i], fit.x.segment<10>(at), fit.covariance.block<10, 10>(at, at)));
+  }
+  const auto estimates = [&](int first) {
+    std::vector<Estimate> list;
+    for (int k = 0; first >= 0 && k < model.nv; ++k)
+      list.push_back({fit.x[first + k], std::sqrt(fit.covariance(first + k, first + k))});
+    return list;
+  };
+  result.viscous = estimates(regression.viscous);
+  result.coulomb = estimates(regression.coulomb);
+  result.offset = estimates(regression.offset);
+  if (const int k = regression.delay; k >= 0)
+    result.delay = {fit.x[k], std::sqrt(fit.covariance(k, k))};
+  warn_of(result);
+  return result;
+}
+
+MotionRecord motion_record(const Model& model, const Trace& trace) {
+  const auto column = [&](const std::string& measured, const std::string& plain) {
+    return trace.column(trace.has(measured) ? measured : plain);
+  };
+  const Trace::Column time = trace.column("time");
+  MotionRecord record;
+  const Eigen::Index n = time.size();
+  record.q.resize(n, model.nq);
+  record.tau.resize(n, model.nv);
+  record.period = identify_detail::even_period(time);
+  for (int k = 0; k < model.nq; ++k) {
+    const std::string name = "q_" + model.q_name(k);
+    record.q.col(k) = column("measured_" + name, name);
+  }
+  for (int k = 0; k < model.nv; ++k)
+    record.tau.col(k) = column("tau_measured_" + model.v_name(k), "tau_" + model.v_name(k));
+  return record;
+}
+
+}  // namespace burnish

@@ -1,0 +1,72 @@
+// A simulated record: computed torque along an excitation, on the ideal plant.
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/identify/excitation.hpp"
+#include "burnish/model/state.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+
+namespace burnish {
+namespace {
+
+/// tau = M (a + kd e' + kp e) + b of the model that it knows.
+class FollowMotion final : public Controller {
+ public:
+  FollowMotion(const Model& model, const Excitation& motion)
+      : model_(model), motion_(motion), dynamics_(model) {
+    command_.tau.setZero(model.nv);
+  }
+  int nv() const override { return model_.nv; }
+  void reset() noexcept override {}
+  const Command& tick(const Measurement& m) noexcept override {
+    motion_.at(m.time, q_, v_, a_);
+    constexpr double kp = 144.0, kd = 24.0;  // 1/s^2, 1/s
+    a_ += kd * (v_ - m.v) + kp * difference(model_, normalized(model_, m.q), q_);
+    command_.status = dynamics_.inverse(normalized(model_, m.q), m.v, a_, none_);
+    if (command_.status <= Status::NotConverged) command_.tau = dynamics_.tau();
+    return command_;
+  }
+
+ private:
+  const Model& model_;
+  const Excitation& motion_;
+  ContactDynamics dynamics_;
+  Command command_;
+  Eigen::VectorXd q_, v_, a_, none_;
+};
+
+/// No surface near: the motion is in the air.
+SceneSpec empty_scene(const std::string& frame) {
+  SceneSpec scene;
+  scene.tip.frame = frame;
+  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -1e3);
+  scene.surface.normal = Eigen::Vector3d::UnitZ();
+  return scene;
+}
+
+}  // namespace
+
+Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+                    const Disturbances& disturbances) {
+  const Model plant_robot = plant_model(with_payload(model, payload), disturbances);
+  IdealPlantOptions options;
+  options.dt = 1e-3;
+  const auto plant = make_ideal_plant(plant_robot, empty_scene(payload.frame), options);
+  FollowMotion controller(model, motion);
+  ClosedLoopOptions loop_options;
+  loop_options.control_period = options.dt;
+  loop_options.max_duration = motion.duration() + 1.0;
+  ClosedLoop loop(*plant, controller, disturbances, loop_options);
+  Eigen::VectorXd q, v, a;
+  motion.at(0.0, q, v, a);
+  Status status = loop.reset(q, v);
+  if (status == Status::Ok) status = loop.run(motion.duration());
+  if (status > Status::NotConverged)
+    throw Error("the simulated motion ended at " + number(plant->time()) +
+                " s: " + std::string(describe(status)));
+  return loop.trace();
+}
+
+}  // namespace burnish

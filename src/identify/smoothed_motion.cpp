@@ -1,0 +1,101 @@
+#include "identify/smoothed_motion.hpp"
+
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/model/state.hpp"
+#include "identify/smoothing.hpp"
+
+namespace burnish::identify_detail {
+namespace {
+
+constexpr int samples_per_window = 4;  // what is nearer says nearly the same
+
+void check(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {
+  for (const Joint& joint : model.joints)
+    if (joint_nv(joint.kind) > 1)
+      throw Error("identify: joint " + in_quotes(joint.name) + " is " +
+                  std::string(name_of(joint.kind)) +
+                  ", whose motion no encoder tells; wanted a robot on a fixed base with joints of "
+                  "one coordinate");
+  if (record.q.cols() != model.nq || record.tau.cols() != model.nv ||
+      record.q.rows() != record.tau.rows())
+    throw Error("identify: q is " + std::to_string(record.q.rows()) + " x " +
+                std::to_string(record.q.cols()) + " and tau " + std::to_string(record.tau.rows()) +
+                " x " + std::to_string(record.tau.cols()) + "; wanted n x " +
+                std::to_string(model.nq) + " and n x " + std::to_string(model.nv));
+  if (!record.q.allFinite() || !record.tau.allFinite())
+    throw Error("identify: the record holds a NaN or an infinity");
+  if (!(record.period > 0.0) || !std::isfinite(record.period))
+    throw Error("identify: the period is " + number(record.period) + " s; wanted one above 0");
+  if (!(spec.start >= 0.0))
+    throw Error("identify: start is " + number(spec.start) + " s; wanted at least 0");
+}
+
+/// Samples on either side of a window's middle.
+int half_window(const MotionRecord& record, const IdentificationSpec& spec) {
+  const double half = 0.5 * spec.window / record.period;
+  if (!(half >= 3.0))
+    throw Error("identify: a window of " + number(spec.window) +
+                " s holds fewer than 7 samples of " + number(record.period) +
+                " s; wanted a longer one, or a record of more samples");
+  if (half * 20.0 > static_cast<double>(record.q.rows()))
+    throw Error("identify: the record lasts " +
+                number(record.period * static_cast<double>(record.q.rows())) +
+                " s; wanted at least ten windows of " + number(spec.window) + " s");
+  return static_cast<int>(std::lround(half));
+}
+
+/// The way of each joint from the first sample on: an angle that goes round goes on.
+Eigen::MatrixXd way_of(const Model& model, const RowMatrix& q) {
+  Eigen::MatrixXd way = Eigen::MatrixXd::Zero(q.rows(), model.nv);
+  for (Eigen::Index i = 1; i < q.rows(); ++i)
+    way.row(i) = way.row(i - 1) +
+                 difference(model, q.row(i - 1).transpose(), q.row(i).transpose()).transpose();
+  return way;
+}
+
+}  // namespace
+
+double even_period(const Eigen::Ref<const Eigen::VectorXd>& time) {
+  if (time.size() < 2) throw Error("the record has fewer than two samples");
+  const double period = (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
+  for (Eigen::Index i = 1; i < time.size(); ++i)
+    if (!(std::abs(time[i] - time[i - 1] - period) <= 0.01 * period))
+      throw Error("the record's times are not evenly spaced: " + number(time[i] - time[i - 1]) +
+                  " s before sample " + std::to_string(i) + " and " + number(period) +
+                  " s on average");
+  return period;
+}
+
+SmoothedMotion::SmoothedMotion(const Model& model, const MotionRecord& record,
+                               const IdentificationSpec& spec) {
+  check(model, record, spec);
+  const int half = half_window(record, spec);
+  const Smoother smoother(half, record.period);
+  const Eigen::MatrixXd way = way_of(model, record.q);
+  const Eigen::MatrixXd torque = record.tau;
+  const Eigen::Index stride = std::max(1, 2 * half / samples_per_window);
+  const auto first = static_cast<Eigen::Index>(spec.start / record.period) + half;
+  const Eigen::Index count = (record.q.rows() - half - first + stride - 1) / stride;
+  if (count < 10 * samples_per_window / 2)
+    throw Error("identify: after " + number(spec.start) + " s the record has too little left");
+  spacing = static_cast<double>(stride) * record.period;
+  q.resize(count, model.nq);
+  for (RowMatrix* matrix : {&v, &a, &tau, &tau_rate}) matrix->resize(count, model.nv);
+  Eigen::VectorXd moved(model.nv);
+  const Eigen::VectorXd start = record.q.row(0);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index middle = first + i * stride;
+    for (int k = 0; k < model.nv; ++k) {
+      moved[k] = smoother.at(way.col(k), middle, 0);
+      v(i, k) = smoother.at(way.col(k), middle, 1);
+      a(i, k) = smoother.at(way.col(k), middle, 2);
+      tau(i, k) = smoother.at(torque.col(k), middle, 0);
+      tau_rate(i, k) = smoother.at(torque.col(k), middle, 1);
+    }
+    q.row(i) = integrate(model, normalized(model, start), moved).transpose();
+  }
+}
+
+}  // namespace burnish::identify_detail

@@ -1,0 +1,80 @@
+// What identification is made of: smoothing, and coordinates in which every body is one.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "identify/log_cholesky.hpp"
+#include "identify/smoothed_motion.hpp"
+#include "identify/smoothing.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+using identify_detail::LogCholesky;
+using identify_detail::Matrix10;
+using identify_detail::Smoother;
+
+TEST(Smoothing, IsExactForPolynomialsOfDegreeFive) {
+  const double period = 1e-3;
+  const Smoother smoother(40, period);
+  Eigen::VectorXd signal(201);
+  for (int i = 0; i < 201; ++i) {
+    const double t = period * (i - 100);
+    signal[i] = 1.0 + 2.0 * t - 3.0 * t * t + 40.0 * t * t * t - 500.0 * t * t * t * t +
+                900.0 * t * t * t * t * t;
+  }
+  EXPECT_NEAR(smoother.at(signal, 100, 0), 1.0, 1e-12);
+  EXPECT_NEAR(smoother.at(signal, 100, 1), 2.0, 1e-9);
+  EXPECT_NEAR(smoother.at(signal, 100, 2), -6.0, 1e-7);
+}
+
+TEST(Smoothing, TakesNoiseAway) {
+  std::mt19937_64 generator(1);
+  std::normal_distribution<double> draw;
+  const Smoother smoother(60, 1e-3);
+  double square = 0.0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Eigen::VectorXd noise(121);
+    for (double& x : noise) x = draw(generator);
+    square += std::pow(smoother.at(noise, 60, 0), 2);
+  }
+  // 225/64 of the noise's variance over the number of samples, of degree four (five) in the middle.
+  EXPECT_NEAR(std::sqrt(square / 400.0), std::sqrt(225.0 / 64.0 / 121.0), 0.03);
+}
+
+TEST(LogCholesky, LeadsBackAndIsDifferentiatedExactly) {
+  std::mt19937_64 generator(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    const InertiaSpec solid = testing::random_inertia(generator);
+    const Vector10 eta = LogCholesky::of(solid);
+    EXPECT_TRUE(LogCholesky::parameters(eta).isApprox(inertia_parameters(solid), 1e-10));
+    const Matrix10 D = LogCholesky::derivative(eta);
+    for (int k = 0; k < 10; ++k) {
+      const Vector10 h = 1e-6 * Vector10::Unit(k);
+      const Vector10 by =
+          (LogCholesky::parameters(eta + h) - LogCholesky::parameters(eta - h)) / 2e-6;
+      EXPECT_LE((D.col(k) - by).cwiseAbs().maxCoeff(), 1e-7 * (1.0 + by.cwiseAbs().maxCoeff()));
+    }
+  }
+}
+
+TEST(LogCholesky, AnyNumbersAreABody) {
+  std::mt19937_64 generator(3);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vector10 theta = LogCholesky::parameters(random_vector(10, 2.0, generator));
+    EXPECT_EQ(check_inertia(inertia_of(theta)), Status::Ok);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(pseudo_inertia(theta));
+    EXPECT_GT(solver.eigenvalues()[0], 0.0);
+  }
+}
+
+TEST(SmoothedMotion, TimesMustBeEven) {
+  Eigen::VectorXd time = Eigen::VectorXd::LinSpaced(100, 0.0, 0.99);
+  EXPECT_NEAR(identify_detail::even_period(time), 0.01, 1e-15);
+  time[50] += 0.002;
+  EXPECT_THROW((void)identify_detail::even_period(time), Error);
+}
+
+}  // namespace
+}  // namespace burnish::test

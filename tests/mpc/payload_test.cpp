@@ -1,0 +1,72 @@
+// What a robot carries, told to its controller between ticks.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/allocation_guard.hpp"
+#include "support/toy_task.hpp"
+
+namespace burnish::test {
+namespace {
+
+InertiaSpec brick(double mass) {
+  InertiaSpec result;
+  result.mass = mass;
+  result.com = {0.02, -0.01, 0.05};
+  result.inertia_at_com = 2e-3 * Eigen::Matrix3d::Identity();
+  return result;
+}
+
+MpcSpec spec_of(const Model* model = nullptr) {
+  MpcSpec spec = toy_spec();
+  if (model != nullptr) spec.problem.model = *model;
+  spec.model_error.kind = ModelErrorKind::Torque;
+  return spec;
+}
+
+TEST(MpcPayload, IsAsIfItHadBeenInTheModel) {
+  const MpcSpec plain = spec_of();
+  const Model loaded = with_payload(plain.problem.model, {"tool", brick(2.0)});
+  MpcController told(plain), made(spec_of(&loaded)), bare(plain);
+  const InertiaSpec carried = brick(2.0);
+  ASSERT_EQ(told.set_payload("tool", brick(5.0)), Status::Ok);
+  ASSERT_EQ(told.set_payload("tool", carried), Status::Ok);
+  Measurement m = toy_measurement(plain);
+  double apart = 0.0;
+  const auto tick_all = [&](int tick) {
+    m.time = 1e-3 * tick;
+    m.v[1] = 0.01 * std::sin(0.3 * tick);
+    const Eigen::VectorXd wanted = made.tick(m).tau;
+    EXPECT_LE((told.tick(m).tau - wanted).cwiseAbs().maxCoeff(), 1e-7) << tick;
+    apart = std::max(apart, (bare.tick(m).tau - wanted).cwiseAbs().maxCoeff());
+  };
+  int tick = 0;
+  for (; tick < 40; ++tick) tick_all(tick);
+  EXPECT_GT(apart, 1.0) << "the payload does not matter: nothing is tried";
+  // After a fault the robot is held with what it carries.
+  m.q[0] = std::numeric_limits<double>::quiet_NaN();
+  for (; tick < 80; ++tick) tick_all(tick);
+  EXPECT_NE(told.fault().kind, FaultKind::None);
+  EXPECT_EQ(told.fault().kind, made.fault().kind);
+  // reset() keeps it.
+  told.reset(), made.reset(), bare.reset();
+  m = toy_measurement(plain);
+  for (tick = 0; tick < 5; ++tick) tick_all(tick);
+}
+
+TEST(MpcPayload, AllocatesNothingAndWhatIsNoneChangesNothing) {
+  MpcController mpc(spec_of());
+  InertiaSpec bad = brick(1.0);
+  bad.inertia_at_com(0, 0) = 1.0;
+  EXPECT_EQ(mpc.set_payload("tool", bad), Status::NotPhysical);
+  EXPECT_THROW((void)mpc.set_payload("tole", brick(1.0)), Error);
+  EXPECT_THROW((void)mpc.set_payload("base", brick(1.0)), Error) << "it is fixed to the world";
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  const InertiaSpec good = brick(1.0);
+  const AllocationGuard guard;
+  EXPECT_EQ(mpc.set_payload("tool", good), Status::Ok);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace burnish::test
