@@ -158,6 +158,22 @@ class TestDescriptions:
         # com 0.5 m from the axis and level with it
         assert dynamics.a[0] == pytest.approx(2.0 * 10.0 * 0.5 / (0.1 + 2.0 * 0.25 + 0.25))
 
+    def test_balls_springs_and_tendons(self) -> None:
+        model = burnish.build_model(two_links(joint(JointType.BALL, stiffness=2.0)))
+        assert (model.nq, model.nv) == (4, 3)
+        assert model.joints[0].kind is JointKind.BALL
+        np.testing.assert_array_equal(model.stiffness, [2.0, 2.0, 2.0])
+        body = burnish.RigidBody(model)
+        body.update(np.array([0.0, 0.0, np.sin(0.1), np.cos(0.1)]), np.zeros(3))
+        np.testing.assert_allclose(body.passive_torque, [0.0, 0.0, -0.4], atol=1e-12)
+        assert body.spring_energy == pytest.approx(0.04)
+        tree = two_links(joint(JointType.REVOLUTE))
+        part = burnish.TendonPart(tree.joints[0].name, 3.0)
+        tree.tendons = [burnish.TendonSpec("cord", [part], stiffness=5.0)]
+        model = burnish.build_model(tree)
+        assert [(t.name, t.parts[0].coefficient) for t in model.tendons] == [("cord", 3.0)]
+        assert pickle.loads(pickle.dumps(model)) == model
+
     def test_with_mimic_joints_compile_to_followers(self) -> None:
         tree = two_links(joint(JointType.REVOLUTE))
         tree.links.append(LinkSpec("third", tree.links[1].inertia))

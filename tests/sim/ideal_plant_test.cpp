@@ -24,7 +24,8 @@ struct Fall {
 
 /// A robot that falls freely with a random velocity, far from any surface.
 Fall fall(const TestRobot& robot, double dt, double duration) {
-  const Model model = plant_model(robot.model(), {});
+  Model model = plant_model(robot.model(), {});
+  for (Tendon& tendon : model.tendons) tendon.damping = 0.0;
   std::mt19937_64 generator(5);
   const Eigen::VectorXd q = random_configuration(model, generator);
   const Eigen::VectorXd v = random_vector(model.nv, 0.5, generator);
