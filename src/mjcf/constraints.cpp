@@ -224,15 +224,13 @@ Isometry3d at_point(const std::vector<double>& p) {
   return placement;
 }
 
-/// Pose of the second body in the first one's frame that a weld holds, by `relpose`, or as the file
-/// draws them where that states no rotation.
-Isometry3d held_pose(const Item& item, const LoopSpec& loop, const Reading& reading) {
+/// What `relpose` says, where it states a rotation: MuJoCo holds the anchor, a point of the second
+/// body, at its position in the first, and the second body's axes along its rotation.
+std::optional<Isometry3d> stated_pose(const Item& item) {
   const auto pose = item.numbers("relpose", 7);
   const bool is_stated =
       pose && std::any_of(pose->begin() + 3, pose->end(), [](double x) { return x != 0.0; });
-  if (!is_stated)
-    return reading.link_at_start.at(loop.first_link).inverse() *
-           reading.link_at_start.at(loop.second_link);
+  if (!is_stated) return std::nullopt;
   Isometry3d held = at_point(*pose);
   held.linear() = quaternion_of({pose->begin() + 3, pose->end()}, item.xml()).toRotationMatrix();
   return held;
@@ -255,11 +253,13 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
     if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
-    const Isometry3d held = held_pose(item, loop, reading);
+    // As the file draws them: the second body in the first one's frame.
+    const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
+                             reading.link_at_start.at(loop.second_link);
     const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
     // The anchor is a point of the first body, but of a weld one of the second.
-    loop.first = is_weld ? held * at : at;
-    loop.second = is_weld ? at : held.inverse() * at;
+    loop.first = is_weld ? stated_pose(item).value_or(drawn * at) : at;
+    loop.second = is_weld ? at : drawn.inverse() * at;
   }
   if (loop.first_link == loop.second_link)
     refuse_at(item.xml(),

@@ -629,7 +629,7 @@ TEST(Mjcf, ClosesLoops) {
   EXPECT_TRUE(weld.first.translation().isApprox(Vector3d(1, 1, 1), 1e-15));
   EXPECT_EQ(weld.second.translation(), Vector3d(0, 0, 1));
   const LoopSpec posed = loop("<weld body1='a' body2='b' relpose='1 2 3 2 0 0 0' anchor='0 0 1'/>");
-  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 4));
+  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 3));  // where the anchor is
   EXPECT_TRUE(posed.first.linear().isIdentity(0.0));
   const TreeSpec idle = parse(world + "<weld body1='a' active='false'/></equality>");
   EXPECT_TRUE(idle.loops.empty());
