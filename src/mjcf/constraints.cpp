@@ -182,6 +182,10 @@ void hold_tendon(const Item& item, Reading& reading) {
   const double a0 = item.overlaid("polycoef", {0.0})[0];
   for (TendonSpec& tendon : reading.tree.tendons) {
     if (tendon.name != name) continue;
+    const auto counts = [](const TendonSpec::Part& part) { return part.coefficient != 0.0; };
+    if (std::count_if(tendon.parts.begin(), tendon.parts.end(), counts) > 2)
+      return reading.said.note("tendons that are held along more than two joints are left free",
+                               example_of(xml));
     if (tendon.stiffness != 0.0)
       reading.said.note("springs of tendons that are held are not carried over", example_of(xml));
     tendon.held = true;

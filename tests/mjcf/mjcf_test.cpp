@@ -660,6 +660,13 @@ TEST(Mjcf, HasFixedTendons) {
   const TendonSpec held = tendon("", "<equality><tendon tendon1='t' polycoef='0.125'/></equality>");
   EXPECT_TRUE(held.held);
   EXPECT_DOUBLE_EQ(held.rest, 2 * 0.5 + 0.125);  // beside the length at the reference
+  const TreeSpec three = parse(
+      two_hinges() + "<worldbody><body><joint name='z'/>" + mass +
+      "</body></worldbody><tendon><fixed name='t'><joint joint='x' coef='1'/><joint joint='z' "
+      "coef='1'/><joint joint='y' coef='1'/></fixed></tendon><equality><tendon "
+      "tendon1='t'/></equality>");
+  EXPECT_FALSE(three.tendons.at(0).held);
+  EXPECT_NE(warning_of(three, "more than two joints"), "");
   const TreeSpec spatial =
       parse(two_hinges() + "<tendon><spatial name='s'><site site='a'/></spatial></tendon>");
   EXPECT_TRUE(spatial.tendons.empty());
