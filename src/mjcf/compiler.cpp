@@ -80,9 +80,10 @@ bool bool_of(const XMLElement& element, const char* attribute, bool otherwise) {
 void read_euler(const XMLElement& element, std::string& euler) {
   const char* stated = element.Attribute("eulerseq");
   if (stated == nullptr) return;
-  euler = stated;
-  if (euler.size() == 3 && euler.find_first_not_of("xyzXYZ") == std::string::npos) return;
-  refuse_at(element, "eulerseq is " + in_quotes(euler) + "; wanted three of x, y, z, X, Y, Z");
+  const std::string_view axes = stated;
+  if (axes.size() != 3 || axes.find_first_not_of("xyzXYZ") != std::string_view::npos)
+    refuse_at(element, "eulerseq is " + in_quotes(axes) + "; wanted three of x, y, z, X, Y, Z");
+  euler = axes;
 }
 
 }  // namespace

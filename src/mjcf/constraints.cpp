@@ -182,6 +182,10 @@ void hold_tendon(const Item& item, Reading& reading) {
   const double a0 = item.overlaid("polycoef", {0.0})[0];
   for (TendonSpec& tendon : reading.tree.tendons) {
     if (tendon.name != name) continue;
+    const auto counts = [](const TendonSpec::Part& part) { return part.coefficient != 0.0; };
+    if (std::count_if(tendon.parts.begin(), tendon.parts.end(), counts) > 2)
+      return reading.said.note("tendons that are held along more than two joints are left free",
+                               example_of(xml));
     if (tendon.stiffness != 0.0)
       reading.said.note("springs of tendons that are held are not carried over", example_of(xml));
     tendon.held = true;
@@ -224,15 +228,13 @@ Isometry3d at_point(const std::vector<double>& p) {
   return placement;
 }
 
-/// Pose of the second body in the first one's frame that a weld holds, by `relpose`, or as the file
-/// draws them where that states no rotation.
-Isometry3d held_pose(const Item& item, const LoopSpec& loop, const Reading& reading) {
+/// What `relpose` says, where it states a rotation: MuJoCo holds the anchor, a point of the second
+/// body, at its position in the first, and the second body's axes along its rotation.
+std::optional<Isometry3d> stated_pose(const Item& item) {
   const auto pose = item.numbers("relpose", 7);
   const bool is_stated =
       pose && std::any_of(pose->begin() + 3, pose->end(), [](double x) { return x != 0.0; });
-  if (!is_stated)
-    return reading.link_at_start.at(loop.first_link).inverse() *
-           reading.link_at_start.at(loop.second_link);
+  if (!is_stated) return std::nullopt;
   Isometry3d held = at_point(*pose);
   held.linear() = quaternion_of({pose->begin() + 3, pose->end()}, item.xml()).toRotationMatrix();
   return held;
@@ -255,11 +257,13 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
     if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; a point of body1 is needed");
-    const Isometry3d held = held_pose(item, loop, reading);
+    // As the file draws them: the second body in the first one's frame.
+    const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
+                             reading.link_at_start.at(loop.second_link);
     const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
     // The anchor is a point of the first body, but of a weld one of the second.
-    loop.first = is_weld ? held * at : at;
-    loop.second = is_weld ? at : held.inverse() * at;
+    loop.first = is_weld ? stated_pose(item).value_or(drawn * at) : at;
+    loop.second = is_weld ? at : drawn.inverse() * at;
   }
   if (loop.first_link == loop.second_link)
     refuse_at(item.xml(),

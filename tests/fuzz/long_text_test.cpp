@@ -224,8 +224,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "more than 2000 links"},
         LongText{"bodies_in_bodies", mjcf,
                  [] {
-                   return std::string("<mujoco><worldbody>" + times(480, "<body><joint/>") +
-                                      times(480, "</body>") + "</worldbody></mujoco>");
+                   return std::string("<mujoco><worldbody>" + times(90, "<body><joint/>") +
+                                      times(90, "</body>") + "</worldbody></mujoco>");
                  },
                  ""},
         LongText{"classes", mjcf,

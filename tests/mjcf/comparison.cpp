@@ -168,7 +168,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     const Eigen::VectorXd passive =
         B.transpose() * Eigen::Map<Eigen::VectorXd>(data->qfrc_passive, theirs.nv);
     worst.passive =
-        std::max(worst.passive, (body.passive_torque() + passive).cwiseAbs().maxCoeff() /
+        std::max(worst.passive, (body.passive_torque() - passive).cwiseAbs().maxCoeff() /
                                     std::max(passive.cwiseAbs().maxCoeff(), 1e-12));
     worst.bias = std::max(worst.bias, (ours.bias() - want).cwiseAbs().maxCoeff() / scale);
   }

@@ -629,7 +629,7 @@ TEST(Mjcf, ClosesLoops) {
   EXPECT_TRUE(weld.first.translation().isApprox(Vector3d(1, 1, 1), 1e-15));
   EXPECT_EQ(weld.second.translation(), Vector3d(0, 0, 1));
   const LoopSpec posed = loop("<weld body1='a' body2='b' relpose='1 2 3 2 0 0 0' anchor='0 0 1'/>");
-  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 4));
+  EXPECT_EQ(posed.first.translation(), Vector3d(1, 2, 3));  // where the anchor is
   EXPECT_TRUE(posed.first.linear().isIdentity(0.0));
   const TreeSpec idle = parse(world + "<weld body1='a' active='false'/></equality>");
   EXPECT_TRUE(idle.loops.empty());
@@ -660,6 +660,13 @@ TEST(Mjcf, HasFixedTendons) {
   const TendonSpec held = tendon("", "<equality><tendon tendon1='t' polycoef='0.125'/></equality>");
   EXPECT_TRUE(held.held);
   EXPECT_DOUBLE_EQ(held.rest, 2 * 0.5 + 0.125);  // beside the length at the reference
+  const TreeSpec three = parse(
+      two_hinges() + "<worldbody><body><joint name='z'/>" + mass +
+      "</body></worldbody><tendon><fixed name='t'><joint joint='x' coef='1'/><joint joint='z' "
+      "coef='1'/><joint joint='y' coef='1'/></fixed></tendon><equality><tendon "
+      "tendon1='t'/></equality>");
+  EXPECT_FALSE(three.tendons.at(0).held);
+  EXPECT_NE(warning_of(three, "more than two joints"), "");
   const TreeSpec spatial =
       parse(two_hinges() + "<tendon><spatial name='s'><site site='a'/></spatial></tendon>");
   EXPECT_TRUE(spatial.tendons.empty());
