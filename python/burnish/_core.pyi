@@ -58,6 +58,7 @@ from .model import (
     Frame,
     InertiaSpec,
     Joint,
+    Loop,
     ModelOptions,
     Posture,
     RobotOverrides,
@@ -81,6 +82,8 @@ class Model:
     def visuals(self) -> List[Visual]: ...
     @property
     def tendons(self) -> List[Tendon]: ...
+    @property
+    def loops(self) -> List[Loop]: ...
     @property
     def gravity(self) -> Array: ...  # (3,)
     @property
@@ -159,7 +162,20 @@ def check_tangent(model: Model, v: ArrayLike, argument: str = "v") -> None: ...
 # contact
 # ---------------------------------------------------------------------------
 
-from .contact import ContactForce, ContactSolver, ContactSpec, Quadric, Reference, SurfaceShape
+from .contact import (
+    ContactForce,
+    ContactSolver,
+    ContactSpec,
+    LoopFreedom,
+    LoopGains,
+    LoopMetric,
+    LoopMiss,
+    LoopProjection,
+    LoopProjectionOptions,
+    Quadric,
+    Reference,
+    SurfaceShape,
+)
 
 def surface_with_normal(normal: ArrayLike) -> Reference: ...
 def reference_on(surface: Quadric, near: ArrayLike, along: Optional[ArrayLike] = None) -> Reference: ...
@@ -181,6 +197,20 @@ def force_in(force: ContactForce, reference: Reference) -> ContactForce: ...
 def force_axes(force: ContactForce) -> Array: ...  # (3, 3)
 def force_origin(force: ContactForce) -> Array: ...  # (3,)
 def force_text(force: ContactForce) -> str: ...
+def loop_contacts(
+    model: Model, gains: Optional[LoopGains] = None, all_directions: bool = False
+) -> List[ContactSpec]: ...
+def loop_freedom(model: Model, q: ArrayLike) -> LoopFreedom: ...
+def project_onto_loops(
+    model: Model, q: ArrayLike, options: Optional[LoopProjectionOptions] = None
+) -> LoopProjection: ...
+def loop_misses(model: Model, q: ArrayLike) -> List[LoopMiss]: ...
+def project_velocity_onto_loops(
+    model: Model, q: ArrayLike, v: ArrayLike, metric: LoopMetric = LoopMetric.PLAIN, keep: Sequence[str] = ()
+) -> Array: ...  # (nv,)
+def closed_configuration(model: Model, posture: Posture) -> Array: ...  # (nq,)
+def loop_gains_for_step(step: float) -> LoopGains: ...
+def loop_projection_explanation(projection: LoopProjection) -> str: ...
 
 # (end of contact)
 

@@ -116,6 +116,7 @@ struct TorqueErrorObserver::Impl {
   Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given)
       : options(given),
         dynamics(with_closed_loops(model)),
+        has_loops(!model.loops.empty()),
         body(model),
         frame(body.frame(tool)),
         velocity(Eigen::VectorXd::Zero(model.nv)),
@@ -135,7 +136,17 @@ struct TorqueErrorObserver::Impl {
   }
 
   ModelErrorOptions options;
+  /// Of `change` the part that loops carry moves nothing, so that nothing would ever correct it:
+  /// with a = a_0 + A tau of the closed mechanism, M A takes it away. False where A is unknown.
+  bool drop_what_loops_carry() noexcept {
+    if (dynamics.forward_derivatives() > Status::NotConverged) return false;
+    innovation.noalias() = dynamics.da_dtau() * change;
+    change.noalias() = dynamics.mass_matrix() * innovation;
+    return true;
+  }
+
   ContactDynamics dynamics;
+  bool has_loops;
   RigidBody body;
   int frame;
   FrameDerivatives derivatives;
@@ -195,6 +206,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.velocity += (1.0 - pole * pole) * d.innovation;
   d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
   d.change.noalias() = d.dynamics.mass_matrix() * d.innovation;
+  if (d.has_loops && !d.drop_what_loops_carry()) return Status::SingularContacts;
   d.error += d.change;
   d.haste.see(d.change, dt);
   d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);

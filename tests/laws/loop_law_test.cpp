@@ -25,12 +25,11 @@ struct LoopRobot {
 };
 void PrintTo(const LoopRobot& robot, std::ostream* out) { *out << robot.name; }
 
-/// Legs of a tripod whose plate is tied by welds and hinges besides: six and five directions.
-TreeSpec legs_of_every_kind() {
+/// Two legs of a tripod, the plate tied to one of them by a weld or a hinge in place of a ball.
+TreeSpec two_legs(const Directions& first) {
   TreeSpec tree = testing::tripod();
-  tree.loops[0].directions = Directions::all();
-  tree.loops[1].directions = Directions::parse("x,y,z,rx,rz");
   tree.loops.pop_back();
+  tree.loops[0].directions = first;
   return tree;
 }
 
@@ -39,7 +38,8 @@ std::vector<LoopRobot> loop_robots() {
       {"bars", [] { return build_model(testing::four_bar()); }},
       {"tripod", [] { return build_model(testing::tripod()); }},
       {"tripod_floating", [] { return compiled(testing::tripod(), Base::FreeFlyer); }},
-      {"every_kind", [] { return build_model(legs_of_every_kind()); }}};
+      {"weld", [] { return build_model(two_legs(Directions::all())); }},
+      {"hinge", [] { return build_model(two_legs(Directions::parse("x,y,z,rx,rz"))); }}};
   if (has_robot_files)
     for (const char* name : {"four_bar", "parallel_ankle", "gripper"})
       robots.push_back({name, [name] { return named_robot(name); }});

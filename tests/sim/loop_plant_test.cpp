@@ -127,12 +127,14 @@ MpcSpec tracking(const Robot& robot, const VectorXd& q, double to) {
   spec.problem.initial_state.head(model.nq) = q;
   VectorXd target = spec.problem.initial_state;
   target.head(model.nq) = closed_configuration(model, {{"drive", {to}}});
+  VectorXd weights = VectorXd::Ones(2 * model.nv);
+  weights.tail(model.nv).setConstant(0.003);
+  const CostTerm there{.residual = residual::State{target}, .weight = 10.0, .weights = weights};
   spec.problem.stages = {{.name = "track",
-                          .costs = {{.residual = residual::State{target}, .weight = 10.0},
-                                    {.residual = residual::Control{}, .weight = 1e-3}},
+                          .costs = {there, {.residual = residual::Control{}, .weight = 1e-3}},
                           .step = 0.01}};
   spec.problem.horizon = {{"track", 30}};
-  spec.problem.terminal = {{.residual = residual::State{target}, .weight = 1.0}};
+  spec.problem.terminal = {there};
   spec.schedule = {{.name = "track", .stage = "track"}};
   spec.tick_period = 1e-3;
   spec.update_period = 0.01;
