@@ -55,8 +55,8 @@ class Excitation {
 };
 
 /// What a robot with a payload records while it follows a motion: on the ideal plant, in the air, by
-/// computed torque of the model without the payload, at 1 kHz. `start`: where joints begin. Throws
-/// Error as check_disturbances() does, and where the simulation fails.
+/// computed torque of the model without the payload, at 1 kHz. from where it
+/// came to rest with it. Throws Error as check_disturbances() does, and where the simulation fails.
 Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
                     const Disturbances& disturbances);
 
