@@ -66,8 +66,8 @@ TEST_F(Identified, TheMassOfALinkThatIsOtherwiseThanTheModelSays) {
 
 TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   Disturbances d = sensors();
-  d.joint_coulomb = 1.0;
-  d.joint_viscous = 1.0;
+  d.joint_coulomb = 0.1;  // more would hold the last joints still: the controller knows of none
+  d.joint_viscous = 0.5;
   const Payload carried = drawn_payload("tool", 3);
   const Trace trace = record_motion(model, carried, motion, d);
   MotionRecord record = motion_record(model, trace);
@@ -79,8 +79,8 @@ TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   ASSERT_EQ(static_cast<int>(found.coulomb.size()), model.nv);
   EXPECT_NEAR(found.inertias[0].values[0], carried.inertia.mass, 0.03 * carried.inertia.mass);
   for (int k = 0; k < model.nv; ++k) {
-    EXPECT_NEAR(found.coulomb[static_cast<std::size_t>(k)].value, 1.0, 0.2) << model.v_name(k);
-    EXPECT_NEAR(found.viscous[static_cast<std::size_t>(k)].value, 1.0, 0.4) << model.v_name(k);
+    EXPECT_NEAR(found.coulomb[static_cast<std::size_t>(k)].value, 0.1, 0.04) << model.v_name(k);
+    EXPECT_NEAR(found.viscous[static_cast<std::size_t>(k)].value, 0.5, 0.1) << model.v_name(k);
   }
 }
 
