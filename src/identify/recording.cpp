@@ -1,4 +1,5 @@
 // A simulated record: computed torque along an excitation, on the ideal plant.
+#include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
@@ -64,25 +65,31 @@ SceneSpec empty_scene(const std::string& frame) {
 
 }  // namespace
 
-Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
                     const Disturbances& disturbances) {
-  const Model plant_robot = plant_model(with_payload(model, payload), disturbances);
-  IdealPlantOptions options;
-  options.dt = 1e-3;
-  const auto plant = make_ideal_plant(plant_robot, empty_scene(payload.frame), options);
-  FollowMotion controller(model, motion);
-  ClosedLoopOptions loop_options;
-  loop_options.control_period = options.dt;
-  loop_options.max_duration = motion.duration() + settling + 1.0;
-  ClosedLoop loop(*plant, controller, disturbances, loop_options);
+  FollowMotion controller(known, motion);
+  ClosedLoopOptions options;
+  options.control_period = 1e-3;
+  options.max_duration = motion.duration() + settling + 1.0;
+  options.record_every = std::max(1, static_cast<int>(std::lround(1e-3 / plant.dt())));
+  ClosedLoop loop(plant, controller, disturbances, options);
   Eigen::VectorXd q, v, a;
   motion.at(0.0, q, v, a);
   Status status = loop.reset(q, v);
   if (status == Status::Ok) status = loop.run(settling + motion.duration());
   if (status > Status::NotConverged)
-    throw Error("the simulated motion ended at " + number(plant->time()) +
+    throw Error("the simulated motion ended at " + number(plant.time()) +
                 " s: " + std::string(describe(status)));
-  return without_start(loop.trace(), static_cast<int>(std::lround(settling / options.dt)));
+  return without_start(loop.trace(), static_cast<int>(std::lround(settling / 1e-3)));
+}
+
+Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+                    const Disturbances& disturbances) {
+  IdealPlantOptions options;
+  options.dt = 1e-3;
+  const auto plant = make_ideal_plant(plant_model(with_payload(model, payload), disturbances),
+                                      empty_scene(payload.frame), options);
+  return record_motion(*plant, model, motion, disturbances);
 }
 
 }  // namespace burnish

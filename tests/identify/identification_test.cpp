@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "burnish/identify/trial.hpp"
+#ifdef BURNISH_HAS_MUJOCO
+#include "burnish/mujoco/mujoco_plant.hpp"
+#endif
 #include "support/robots.hpp"
 
 namespace burnish::test {
@@ -63,6 +66,22 @@ TEST_F(Identified, TheMassOfALinkThatIsOtherwiseThanTheModelSays) {
   EXPECT_NEAR(one.values[0], 1.7 * mass, 4.0 * one.sigma[0]);
   EXPECT_LT(one.sigma[0], 0.02 * mass);
 }
+
+#ifdef BURNISH_HAS_MUJOCO
+TEST_F(Identified, APayloadThatAnotherEngineMoves) {
+  const Payload carried = drawn_payload("tool", 5);
+  SceneSpec scene;
+  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
+  const auto plant = make_mujoco_plant(plant_model(with_payload(model, carried), sensors()), scene);
+  const Trace trace = record_motion(*plant, model, motion, sensors());
+  const Identification found = identify(model, motion_record(model, trace));
+  const EstimatedInertia& one = found.inertias.at(0);
+  const Vector10 error = one.values - estimate_values(carried.inertia);
+  EXPECT_LE(std::abs(error[0]), 0.01 * carried.inertia.mass);
+  EXPECT_LE(error.segment<3>(1).norm(), 2e-3);
+  for (int i = 0; i < 10; ++i) EXPECT_LE(std::abs(error[i]), 4.0 * one.sigma[i]) << i;
+}
+#endif
 
 TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   Disturbances d = sensors();

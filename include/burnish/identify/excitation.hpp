@@ -8,6 +8,7 @@
 
 #include "burnish/identify/identification.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/plant.hpp"
 
 namespace burnish {
 
@@ -54,9 +55,12 @@ class Excitation {
   Drawn drawn_;
 };
 
-/// What a robot with a payload records while it follows a motion: on the ideal plant, in the air,
-/// by computed torque of the model without the payload, at 1 kHz. from where it came to rest with
-/// it. Throws Error as check_disturbances() does, and where the simulation fails.
+/// What a plant records while it follows a motion, in the air, by computed torque of the model that
+/// is known, at 1 kHz and from where it came to rest: the plant's model may carry and weigh what
+/// that one does not. Throws Error as ClosedLoop does, and where the simulation fails.
+Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
+                    const Disturbances& disturbances);
+/// The same of the ideal plant with a payload that the model does not know.
 Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
                     const Disturbances& disturbances);
 
