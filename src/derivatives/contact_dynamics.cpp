@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sentence.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
