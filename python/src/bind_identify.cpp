@@ -51,7 +51,7 @@ void bind_inertia(py::module_& m) {
 void bind_results(py::module_& m) {
   using E = EstimatedInertia;
   py::class_<E>(m, "EstimatedInertia", "A mass distribution from a motion, in the axes of `frame`.")
-      .def_readonly("frame", &E::frame)
+      .def_readonly("frame", &E::frame, "The link, or the frame of the payload.")
       .def_readonly("inertia", &E::inertia, "InertiaSpec: a solid has it.")
       .def_property_readonly(
           "values", [](const E& e) { return named(e.values); },
@@ -69,7 +69,7 @@ void bind_results(py::module_& m) {
           "Names of the values that the motion does not show.");
   using I = Identification;
   py::class_<I>(m, "Identification", "What identify() found.")
-      .def_readonly("inertias", &I::inertias)
+      .def_readonly("inertias", &I::inertias, "An EstimatedInertia for each that was asked for.")
       .def_property_readonly(
           "viscous", [](const I& i) { return arrays_of(i.viscous); },
           "Values and standard deviations (nv,) each, Nms/rad (Ns/m), or None.")
@@ -85,8 +85,8 @@ void bind_results(py::module_& m) {
           "s of torques behind positions, and its standard deviation.")
       .def_readonly("rms_before", &I::rms_before, "(nv,), Nm (N), that the model leaves.")
       .def_readonly("rms_after", &I::rms_after, "(nv,), Nm (N), that what was found leaves.")
-      .def_readonly("samples", &I::samples)
-      .def_readonly("converged", &I::converged)
+      .def_readonly("samples", &I::samples, "Of each torque, that were used.")
+      .def_readonly("converged", &I::converged, "Whether the estimate settled.")
       .def_readonly("warnings", &I::warnings, "Sentences.");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sentence.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
@@ -272,8 +273,7 @@ Status ContactDynamics::regressor(std::span<const int> bodies, RowMatrix& out) {
 
 Status ContactDynamics::inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out) {
   impl_->check_bodies("inertia_derivatives", bodies);
-  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated)
-    return Status::NotEvaluated;
+  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated) return Status::NotEvaluated;
   impl_->fill_regressor(bodies, impl_->regressor);
   out.a.noalias() = -da_dtau() * impl_->regressor;
   out.lambda.noalias() = -dlambda_dtau() * impl_->regressor;

@@ -1,6 +1,6 @@
-// The regressor of inverse dynamics: the torque as a linear function of mass distributions, which it
-// is because the force that moves a body is one (C. Atkeson, C. An, J. Hollerbach, "Estimation of
-// Inertial Parameters of Manipulator Loads and Links", 1986).
+// The regressor of inverse dynamics: the torque as a linear function of mass distributions, which
+// it is because the force that moves a body is one (C. Atkeson, C. An, J. Hollerbach, "Estimation
+// of Inertial Parameters of Manipulator Loads and Links", 1986).
 #pragma once
 
 #include "dynamics/inverse_dynamics.hpp"

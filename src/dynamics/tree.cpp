@@ -126,17 +126,10 @@ Tree::Tree(const Model& model)
     const Joint& joint = model.joints[i];
     const BodyInertia own = body_inertia({joint.mass, joint.com, joint.inertia_at_com});
     const int count = joint_nv(joint.kind);
-    joints.push_back({kind_in_tree(model, joint),
-                      joint.parent,
-                      joint.q_index,
-                      joint.v_index,
-                      count,
-                      numbers.first[i],
-                      joint.follows ? static_cast<int>(followers.size()) : -1,
+    joints.push_back({kind_in_tree(model, joint), joint.parent, joint.q_index, joint.v_index, count,
+                      numbers.first[i], joint.follows ? static_cast<int>(followers.size()) : -1,
                       from_eigen(Eigen::Matrix3d(joint.placement.linear())),
-                      from_eigen(Eigen::Vector3d(joint.placement.translation())),
-                      own.mass,
-                      own.com,
+                      from_eigen(Eigen::Vector3d(joint.placement.translation())), own.mass, own.com,
                       own.inertia});
     if (joint.follows) followers.push_back(follower_of(*joint.follows));
     int previous = -1;

@@ -9,11 +9,22 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double slip_velocity = 0.02;    // rad/s (m/s), at which Coulomb's friction has its sign
-constexpr double correlation_time = 1.0;  // s, beyond which residuals know nothing of each other
+constexpr double slip_velocity = 0.02;  // rad/s (m/s), at which Coulomb's friction has its sign
+constexpr double lag_windows = 4.0;     // that sums over lags reach
 
 /// Samples between which residuals are correlated, at most.
 int lags_of(const Regression& of) { return std::min(of.lags, of.samples / 4); }
+
+/// How much of a lag counts (M. Bartlett).
+double share_of(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
+
+/// By how much standard deviations from a sum over lags are to be enlarged, since that sum is
+/// itself an estimate: the critical values of N. Kiefer and T. Vogelsang, "A New Asymptotic Theory
+/// for Heteroskedasticity-Autocorrelation Robust Tests" (2005), by those of a normal distribution.
+double enlargement(double lags_per_sample) {
+  const double b = lags_per_sample;
+  return 1.0 + (2.9694 * b + 0.4160 * b * b - 0.5324 * b * b * b) / 1.96;
+}
 
 /// Autocovariance of the residuals at a lag of samples, nv x nv.
 Eigen::MatrixXd covariance_at(const Regression& of, const Eigen::VectorXd& residual, int lag) {
@@ -23,14 +34,13 @@ Eigen::MatrixXd covariance_at(const Regression& of, const Eigen::VectorXd& resid
 }
 
 /// By torque: the variance that a residual would have if its neighbours said nothing of it. A sum
-/// over lags with falling weights (M. Bartlett).
+/// over lags.
 Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& residual) {
   const int lags = lags_of(of);
   Eigen::VectorXd result = covariance_at(of, residual, 0).diagonal();
   const Eigen::VectorXd plain = result;
   for (int lag = 1; lag <= lags; ++lag) {
-    const double weight = 1.0 - static_cast<double>(lag) / (lags + 1);
-    result += 2.0 * weight * covariance_at(of, residual, lag).diagonal();
+    result += 2.0 * share_of(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
   return result.cwiseMax(plain).cwiseMax(1e-16);
 }
@@ -99,17 +109,17 @@ Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
   const int lags = lags_of(of), p = of.size();
   Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(p, p);
   for (int lag = 0; lag <= lags; ++lag) {
-    const double falling = 1.0 - static_cast<double>(lag) / (lags + 1);
     const Eigen::MatrixXd C = covariance_at(of, residual, lag);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
     for (int i = 0; i + lag < of.samples; ++i)
       sum +=
           WA.middleRows(i * of.nv, of.nv).transpose() * C * WA.middleRows((i + lag) * of.nv, of.nv);
-    middle += falling * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
+    middle += share_of(lag, lags) * (lag == 0 ? sum : Eigen::MatrixXd(sum + sum.transpose()));
   }
   // Fitted parameters took a part of the noise with them, of which each window has one piece.
   const double pieces = static_cast<double>(residual.size()) / of.samples_per_window;
   middle *= pieces / std::max(1.0, pieces - p);
+  middle *= std::pow(enlargement(static_cast<double>(lags) / of.samples), 2);
   Eigen::MatrixXd information = A.transpose() * WA;
   const Eigen::ArrayXd prior = of.prior_sigma.array().square().inverse();
   information.diagonal().array() += prior;
@@ -127,8 +137,8 @@ Eigen::VectorXd rms(const Regression& of, const Eigen::VectorXd& residual) {
 Regression::Regression(const Model& model, const SmoothedMotion& motion,
                        const std::vector<Unknown>& unknowns, const IdentificationSpec& spec)
     : nv(model.nv), samples(motion.samples()), inertias(static_cast<int>(unknowns.size())) {
-  lags = static_cast<int>(std::ceil(correlation_time / motion.spacing));
   samples_per_window = spec.window / motion.spacing;
+  lags = static_cast<int>(std::ceil(lag_windows * samples_per_window));
   const Eigen::Index rows = static_cast<Eigen::Index>(samples) * nv;
   int columns = 10 * inertias;
   const auto add = [&](bool wanted, int count) {
@@ -204,14 +214,21 @@ Fit fit(const Regression& regression) {
   Fit result;
   result.x = regression.prior;
   result.rms_before = rms(regression, regression.before);
-  // How noisy each torque is shows in what is left: a few rounds settle it.
-  Eigen::VectorXd variance = spectral_variance(regression, regression.residual(result.x));
+  // How noisy each torque is shows in what is left. At first all are as good as each other and the
+  // motion goes before what is believed: noise that is told from a bad fit stays large.
+  constexpr double share = 1e-3, settled = 0.01;
+  constexpr int rounds = 40;
+  const double start = std::pow(share * result.rms_before.norm(), 2) + 1e-16;
+  Eigen::VectorXd variance = Eigen::VectorXd::Constant(regression.nv, start);
   Eigen::VectorXd weight = row_weights(regression, variance);
-  constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
-    result.converged = minimize(regression, weight, result.x);
-    variance = spectral_variance(regression, regression.residual(result.x));
+    const bool least = minimize(regression, weight, result.x);
+    const Eigen::VectorXd next = spectral_variance(regression, regression.residual(result.x));
+    const double change = (next.array() / variance.array()).log().abs().maxCoeff();
+    variance = next;
     weight = row_weights(regression, variance);
+    result.converged = least && change < settled;
+    if (result.converged) break;
   }
   result.covariance = covariance_of(regression, result.x, weight);
   result.rms_after = rms(regression, regression.residual(result.x));

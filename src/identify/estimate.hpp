@@ -16,14 +16,14 @@ struct Unknown {
   bool replaces = false;  ///< the body's own, which is not added to it
 };
 
-/// Smoothed torques = known + sum of Y_i theta_i(eta_i) + linear x, a row per sample and entry of v,
-/// samples being the outer index. Unknowns x: eta of each inertia, then the linear ones.
+/// Smoothed torques = known + sum of Y_i theta_i(eta_i) + linear x, a row per sample and entry of
+/// v, samples being the outer index. Unknowns x: eta of each inertia, then the linear ones.
 struct Regression {
   Regression(const Model& model, const SmoothedMotion& motion, const std::vector<Unknown>& unknowns,
              const IdentificationSpec& spec);
 
   int nv = 0, samples = 0, inertias = 0;
-  int lags = 0;            ///< samples that residuals may be correlated over
+  int lags = 0;  ///< samples that residuals may be correlated over
   double samples_per_window = 1.0;
   Eigen::VectorXd rest;    ///< torques less what is known of them
   Eigen::VectorXd before;  ///< torques less what the model as given says
@@ -45,8 +45,8 @@ struct Fit {
   bool converged = false;
 };
 
-/// The most probable x, by Levenberg's and Marquardt's method, and its covariance with noise that is
-/// coloured as the residuals are.
+/// The most probable x, by Levenberg's and Marquardt's method, and its covariance with noise that
+/// is coloured as the residuals are.
 Fit fit(const Regression& regression);
 
 }  // namespace burnish::identify_detail

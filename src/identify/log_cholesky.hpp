@@ -4,8 +4,8 @@
 //               [ 0    e^d2 s23  t2 ]
 //               [ 0    0    e^d3 t3 ]
 //               [ 0    0    0    1  ],
-// so that the mass is e^(2 alpha), its centre t, and the upper left block of U without e^alpha a root
-// of the second moments per mass about the centre.
+// so that the mass is e^(2 alpha), its centre t, and the upper left block of U without e^alpha a
+// root of the second moments per mass about the centre.
 #pragma once
 
 #include "burnish/model/inertia.hpp"

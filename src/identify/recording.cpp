@@ -1,4 +1,5 @@
 // A simulated record: computed torque along an excitation, on the ideal plant.
+#include <algorithm>
 #include <cmath>
 
 #include "base/sentence.hpp"
@@ -11,6 +12,10 @@
 namespace burnish {
 namespace {
 
+/// s at rest before the motion, and not recorded: the payload, which the controller does not know,
+/// pulls the arm down first.
+constexpr double settling = 1.5;
+
 /// tau = M (a + kd e' + kp e) + b of the model that it knows.
 class FollowMotion final : public Controller {
  public:
@@ -21,7 +26,7 @@ class FollowMotion final : public Controller {
   int nv() const override { return model_.nv; }
   void reset() noexcept override {}
   const Command& tick(const Measurement& m) noexcept override {
-    motion_.at(m.time, q_, v_, a_);
+    motion_.at(m.time - settling, q_, v_, a_);
     constexpr double kp = 144.0, kd = 24.0;  // 1/s^2, 1/s
     a_ += kd * (v_ - m.v) + kp * difference(model_, normalized(model_, m.q), q_);
     command_.status = dynamics_.inverse(normalized(model_, m.q), m.v, a_, none_);
@@ -37,6 +42,18 @@ class FollowMotion final : public Controller {
   Eigen::VectorXd q_, v_, a_, none_;
 };
 
+/// Without its first rows.
+Trace without_start(const Trace& trace, int rows) {
+  Trace result(trace.columns(), trace.rows() - rows);
+  const auto columns = static_cast<int>(trace.columns().size());
+  for (int i = rows; i < trace.rows(); ++i) {
+    double* const row = result.add_row();
+    for (int k = 0; k < columns; ++k) row[k] = trace.at(i, k);
+    row[0] -= settling;  // time
+  }
+  return result;
+}
+
 /// No surface near: the motion is in the air.
 SceneSpec empty_scene(const std::string& frame) {
   SceneSpec scene;
@@ -48,25 +65,31 @@ SceneSpec empty_scene(const std::string& frame) {
 
 }  // namespace
 
-Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
                     const Disturbances& disturbances) {
-  const Model plant_robot = plant_model(with_payload(model, payload), disturbances);
-  IdealPlantOptions options;
-  options.dt = 1e-3;
-  const auto plant = make_ideal_plant(plant_robot, empty_scene(payload.frame), options);
-  FollowMotion controller(model, motion);
-  ClosedLoopOptions loop_options;
-  loop_options.control_period = options.dt;
-  loop_options.max_duration = motion.duration() + 1.0;
-  ClosedLoop loop(*plant, controller, disturbances, loop_options);
+  FollowMotion controller(known, motion);
+  ClosedLoopOptions options;
+  options.control_period = 1e-3;
+  options.max_duration = motion.duration() + settling + 1.0;
+  options.record_every = std::max(1, static_cast<int>(std::lround(1e-3 / plant.dt())));
+  ClosedLoop loop(plant, controller, disturbances, options);
   Eigen::VectorXd q, v, a;
   motion.at(0.0, q, v, a);
   Status status = loop.reset(q, v);
-  if (status == Status::Ok) status = loop.run(motion.duration());
+  if (status == Status::Ok) status = loop.run(settling + motion.duration());
   if (status > Status::NotConverged)
-    throw Error("the simulated motion ended at " + number(plant->time()) +
+    throw Error("the simulated motion ended at " + number(plant.time()) +
                 " s: " + std::string(describe(status)));
-  return loop.trace();
+  return without_start(loop.trace(), static_cast<int>(std::lround(settling / 1e-3)));
+}
+
+Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
+                    const Disturbances& disturbances) {
+  IdealPlantOptions options;
+  options.dt = 1e-3;
+  const auto plant = make_ideal_plant(plant_model(with_payload(model, payload), disturbances),
+                                      empty_scene(payload.frame), options);
+  return record_motion(*plant, model, motion, disturbances);
 }
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// A record smoothed: positions, velocities, accelerations and torques at instants that are a part of
-// a window apart.
+// A record smoothed: positions, velocities, accelerations and torques at instants that are a part
+// of a window apart.
 #pragma once
 
 #include "burnish/identify/identification.hpp"
@@ -13,10 +13,10 @@ struct SmoothedMotion {
   /// Throws Error as identify() does.
   SmoothedMotion(const Model& model, const MotionRecord& record, const IdentificationSpec& spec);
 
-  RowMatrix q;               ///< samples x nq
-  RowMatrix v, a;            ///< samples x nv
-  RowMatrix tau, tau_rate;   ///< samples x nv
-  double spacing = 0.0;      ///< s between samples
+  RowMatrix q;              ///< samples x nq
+  RowMatrix v, a;           ///< samples x nv
+  RowMatrix tau, tau_rate;  ///< samples x nv
+  double spacing = 0.0;     ///< s between samples
   int samples() const { return static_cast<int>(q.rows()); }
 };
 

@@ -80,8 +80,7 @@ Eigen::Matrix<double, 10, 10> inertia_transform(const Eigen::Isometry3d& placeme
   const Eigen::Matrix4d E = placement.matrix();
   Eigen::Matrix<double, 10, 10> T;
   for (int k = 0; k < 10; ++k)
-    T.col(k) =
-        parameters_of_pseudo_inertia(E * pseudo_inertia(Vector10::Unit(k)) * E.transpose());
+    T.col(k) = parameters_of_pseudo_inertia(E * pseudo_inertia(Vector10::Unit(k)) * E.transpose());
   return T;
 }
 

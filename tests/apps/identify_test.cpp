@@ -60,7 +60,7 @@ TEST(Identify, RefusesWhatItCannotUse) {
   refused("arm7", "wanted DATA");
   refused("arm7 " + quoted(scratch.folder / "short.csv"), "q_joint_2");
   refused("arm7 --payload tol --excite /dev/null", "'tool'");
-  refused("arm7:floating --excite /dev/null", "free_flyer");
+  refused("arm7:floating --excite /dev/null", "free-flyer");
   refused("arm7 --duration 1 --excite /dev/null", "duration");
 }
 

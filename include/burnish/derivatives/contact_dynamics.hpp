@@ -23,8 +23,8 @@ struct WrenchDerivatives {
   RowMatrix dtau;  ///< 1/m (force per torque), dimensionless (moment per torque)
 };
 
-/// Derivatives by the mass distributions of chosen bodies: ten columns per body, in the order of the
-/// bodies and of inertia_parameter_names.
+/// Derivatives by the mass distributions of chosen bodies: ten columns per body, in the order of
+/// the bodies and of inertia_parameter_names.
 struct InertiaDerivatives {
   RowMatrix a;       ///< nv rows
   RowMatrix lambda;  ///< rows()
@@ -67,8 +67,8 @@ class ContactDynamics {
   /// at least zero. Throws Error for an unknown index and a contact without friction.
   Status set_friction(int contact, double coefficient);
   /// What the robot carries at a frame from now on, in the frame's axes: its body's mass
-  /// distribution is the model's and this one, in the place of what that body carried before; a mass
-  /// of 0 puts it down. For states evaluated from then on. Does not allocate. Returns Ok, or
+  /// distribution is the model's and this one, in the place of what that body carried before; a
+  /// mass of 0 puts it down. For states evaluated from then on. Does not allocate. Returns Ok, or
   /// NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws Error with the
   /// nearest known name for a frame that there is not, and for one that is fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
@@ -93,10 +93,10 @@ class ContactDynamics {
   /// (Proposition 3).
   Status acceleration_derivatives();
 
-  /// The regressor of inverse dynamics at the last forward() or inverse(): with the parameters theta
-  /// of all bodies (inertia_parameters), M a + b = Y theta + diag(armature) a. Y is nv x 10 per body,
-  /// `bodies` being numbers of joints of the model; `out` is resized on first use. Throws Error for a
-  /// body that there is not.
+  /// The regressor of inverse dynamics at the last forward() or inverse(): with the parameters
+  /// theta of all bodies (inertia_parameters), M a + b = Y theta + diag(armature) a. Y is nv x 10
+  /// per body, `bodies` being numbers of joints of the model; `out` is resized on first use. Throws
+  /// Error for a body that there is not.
   Status regressor(std::span<const int> bodies, RowMatrix& out);
   /// Derivatives of a and lambda by those parameters at the torques of the last forward(), whose
   /// forward_derivatives() were made: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y.

@@ -58,11 +58,11 @@ class RigidBody {
   /// with the nearest known name.
   int frame(const std::string& name) const;
 
-  /// What the robot carries at a frame (any of the model's) from now on, in the frame's axes, in the
-  /// place of what that frame's body carried before; of states updated from then on. Allocates
-  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing.
-  /// Throws Error with the nearest known name for a frame that there is not, and for one that is
-  /// fixed to the world.
+  /// What the robot carries at a frame (any of the model's) from now on, in the frame's axes, in
+  /// the place of what that frame's body carried before; of states updated from then on. Allocates
+  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes
+  /// nothing. Throws Error with the nearest known name for a frame that there is not, and for one
+  /// that is fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Evaluates the state: q has nq entries, v and a nv (rad/s, m/s; rad/s^2, m/s^2). Without `a`

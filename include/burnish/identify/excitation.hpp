@@ -8,18 +8,19 @@
 
 #include "burnish/identify/identification.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/plant.hpp"
 
 namespace burnish {
 
 struct ExcitationSpec {
-  double duration = 10.0;       ///< s, from rest to rest
-  double highest = 0.7;         ///< Hz, of the harmonics of 1/duration that joints move with
-  double range = 0.8;           ///< rad (m) that joints leave their start at most
-  double margin = 0.1;          ///< rad (m) that they keep from their limits
-  double speed_share = 0.4;     ///< of velocity limits that is used at most; 2 rad/s without one
-  double effort_share = 0.8;    ///< of effort limits, of the robot without a payload
+  double duration = 10.0;     ///< s, from rest to rest
+  double highest = 0.7;       ///< Hz, of the harmonics of 1/duration that joints move with
+  double range = 0.8;         ///< rad (m) that joints leave their start at most
+  double margin = 0.1;        ///< rad (m) that they keep from their limits
+  double speed_share = 0.4;   ///< of velocity limits that is used at most; 2 rad/s without one
+  double effort_share = 0.8;  ///< of effort limits, of the robot without a payload
   std::vector<std::string> joints = {};  ///< that move; empty: all
-  int candidates = 40;          ///< drawn, of which the one is taken that shows most
+  int candidates = 40;                   ///< drawn, of which the one is taken that shows most
   std::uint64_t seed = 1;
 };
 
@@ -54,9 +55,12 @@ class Excitation {
   Drawn drawn_;
 };
 
-/// What a robot with a payload records while it follows a motion: on the ideal plant, in the air, by
-/// computed torque of the model without the payload, at 1 kHz. `start`: where joints begin. Throws
-/// Error as check_disturbances() does, and where the simulation fails.
+/// What a plant records while it follows a motion, in the air, by computed torque of the model that
+/// is known, at 1 kHz and from where it came to rest: the plant's model may carry and weigh what
+/// that one does not. Throws Error as ClosedLoop does, and where the simulation fails.
+Trace record_motion(Plant& plant, const Model& known, const Excitation& motion,
+                    const Disturbances& disturbances);
+/// The same of the ideal plant with a payload that the model does not know.
 Trace record_motion(const Model& model, const Payload& payload, const Excitation& motion,
                     const Disturbances& disturbances);
 

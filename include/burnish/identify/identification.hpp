@@ -5,7 +5,8 @@
 // M. Golay, 1964), forwards and backwards alike, so that neither is late; with the smoothed motion
 // the torques are linear in the masses (ContactDynamics::regressor). Masses are estimated in
 // log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body Inertia",
-// 2022), in which every value is a body that there can be. docs/identification.md has the equations.
+// 2022), in which every value is a body that there can be. docs/identification.md has the
+// equations.
 #pragma once
 
 #include <string>
@@ -23,9 +24,9 @@ struct MotionRecord {
   RowMatrix tau;         ///< n x nv: Nm, N
 };
 
-/// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_ and
-/// tau_ where it has none of these. Throws Error where one is missing and for times that are not
-/// evenly spaced to 1 %.
+/// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_
+/// and tau_ where it has none of these. Throws Error where one is missing and for times that are
+/// not evenly spaced to 1 %.
 MotionRecord motion_record(const Model& model, const Trace& trace);
 
 struct IdentificationSpec {
@@ -33,8 +34,8 @@ struct IdentificationSpec {
   std::vector<std::string> bodies = {};
   /// Frame that what the robot carries is written in, where no bodies are named.
   std::string payload = "tool";
-  /// Joint friction: Coulomb's and viscous of each entry of v. For torques that motors give; sensors
-  /// behind the gears do not feel it.
+  /// Joint friction: Coulomb's and viscous of each entry of v. For torques that motors give;
+  /// sensors behind the gears do not feel it.
   bool friction = false;
   bool offset = false;   ///< a constant error of each torque
   bool delay = true;     ///< of torques behind positions
@@ -72,10 +73,10 @@ struct Identification {
   std::vector<EstimatedInertia> inertias;
   /// nv each where they were asked for, else empty: Nms/rad (Ns/m), Nm (N), Nm (N).
   std::vector<Estimate> viscous, coulomb, offset;
-  Estimate delay;                   ///< s
-  Eigen::VectorXd rms_before;       ///< nv, of the torques that the model as given leaves, Nm (N)
-  Eigen::VectorXd rms_after;        ///< nv, of those that what was found leaves
-  int samples = 0;                  ///< that were used, of each torque
+  Estimate delay;              ///< s
+  Eigen::VectorXd rms_before;  ///< nv, of the torques that the model as given leaves, Nm (N)
+  Eigen::VectorXd rms_after;   ///< nv, of those that what was found leaves
+  int samples = 0;             ///< that were used, of each torque
   bool converged = false;
   std::vector<std::string> warnings;  ///< sentences
 };

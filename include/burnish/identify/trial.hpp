@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// 0.5 to 3 kg, its centre within a decimetre or so of the frame, with the inertia of an ellipsoid of
-/// 3 to 10 cm.
+/// 0.5 to 3 kg, its centre within a decimetre or so of the frame, with the inertia of an ellipsoid
+/// of 3 to 10 cm.
 Payload drawn_payload(const std::string& frame, std::uint64_t seed);
 
 struct Trial {
@@ -15,8 +15,8 @@ struct Trial {
   Vector10 error = Vector10::Zero();  ///< of EstimatedInertia::values
 };
 
-/// The payload of that seed along the motion, with the seed's noise; found in `spec.payload`. Throws
-/// Error as record_motion() and identify() do.
+/// The payload of that seed along the motion, with the seed's noise; found in `spec.payload`.
+/// Throws Error as record_motion() and identify() do.
 Trial try_identification(const Model& model, const Excitation& motion,
                          const Disturbances& disturbances, const IdentificationSpec& spec,
                          std::uint64_t seed);

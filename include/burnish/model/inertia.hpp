@@ -24,8 +24,8 @@ Vector10 inertia_parameters(const InertiaSpec& inertia);
 InertiaSpec inertia_of(const Vector10& parameters);
 
 /// [S, h; h^T, m] of the parameters, S being the second moments about the origin (the inertia is
-/// tr(S) 1 - S): a solid has them exactly if this is positive semidefinite (P. Wensing, S. Kim, J.-J.
-/// Slotine, "Linear Matrix Inequalities for Physically Consistent Inertial Parameter
+/// tr(S) 1 - S): a solid has them exactly if this is positive semidefinite (P. Wensing, S. Kim,
+/// J.-J. Slotine, "Linear Matrix Inequalities for Physically Consistent Inertial Parameter
 /// Identification", 2018).
 Eigen::Matrix4d pseudo_inertia(const Vector10& parameters);
 /// And back.

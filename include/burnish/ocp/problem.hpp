@@ -69,10 +69,10 @@ class Problem final : public ShootingProblem {
   /// term that there is not, and for one whose reference follows no surface.
   Status set_term_surface(int knot, int term, const Quadric& surface);
   /// What the robot carries at a frame from now on, at all knots, in the frame's axes and in the
-  /// place of what that frame's body carried before; model() has it from then on. Allocates nothing.
-  /// Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws
-  /// Error with the nearest known name for a frame that there is not, and for one that is fixed to
-  /// the world.
+  /// place of what that frame's body carried before; model() has it from then on. Allocates
+  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes
+  /// nothing. Throws Error with the nearest known name for a frame that there is not, and for one
+  /// that is fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// A constant torque on the joints that the model does not know of, nv entries, Nm (N); zero at
   /// first. Returns WrongSize, NotFinite or Ok.
