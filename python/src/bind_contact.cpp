@@ -29,11 +29,16 @@ void bind_loops(py::module_& m) {
       "least one. Its status says whether they are closed.");
   m.def("loop_misses", &loop_misses, py::arg("model"), py::arg("q"),
         "What is left of each loop at a configuration (nq,).");
-  m.def("project_velocity_onto_loops", &project_velocity_onto_loops, py::arg("model"), py::arg("q"),
-        py::arg("v"), py::arg("metric") = LoopMetric::Plain,
-        py::arg("keep") = std::vector<std::string>{},
-        "The velocity (nv,) nearest to v that the loops allow at q; joints of `keep` keep theirs "
-        "as far as the others can follow.");
+  m.def(
+      "project_velocity_onto_loops",
+      [](const Model& model, const Vector& q, const Vector& v,
+         const std::optional<LoopMetric>& metric, const std::vector<std::string>& keep) {
+        return project_velocity_onto_loops(model, q, v, metric.value_or(LoopMetric::Plain), keep);
+      },
+      py::arg("model"), py::arg("q"), py::arg("v"), py::arg("metric") = py::none(),
+      py::arg("keep") = std::vector<std::string>{},
+      "The velocity (nv,) nearest to v that the loops allow at q, by the plain metric unless said; "
+      "joints of `keep` keep theirs as far as the others can follow.");
   m.def(
       "closed_configuration",
       [](const Model& model, const Posture& posture) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "mujoco/descriptions.hpp"
 
@@ -88,10 +89,11 @@ std::string connections_of(const Model& model) {
   return text;
 }
 
-/// The points of connections in their bodies, and how they come back from drift, as the ideal
-/// plant's loops do. `first`: the number of the first one among the equalities.
+/// The points of connections in their bodies, and how they come back from the drift of its steps.
+/// `first`: the number of the first one among the equalities.
 void load_loops(const Model& model, int first, mjModel& m) {
-  constexpr mjtNum d = mjMAXIMP, kp = 1e4, kd = 200.0;  // -, 1/s^2, 1/s
+  constexpr mjtNum d = mjMAXIMP;
+  const LoopGains gains = LoopGains::for_step(m.opt.timestep);
   int i = first;
   for (const Loop& loop : model.loops)
     for (const Eigen::Vector3d& point : points_of(loop)) {
@@ -103,8 +105,8 @@ void load_loops(const Model& model, int first, mjModel& m) {
         data += 3;
       }
       mjtNum* solref = m.eq_solref + mjNREF * i;
-      solref[0] = -kp;
-      solref[1] = -kd;
+      solref[0] = -gains.kp;
+      solref[1] = -gains.kd;
       const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
       mju_copy(m.eq_solimp + mjNIMP * i, constant, mjNIMP);
       ++i;

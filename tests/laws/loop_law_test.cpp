@@ -79,12 +79,12 @@ TEST_P(LoopLaw, derivatives_are_those_of_automatic_differentiation) {
   ContactDynamics dynamics(model, loops);
   ConstrainedDynamics<Dual> dual(model, ContactSet(model, loops), {});
   int done = 0;
-  for (int tries = 0; done < law_states() && tries < 20 * law_states(); ++tries) {
+  for (int tries = 0; done < law_states() && tries < 200 * law_states(); ++tries) {
     const VectorXd q = closed(), v = random_vector(model.nv, 1.0, generator),
                    tau = random_vector(model.nv, 3.0, generator);
     if (dynamics.forward(q, v, tau) != Status::Ok) continue;
     const Eigen::JacobiSVD<MatrixXd> svd{MatrixXd(dynamics.jacobian())};
-    if (svd.singularValues().tail<1>()[0] < 3e-2 * svd.singularValues()[0]) continue;
+    if (svd.singularValues().tail<1>()[0] < 1e-2 * svd.singularValues()[0]) continue;
     ++done;
     ASSERT_EQ(dynamics.forward_derivatives(), Status::Ok);
     const Duals constant = constant_duals(tau);

@@ -32,7 +32,7 @@ const std::string pin =
 TEST_F(LoopSettings, AreReadWithTheirPlacementsAndDirections) {
   const Robot robot = load(
       "loops: {pin: {between: [coupler, rocker], first: {xyz: [0.3, 0, 0]}, second: {xyz: [0.25, "
-      "0, 0], rpy: [0.1, 0, 0]}, directions: [x, z, rx]}}\ndefault_posture: any\npostures: {any: "
+      "0, 0], rpy: [0, 0.1, 0]}, directions: [x, z, rx]}}\ndefault_posture: any\npostures: {any: "
       "{drive: 0.8}}\n");
   ASSERT_EQ(robot.model.loops.size(), 1U);
   EXPECT_EQ(robot.model.loops[0].directions.text(), "x,z,rx");
