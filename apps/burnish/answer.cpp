@@ -28,6 +28,8 @@ std::string status_name(Status status) {
       return "wrong_size";
     case Status::NotEvaluated:
       return "not_evaluated";
+    case Status::NotPhysical:
+      return "not_physical";
   }
   return "unknown";
 }
