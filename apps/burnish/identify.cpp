@@ -20,7 +20,7 @@ struct IdentifyArguments {
   std::string data, out, excite, simulate, posture, disturbances = "sensors";
   IdentificationSpec spec;
   ExcitationSpec excitation;
-  int seeds = 0;
+  int seeds = 0, first_seed = 0;
   double period = 1e-3;
   double torque_noise = 0.05;  // Nm (N), of the sensors in simulations
   bool json = false;
@@ -185,7 +185,7 @@ int try_seeds(const IdentifyArguments& a, const Robot& robot) {
   const Excitation motion = excitation_of(a, robot);
   const Disturbances disturbances = disturbances_of(a);
   std::vector<Trial> trials;
-  for (int seed = 0; seed < a.seeds; ++seed)
+  for (int seed = a.first_seed; seed < a.first_seed + a.seeds; ++seed)
     trials.push_back(try_identification(robot.model, motion, disturbances, a.spec,
                                         static_cast<std::uint64_t>(seed)));
   const TrialSummary all = summary_of(trials);
@@ -297,6 +297,9 @@ void add_identify(CLI::App& app, int& exit_code) {
                    "Try it: payloads that are drawn, carried in simulation and identified")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
+  command->add_option("--first-seed", a.first_seed, "The first of these seeds [0]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000000000));
   command->add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
       ->type_name("NAME");
   command->footer(
