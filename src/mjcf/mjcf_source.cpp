@@ -37,7 +37,7 @@ Source::File& Source::parse(const std::string& xml, const std::string& name,
   file->included_by = included_by;
   file->document = std::make_unique<tinyxml2::XMLDocument>();
   file->document->SetUserData(&file->name);
-  file->root = &parse_xml(*file->document, xml, name, "MJCF");
+  file->root = &parse_xml(*file->document, xml, name, "MJCF", "<mujoco>");
   files_.push_back(std::move(file));
   return *files_.back();
 }

@@ -55,13 +55,14 @@ class FewAttributes : public tinyxml2::XMLVisitor {
 }  // namespace
 
 const XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
-                            const std::string& source, const std::string& format) {
+                            const std::string& source, const std::string& format,
+                            const std::string& wanted) {
   constexpr int megabytes = 16;  // of the shortest elements 1 GB in memory
   check_size(xml, source, megabytes);
   parse_text(document, xml, source, format);
   const XMLElement* outermost = document.RootElement();
   if (outermost == nullptr) {
-    refuse(source, "its outermost element is missing; a description in " + format + " was wanted");
+    refuse(source, "its outermost element is missing; wanted " + wanted);
   }
   FewAttributes check(source);
   outermost->Accept(&check);
@@ -70,7 +71,7 @@ const XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& 
 
 const XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                   const std::string& source, const std::string& format) {
-  const XMLElement& robot = parse_xml(document, xml, source, format);
+  const XMLElement& robot = parse_xml(document, xml, source, format, "<robot>");
   if (std::string_view(robot.Name()) == "robot") return robot;
   refuse(source, "its outermost element is <" + std::string(robot.Name()) + ">; wanted <robot>");
 }
