@@ -38,7 +38,7 @@ struct RobotSettings {
   std::vector<FrameSpec> frames;  ///< in the order of the file
   std::map<std::string, JointLimits> limits;
   std::map<std::string, JointFigures> joints;
-  std::vector<LoopSpec> loops;  ///< in the order of the file
+  std::vector<LoopSpec> loops;                  ///< in the order of the file
   std::map<std::string, InertiaSpec> inertias;  ///< of links, in the place of the URDF's
   std::optional<Payload> payload;
 };

@@ -105,9 +105,7 @@ struct TorqueModel {
 
 /// Which joints are driven.
 struct ActuationSpec {
-  /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
-  /// that is an effort limit above zero.
-  std::vector<std::string> joints = {};
+  std::vector<std::string> joints = {};  ///< Empty: every joint but a free-flying base.
   /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
   /// its springs and tendons.
   bool passive_torques = false;
@@ -138,9 +136,7 @@ inline constexpr std::size_t max_knots = 100'000;
 
 struct ProblemSpec {
   Model model;
-  /// All contacts of the problem, of which stages choose. Those of the robot's loops need not be
-  /// among them: with_loops().
-  std::vector<ContactSpec> contacts = {};
+  std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
