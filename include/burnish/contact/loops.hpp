@@ -57,8 +57,7 @@ struct LoopFreedom {
 LoopFreedom loop_freedom(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q);
 
 struct LoopProjectionOptions {
-  /// Joints that stay where they are; throws Error with the nearest known name.
-  std::vector<std::string> keep = {};
+  std::vector<std::string> keep = {};  ///< Joints that stay where they are.
   /// How dear a change of each entry of v is, nv positive numbers, or empty: all alike.
   Eigen::VectorXd weights = {};
   double tolerance = 1e-9;   ///< m and rad, of every row

@@ -137,8 +137,7 @@ inline constexpr std::size_t max_knots = 100'000;
 
 struct ProblemSpec {
   Model model;
-  /// All contacts of the problem, of which stages choose. Those of the robot's loops need not be
-  /// among them: with_loops().
+  /// all contacts of the problem; stages choose; those of the robot's loops need not be among them
   std::vector<ContactSpec> contacts = {};
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
