@@ -18,6 +18,7 @@ from ._core import (
     project_velocity_onto_loops,
 )
 from ._signal import Signal
+from .base import Status
 from ._spec import Spec, identity
 
 __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "LoopFreedom", "LoopGains", "LoopMetric",

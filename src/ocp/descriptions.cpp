@@ -117,7 +117,10 @@ const Description& description_of(const ActuationSpec* /*of*/) {
   using A = ActuationSpec;
   static const Description all =
       Describe<A>("ocp", "ActuationSpec", "Which joints are driven.")
-          .field("joints", &A::joints, "Empty: every joint but a free-flying base.")
+          .field("joints", &A::joints,
+                 "Empty: every joint but a free-flying base, and of robots with loops every joint "
+                 "with a "
+                 "motor, that is an effort limit above zero.")
           .field("passive_torques", &A::passive_torques,
                  "Joint damping and friction of the model act too, smoothed as "
                  "dynamics/passive.hpp has it, and its springs and tendons.")
@@ -159,7 +162,9 @@ const Description& description_of(const ProblemSpec* /*of*/) {
                   "costs, a horizon.")
           .field("model", &P::model)
           .required()
-          .field("contacts", &P::contacts, "all contacts of the problem; stages choose")
+          .field("contacts", &P::contacts,
+                 "all contacts of the problem; stages choose; those of the robot's loops need not "
+                 "be among them")
           .field("contact_solver", &P::contact_solver)
           .field("actuation", &P::actuation)
           .field("torque_model", &P::torque_model)

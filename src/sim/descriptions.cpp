@@ -190,8 +190,8 @@ const Description& description_of(const IdealPlantOptions* /*of*/) {
           .field("tip_viscous", &I::tip_viscous,
                  "{Ns/m}, against the contact point's sliding, besides Coulomb",
                  range::not_negative)
-          .field("stabilize_kp", &I::stabilize_kp, "{1/s^2}, on the gap while in contact",
-                 range::not_negative)
+          .field("stabilize_kp", &I::stabilize_kp,
+                 "{1/s^2}, on the gap while in contact, and on loops", range::not_negative)
           .field("stabilize_kd", &I::stabilize_kd, "{1/s}, on its rate", range::not_negative);
   return all;
 }

@@ -105,9 +105,10 @@ struct TorqueModel {
 
 /// Which joints are driven.
 struct ActuationSpec {
-  std::vector<std::string> joints = {};  ///< Empty: every joint but a free-flying base.
-  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
-  /// its springs and tendons.
+  /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
+  /// that is an effort limit above zero.
+  std::vector<std::string> joints = {};
+  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it.
   bool passive_torques = false;
   double slip_velocity = 0.01;  ///< rad/s or m/s
 };
@@ -136,7 +137,8 @@ inline constexpr std::size_t max_knots = 100'000;
 
 struct ProblemSpec {
   Model model;
-  std::vector<ContactSpec> contacts = {};  ///< all contacts of the problem; stages choose
+  /// all contacts of the problem; stages choose; those of the robot's loops need not be among them
+  std::vector<ContactSpec> contacts = {};
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
