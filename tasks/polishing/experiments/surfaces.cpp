@@ -57,7 +57,7 @@ std::vector<SurfaceCase> all_cases() {
   for (const std::string stiffness : {"0.5", "2", "10", "100", "300", "1000"})
     cases.push_back({"stiffness",
                      stiffness + " kN/m",
-                     "none",
+                     "mismatch",
                      {"surface.stiffness=" + stiffness + "e3"},
                      0.13});
   for (const std::string preset : {"mismatch", "joint_friction"})
