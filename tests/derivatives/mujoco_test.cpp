@@ -208,7 +208,9 @@ void compare_ties(const std::string& name, const std::vector<Tie>& ties, Velocit
   ContactDynamics ours(model, contacts, solver);
   MujocoModel theirs(model, ties);
   std::mt19937_64 generator(9);
+  int tried = 0;
   for (int i = 0; i < states_tried;) {
+    ASSERT_LT(++tried, 2000) << "the ties are hardly ever independent";
     const Eigen::VectorXd q = random_configuration(model, generator);
     Eigen::VectorXd v = uniform(model.nv, 1.5, generator);
     if (velocity == Velocity::Tied) v = at_rest(ours, q, v);
@@ -267,10 +269,6 @@ INSTANTIATE_TEST_SUITE_P(
                                "parallel_ankle",
                                {{connect, "left_ball/second", "left_ball/first"},
                                 {connect, "right_ball/second", "right_ball/first"}},
-                               true},
-                      TiedCase{"ankle_rod_weld",
-                               "parallel_ankle",
-                               {{weld, "left_ball/second", "left_ball/first"}},
                                true},
                       TiedCase{"crane_tip", "crane", {{connect, "left_tip"}}, false},
                       TiedCase{
