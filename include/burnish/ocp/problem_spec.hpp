@@ -108,7 +108,8 @@ struct ActuationSpec {
   /// Empty: every joint but a free-flying base, and of robots with loops every joint with a motor,
   /// that is an effort limit above zero.
   std::vector<std::string> joints = {};
-  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it.
+  /// Joint damping and friction of the model act too, smoothed as dynamics/passive.hpp has it, and
+  /// its springs and tendons.
   bool passive_torques = false;
   double slip_velocity = 0.01;  ///< rad/s or m/s
 };

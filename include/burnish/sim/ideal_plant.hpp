@@ -19,7 +19,7 @@ namespace burnish {
 struct IdealPlantOptions {
   double dt = 5e-4;           ///< s
   double tip_viscous = 0.0;   ///< Ns/m, against the contact point's sliding, besides Coulomb
-  double stabilize_kp = 1e4;  ///< 1/s^2, on the gap while in contact
+  double stabilize_kp = 1e4;  ///< 1/s^2, on the gap while in contact, and on loops
   double stabilize_kd = 200;  ///< 1/s, on its rate
 };
 
