@@ -12,7 +12,8 @@ namespace burnish::bench {
 
 /// Links of 10 cm and 0.5 kg, their axes turned by a right angle from each to the next.
 inline Model chain(int joints) {
-  TreeSpec tree{.name = "chain", .source = {}, .links = {}, .joints = {}, .warnings = {}};
+  TreeSpec tree;
+  tree.name = "chain";
   for (int k = 0; k <= joints; ++k) {
     LinkSpec link{.name = "link_" + std::to_string(k), .inertia = {}, .visuals = {}};
     link.inertia = {.mass = 0.5,

@@ -242,6 +242,63 @@ int identify_command(const IdentifyArguments& a) {
   return identify_file(a, robot);
 }
 
+void add_estimate(IdentifyArguments& a, CLI::App& command) {
+  command.add_option("DATA", a.data, "CSV with time, q_<joint> and tau_<joint>, or a run's trace")
+      ->type_name("");
+  command
+      .add_option("--bodies", a.spec.bodies, "Links whose own masses are wanted, not a payload's")
+      ->type_name("LINK,...")
+      ->delimiter(',');
+  command.add_option("--payload", a.spec.payload, "Frame that the payload is written in [tool]")
+      ->type_name("FRAME");
+  command.add_flag("--friction", a.spec.friction,
+                   "Joint friction too: for torques that motors give");
+  command.add_flag("--offset", a.spec.offset, "A constant error of each torque too");
+  command.add_option("--window", a.spec.window, "Seconds that a smoothing polynomial spans [0.12]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--out", a.out, "File for the lines that robot.yaml takes")->type_name("FILE");
+  command.add_flag("--json", a.json, "As JSON");
+}
+
+void add_motion(IdentifyArguments& a, CLI::App& command) {
+  command
+      .add_option("--excite", a.excite, "Write a motion that shows a payload, as CSV, and no more")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--simulate", a.simulate,
+          "Write a simulated record of that motion with a payload that is drawn, and no more")
+      ->type_name("FILE");
+  command.add_option("--posture", a.posture, "Posture that it begins at [the robot's default]")
+      ->type_name("NAME");
+  command.add_option("--duration", a.excitation.duration, "Seconds of that motion [10]")
+      ->type_name("S");
+  command.add_option("--highest", a.excitation.highest, "Hz of its fastest harmonic [0.7]")
+      ->type_name("HZ");
+  command
+      .add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
+      ->type_name("RAD");
+  command.add_option("--joints", a.excitation.joints, "Joints that move [all]")
+      ->type_name("JOINT,...")
+      ->delimiter(',');
+  command.add_option("--seed", a.excitation.seed, "Of what is drawn: motion, payload, noise [1]")
+      ->type_name("N");
+  command
+      .add_option("--seeds", a.seeds,
+                  "Try it: payloads that are drawn, carried in simulation and identified")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--first-seed", a.first_seed, "The first of these seeds [0]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
+      ->type_name("NAME");
+}
+
 }  // namespace
 
 void add_identify(CLI::App& app, int& exit_code) {
@@ -250,58 +307,8 @@ void add_identify(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<IdentifyArguments>();
   IdentifyArguments& a = *arguments;
   a.robot.add_to(*command);
-  command->add_option("DATA", a.data, "CSV with time, q_<joint> and tau_<joint>, or a run's trace")
-      ->type_name("");
-  command
-      ->add_option("--bodies", a.spec.bodies, "Links whose own masses are wanted, not a payload's")
-      ->type_name("LINK,...")
-      ->delimiter(',');
-  command->add_option("--payload", a.spec.payload, "Frame that the payload is written in [tool]")
-      ->type_name("FRAME");
-  command->add_flag("--friction", a.spec.friction,
-                    "Joint friction too: for torques that motors give");
-  command->add_flag("--offset", a.spec.offset, "A constant error of each torque too");
-  command->add_option("--window", a.spec.window, "Seconds that a smoothing polynomial spans [0.12]")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
-      ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--out", a.out, "File for the lines that robot.yaml takes")
-      ->type_name("FILE");
-  command->add_flag("--json", a.json, "As JSON");
-  command
-      ->add_option("--excite", a.excite, "Write a motion that shows a payload, as CSV, and no more")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--simulate", a.simulate,
-          "Write a simulated record of that motion with a payload that is drawn, and no more")
-      ->type_name("FILE");
-  command->add_option("--posture", a.posture, "Posture that it begins at [the robot's default]")
-      ->type_name("NAME");
-  command->add_option("--duration", a.excitation.duration, "Seconds of that motion [10]")
-      ->type_name("S");
-  command->add_option("--highest", a.excitation.highest, "Hz of its fastest harmonic [0.7]")
-      ->type_name("HZ");
-  command
-      ->add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
-      ->type_name("RAD");
-  command->add_option("--joints", a.excitation.joints, "Joints that move [all]")
-      ->type_name("JOINT,...")
-      ->delimiter(',');
-  command->add_option("--seed", a.excitation.seed, "Of what is drawn: motion, payload, noise [1]")
-      ->type_name("N");
-  command
-      ->add_option("--seeds", a.seeds,
-                   "Try it: payloads that are drawn, carried in simulation and identified")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--first-seed", a.first_seed, "The first of these seeds [0]")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000000000));
-  command->add_option("--disturbances", a.disturbances, "Preset of these simulations [sensors]")
-      ->type_name("NAME");
+  add_estimate(a, *command);
+  add_motion(a, *command);
   command->footer(
       "Examples:\n"
       "  burnish identify arm7 --excite motion.csv\n"

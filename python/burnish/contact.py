@@ -18,8 +18,8 @@ from ._core import (
     project_velocity_onto_loops,
 )
 from ._signal import Signal
-from .base import Status
 from ._spec import Spec, identity
+from .base import Status
 
 __all__ = ["Acceleration", "ContactForce", "ContactSolver", "ContactSpec", "LoopFreedom", "LoopGains", "LoopMetric",
            "LoopMiss", "LoopProjection", "LoopProjectionOptions", "PoseError", "Quadric", "RedundantLoop",

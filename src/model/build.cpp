@@ -312,9 +312,9 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   model.warnings.insert(model.warnings.end(), findings.warnings().begin(),
                         findings.warnings().end());
   if (options.strict) refuse_warnings(origin_of(tree), model.warnings);
+  add_loops(tree, model);
   add_frames(tree, tree.frames, model);
   add_frames(tree, options.frames, model);
-  add_loops(tree, model);
   return model;
 }
 

@@ -55,7 +55,7 @@ std::string upper_case(std::string text) {
 }
 
 TEST(ManPage, HasEveryCommandAndOption) {
-  EXPECT_EQ(listed_commands().size(), 12U);
+  EXPECT_EQ(listed_commands().size(), 13U);
   EXPECT_NE(manual_section("COMMANDS"), "");
   std::vector<std::string> all{""};
   for (const std::string& command : listed_commands()) {
@@ -115,7 +115,7 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(bash_offers(program + "polish --set path.ra"), "path.radius= path.rate=");
   EXPECT_EQ(bash_offers(program + "polish --set force = 20 --dis"), "--disturbances");
   EXPECT_EQ(bash_offers(program + "experiment \"\""),
-            "paper orientation frames seeds tilt robots force_test tick");
+            "paper orientation frames seeds tilt surfaces robots force_test tick");
   EXPECT_EQ(bash_offers(program + "--completion \"\""), "bash zsh fish");
 }
 
