@@ -259,6 +259,22 @@ void bind_parameters(DynamicsClass& of) {
           "torques held, at the last forward_derivatives().");
 }
 
+/// What the robot carries.
+void bind_payload(DynamicsClass& of) {
+  of.def(
+      "set_payload",
+      [](Dynamics& self, const std::string& frame, const InertiaSpec& payload) {
+        constexpr const char* call = "ContactDynamics.set_payload";
+        const Busy::Lock lock(self.busy, call);
+        check_payload(call, payload);
+        require(self.machine.set_payload(frame, payload), call);
+        self.evaluated = 0;
+      },
+      py::arg("frame"), py::arg("payload"),
+      "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in "
+      "the place of what that frame's body carried before. Results before it are gone.");
+}
+
 /// Which contacts hold, and how.
 void bind_contacts(DynamicsClass& of) {
   of.def(
@@ -312,19 +328,6 @@ void bind_contacts(DynamicsClass& of) {
           "Another coefficient of the friction of a contact (name or number), for states evaluated "
           "from then on. Results before it are gone.")
       .def(
-          "set_payload",
-          [](Dynamics& self, const std::string& frame, const InertiaSpec& payload) {
-            constexpr const char* call = "ContactDynamics.set_payload";
-            const Busy::Lock lock(self.busy, call);
-            check_payload(call, payload);
-            require(self.machine.set_payload(frame, payload), call);
-            self.evaluated = 0;
-          },
-          py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame from now on, an InertiaSpec in the frame's axes, in "
-          "the "
-          "place of what that frame's body carried before. Results before it are gone.")
-      .def(
           "is_active",
           [](const Dynamics& self, const NumberOrName& contact) {
             return self.machine.is_active(
@@ -368,6 +371,7 @@ void bind_contact_dynamics(py::module_& m) {
         return text + (self.machine.rows() == 0 ? " none>" : ">");
       });
   bind_contacts(of);
+  bind_payload(of);
   bind_parameters(of);
   bind_forward(of);
   bind_inverse(of);

@@ -132,9 +132,7 @@ const Description& description_of(const RedundantLoop* /*of*/) {
                   "Rows of a loop that those of its other directions, or of other loops, imply.")
           .result()
           .field("loop", &R::loop)
-          .required()
-          .field("directions", &R::directions)
-          .required();
+          .field("directions", &R::directions);
   return all;
 }
 

@@ -346,13 +346,9 @@ const Description& description_of(const Loop* /*of*/) {
                   "second seen from the first, in the first one's axes.")
           .result()
           .field("name", &L::name)
-          .required()
           .field("first", &L::first, "frame of the model, NAME/first")
-          .required()
           .field("second", &L::second, "frame of the model, NAME/second")
-          .required()
-          .field("directions", &L::directions)
-          .required();
+          .field("directions", &L::directions);
   return all;
 }
 

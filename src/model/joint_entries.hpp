@@ -8,8 +8,8 @@ namespace burnish {
 /// How many of a joint's last entries in q have unit length together: 4 of a quaternion, 2 of a
 /// (cos, sin) pair, or 0.
 constexpr int unit_entries(JointKind kind) {
-  if (kind == JointKind::FreeFlyer || kind == JointKind::Ball) return 4;
-  return kind == JointKind::Continuous || kind == JointKind::Planar ? 2 : 0;
+  if (kind == JointKind::Revolute || kind == JointKind::Prismatic) return 0;
+  return kind == JointKind::FreeFlyer || kind == JointKind::Ball ? 4 : 2;
 }
 
 /// How many of a joint's first entries in v, and in q, are translations; the rest turn.

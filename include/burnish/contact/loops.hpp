@@ -41,7 +41,7 @@ bool is_loop(const Model& model, const ContactSpec& contact);
 /// Rows of a loop that those of its other directions, or of other loops, imply.
 struct RedundantLoop {
   std::string loop;
-  Directions directions;
+  Directions directions = Directions::linear();
 };
 
 /// What loops leave of the freedom of a robot.

@@ -98,7 +98,7 @@ struct Loop {
   std::string name;
   std::string first;   ///< frame of the model, NAME/first
   std::string second;  ///< frame of the model, NAME/second
-  Directions directions;
+  Directions directions = Directions::linear();
 };
 
 enum class Base { Fixed, FreeFlyer };
