@@ -293,19 +293,22 @@ void bind_setters(ProblemClass& c) {
           },
           py::arg("knot"), py::arg("term"), py::arg("target"),
           "Writes the target of one term (index or name) at one knot until the knot is set or "
-          "advanced again: entries as the residual says.")
-      .def(
-          "set_payload",
-          [](ProblemMachine& self, const std::string& frame, const InertiaSpec& payload) {
-            constexpr const char* call = "Problem.set_payload";
-            const Busy::Lock lock(self.busy, call);
-            check_payload(call, payload);
-            require(self.problem.set_payload(frame, payload), call);
-          },
-          py::arg("frame"), py::arg("payload"),
-          "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the "
-          "frame's "
-          "axes, in the place of what that frame's body carried before.")
+          "advanced again: entries as the residual says.");
+}
+
+/// What the robot carries, and what it does not know of its joints.
+void bind_loads(ProblemClass& c) {
+  c.def(
+       "set_payload",
+       [](ProblemMachine& self, const std::string& frame, const InertiaSpec& payload) {
+         constexpr const char* call = "Problem.set_payload";
+         const Busy::Lock lock(self.busy, call);
+         check_payload(call, payload);
+         require(self.problem.set_payload(frame, payload), call);
+       },
+       py::arg("frame"), py::arg("payload"),
+       "What the robot carries at a frame from now on, at all knots: an InertiaSpec in the "
+       "frame's axes, in the place of what that frame's body carried before.")
       .def(
           "set_torque_bias",
           [](ProblemMachine& self, const Vector& torque) {
@@ -460,6 +463,7 @@ void bind_problem(py::module_& m) {
   bind_what_it_is(problem);
   bind_knots(problem);
   bind_setters(problem);
+  bind_loads(problem);
   bind_contacts_of_knots(problem);
   bind_terms(problem);
   bind_values_at_knots(problem);
