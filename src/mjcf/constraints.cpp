@@ -83,11 +83,11 @@ MimicSpec coupling(const std::string& leader, double a0, double a1, double x0, d
   return {leader, a1, a0 + y0 - a1 * x0};
 }
 
-/// Whether `joint` is led by `leader`, or is it.
-bool is_led_by(const std::string& joint, const std::string& leader, const XMLElement& asking,
+/// Whether a joint is led by another, or is it.
+bool is_led_by(const std::string& name, const std::string& other, const XMLElement& asking,
                Reading& reading) {
-  std::string at = joint;
-  while (at != leader) {
+  std::string at = name;
+  while (at != other) {
     const JointSpec& spec = joint_of(at, asking, reading);
     if (!spec.mimic) return false;
     at = spec.mimic->leader;
@@ -157,7 +157,7 @@ void couple(const Item& item, Reading& reading) {
     return reading.said.note("equalities of joints that are held already are passed over",
                              example_of(xml));
   }
-  const std::string leader = *stated;
+  const std::string& leader = *stated;
   JointSpec& first = single_joint(leader, xml, reading);
   const double x0 = reference_of(leader, xml, reading);
   const MimicSpec forwards = coupling(leader, a[0], a[1], x0, y0);
@@ -286,7 +286,7 @@ void read_equality(const Item& item, Reading& reading) {
 
 /// An equality of joints or tendons has the same name as these, but other defaults.
 Item equality_item(const XMLElement& element, const Reading& reading) {
-  return Item(element, reading.item(element).defaults(), "equality");
+  return {element, reading.item(element).defaults(), "equality"};
 }
 
 }  // namespace

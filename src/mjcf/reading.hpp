@@ -110,7 +110,7 @@ enum class Weigh {
   Silently,  ///< of what never moves a mass that is not known is no loss
 };
 /// What the geoms of a body weigh together, in the body's frame, and what of them is drawn.
-InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh weigh,
+InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh how,
                        Reading& reading);
 
 /// <actuator>: effort limits of joints.
