@@ -81,7 +81,7 @@ class Descent {
   bool closed() const { return !(rows_.error().cwiseAbs().maxCoeff() > options_.tolerance); }
 
  private:
-  bool is_limited(const Joint& joint) const {
+  static bool is_limited(const Joint& joint) {
     return joint.kind == JointKind::Revolute || joint.kind == JointKind::Prismatic;
   }
 
