@@ -189,7 +189,7 @@ const Description& description_of(const LoopSpec* /*of*/) {
           .field("first", &L::first, "frame in the first link")
           .field("second", &L::second, "frame in the second link")
           .field("directions", &L::directions,
-                 "\"linear\", \"all\", or names separated by commas such as \"x,y,z,rx,rz\"")
+                 R"("linear", "all", or names separated by commas such as "x,y,z,rx,rz")")
           .field("line", &L::line, "of the file, for sentences about it; 0: none");
   return all;
 }

@@ -68,7 +68,8 @@ Eigen::Matrix4d pseudo_inertia(const Vector10& p) {
   return J;
 }
 
-Vector10 parameters_of_pseudo_inertia(const Eigen::Matrix4d& J) {
+Vector10 parameters_of_pseudo_inertia(const Eigen::Matrix4d& pseudo_inertia) {
+  const Eigen::Matrix4d& J = pseudo_inertia;
   const Eigen::Matrix3d S = J.topLeftCorner<3, 3>();
   const Eigen::Matrix3d I = S.trace() * Eigen::Matrix3d::Identity() - S;
   Vector10 p;
@@ -77,7 +78,7 @@ Vector10 parameters_of_pseudo_inertia(const Eigen::Matrix4d& J) {
 }
 
 Eigen::Matrix<double, 10, 10> inertia_transform(const Eigen::Isometry3d& placement) {
-  const Eigen::Matrix4d E = placement.matrix();
+  const Eigen::Matrix4d& E = placement.matrix();
   Eigen::Matrix<double, 10, 10> T;
   for (int k = 0; k < 10; ++k)
     T.col(k) = parameters_of_pseudo_inertia(E * pseudo_inertia(Vector10::Unit(k)) * E.transpose());

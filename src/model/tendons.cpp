@@ -45,7 +45,7 @@ struct HeldTendon {
   Parts parts = {};
   double rest = 0.0;
 
-  bool is_listed(const std::vector<std::string>& names, const std::string& joint) const {
+  static bool is_listed(const std::vector<std::string>& names, const std::string& joint) {
     return std::find(names.begin(), names.end(), joint) != names.end();
   }
   bool is_free(const std::string& joint) const {
