@@ -325,7 +325,7 @@ TEST(Check, SameSeedSameReport) {
 
 TEST(Check, DefaultToolIsNamedToolOrTheLastLeaf) {
   EXPECT_EQ(check_derivatives(test::humanoid().model(), quick()).rows[0].bodies, "tool on world");
-  const std::string last_leaf = test::has_robot_files ? "right_tip" : "root_side";
+  const std::string last_leaf = test::has_robot_files ? "right_tip" : "root_ball";
   EXPECT_EQ(check_derivatives(model_of(two_tips().robot), quick()).rows[0].bodies,
             last_leaf + " on world");
 }
