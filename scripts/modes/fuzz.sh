@@ -62,7 +62,7 @@ collect_seeds() { # build folder, reader
 # Words that a reader may know, all of those that its seeds hold, and what is often misread.
 write_dictionary() { # build folder, reader
   {
-    grep -rohE '[A-Za-z_][A-Za-z_0-9]{2,39}' "$1/seeds/$2" | sort -u
+    grep -raohE '[A-Za-z_][A-Za-z_0-9]{2,39}' "$1/seeds/$2" | sort -u
     printf '%s\n' 1e308 -1e308 1e-308 1e999 -1 2147483648 18446744073709551616 nan inf \
       '[]' '{}' '[[' '{a: ' '&a ' '*a' '<<: ' '- ' '? ' ': ' '---' '!!' '<!--' '-->' '<![CDATA[' '&#0;'
   } | sed 's/.*/"&"/' >"$1/seeds/$2.words"
