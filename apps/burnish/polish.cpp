@@ -147,11 +147,13 @@ void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
         "along the normal ({} has most part in it)\n",
         job.place, reach.force_per_torque, reach.force_joint);
   if (!arguments.talks() || reach.points == 0) return;
-  fmt::print(
-      "{}: {:.3f} m of path; joints keep {:.2f} rad ({}), statics take {:.0f} % of the torque "
-      "limits ({})",
-      job.place, reach.path_length, reach.joint_margin, reach.tightest_joint,
-      100.0 * reach.torque_share, reach.tightest_torque);
+  fmt::print("{}: {:.3f} m of path; joints keep {:.2f} rad ({})", job.place, reach.path_length,
+             reach.joint_margin, reach.tightest_joint);
+  if (reach.tightest_torque.empty())
+    fmt::print(", no torque is limited");
+  else
+    fmt::print(", statics take {:.0f} % of the torque limits ({})", 100.0 * reach.torque_share,
+               reach.tightest_torque);
   if (!reach.tightest_clearance.empty())
     fmt::print(", the arm keeps {:.2f} m off the surface ({})", reach.clearance,
                reach.tightest_clearance);

@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/contact/loops.hpp"
 #include "dynamics/integration.hpp"
+#include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
-namespace {
-
-/// The robot without contacts but its loops, those with a little compliance for dead points.
-ContactDynamics at_rest_dynamics(const Model& model) {
-  if (model.loops.empty()) return ContactDynamics(model);
-  return ContactDynamics(model, loop_contacts(model, {0.0, 0.0}), {.mu = 1e-9});
-}
-
-}  // namespace
-
 Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
     : fallback_(spec.fallback),
       tick_period_(spec.tick_period),
@@ -25,7 +15,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       effort_(spec.problem.model.effort_limit),
       tree_(spec.problem.model),
       has_loops_(!spec.problem.model.loops.empty()),
-      free_(at_rest_dynamics(spec.problem.model)),
+      free_(closed_dynamics(spec.problem.model)),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
       zero_(Eigen::VectorXd::Zero(spec.problem.model.nv)),

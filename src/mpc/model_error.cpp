@@ -5,20 +5,13 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
-#include "burnish/contact/loops.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "mpc/closed_dynamics.hpp"
 
 namespace burnish {
 
 namespace {
-
-/// The robot with its loops closed, without gains, which would turn noise into forces; and with a
-/// little compliance for dead points.
-ContactDynamics with_closed_loops(const Model& model) {
-  if (model.loops.empty()) return ContactDynamics(model);
-  return ContactDynamics(model, loop_contacts(model, {0.0, 0.0}), {.mu = 1e-9});
-}
 
 /// Tells changes of the torque error from its noise, and so how fast it is to be followed.
 class Haste {
@@ -115,7 +108,7 @@ class Haste {
 struct TorqueErrorObserver::Impl {
   Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given)
       : options(given),
-        dynamics(with_closed_loops(model)),
+        dynamics(closed_dynamics(model)),
         has_loops(!model.loops.empty()),
         body(model),
         frame(body.frame(tool)),

@@ -156,6 +156,18 @@ RunFigures make_run(const BatchRun& run, const std::function<bool(double, double
 
 }  // namespace
 
+void add_seeds(const ExperimentSpec& spec, const std::string& name, const Task& task, int seeds,
+               std::vector<BatchRun>& runs) {
+  for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
+    BatchRun run;
+    run.name = name + ", seed " + std::to_string(seed);
+    run.spec.task = task;
+    run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
+    run.spec.plant = spec.plant;
+    runs.push_back(std::move(run));
+  }
+}
+
 void for_each_index(int count, int threads, const std::function<void(int index)>& work) {
   if (count <= 0) return;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

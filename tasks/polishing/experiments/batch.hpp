@@ -17,6 +17,11 @@ struct BatchRun {
   std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure = {};
 };
 
+/// Adds a run of the task on the spec's plant for each of `seeds` seeds from the spec's first on,
+/// called `name` and its seed.
+void add_seeds(const ExperimentSpec& spec, const std::string& name, const Task& task, int seeds,
+               std::vector<BatchRun>& runs);
+
 /// Calls `work` with 0 to count - 1, from `threads` threads (0: one per core). What a call throws
 /// is thrown here, of the lowest number that threw, when all have ended.
 void for_each_index(int count, int threads, const std::function<void(int index)>& work);

@@ -24,7 +24,7 @@ struct NamedShape {
   Overrides overrides;
 };
 
-/// `sides` of the tool's path can be as far off as its radius, 10 cm.
+/// Every kind but the ridge, whose edge is the force test's; lengths in m.
 std::vector<NamedShape> shapes() {
   const auto tube = [](const std::string& radius, const std::string& ring) {
     return Overrides{"shape.kind=torus", "shape.radius=" + radius, "shape.ring=" + ring};
@@ -167,15 +167,7 @@ ExperimentReport perform_surfaces(const ExperimentSpec& spec) {
   const int seeds = seeds_of(spec, spec.quick ? 1 : 5);
   std::vector<BatchRun> runs;
   for (const SurfaceCase& of : cases) {
-    const Task task = task_of(spec, surface, of);
-    for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
-      BatchRun run;
-      run.name = of.group + ", " + of.name + ", seed " + std::to_string(seed);
-      run.spec.task = task;
-      run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
-      run.spec.plant = spec.plant;
-      runs.push_back(std::move(run));
-    }
+    add_seeds(spec, of.group + ", " + of.name, task_of(spec, surface, of), seeds, runs);
   }
   const std::vector<RunFigures> figures = run_batch(spec, runs);
   if (!spec.reports()) return report;

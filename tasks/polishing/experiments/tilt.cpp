@@ -152,17 +152,10 @@ ExperimentReport perform_tilt(const ExperimentSpec& spec) {
   for (const bool loop : {true, false})
     for (const double tilt : tilts) {
       groups.push_back({loop, tilt});
-      const Task task = task_of(spec, surface, tilt, loop);
-      for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
-        BatchRun run;
-        run.name = std::string(loop ? "torque loop, " : "no torque loop, ") +
-                   std::to_string(static_cast<int>(tilt)) + " degrees, seed " +
-                   std::to_string(seed);
-        run.spec.task = task;
-        run.spec.task.disturbances.seed = static_cast<std::uint64_t>(seed);
-        run.spec.plant = spec.plant;
-        runs.push_back(std::move(run));
-      }
+      add_seeds(spec,
+                std::string(loop ? "torque loop, " : "no torque loop, ") +
+                    std::to_string(static_cast<int>(tilt)) + " degrees",
+                task_of(spec, surface, tilt, loop), seeds, runs);
     }
   const std::vector<RunFigures> figures = run_batch(spec, runs);
   if (!spec.reports()) return report;
