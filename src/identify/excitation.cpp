@@ -76,7 +76,8 @@ Room room_of(const Model& model, const Eigen::VectorXd& q_start, const Excitatio
                     " of a limit; wanted a start further inside, a smaller margin or other joints");
     }
     room.way[k] = way;
-    room.speed[k] = spec.speed_share * std::min(model.velocity_limit[k], 2.0 / spec.speed_share);
+    const double limit = model.velocity_limit[k];
+    room.speed[k] = std::isfinite(limit) ? std::min(spec.speed_share * limit, 2.0) : 1.0;
   }
   return room;
 }
