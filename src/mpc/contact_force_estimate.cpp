@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "burnish/contact/loops.hpp"
 #include "dynamics/reference.hpp"
+#include "mpc/closed_dynamics.hpp"
 #include "mpc/horizon.hpp"
 
 namespace burnish {
@@ -29,7 +29,7 @@ ContactForceEstimate::ContactForceEstimate(const MpcSpec& spec)
   for (const ContactSpec& contact : problem.contacts)
     rotations_.push_back(contact.reference.rotation_over_time);
   for (const ContactSpec& contact : problem.contacts)
-    is_loop_.push_back(is_loop(problem.model, contact) ? 1 : 0);
+    carries_.push_back(carries(spec, contact) ? 1 : 0);
   for (const Stage& stage : problem.stages) {
     std::vector<char>& holds = holds_.emplace_back();
     for (const ContactSpec& contact : problem.contacts)
@@ -51,7 +51,7 @@ void ContactForceEstimate::set_friction(double coefficient) noexcept {
 bool ContactForceEstimate::has_contact(int stage) const noexcept {
   const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
   for (std::size_t c = 0; c < holds.size(); ++c)
-    if (holds[c] != 0 && is_loop_[c] == 0) return true;
+    if (holds[c] != 0 && carries_[c] == 0) return true;
   return false;
 }
 
@@ -82,7 +82,7 @@ bool ContactForceEstimate::force_at(int stage, double time, const Eigen::VectorX
   }
   if (dynamics_.forward(q, v, tau) > Status::NotConverged) return false;
   for (int c = 0; c < static_cast<int>(holds.size()); ++c)
-    if (dynamics_.is_active(c) && is_loop_[static_cast<std::size_t>(c)] == 0)
+    if (dynamics_.is_active(c) && carries_[static_cast<std::size_t>(c)] == 0)
       out += dynamics_.wrench(c, Reference::centered()).head<3>();
   return true;
 }

@@ -31,7 +31,7 @@ class ContactForceEstimate {
   ContactDynamics dynamics_;
   std::vector<int> following_;  ///< contacts_on_surface()
   std::vector<int> rubbing_;    ///< contacts_that_rub()
-  std::vector<char> is_loop_;   ///< per contact: of the robot's own, which is no force on it
+  std::vector<char> carries_;   ///< per contact: of the robot's own, which is no force on it
   std::vector<std::vector<char>> holds_;  ///< per stage and contact: the stage has it
 };
 

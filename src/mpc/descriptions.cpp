@@ -287,6 +287,9 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("normal_world", &M::normal_world,
                  "That the tool presses along: of the surface, towards the robot. Friction is "
                  "across it.")
+          .field("supports", &M::supports,
+                 "contacts of the problem that the robot stands on, by their names: in every stage, "
+                 "and what the fallback and the estimates take to hold always")
           .field("force_sensor", &M::force_sensor,
                  "Measurement.tool_force_world is measured; else the force at the tool is what "
                  "torques, positions and velocities say beyond what they said in the air just "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpc/closed_dynamics.hpp"
 #include "mpc/horizon.hpp"
 
 namespace burnish {
@@ -20,7 +21,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       normal_world_(spec.normal_world),
       normal_at_first_(spec.normal_world),
       contact_threshold_(spec.contact_threshold),
-      observer_(spec.problem.model, spec.tool, spec.model_error),
+      observer_(spec.problem.model, spec.tool, spec.model_error, supports_of(spec)),
       felt_(spec),
       joint_friction_(spec),
       has_sensor_(spec.force_sensor),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpc/closed_dynamics.hpp"
+
 namespace burnish {
 namespace {
 
@@ -19,7 +21,7 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 }  // namespace
 
 FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, steady(spec.model_error)),
+    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec)),
       touch_(spec.contact_threshold) {
   const RigidBody body(spec.problem.model);
   tool_ = body.frame(spec.tool);

@@ -14,8 +14,8 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       actuated_(std::move(actuated)),
       effort_(spec.problem.model.effort_limit),
       tree_(spec.problem.model),
-      has_loops_(!spec.problem.model.loops.empty()),
-      free_(closed_dynamics(spec.problem.model)),
+      is_closed_(!spec.problem.model.loops.empty() || !spec.supports.empty()),
+      free_(closed_dynamics(spec.problem.model, supports_of(spec))),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
       zero_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
@@ -35,7 +35,7 @@ void Holding::reset() noexcept {
 }
 
 const Eigen::VectorXd* Holding::at_rest(const Eigen::VectorXd& q) noexcept {
-  const bool known = has_loops_ ? weigh_with_loops(q) : weigh_freely(q);
+  const bool known = is_closed_ ? weigh_what_is_carried(q) : weigh_freely(q);
   return known ? &weight_ : nullptr;
 }
 
@@ -48,9 +48,9 @@ bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
   return true;
 }
 
-/// With a = a_0 + A tau of the closed mechanism the actuated entries move as a body of the inertia
+/// With a = a_0 + A tau of the closed mechanism, which a robot on its feet is too, the actuated entries move as a body of the inertia
 /// A_aa^-1 does, and -A_aa^-1 a_0 holds them.
-bool Holding::weigh_with_loops(const Eigen::VectorXd& q) noexcept {
+bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
   if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
   if (free_.forward_derivatives() > Status::NotConverged) return false;
   const auto count = static_cast<Eigen::Index>(actuated_.size());

@@ -25,26 +25,26 @@ class Holding {
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               Eigen::VectorXd& tau) noexcept;
   /// Torques of the actuated entries (nv, zero elsewhere; Nm, N) that hold the robot still: b(q,
-  /// 0), with what the other joints of a robot with loops lay on them. Null where they cannot be
-  /// evaluated.
+  /// 0), with what the other joints of a robot with loops, or on supports, lay on them. Null where
+  /// they cannot be evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
 
  private:
   bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;
   bool weigh_freely(const Eigen::VectorXd& q) noexcept;
-  bool weigh_with_loops(const Eigen::VectorXd& q) noexcept;
+  bool weigh_what_is_carried(const Eigen::VectorXd& q) noexcept;
 
   Fallback fallback_;
   double tick_period_, bridged_;  ///< s
   std::vector<int> actuated_;
   Eigen::VectorXd effort_;
   Tree tree_;
-  bool has_loops_;
-  ContactDynamics free_;  ///< the robot without contacts but its loops
+  bool is_closed_;
+  ContactDynamics free_;  ///< the robot without contacts but its supports and loops
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;
   Eigen::MatrixXd mass_;
-  Eigen::MatrixXd mobility_, inertia_;  ///< of the actuated entries alone, of a robot with loops
+  Eigen::MatrixXd mobility_, inertia_;  ///< of the actuated entries alone, of a robot that is closed
   Eigen::VectorXd fall_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< nv, nq, nv, nv, nv

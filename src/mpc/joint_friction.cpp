@@ -15,9 +15,9 @@ constexpr double outlier = 4.0;           // deviations
 }  // namespace
 
 JointFriction::JointFriction(const MpcSpec& spec)
-    // In a closed chain any joint's friction is felt in all of them.
+    // In a closed chain any joint's friction is felt in all of them, and on supports in both legs.
     : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction &&
-               spec.problem.model.loops.empty()),
+               spec.problem.model.loops.empty() && spec.supports.empty()),
       options_(spec.model_error),
       lead_(look_ahead),
       // A plan is used so long after it begins, and stands for so long.

@@ -106,10 +106,11 @@ class Haste {
 }  // namespace
 
 struct TorqueErrorObserver::Impl {
-  Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given)
+  Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given,
+       std::vector<ContactSpec> supports)
       : options(given),
-        dynamics(closed_dynamics(model)),
-        has_loops(!model.loops.empty()),
+        is_closed(!model.loops.empty() || !supports.empty()),
+        dynamics(closed_dynamics(model, std::move(supports))),
         body(model),
         frame(body.frame(tool)),
         velocity(Eigen::VectorXd::Zero(model.nv)),
@@ -129,17 +130,17 @@ struct TorqueErrorObserver::Impl {
   }
 
   ModelErrorOptions options;
-  /// Of `change` the part that loops carry moves nothing, so that nothing would ever correct it:
+  /// Of `change` the part that supports and loops carry moves nothing, so that nothing would ever correct it:
   /// with a = a_0 + A tau of the closed mechanism, M A takes it away. False where A is unknown.
-  bool drop_what_loops_carry() noexcept {
+  bool drop_what_is_carried() noexcept {
     if (dynamics.forward_derivatives() > Status::NotConverged) return false;
     innovation.noalias() = dynamics.da_dtau() * change;
     change.noalias() = dynamics.mass_matrix() * innovation;
     return true;
   }
 
+  bool is_closed;
   ContactDynamics dynamics;
-  bool has_loops;
   RigidBody body;
   int frame;
   FrameDerivatives derivatives;
@@ -150,8 +151,9 @@ struct TorqueErrorObserver::Impl {
 };
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
-                                         const ModelErrorOptions& options)
-    : impl_(std::make_unique<Impl>(model, tool, options)) {
+                                         const ModelErrorOptions& options,
+                                         std::vector<ContactSpec> supports)
+    : impl_(std::make_unique<Impl>(model, tool, options, std::move(supports))) {
   // Resized on first use: here, rather than in a tick.
   impl_->body.frame_derivatives(impl_->frame, Reference::centered(), impl_->derivatives);
 }
@@ -199,7 +201,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.velocity += (1.0 - pole * pole) * d.innovation;
   d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
   d.change.noalias() = d.dynamics.mass_matrix() * d.innovation;
-  if (d.has_loops && !d.drop_what_loops_carry()) return Status::SingularContacts;
+  if (d.is_closed && !d.drop_what_is_carried()) return Status::SingularContacts;
   d.error += d.change;
   d.haste.see(d.change, dt);
   d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);

@@ -48,6 +48,22 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
                 " s; wanted longer than the tick of " + number(tick_period) + " s");
 }
 
+/// Every stage holds what the robot stands on.
+void check_supports(const MpcSpec& spec) {
+  const ProblemSpec& problem = spec.problem;
+  std::vector<std::string> names;
+  for (const ContactSpec& contact : problem.contacts) names.push_back(contact.name);
+  for (const std::string& support : spec.supports) {
+    if (std::find(names.begin(), names.end(), support) == names.end())
+      throw Error("MPC: support " + in_quotes(support) + " is no contact of the problem" +
+                  did_you_mean(support, names));
+    for (const Stage& stage : problem.stages)
+      if (std::find(stage.contacts.begin(), stage.contacts.end(), support) == stage.contacts.end())
+        throw Error("MPC: stage " + in_quotes(stage.name) + " does without support " +
+                    in_quotes(support) + "; wanted supports in every stage");
+  }
+}
+
 void check_torque_limit(const MpcSpec& spec) {
   const Eigen::VectorXd& limit = spec.torque_limit;
   if (limit.size() == 0) return;
@@ -94,6 +110,7 @@ int checked_ticks_per_update(const MpcSpec& spec) {
       throw Error("MPC: " + std::string(name) + " is " + std::to_string(factors) +
                   "; wanted at least 1");
   check_torque_limit(spec);
+  check_supports(spec);
   if (!spec.force_sensor && spec.model_error.kind != ModelErrorKind::Torque)
     throw Error(
         "MPC: without a force sensor the force is told from torques, whose model error has to be "

@@ -113,6 +113,39 @@ void load_loops(const Model& model, int first, mjModel& m) {
     }
 }
 
+std::string support_name(std::size_t i) { return "support_" + std::to_string(i); }
+
+/// Each support meets its own plane and nothing else: they share a bit behind those of tip and
+/// surface.
+void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
+  constexpr std::size_t first = 2, bits = 30;
+  constexpr double thickness = 0.01;  // m, of half a sole
+  if (scene.supports.size() > bits - first)
+    throw Error("the scene has " + std::to_string(scene.supports.size()) +
+                " supports; MuJoCo tells at most " + std::to_string(bits - first) + " apart");
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const SupportSpec& support = scene.supports[i];
+    const std::string bit = std::to_string(1U << (first + i));
+    const std::string meets = " contype=\"" + bit + "\" conaffinity=\"" + bit + "\" condim=\"" +
+                              (support.friction > 0.0 ? "3" : "1") + "\" friction=\"" +
+                              numbers(support.friction, 0.0, 0.0) + "\"/>\n";
+    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+    at.translation() = support.point;
+    at.linear() = Reference::surface_with_normal(support.normal).rotation;
+    to.world += "<geom name=\"" + support_name(i) + "_plane\" type=\"plane\" size=\"1 1 0.01\"" +
+                pose_attributes(at) + meets;
+    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(support.frame))];
+    Eigen::Isometry3d in_body = frame.placement;
+    std::string shape = "type=\"sphere\" size=\"" + numbers(support.radius) + "\"";
+    if (support.is_sole()) {
+      in_body.translation() += thickness * in_body.linear().col(2);
+      shape = "type=\"box\" size=\"" + numbers(support.half_x, support.half_y, thickness) + "\"";
+    }
+    to.bodies[frame.body] += "<geom name=\"" + support_name(i) + "\" " + shape +
+                             pose_attributes(in_body) + meets;
+  }
+}
+
 /// Tip and surface meet each other and nothing else.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
@@ -131,13 +164,16 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   result.world = "<geom name=\"surface\" " + geom_of(surface, side) + common +
                  (meets ? " contype=\"2\"" : " contype=\"0\"") +
                  (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
-  result.bodies[tip.body] = R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
+  add_supports(model, scene, result);
+  result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
                             " contype=\"1\" conaffinity=\"2\"/>\n";
   // Room for friction and limits of every entry, for followers, loops and contacts.
-  const auto rows =
-      4 * static_cast<std::size_t>(model.nv) + model.joints.size() + 9 * model.loops.size() + 40;
-  result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"8\"/>\n<equality>\n";
+  const std::size_t contacts = 8 + 4 * scene.supports.size();
+  const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() +
+                    9 * model.loops.size() + 5 * contacts;
+  result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"" +
+                    std::to_string(contacts) + "\"/>\n<equality>\n";
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const auto& follows = model.joints[i].follows;
     if (!follows) continue;
@@ -149,16 +185,16 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   return result;
 }
 
-/// The spring and damper of the contact, on both geoms.
-void load_contact(const SurfaceSpec& surface, const MujocoPlantOptions& options, mjModel& m,
-                  int surface_geom, int tip_geom) {
+/// The spring and damper of a contact, N/m and Ns/m, on both geoms.
+void load_contact(double stiffness, double damping, const MujocoPlantOptions& options, mjModel& m,
+                  int plane_geom, int tip_geom) {
   const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
-                                 m.body_invweight0[2 * m.geom_bodyid[surface_geom]];
+                                 m.body_invweight0[2 * m.geom_bodyid[plane_geom]];
   const double d = options.impedance, R = (1.0 - d) / d * inverse_inertia;
-  for (const int geom : {surface_geom, tip_geom}) {
+  for (const int geom : {plane_geom, tip_geom}) {
     mjtNum* solref = m.geom_solref + mjNREF * geom;
-    solref[0] = -surface.stiffness * R * d;
-    solref[1] = -surface.damping * R * d;
+    solref[0] = -stiffness * R * d;
+    solref[1] = -damping * R * d;
     const mjtNum constant[mjNIMP] = {d, d, 0.001, 0.5, 2.0};
     mju_copy(m.geom_solimp + mjNIMP * geom, constant, mjNIMP);
   }
@@ -211,7 +247,18 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_loops(model, load_followers(*m), *m);
-  load_contact(scene.surface, options, *m, surface_geom, tip_geom);
+  load_contact(scene.surface.stiffness, scene.surface.damping, options, *m, surface_geom, tip_geom);
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const SupportSpec& support = scene.supports[i];
+    const auto id = [&](int kind, const std::string& name) {
+      return mj_name2id(m.get(), kind, name.c_str());
+    };
+    supports.push_back({id(mjOBJ_GEOM, support_name(i)), id(mjOBJ_GEOM, support_name(i) + "_plane"),
+                        id(mjOBJ_SITE, site_name(robot.frame_index(support.frame)))});
+    const double corners = support.is_sole() ? 4.0 : 1.0;  // a sole touches at its corners
+    load_contact(support.stiffness / corners, support.damping / corners, options, *m,
+                 supports.back().plane, supports.back().geom);
+  }
 }
 
 void Engine::stiffen_equalities() const {
@@ -232,6 +279,26 @@ void Engine::meet_where_there_is_surface(bool in_contact) const {
   const bool over = is_over(scene, tip, in_contact);
   m->geom_contype[surface_geom] = over ? 2 : 0;
   m->geom_conaffinity[surface_geom] = over ? 1 : 0;
+}
+
+Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const {
+  using Vector3 = Eigen::Map<const Eigen::Vector3d>;
+  const Vector3 origin(d->site_xpos + 3 * support.site);
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(d->site_xmat +
+                                                                            9 * support.site);
+  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  for (int i = 0; i < d->ncon; ++i) {
+    const mjContact& contact = d->contact[i];
+    const bool second = contact.geom2 == support.geom, first = contact.geom1 == support.geom;
+    if (!first && !second) continue;
+    mjtNum wrench[6], force[3];
+    mj_contactForce(m.get(), d.get(), i, wrench);
+    mju_rotVecMatT(force, wrench, contact.frame);  // rows of the frame are its axes
+    const Eigen::Vector3d f_world = (second ? 1.0 : -1.0) * Vector3(force);
+    sum.head<3>() += axes.transpose() * f_world;
+    sum.tail<3>() += axes.transpose() * (Vector3(contact.pos) - origin).cross(f_world);
+  }
+  return sum;
 }
 
 Eigen::Vector3d Engine::contact_force_world() const {

@@ -7,6 +7,12 @@
 
 namespace burnish::mujoco {
 
+/// A part of the robot that stands on a plane: what MuJoCo calls them both, and where forces are
+/// taken at.
+struct Support {
+  int geom, plane, site;
+};
+
 /// Everything that make_mujoco_plant() compiles, open to be looked into.
 struct Engine {
   Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options);
@@ -17,6 +23,7 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
+  std::vector<Support> supports;  ///< of the scene, in its order
   bool own_contact;  ///< MujocoContact::Engine
 
   /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders,
@@ -31,6 +38,10 @@ struct Engine {
   /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
   /// the two geoms by their types, so the ids say which way it points.
   Eigen::Vector3d contact_force_world() const;
+
+  /// Force and moment of its plane on a support, N and Nm, at the origin of its frame and in the
+  /// frame's axes, at the last mj_fwdConstraint().
+  Eigen::Matrix<double, 6, 1> support_wrench(const Support& support) const;
 };
 
 }  // namespace burnish::mujoco

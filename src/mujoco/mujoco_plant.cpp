@@ -22,6 +22,8 @@ bool usable(const mjtNum* x, int n) {
 }
 
 class MujocoPlant final : public Plant {
+  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
  public:
   MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
       : engine_(model, scene, options),
@@ -34,6 +36,7 @@ class MujocoPlant final : public Plant {
         spring_torque_(friction_),
         total_(friction_),
         theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
+        supports_(Wrenches::Zero(6, static_cast<Eigen::Index>(engine_.supports.size()))),
         before_(Eigen::VectorXd::Zero(moment_size())) {
     start(q_, v_);
   }
@@ -47,6 +50,7 @@ class MujocoPlant final : public Plant {
   const Eigen::Vector3d& contact_force_world() const override { return force_; }
   bool in_contact() const override { return in_contact_; }
   const Eigen::VectorXd& friction_torque() const override { return friction_; }
+  const Wrenches& support_wrenches() const override { return supports_; }
 
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override;
   Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override;
@@ -60,7 +64,7 @@ class MujocoPlant final : public Plant {
   void store_moment(double* to) const;
   void load_moment(const double* from) const;
   int moment_size() const { return engine_.m->nq + 3 * engine_.m->nv; }
-  int readings_size() const { return 5 + engine_.model.nv; }
+  int readings_size() const { return 5 + engine_.model.nv + static_cast<int>(supports_.size()); }
 
   Engine engine_;
   ExactContact exact_;
@@ -73,6 +77,7 @@ class MujocoPlant final : public Plant {
   Springs springs_;
   Eigen::VectorXd spring_torque_, total_;  ///< at a step's start; with the motors'
   Eigen::VectorXd theirs_;                 ///< friction in MuJoCo's entries
+  Wrenches supports_;
   Eigen::VectorXd before_;  ///< qpos, qvel, warm start, forces of constraints before a step
 };
 
@@ -85,6 +90,7 @@ void MujocoPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
   force_.setZero();
   in_contact_ = false;
   friction_.setZero();
+  supports_.setZero();
 }
 
 Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
@@ -149,6 +155,8 @@ void MujocoPlant::read() {
   const mjData* d = engine_.d.get();
   force_ = engine_.contact_force_world();
   in_contact_ = !force_.isZero(0.0);
+  for (std::size_t i = 0; i < engine_.supports.size(); ++i)
+    supports_.col(static_cast<Eigen::Index>(i)) = engine_.support_wrench(engine_.supports[i]);
   theirs_ = Eigen::Map<const Eigen::VectorXd>(d->qfrc_passive, m->nv);
   for (int row = 0; row < d->nefc; ++row)
     if (d->efc_type[row] == mjCNSTR_FRICTION_DOF) theirs_[d->efc_id[row]] += d->efc_force[row];
@@ -183,6 +191,7 @@ void MujocoPlant::save(PlantSnapshot& snapshot) const {
   mju_copy3(readings + 1, force_.data());
   readings[4] = in_contact_ ? 1.0 : 0.0;
   mju_copy(readings + 5, friction_.data(), static_cast<int>(friction_.size()));
+  mju_copy(readings + 5 + friction_.size(), supports_.data(), static_cast<int>(supports_.size()));
 }
 
 Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
@@ -193,6 +202,7 @@ Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
   mju_copy3(force_.data(), readings + 1);
   in_contact_ = readings[4] != 0.0;
   mju_copy(friction_.data(), readings + 5, static_cast<int>(friction_.size()));
+  mju_copy(supports_.data(), readings + 5 + friction_.size(), static_cast<int>(supports_.size()));
   engine_.coordinates.load(*engine_.d, q_, v_);
   return Status::Ok;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/sentence.hpp"
 #include "base/text_file.hpp"
 #include "document/geometry.hpp"
 #include "robots/read_inertia.hpp"
@@ -43,9 +44,20 @@ LoopSpec read_loop(const std::string& name, const Reader& reader) {
   return loop;
 }
 
-Posture read_posture(const Reader& reader) {
+/// `known`: those above it, one of which it may begin as.
+Posture read_posture(const Reader& reader, const std::map<std::string, Posture>& known) {
   Posture posture;
+  if (const auto from = reader.find("from")) {
+    std::vector<std::string> names;
+    for (const auto& [name, other] : known) names.push_back(name);
+    const auto found = known.find(from->text());
+    if (found == known.end())
+      from->refuse("posture " + in_quotes(from->text()) + " is none of those above it" +
+                   did_you_mean(from->text(), names));
+    posture = found->second;
+  }
   for (const auto& [joint, value] : reader.items()) {
+    if (joint == "from") continue;
     const Eigen::VectorXd values =
         value.is_list() ? value.numbers() : Eigen::VectorXd::Constant(1, value.number());
     posture[joint].assign(values.begin(), values.end());
@@ -125,7 +137,7 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
     reader.refuse("keys 'lock' and 'free' are both stated; state one, the other follows");
   if (const auto postures = reader.find("postures"))
     for (const auto& [name, posture] : postures->items())
-      settings.postures[name] = read_posture(posture);
+      settings.postures[name] = read_posture(posture, settings.postures);
   if (const auto frames = reader.find("frames"))
     for (const auto& [name, frame] : frames->items())
       settings.frames.push_back(read_frame(name, frame));

@@ -148,11 +148,36 @@ const Description& description_of(const ToolTipSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SupportSpec* /*of*/) {
+  using S = SupportSpec;
+  static const Description all =
+      Describe<S>("sim", "SupportSpec",
+                  "A part of the robot that stands on a plane of its own, or leans against it, with "
+                  "nothing to hold it there but what it presses with: a sole, which is a rectangle "
+                  "about the origin of a frame in that frame's x and y, or without sides a ball "
+                  "about the origin.")
+          .field("frame", &S::frame, "")
+          .field("half_x", &S::half_x, "{m}, half the side of a sole along x; 0: a ball",
+                 range::not_negative)
+          .field("half_y", &S::half_y, "{m}, along y", range::not_negative)
+          .field("radius", &S::radius, "{m}, of a ball", range::positive)
+          .field("point", &S::point, "of the plane, {m}, world")
+          .field("normal", &S::normal,
+                 "of the plane, out of the material, towards the robot; any length, world",
+                 range::direction)
+          .field("friction", &S::friction, "Coulomb coefficient", range::not_negative)
+          .field("stiffness", &S::stiffness, "{N/m}, of the whole part", range::positive)
+          .field("damping", &S::damping, "{Ns/m}, of the whole part", range::positive);
+  return all;
+}
+
 const Description& description_of(const SceneSpec* /*of*/) {
   static const Description all =
-      Describe<SceneSpec>("sim", "SceneSpec", "What the tool meets: a surface, and a round tip.")
+      Describe<SceneSpec>("sim", "SceneSpec", "What the tool meets, a surface and a round tip, and what the robot "
+                          "stands on.")
           .field("surface", &SceneSpec::surface, "")
-          .field("tip", &SceneSpec::tip, "");
+          .field("tip", &SceneSpec::tip, "")
+          .field("supports", &SceneSpec::supports, "such as the feet, on the ground");
   return all;
 }
 

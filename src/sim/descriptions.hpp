@@ -17,6 +17,7 @@ const Description& description_of(const SurfaceMotion*);
 const Description& description_of(const Disturbances*);
 const Description& description_of(const SurfaceSpec*);
 const Description& description_of(const ToolTipSpec*);
+const Description& description_of(const SupportSpec*);
 const Description& description_of(const SceneSpec*);
 const Description& description_of(const PlantSnapshot*);
 const Description& description_of(const ActuationStep*);

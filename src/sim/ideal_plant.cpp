@@ -36,6 +36,10 @@ void check_surface(const SceneSpec& scene) {
   if (!scene.surface.shape.is_flat())
     throw Error("the ideal plant's surface is a " + scene.surface.shape.text() +
                 "; it knows planes alone: wanted one, or MuJoCo as the plant");
+  if (!scene.supports.empty())
+    throw Error(
+        "the ideal plant has no supports, which hold by pressing alone; wanted a scene without, or "
+        "MuJoCo as the plant");
 }
 
 /// One row along the normal, at the distance of the tip's radius.

@@ -16,16 +16,35 @@ double SurfaceMotion::way(double time) const noexcept {
   return amplitude * std::sin(2.0 * std::numbers::pi * frequency * since) + drift * since;
 }
 
+namespace {
+
+void check_moves(const Model& model, const std::string& frame, const char* whose) {
+  if (model.frames[static_cast<std::size_t>(model.frame_index(frame))].body < 0)
+    throw Error(std::string(whose) + " frame " + in_quotes(frame) +
+                " is fixed to the world; wanted one that the robot moves");
+}
+
+void check_support(const Model& model, const SupportSpec& support) {
+  check_ranges(description_of(&support), &support, [&](const std::string& entry) {
+    return "support " + in_quotes(support.frame) + ": " + entry;
+  });
+  check_moves(model, support.frame, "a support's");
+  if (!support.is_sole() && (support.half_x > 0.0 || support.half_y > 0.0))
+    throw Error("support " + in_quotes(support.frame) + " has half sides of " +
+                number(support.half_x) + " and " + number(support.half_y) +
+                " m; wanted both of a sole, or neither of a ball");
+}
+
+}  // namespace
+
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   const SurfaceSpec& surface = scene.surface;
   check_ranges(description_of(&surface), &surface,
                [](const std::string& entry) { return "the surface's " + entry; });
   check_ranges(description_of(&scene.tip), &scene.tip,
                [](const std::string& entry) { return "the tip's " + entry; });
-  const int frame = model.frame_index(scene.tip.frame);
-  if (model.frames[static_cast<std::size_t>(frame)].body < 0)
-    throw Error("the tip's frame " + in_quotes(scene.tip.frame) +
-                " is fixed to the world; wanted one that the robot moves");
+  check_moves(model, scene.tip.frame, "the tip's");
+  for (const SupportSpec& support : scene.supports) check_support(model, support);
   surface.shape.check("the surface");
   const double bend = surface_of(surface).most_concave();
   if (!(bend * scene.tip.radius < 1.0))
@@ -34,6 +53,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
                 " m where it is hollow; wanted a smaller tip");
   SceneSpec result = scene;
   result.surface.normal.normalize();
+  for (SupportSpec& support : result.supports) support.normal.normalize();
   return result;
 }
 

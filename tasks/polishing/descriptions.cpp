@@ -193,6 +193,7 @@ Describe<T>& describe_place(Describe<T>& task) {
              "normal there.")
       .in_code("plane, or what the surface is about its point")
       .field("search", &T::search, "What a posture that is searched keeps to.")
+      .field("standing", &T::standing, "What a robot whose base floats stands on.")
       .field("path", &T::path,
              "In the plane of the surface, from the point under the start, beginning at rest.")
       .field("force_profile", &T::force_profile,

@@ -13,6 +13,7 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/stage_terms.hpp"
+#include "pressing/standing_terms.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -38,7 +39,17 @@ struct Builder {
     return x;
   }
   /// Holds the start against gravity.
-  Eigen::VectorXd rest_torque() const { return pressing::rest_torque(model, setting.q_start); }
+  Eigen::VectorXd rest_torque() const {
+    RigidBody body(model);
+    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+      throw Error("the starting posture cannot be evaluated");
+    return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque());
+  }
+  /// The same of the entries that have motors.
+  Eigen::VectorXd rest_control() const {
+    const Eigen::VectorXd torque = rest_torque();
+    return task.standing.stands() ? Eigen::VectorXd(torque.tail(model.nv - 6)) : torque;
+  }
   Signal position() const {
     // Copies: the signal outlives this builder.
     return Signal::over_time(
@@ -73,10 +84,18 @@ struct Builder {
     rows.head(model.nv).setConstant(w.posture);
     rows.segment(model.nv, model.nv).setConstant(w.velocity);
     if (task.torque_cutoff > 0.0) rows.tail(model.nv).setConstant(w.torque);
-    return {{.name = "state", .residual = residual::State{state_target()}, .weights = rows},
-            {.name = "rotation",
-             .residual = residual::FrameRotation{task.tool, rotation()},
-             .weight = w.rotation}};
+    if (task.standing.stands()) {
+      rows.head<3>().setZero();  // where the base is, balance says
+      rows.segment<3>(3).setConstant(task.standing.base);
+    }
+    std::vector<CostTerm> terms{
+        {.name = "state", .residual = residual::State{state_target()}, .weights = rows},
+        {.name = "rotation",
+         .residual = residual::FrameRotation{task.tool, rotation()},
+         .weight = w.rotation}};
+    for (const CostTerm& term : pressing::standing_costs(model, task.standing, setting.q_start))
+      terms.push_back(term);
+    return terms;
   }
   CostTerm place(double normal_weight) const {
     return pressing::place_cost("position", task.tool, position(), setting.surface_axes,
@@ -103,13 +122,16 @@ struct Builder {
 
   Stage stage(const std::string& name, const std::vector<CostTerm>& extra, bool contact) const {
     Stage result{.name = name, .costs = everywhere(), .step = task.step};
-    result.costs.push_back(pressing::torque_cost(rest_torque(), task.weights.torque));
+    result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
+    result.contacts = task.standing.feet;
     for (const CostTerm& term : extra) result.costs.push_back(term);
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
+    for (const Constraint& rows : pressing::standing_constraints(task.standing))
+      result.constraints.push_back(rows);
     if (!contact) return result;
-    result.contacts = {"surface"};
+    result.contacts.insert(result.contacts.begin(), "surface");
     const double least = task.force_profile.least(task.force);
     result.constraints.push_back(pressing::force_limit(force(), std::min(task.touch_force, least),
                                                        task.force, task.constraints));
@@ -119,7 +141,9 @@ struct Builder {
 
 }  // namespace
 
-Robot load_task_robot(const Task& task) { return pressing::load_arm(task.robot, task.tool); }
+Robot load_task_robot(const Task& task) {
+  return pressing::load_arm(task.robot, task.tool, task.standing.stands());
+}
 
 bool searches_posture(const Task& task, const Robot& robot) {
   if (task.posture.empty()) return robot.default_posture.empty();
@@ -170,7 +194,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
 }
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
-  pressing::refuse_floating_base(robot.model);
+  pressing::check_standing(robot.model, task.standing);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
@@ -181,6 +205,7 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   scene.surface.friction = task.friction;
   scene.surface.stiffness = task.stiffness;
   scene.surface.damping = task.damping;
+  scene.supports = pressing::supports_at(robot.model, task.standing, q_start);
   if (task.point_world) {
     scene.surface.point = *task.point_world;
     s.scene = checked_scene(s.robot.model, scene);
@@ -330,6 +355,9 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.problem.model = model;
   ProblemSpec& problem = mpc.problem;
   problem.contacts = {surface_contact(task, setting)};
+  for (const ContactSpec& foot : pressing::foot_contacts(task.standing))
+    problem.contacts.push_back(foot);
+  mpc.supports = task.standing.feet;
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
   const CostTerm press = pressing::force_cost(build.force(), task.weights.force);

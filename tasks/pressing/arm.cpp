@@ -33,9 +33,10 @@ namespace {
 
 }  // namespace
 
-Robot load_arm(const std::string& robot, const std::string& tool) {
+Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   RobotOverrides overrides;
-  overrides.carrying = tool;
+  if (stands) overrides.base = Base::FreeFlyer;
+  if (!stands) overrides.carrying = tool;
   Robot loaded = about("robot", [&] { return load_robot(robot, overrides); });
   if (!loaded.model.has_frame(tool)) refuse_tool(tool, loaded.model);
   return loaded;

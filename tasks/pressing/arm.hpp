@@ -9,9 +9,9 @@
 namespace burnish::pressing {
 
 /// Of a URDF file, which has no settings, only the joints that carry the tool move: the others are
-/// held at zero. Throws EntryError: "robot" as load_robot() refuses it, "tool.frame" for a frame
+/// held at zero. One that stands moves all of them, and its base. Throws EntryError: "robot" as load_robot() refuses it, "tool.frame" for a frame
 /// that the robot has not.
-Robot load_arm(const std::string& robot, const std::string& tool);
+Robot load_arm(const std::string& robot, const std::string& tool, bool stands = false);
 
 /// Throws EntryError, "robot", where the base floats free.
 void refuse_floating_base(const Model& model);

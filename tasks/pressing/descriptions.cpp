@@ -72,6 +72,39 @@ const Description& description_of(const PostureLimits* /*of*/) {
   return all;
 }
 
+const Description& description_of(const Standing* /*of*/) {
+  using S = Standing;
+  constexpr Range size = range::not_negative;
+  static const Description all =
+      Describe<S>("pressing", "Standing",
+                  "Feet on level ground, where they are in the starting posture. Plans hold them "
+                  "still within the friction and the pressure that these bear; the plant's ground "
+                  "can only push and rub.")
+          .field("feet", &S::feet, "frames of the feet; none: the base is fixed")
+          .field("half_x", &S::half_x,
+                 "{m}, half the side of a sole along x of its frame, about its origin; 0: a ball",
+                 size)
+          .field("half_y", &S::half_y, "{m}, along y", size)
+          .field("radius", &S::radius, "{m}, of a foot that is a ball", range::positive)
+          .field("friction", &S::friction, "Coulomb coefficient of the plant's ground", size)
+          .field("stiffness", &S::stiffness, "{N/m}, of the plant's ground under each foot",
+                 range::positive)
+          .field("damping", &S::damping, "{Ns/m}, of the plant's ground under each foot",
+                 range::positive)
+          .field("plan_friction", &S::plan_friction, "coefficient that plans keep within",
+                 range::positive)
+          .field("plan_sole", &S::plan_sole,
+                 "of half a sole's sides, that plans keep the centre of pressure within; 0 to 1",
+                 range::share)
+          .field("balance", &S::balance, "{1/m^2}: centre of mass to where it starts", size)
+          .field("base", &S::base, "{1/rad^2}: base to its orientation at the start", size)
+          .field("momentum", &S::momentum,
+                 "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass", size)
+          .field("contact_kd", &S::contact_kd,
+                 "{1/s}, damping of the feet's constraint (Baumgarte)", size);
+  return all;
+}
+
 const Words& words_of(Touch /*of*/) {
   static const Words all{
       "pressing",

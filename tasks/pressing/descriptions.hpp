@@ -7,6 +7,7 @@
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
 #include "mpc/descriptions.hpp"
 
 namespace burnish {
@@ -14,6 +15,7 @@ namespace burnish {
 const Description& description_of(const ToolLimits*);
 const Description& description_of(const PlanLimits*);
 const Description& description_of(const PostureLimits*);
+const Description& description_of(const Standing*);
 const Words& words_of(Touch);
 const Description& description_of(const TaskTarget*);
 const Description& description_of(const PressedSurface*);

@@ -10,6 +10,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "burnish/model/state.hpp"
+#include "pressing/standing_terms.hpp"
 
 namespace burnish::pressing {
 namespace {
@@ -36,6 +37,9 @@ class ReachWalk::Impl {
     find_skeleton();
     evaluate(q_);
     start_rotation_ = body_.placement(tool_).linear();
+    start_com_ = body_.com();
+    for (const SupportSpec& support : scene_.supports)
+      stood_.push_back(body_.placement(body_.frame(support.frame)));
   }
 
   /// False at the first problem.
@@ -76,19 +80,66 @@ class ReachWalk::Impl {
       if (off_ < 0.01 * options_.tolerance && iteration >= 3) return true;
       const Eigen::AngleAxisd turned(
           Eigen::Matrix3d(start_rotation_ * placement.linear().transpose()));
-      Eigen::MatrixXd J = derivatives_.jacobian;
-      if (within_limits) J *= free_directions(q).asDiagonal();
-      const auto Jp = J.topRows<3>(), Jr = J.bottomRows<3>();
+      const Eigen::VectorXd free =
+          within_limits ? free_directions(q) : Eigen::VectorXd::Ones(model_.nv);
+      const Footing footing = stand(free);
+      const Eigen::MatrixXd J = derivatives_.jacobian * free.asDiagonal() * footing.allowed;
+      const Eigen::MatrixXd Jp = carried(J.topRows<3>(), footing), Jr = J.bottomRows<3>();
+      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(Jp.rows());
+      wanted.head<3>() = error - derivatives_.jacobian.topRows<3>() * footing.back;
+      if (wanted.size() > 3) wanted.tail<2>() = (start_com_ - body_.com()).head<2>();
       const Eigen::VectorXd secondary =
           orientation * Jr.transpose() * (turned.angle() * turned.axis()) +
-          posture * difference(model_, q, q_start_);
-      Eigen::VectorXd dq = secondary + damped_step(Jp, Eigen::Vector3d::Constant(damping * damping),
-                                                   error - Jp * secondary);
+          posture * footing.allowed.transpose() * difference(model_, q, q_start_);
+      Eigen::VectorXd dq =
+          footing.back +
+          footing.allowed *
+              (secondary + damped_step(Jp, Eigen::VectorXd::Constant(Jp.rows(), damping * damping),
+                                       wanted - Jp * secondary));
       dq *= std::min(1.0, longest / std::max(dq.cwiseAbs().maxCoeff(), 1e-12));
       q = integrate(model_, q, dq);
       if (within_limits) clamp(q);
     }
     return off_ < options_.tolerance;
+  }
+
+  /// What the feet leave of the joints' freedom, and the way back to where they stood.
+  struct Footing {
+    Eigen::MatrixXd allowed;  ///< nv x freedom, orthonormal columns
+    Eigen::VectorXd back;     ///< nv
+    Eigen::MatrixXd com;      ///< 2 x freedom, of the centre of mass as seen from above
+  };
+  Footing stand(const Eigen::VectorXd& free) {
+    Footing footing;
+    footing.back = Eigen::VectorXd::Zero(model_.nv);
+    if (stood_.empty()) {
+      footing.allowed = Eigen::MatrixXd::Identity(model_.nv, model_.nv);
+      return footing;
+    }
+    const Eigen::MatrixXd J = support_jacobian(model_, body_, scene_.supports) * free.asDiagonal();
+    Eigen::VectorXd off(J.rows());
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < stood_.size(); ++i) {
+      const Eigen::Isometry3d at = body_.placement(body_.frame(scene_.supports[i].frame));
+      off.segment<3>(row) = stood_[i].translation() - at.translation();
+      row += 3;
+      if (!scene_.supports[i].is_sole()) continue;
+      const Eigen::AngleAxisd turn(Eigen::Matrix3d(stood_[i].linear() * at.linear().transpose()));
+      off.segment<3>(row) = turn.angle() * turn.axis();
+      row += 3;
+    }
+    footing.allowed = free.asDiagonal() * null_space(J);
+    footing.back = free.asDiagonal() * least_squares(J, off);
+    body_.update_derivatives();
+    footing.com = body_.com_dq().topRows<2>() * footing.allowed;
+    return footing;
+  }
+  /// Of a robot that stands, the tool's rows and those of its balance.
+  static Eigen::MatrixXd carried(const Eigen::MatrixXd& tool, const Footing& footing) {
+    if (footing.com.rows() == 0) return tool;
+    Eigen::MatrixXd both(tool.rows() + footing.com.rows(), tool.cols());
+    both << tool, footing.com;
+    return both;
   }
 
   double lower(const Joint& joint) const {
@@ -258,8 +309,10 @@ class ReachWalk::Impl {
   bool torques_fit(const ReachStop& stop, double force) {
     evaluate(q_);
     const Eigen::Vector3d normal = surface_.at(stop.p_world).normal;
-    const Eigen::VectorXd tau = Eigen::VectorXd(body_.gravity_torque()) -
-                                derivatives_.jacobian.topRows(3).transpose() * (force * normal);
+    const Eigen::VectorXd tau = torque_on_supports(
+        model_, body_, scene_.supports,
+        Eigen::VectorXd(body_.gravity_torque()) -
+            derivatives_.jacobian.topRows(3).transpose() * (force * normal));
     if (force > 0.0) look_at_felt_force(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];
@@ -311,6 +364,8 @@ class ReachWalk::Impl {
   Eigen::VectorXd q_;
   bool has_path_;
   Eigen::Matrix3d start_rotation_;
+  Eigen::Vector3d start_com_;
+  std::vector<Eigen::Isometry3d> stood_;  ///< of the supports' frames at the start
   FrameDerivatives derivatives_;
   std::vector<Node> skeleton_;
   double off_ = 0.0;  ///< m, of the last settle()

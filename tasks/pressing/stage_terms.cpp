@@ -22,6 +22,12 @@ namespace {
 Eigen::VectorXd scale_of(const Eigen::VectorXd& limit) {
   return limit.unaryExpr([](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; });
 }
+/// Of the joints' entries of v, which are behind those of a base that floats.
+Eigen::VectorXd of_joints(const Model& model, const Eigen::VectorXd& entries) {
+  const Joint& first = model.joints.front();
+  return first.kind == JointKind::FreeFlyer ? Eigen::VectorXd(entries.tail(model.nv - first.nv))
+                                            : entries;
+}
 void check_start(const Model& model, double margin, const Eigen::VectorXd& q) {
   constexpr double rounding = 1e-9;
   for (const Joint& joint : model.joints) {
@@ -49,8 +55,8 @@ std::vector<Constraint> joint_limits(const Model& model, const PlanLimits& limit
                     .lower = range.lower.array() + limits.joint_margin,
                     .upper = range.upper.array() - limits.joint_margin,
                     .scale = scale_of(0.5 * (range.upper - range.lower))});
-  const Eigen::VectorXd fastest = limits.joint_speed * model.velocity_limit;
-  if (std::isfinite(limits.joint_speed) && std::isfinite(model.velocity_limit.minCoeff()))
+  const Eigen::VectorXd fastest = of_joints(model, limits.joint_speed * model.velocity_limit);
+  if (std::isfinite(limits.joint_speed) && std::isfinite(fastest.minCoeff()))
     rows.push_back({.name = "joint speed",
                     .residual = residual::JointVelocity{},
                     .lower = -fastest,
@@ -65,8 +71,8 @@ Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits) {
 }
 
 std::vector<Constraint> torque_limits(const Model& model, const PlanLimits& limits) {
-  const Eigen::VectorXd most = limits.torque * model.effort_limit;
-  if (!std::isfinite(limits.torque) || !std::isfinite(model.effort_limit.minCoeff())) return {};
+  const Eigen::VectorXd most = of_joints(model, limits.torque * model.effort_limit);
+  if (!std::isfinite(limits.torque) || !std::isfinite(most.minCoeff())) return {};
   return {{.name = "torque limits",
            .residual = residual::Control{},
            .lower = -most,

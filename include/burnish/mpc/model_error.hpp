@@ -7,9 +7,11 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
+#include "burnish/contact/contact.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -55,10 +57,11 @@ struct ModelErrorOptions {
 /// during a second, w is `calm` times the bandwidth.
 class TorqueErrorObserver {
  public:
-  /// `tool`: frame that the force acts at. Throws Error for an unknown frame and options out of
-  /// range.
-  TorqueErrorObserver(const Model& model, const std::string& tool,
-                      const ModelErrorOptions& options);
+  /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet
+  /// that a robot stands on; of the torque error the part that they and loops carry moves nothing
+  /// and is not known. Throws Error for an unknown frame and options out of range.
+  TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
+                      std::vector<ContactSpec> supports = {});
   ~TorqueErrorObserver();
   TorqueErrorObserver(TorqueErrorObserver&&) noexcept;
   TorqueErrorObserver& operator=(TorqueErrorObserver&&) noexcept;

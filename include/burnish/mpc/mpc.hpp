@@ -64,6 +64,9 @@ struct MpcSpec {
   /// That the tool presses along: of the surface, towards the robot. Friction is across it.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   double contact_threshold = 2.0;  ///< N along the normal that count as contact
+  /// Contacts of the problem that the robot stands on, by their names: in every stage, and what the
+  /// fallback and the estimates take to hold always. A base that floats free wants some.
+  std::vector<std::string> supports = {};
   /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
   /// positions and velocities say beyond what they said in the air just before, which wants
   /// model_error.kind torque

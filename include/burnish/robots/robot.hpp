@@ -62,7 +62,7 @@ struct RobotOverrides {
 ///     lock: [joint, ...]               # or free: [joint, ...], which locks all others
 ///     posture: name                    # at which joints are locked; default_posture, or zero
 ///     default_posture: name            # of reference_configuration()
-///     postures: {name: {joint: value or list of values, ...}, ...}
+///     postures: {name: {joint: value or list of values, from: name of one above, ...}, ...}
 ///     frames: {name: {parent: frame, xyz: [0, 0, 0], rpy: [0, 0, 0]}, ...}
 ///     limits: {joint: {lower: -1, upper: 1, velocity: 2, effort: 40}, ...}  # before the URDF's
 ///     loops: {name: {between: [link, link], first: {xyz: [0, 0, 0]}, second: {xyz: [0, 0, 0]},

@@ -53,6 +53,12 @@ class Plant {
   /// against the motion, and of springs and tendons at its start.
   virtual const Eigen::VectorXd& friction_torque() const = 0;
 
+  /// Of each of the scene's supports, during the last step: force (N) and moment (Nm) of its plane
+  /// on it, at the origin of its frame, in the frame's axes. 6 x supports.
+  virtual const Eigen::Matrix<double, 6, Eigen::Dynamic>& support_wrenches() const {
+    return no_supports_;
+  }
+
   /// Copies everything the future depends on, and the readings. Allocates on first use.
   virtual void save(PlantSnapshot& snapshot) const = 0;
   /// Goes back: the same torques then give the same bits. WrongSize for another plant's snapshot.
@@ -62,6 +68,9 @@ class Plant {
   Plant() = default;
   Plant(const Plant&) = default;
   Plant& operator=(const Plant&) = default;
+
+ private:
+  Eigen::Matrix<double, 6, Eigen::Dynamic> no_supports_;
 };
 
 }  // namespace burnish

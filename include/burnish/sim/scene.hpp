@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "burnish/dynamics/surface_shape.hpp"
 #include "burnish/model/model.hpp"
@@ -48,15 +49,33 @@ struct ToolTipSpec {
   double radius = 0.02;  ///< m
 };
 
+/// A part of the robot that stands on a plane of its own, or leans against it, with nothing to hold
+/// it there but what it presses with: a sole, which is a rectangle about the origin of a frame in
+/// that frame's x and y, or without sides a ball about the origin.
+struct SupportSpec {
+  std::string frame = {};
+  double half_x = 0.0, half_y = 0.0;  ///< m, half the sides of a sole; both 0: a ball
+  double radius = 0.02;               ///< m, of a ball
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, m, world
+  /// of the plane, out of the material, towards the robot; any length, world
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double friction = 0.7;    ///< Coulomb coefficient
+  double stiffness = 8e5;   ///< N/m, of the whole part
+  double damping = 1.2e4;   ///< Ns/m, of the whole part
+
+  bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
+};
+
 struct SceneSpec {
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};
+  std::vector<SupportSpec> supports = {};  ///< such as the feet, on the ground
 };
 
 /// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
 /// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,
-/// a shape that is none or that the tip does not fit into, an unknown tip frame and one that does
-/// not move.
+/// a shape that is none or that the tip does not fit into, an unknown frame of the tip or of a
+/// support, one that does not move, and a sole with one side.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
 /// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between

@@ -14,6 +14,7 @@
 #include "burnish/tasks/pressing/impedance_controller.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
 
 namespace burnish::polishing {
 
@@ -60,6 +61,7 @@ struct Task {
   /// none. So is a named surface's, where the robot has none of that name.
   std::string posture = {};
   PostureLimits search = {};
+  Standing standing = {};  ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip
   /// that the tool presses along, in its frame, any length; without it see pressing_direction()
   std::optional<Eigen::Vector3d> tool_axis = {};

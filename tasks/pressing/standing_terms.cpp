@@ -1,0 +1,134 @@
+#include "pressing/standing_terms.hpp"
+
+#include "base/decomposition.hpp"
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/ocp/residual.hpp"
+
+namespace burnish::pressing {
+namespace {
+
+const Joint* floating_base(const Model& model) {
+  for (const Joint& joint : model.joints)
+    if (joint.kind == JointKind::FreeFlyer) return &joint;
+  return nullptr;
+}
+
+}  // namespace
+
+void check_standing(const Model& model, const Standing& standing) {
+  const bool floats = floating_base(model) != nullptr;
+  if (!floats && standing.stands())
+    throw EntryError("standing.feet", "robot " + in_quotes(model.name) +
+                                          " has a fixed base; wanted none, or a robot that floats");
+  if (floats && !standing.stands())
+    throw EntryError("robot", "the base of robot " + in_quotes(model.name) +
+                                  " floats free, and nothing holds it while it presses; wanted "
+                                  "standing.feet, the frames that it stands on, or a fixed base, as "
+                                  "a variant of its settings may have");
+  std::vector<std::string> frames;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  for (const std::string& foot : standing.feet)
+    if (!model.has_frame(foot))
+      throw EntryError("standing.feet", "frame " + in_quotes(foot) + " is none of robot " +
+                                            in_quotes(model.name) + did_you_mean(foot, frames));
+  if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
+    throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
+                                            number(standing.half_y) +
+                                            " m; wanted both of a sole, or neither of a ball");
+}
+
+std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
+                                     const Eigen::VectorXd& q) {
+  std::vector<SupportSpec> supports;
+  for (const std::string& foot : standing.feet) {
+    SupportSpec support{.frame = foot,
+                        .half_x = standing.half_x,
+                        .half_y = standing.half_y,
+                        .radius = standing.radius,
+                        .friction = standing.friction,
+                        .stiffness = standing.stiffness,
+                        .damping = standing.damping};
+    support.point = frame_placement(model, q, foot).translation();
+    if (!standing.has_soles()) support.point.z() -= standing.radius;
+    supports.push_back(support);
+  }
+  return supports;
+}
+
+std::vector<ContactSpec> foot_contacts(const Standing& standing) {
+  std::vector<ContactSpec> contacts;
+  for (const std::string& foot : standing.feet) {
+    ContactSpec contact{.name = foot, .tool = foot};
+    contact.directions = standing.has_soles() ? Directions::all() : Directions::linear();
+    contact.reference = Reference::centered();
+    contact.with_gains(0.0, standing.contact_kd);
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
+                                 const std::vector<SupportSpec>& supports) {
+  Eigen::Index rows = 0;
+  for (const SupportSpec& support : supports) rows += support.is_sole() ? 6 : 3;
+  Eigen::MatrixXd J(rows, model.nv);
+  rows = 0;
+  FrameDerivatives at;
+  for (const SupportSpec& support : supports) {
+    body.frame_derivatives(body.frame(support.frame), Reference::centered(), at);
+    const Eigen::Index held = support.is_sole() ? 6 : 3;
+    J.middleRows(rows, held) = at.jacobian.topRows(held);
+    rows += held;
+  }
+  return J;
+}
+
+Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
+                                   const std::vector<SupportSpec>& supports,
+                                   const Eigen::VectorXd& needed) {
+  const Joint* base = floating_base(model);
+  if (supports.empty() || base == nullptr) return needed;
+  const Eigen::MatrixXd J = support_jacobian(model, body, supports);
+  std::vector<int> driven;
+  for (int k = 0; k < model.nv; ++k)
+    if (k < base->v_index || k >= base->v_index + base->nv) driven.push_back(k);
+  // The base has no motors: S^T tau + J^T f = needed.
+  const auto motors = static_cast<Eigen::Index>(driven.size());
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(model.nv, motors + J.rows());
+  for (Eigen::Index i = 0; i < motors; ++i) A(driven[static_cast<std::size_t>(i)], i) = 1.0;
+  A.rightCols(J.rows()) = J.transpose();
+  const Eigen::VectorXd solution = least_squares(A, needed);
+  Eigen::VectorXd torque = Eigen::VectorXd::Zero(model.nv);
+  for (Eigen::Index i = 0; i < motors; ++i) torque[driven[static_cast<std::size_t>(i)]] = solution[i];
+  return torque;
+}
+
+std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
+                                     const Eigen::VectorXd& q_start) {
+  if (!standing.stands()) return {};
+  RigidBody body(model);
+  if (body.update(q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    throw Error("the starting posture cannot be evaluated");
+  const Eigen::Vector3d com = body.com();
+  return {{.name = "balance", .residual = residual::CenterOfMass{com}, .weight = standing.balance},
+          {.name = "momentum",
+           .residual = residual::CentroidalMomentum{},
+           .weight = standing.momentum}};
+}
+
+std::vector<Constraint> standing_constraints(const Standing& standing) {
+  std::vector<Constraint> rows;
+  for (const std::string& foot : standing.feet) {
+    rows.push_back({.name = "friction of " + foot,
+                    .residual = residual::FrictionCone{foot, standing.plan_friction}});
+    if (!standing.has_soles()) continue;
+    rows.push_back({.name = "pressure of " + foot,
+                    .residual = residual::CenterOfPressure{foot, standing.plan_sole * standing.half_x,
+                                                           standing.plan_sole * standing.half_y}});
+  }
+  return rows;
+}
+
+}  // namespace burnish::pressing

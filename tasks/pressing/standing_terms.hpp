@@ -1,0 +1,42 @@
+// What standing adds to the stages of a task, to its scene and to its plans.
+#pragma once
+
+#include <vector>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/mpc/mpc.hpp"
+#include "burnish/robots/robot.hpp"
+#include "burnish/sim/scene.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
+
+namespace burnish::pressing {
+
+/// Throws EntryError for feet that the robot has not, for feet of a robot whose base is fixed, and
+/// for a floating base without feet, naming what the robot has.
+void check_standing(const Model& model, const Standing& standing);
+
+/// The feet on the ground where they are at q (nq).
+std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
+                                     const Eigen::VectorXd& q);
+
+/// One contact per foot, called as its frame: soles hold everything, balls their place.
+std::vector<ContactSpec> foot_contacts(const Standing& standing);
+
+/// Jacobian of what supports hold at the state of `body`, in world axes at their frames: 6 rows of a
+/// sole, 3 of a ball.
+Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
+                                 const std::vector<SupportSpec>& supports);
+
+/// nv, of which motors and supports bear `needed` (nv: Nm, N) together, the least of both: the
+/// motors' part, zero for the base. Without supports all of it.
+Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
+                                   const std::vector<SupportSpec>& supports,
+                                   const Eigen::VectorXd& needed);
+
+/// Balance and momentum, 1 being the base's orientation: of every stage and the end.
+std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
+                                     const Eigen::VectorXd& q_start);
+/// Friction and pressure of every foot.
+std::vector<Constraint> standing_constraints(const Standing& standing);
+
+}  // namespace burnish::pressing
