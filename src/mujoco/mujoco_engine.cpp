@@ -186,11 +186,12 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
 }
 
 /// The spring and damper of a contact, N/m and Ns/m, on both geoms.
-void load_contact(double stiffness, double damping, const MujocoPlantOptions& options, mjModel& m,
-                  int plane_geom, int tip_geom) {
+/// `d`: the impedance, in (0, 1).
+void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, int plane_geom,
+                  int tip_geom) {
   const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
                                  m.body_invweight0[2 * m.geom_bodyid[plane_geom]];
-  const double d = options.impedance, R = (1.0 - d) / d * inverse_inertia;
+  const double R = (1.0 - d) / d * inverse_inertia;
   for (const int geom : {plane_geom, tip_geom}) {
     mjtNum* solref = m.geom_solref + mjNREF * geom;
     solref[0] = -stiffness * R * d;
@@ -247,7 +248,8 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_loops(model, load_followers(*m), *m);
-  load_contact(scene.surface.stiffness, scene.surface.damping, options, *m, surface_geom, tip_geom);
+  load_contact(scene.surface.stiffness, scene.surface.damping, options.impedance, *m, surface_geom,
+               tip_geom);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const SupportSpec& support = scene.supports[i];
     const auto id = [&](int kind, const std::string& name) {
@@ -256,7 +258,10 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
     supports.push_back({id(mjOBJ_GEOM, support_name(i)), id(mjOBJ_GEOM, support_name(i) + "_plane"),
                         id(mjOBJ_SITE, site_name(robot.frame_index(support.frame)))});
     const double corners = support.is_sole() ? 4.0 : 1.0;  // a sole touches at its corners
-    load_contact(support.stiffness / corners, support.damping / corners, options, *m,
+    // A foot is light beside what it carries: damping that is stiff for it has to be solved for at
+    // the end of a step, which MuJoCo does the more the nearer its impedance is to one.
+    constexpr double impedance = 0.95;
+    load_contact(support.stiffness / corners, support.damping / corners, impedance, *m,
                  supports.back().plane, supports.back().geom);
   }
 }

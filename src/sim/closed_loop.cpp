@@ -38,7 +38,7 @@ void add_entries_of_v(std::vector<TraceColumn>& columns, const Model& model, con
 }
 
 /// In the order in which record_state() and record_step() write.
-std::vector<TraceColumn> columns_of(const Model& model) {
+std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) {
   std::vector<TraceColumn> columns{{"time", "s"}, {"phase", "-"}, {"status", "-"}};
   add_axes(columns, "tool", "m");
   for (const char* axis : {"rx", "ry", "rz"})
@@ -63,6 +63,12 @@ std::vector<TraceColumn> columns_of(const Model& model) {
   for (const char* what : {"iterations", "missed_deadline", "tick", "limits_outside", "limits_open",
                            "limits_pushing", "limits_infeasible", "clipped_torques"})
     columns.push_back({what, "-"});
+  for (const SupportSpec& support : scene.supports) {
+    for (const char* axis : {"fx", "fy", "fz"})
+      columns.push_back({"support_" + support.frame + "_" + axis, "N"});
+    for (const char* axis : {"mx", "my", "mz"})
+      columns.push_back({"support_" + support.frame + "_" + axis, "Nm"});
+  }
   return columns;
 }
 
@@ -116,7 +122,7 @@ struct ClosedLoop::Impl {
         sensing(driven.model(), disturbances),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
-        trace(columns_of(driven.model()), rows_for(chosen, driven.dt())) {
+        trace(columns_of(driven.model(), driven.scene()), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
@@ -247,6 +253,7 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.limits_pushing));
   row.put(command.limits_infeasible);
   row.put(static_cast<double>(command.clipped_torques));
+  row.put(plant->support_wrenches().reshaped());
 }
 
 const Trace& ClosedLoop::trace() const { return impl_->trace; }

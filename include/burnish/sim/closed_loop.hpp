@@ -36,6 +36,8 @@ struct ClosedLoopOptions {
 ///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
 ///     solve_time [s], iterations [-], missed_deadline [-]
 ///     tick [-]                                         1 where the controller ticked
+///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
+///                                                      on the scene's supports, in their axes
 class ClosedLoop {
  public:
   /// Plant and controller must outlive the loop. Throws Error for periods that do not fit, for a

@@ -61,7 +61,7 @@ struct SupportSpec {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double friction = 0.7;    ///< Coulomb coefficient
   double stiffness = 8e5;   ///< N/m, of the whole part
-  double damping = 1.2e4;   ///< Ns/m, of the whole part
+  double damping = 4e4;      ///< Ns/m, of the whole part
 
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };

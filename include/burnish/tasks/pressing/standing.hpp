@@ -18,7 +18,7 @@ struct Standing {
 
   double friction = 0.7;   ///< Coulomb coefficient of the plant's ground
   double stiffness = 8e5;  ///< N/m, of the plant's ground under each foot
-  double damping = 1.2e4;  ///< Ns/m, of the plant's ground under each foot
+  double damping = 4e4;    ///< Ns/m, of the plant's ground under each foot
 
   double plan_friction = 0.5;  ///< coefficient that plans keep within
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1

@@ -1,0 +1,81 @@
+// What a robot stands on: MuJoCo's contacts under soles and balls.
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
+#include "burnish/robots/robot.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+struct Stands {
+  const char* robot;
+  const char* tip;
+  std::vector<const char*> feet;
+  double half_x, half_y, radius;
+
+  /// On the ground where the feet are, and a surface out of reach.
+  SceneSpec scene(const Robot& loaded) const {
+    SceneSpec scene;
+    scene.tip.frame = tip;
+    scene.surface.point.z() = -100.0;
+    RigidBody body(loaded.model);
+    (void)body.update(loaded.reference_configuration(), Eigen::VectorXd::Zero(loaded.model.nv));
+    for (const char* foot : feet) {
+      SupportSpec support{.frame = foot, .half_x = half_x, .half_y = half_y, .radius = radius};
+      support.point = body.placement(body.frame(foot)).translation();
+      if (!support.is_sole()) support.point.z() -= radius;
+      scene.supports.push_back(support);
+    }
+    return scene;
+  }
+};
+
+class Supports : public ::testing::TestWithParam<Stands> {};
+
+/// Between two states dt apart: d(momentum)/dt about the world's origin is what supports and gravity
+/// do there.
+TEST_P(Supports, push_as_the_momentum_of_the_robot_changes) {
+  const Robot robot = load_robot(GetParam().robot);
+  const Model& model = robot.model;
+  const SceneSpec scene = GetParam().scene(robot);
+  const auto plant = make_mujoco_plant(model, scene, {.dt = 2e-5});
+  RigidBody body(model);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(plant->reset(robot.reference_configuration(), zero), Status::Ok);
+  // Limp, it slumps onto its feet.
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  const Vector6 before = body.momentum();
+  const Eigen::Vector3d weight = body.mass() * model.gravity;
+  Vector6 pushed = Vector6::Zero();
+  pushed.head<3>() = weight;
+  pushed.tail<3>() = body.com().cross(weight);
+  std::vector<Eigen::Isometry3d> at;
+  for (const SupportSpec& support : scene.supports)
+    at.push_back(body.placement(body.frame(support.frame)));
+  ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Vector6 wrench = plant->support_wrenches().col(static_cast<Eigen::Index>(i));
+    EXPECT_GT(wrench[2], 0.0) << scene.supports[i].frame;
+    const Eigen::Vector3d f_world = at[i].linear() * wrench.head<3>();
+    pushed.head<3>() += f_world;
+    pushed.tail<3>() += at[i].linear() * wrench.tail<3>() + at[i].translation().cross(f_world);
+  }
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  const Vector6 rate = (body.momentum() - before) / plant->dt();
+  EXPECT_LE((rate - pushed).norm(), 2e-3 * weight.norm()) << rate.transpose() << "\n"
+                                                          << pushed.transpose();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    robots, Supports,
+    ::testing::Values(
+        Stands{"talos", "tool", {"left_sole_link", "right_sole_link"}, 0.1, 0.06, 0.02},
+        Stands{"quadruped", "fl_hip_link", {"fl_foot", "fr_foot", "rl_foot", "rr_foot"}, 0.0, 0.0, 0.018}),
+    [](const auto& test) { return std::string(test.param.robot); });
+
+}  // namespace
+}  // namespace burnish::test
