@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/contact/loops.hpp"
+#include "mpc/closed_dynamics.hpp"
+
 namespace burnish {
 namespace {
 
@@ -12,20 +15,35 @@ constexpr double friction_memory = 10.0;  // s, in which F and B may
 constexpr double noise_memory = 0.5;      // s
 constexpr double outlier = 4.0;           // deviations
 
+/// Of every joint, whether it moves something that a loop or a support holds: there any joint's
+/// friction is felt in all of them.
+std::vector<char> in_closed_chains(const MpcSpec& spec) {
+  const Model& model = spec.problem.model;
+  std::vector<char> closed(model.joints.size(), 0);
+  for (const ContactSpec& contact : with_loops(model, supports_of(spec)))
+    for (const std::string& frame : {contact.tool, contact.base}) {
+      if (!model.has_frame(frame)) continue;  // the world
+      int j = model.frames[static_cast<std::size_t>(model.frame_index(frame))].body;
+      for (; j >= 0; j = model.joints[static_cast<std::size_t>(j)].parent)
+        closed[static_cast<std::size_t>(j)] = 1;
+    }
+  return closed;
+}
+
 }  // namespace
 
 JointFriction::JointFriction(const MpcSpec& spec)
-    // In a closed chain any joint's friction is felt in all of them, and on supports in both legs.
-    : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction &&
-               spec.problem.model.loops.empty() && spec.supports.empty()),
+    : enabled_(spec.model_error.kind == ModelErrorKind::Torque && spec.model_error.joint_friction),
       options_(spec.model_error),
       lead_(look_ahead),
       // A plan is used so long after it begins, and stands for so long.
       smoothing_(look_ahead + spec.solver_delay + 0.5 * spec.update_period),
       joints_(static_cast<std::size_t>(spec.problem.model.nv)),
       torque_(Eigen::VectorXd::Zero(spec.problem.model.nv)) {
-  for (const burnish::Joint& of : spec.problem.model.joints) {
-    if (of.kind == JointKind::FreeFlyer || of.follows) continue;
+  const std::vector<char> closed = in_closed_chains(spec);
+  for (std::size_t j = 0; j < closed.size(); ++j) {
+    const burnish::Joint& of = spec.problem.model.joints[j];
+    if (of.kind == JointKind::FreeFlyer || of.follows || closed[j] != 0) continue;
     for (int k = of.v_index; k < of.v_index + of.nv; ++k) {
       Joint& joint = joints_[static_cast<std::size_t>(k)];
       joint.driven = true;

@@ -122,15 +122,20 @@ struct ClosedLoop::Impl {
         sensing(driven.model(), disturbances),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
+        total(Eigen::VectorXd::Zero(driven.model().nv)),
         trace(columns_of(driven.model(), driven.scene()), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
+    for (const Push& push : pushes)
+      pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
+    body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step
   }
 
   double* record_state(double* to) noexcept;
   void record_step(double* to, Status status, bool ticked) const noexcept;
   void place_tool() noexcept;
+  const Eigen::VectorXd& with_pushes(const Eigen::VectorXd& tau) noexcept;
 
   Plant* plant;
   Controller* controller;
@@ -140,6 +145,9 @@ struct ClosedLoop::Impl {
   Sensing sensing;
   RigidBody body;
   int tip;
+  std::vector<int> pushed;  ///< frames of the pushes
+  FrameDerivatives motion;
+  Eigen::VectorXd total;
   Trace trace;
   long steps = 0;
   Measurement measurement;
@@ -186,7 +194,7 @@ Status ClosedLoop::step() noexcept {
   const Eigen::VectorXd& tau = loop.actuation.apply(loop.command.tau);
   double* row = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
   if (row != nullptr) row = loop.record_state(row);
-  const Status status = loop.plant->step(tau, loop.push_world);
+  const Status status = loop.plant->step(loop.with_pushes(tau), loop.push_world);
   if (row != nullptr) loop.record_step(row, status, ticks);
   ++loop.steps;
   return status;
@@ -205,6 +213,23 @@ void ClosedLoop::Impl::place_tool() noexcept {
   p_tool_world = placement.translation();
   const Eigen::AngleAxisd rotation(Eigen::Matrix3d(start_R_world.transpose() * placement.linear()));
   turned = rotation.angle() * rotation.axis();
+}
+
+/// The torques with what pushes on other frames than the tip do: J^T f.
+const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau) noexcept {
+  const double now = plant->time();
+  bool any = false;
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    if (pushes[i].frame.empty() || !acts_at(pushes[i], now)) continue;
+    if (!any) {
+      if (body.update(plant->q(), plant->v()) > Status::NotConverged) return tau;
+      total = tau;
+    }
+    any = true;
+    body.frame_derivatives(pushed[i], Reference::centered(), motion);
+    total.noalias() += motion.jacobian.topRows<3>().transpose() * pushes[i].force_world;
+  }
+  return any ? total : tau;
 }
 
 /// What is known before the plant's step; the entry behind it.

@@ -4,11 +4,12 @@ namespace burnish {
 
 const Description& description_of(const Push* /*of*/) {
   static const Description all =
-      Describe<Push>("sim", "Push", "A force on the tool for a while.")
+      Describe<Push>("sim", "Push", "A force on the tool, or on another frame of the robot, for a while.")
           .field("start", &Push::start, "{s}")
           .field("duration", &Push::duration, "{s}", range::not_negative)
-          .field("force_world", &Push::force_world, "{N}, world axes, at the tip frame's origin")
-          .key("force");
+          .field("force_world", &Push::force_world, "{N}, world axes, at the frame's origin")
+          .key("force")
+          .field("frame", &Push::frame, "that it acts at; empty: the tip's");
   return all;
 }
 
@@ -104,8 +105,9 @@ const Description& description_of(const Disturbances* /*of*/) {
           .in_code("Coulomb coefficient in place of the scene's")
           .word("none")
           .field("pushes", &D::pushes,
-                 "on the tool: [{start: s, duration: s, force: [x, y, z] in N, world}, ...]")
-          .in_code("on the tool");
+                 "on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, world, "
+                 "frame: name}, ...]")
+          .in_code("on the robot");
   return all;
 }
 

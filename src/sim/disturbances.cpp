@@ -102,12 +102,16 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
   return result;
 }
 
-Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept {
+bool acts_at(const Push& push, double time) noexcept {
   constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
   const double now = time + rounding;
+  return now >= push.start && now < push.start + push.duration;
+}
+
+Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Push& push : pushes)
-    if (now >= push.start && now < push.start + push.duration) sum += push.force_world;
+    if (push.frame.empty() && acts_at(push, time)) sum += push.force_world;
   return sum;
 }
 

@@ -13,12 +13,13 @@
 
 namespace burnish {
 
-/// A force on the tool for a while.
+/// A force on the tool, or on another frame of the robot, for a while.
 struct Push {
   double start = 0.0;     ///< s
   double duration = 0.0;  ///< s
-  /// N, world axes, at the tip frame's origin
+  /// N, world axes, at the frame's origin
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
+  std::string frame = {};  ///< that it acts at; empty: the tip's
 };
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
 /// have neither motors nor encoders and are spared. Units are those of revolute joints; prismatic
@@ -68,7 +69,7 @@ struct Disturbances {
   std::optional<SurfaceShape> surface_shape = {};
   SurfaceMotion surface_motion = {};            ///< of the surface along its normal
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
-  std::vector<Push> pushes = {};                ///< on the tool
+  std::vector<Push> pushes = {};                ///< on the robot
 };
 
 /// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N and 0.05 Nm of
@@ -91,7 +92,9 @@ Model plant_model(const Model& nominal, const Disturbances& disturbances);
 /// friction.
 SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances);
 
-/// Sum of the pushes at a time, N, world axes.
+/// Sum of the pushes on the tip at a time, N, world axes.
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
+/// Whether a push acts at a time.
+bool acts_at(const Push& push, double time) noexcept;
 
 }  // namespace burnish
