@@ -190,6 +190,12 @@ void bind_feedback_plan(py::module_& m) {
         "Room for `knots` knots of the problem's horizon, all of them if there are no more; "
         "step: s between them. Raises Error for fewer than one knot and for a step that is not "
         "positive.")
+      .def(py::init([](const ProblemMachine& machine, const std::vector<double>& steps) {
+             return FeedbackPlan(machine.problem, steps);
+           }),
+           py::arg("problem"), py::arg("steps"), py::keep_alive<1, 2>(),
+           "Room for a knot per step (s), whose lengths may differ; all of the horizon's if there "
+           "are no more. Raises Error for no steps and for one that is not positive.")
       .def(
           "load",
           [](FeedbackPlan& self, SolverMachine& machine, double time) {
@@ -207,7 +213,16 @@ void bind_feedback_plan(py::module_& m) {
       .def("clear", &FeedbackPlan::clear, "Forgets the plan.")
       .def_property_readonly("empty", &FeedbackPlan::empty, "Whether there is no plan.")
       .def_property_readonly("knots", &FeedbackPlan::knots, "Knots that it has room for.")
-      .def_property_readonly("start", &FeedbackPlan::start, "s.");
+      .def_property_readonly("start", &FeedbackPlan::start, "s.")
+      .def(
+          "time_of",
+          [](const FeedbackPlan& self, int knot) {
+            if (knot < 0 || knot > self.knots())
+              throw Error("FeedbackPlan.time_of: knot " + std::to_string(knot) + "; wanted 0 to " +
+                          std::to_string(self.knots()));
+            return self.time_of(knot);
+          },
+          py::arg("knot"), "s, of a knot, 0 to knots; the last is the end.");
   bind_plan_policy(c);
   c.def("__repr__", [](const FeedbackPlan& self) {
     return "<FeedbackPlan of " + std::to_string(self.knots()) + " knots" +

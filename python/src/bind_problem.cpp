@@ -273,6 +273,16 @@ void bind_setters(ProblemClass& c) {
           "Gives a knot another stage (index or name) and time (s); signals are asked for their "
           "values there. The terminal knot keeps its stage.")
       .def(
+          "set_step",
+          [](ProblemMachine& self, int knot, double step) {
+            const Busy::Lock lock(self.busy, "Problem.set_step");
+            self.problem.set_step(knot, step);
+          },
+          py::arg("knot"), py::arg("step"),
+          "Gives a knot a step of its own (s), whatever its stage, from then on. Times stay: "
+          "set_knot() gives them to the knots that are now earlier or later. Raises Error for a "
+          "knot where no time passes, and for a step that is not positive.")
+      .def(
           "advance",
           [](ProblemMachine& self, const Name& stage) {
             const Busy::Lock lock(self.busy, "Problem.advance");
@@ -281,7 +291,8 @@ void bind_setters(ProblemClass& c) {
           py::arg("stage"),
           "Drops knot 0, moves the others one forward and appends one of this stage (index or "
           "name) "
-          "at the time after the last one; the terminal knot follows.")
+          "at the time after the last one, as long as that was if it has a step of its own; the "
+          "terminal knot follows.")
       .def(
           "set_target",
           [](ProblemMachine& self, int knot, const Name& term, const Vector& target) {

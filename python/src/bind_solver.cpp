@@ -98,7 +98,16 @@ void bind_budgets(SolverClass& c) {
           },
           py::arg("knots"),
           "The next solve starts with the multipliers of the last one that many knots later, as a "
-          "horizon does that has moved on by so much.");
+          "horizon does that has moved on by so much.")
+      .def(
+          "shift_limits",
+          [](SolverMachine& self, const std::vector<int>& sources) {
+            const Busy::Lock lock(self.busy, "DdpSolver.shift_limits");
+            self.solver.shift_limits(sources);
+          },
+          py::arg("sources"),
+          "The same where knots are of different lengths: knot k with those of knot sources[k], as "
+          "far as there are entries. They are not to fall, nor to be before k.");
 }
 
 void bind_solving(SolverClass& c) {

@@ -377,5 +377,13 @@ def test_a_plan_is_a_controller_between_two_solves(press):
         horizon=[burnish.HorizonSegment("approach", 2)]))
     with pytest.raises(burnish.Error, match="another problem"):
         plan.load(burnish.DdpSolver(small), 0.0)
+    uneven = burnish.FeedbackPlan(problem, [0.01, 0.02, 0.04])
+    uneven.load(solver, 1.0)
+    assert uneven.knots == 3 and np.isclose(uneven.time_of(3), 1.07)
+    assert np.array_equal(uneven.at(1.02).gain, solver.gain(1))
+    with pytest.raises(burnish.Error, match="wanted 0 to 3"):
+        uneven.time_of(4)
+    with pytest.raises(burnish.Error, match="no steps"):
+        burnish.FeedbackPlan(problem, [])
     del problem
     assert plan.at(2.0).gain.shape == (7, 14)

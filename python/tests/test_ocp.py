@@ -125,6 +125,22 @@ def test_places_that_there_are_not_are_refused(robot):
         problem.set_initial_state(np.full(14, math.nan))
 
 
+def test_knots_have_steps_of_their_own(robot):
+    spec = spec_of(robot, base_costs())
+    spec = spec.replace(horizon=[bn.HorizonSegment("move", 2), bn.HorizonSegment("move", 4, 0.01, 0.15)])
+    problem = bn.Problem(spec)
+    wanted = [0.01, 0.01, 0.01, 0.02, 0.04, 0.08]
+    np.testing.assert_allclose([problem.step_of(k) for k in range(6)], wanted)
+    np.testing.assert_allclose(problem.time_of(6), 0.17)
+    assert problem.spec.horizon == spec.horizon
+    problem.set_step(1, 0.03)
+    assert problem.step_of(1) == 0.03
+    with pytest.raises(bn.Error, match="set_step: a step of 0 s; wanted a positive number"):
+        problem.set_step(1, 0.0)
+    with pytest.raises(bn.Error, match="9 s in 4 knots"):
+        bn.Problem(spec.replace(horizon=[bn.HorizonSegment("move", 4, duration=9)]))
+
+
 def test_a_problem_says_what_it_is(robot):
     problem = bn.Problem(spec_of(robot, base_costs(), terminal=[bn.CostTerm(residual.State(), 3.0)]))
     assert (problem.knots, problem.nx, problem.ndx, problem.max_controls) == (6, 14, 14, 7)

@@ -32,6 +32,11 @@ class ConstrainedDynamics {
   /// Another coefficient of a contact's friction, likewise.
   void set_friction(int contact, const S& coefficient) { coefficients_[contact] = coefficient; }
 
+  /// ContactState::pace of all contacts, likewise.
+  void set_pace(const S& pace) {
+    for (ContactState<S>& state : contact_states) state.pace = pace;
+  }
+
   /// Another mass distribution in the place of that of a body, the same in all lanes; likewise.
   void set_body_inertia(int body, const BodyInertia& inertia) {
     burnish::set_body_inertia(tree_, body, inertia);

@@ -27,6 +27,9 @@ struct ContactState {
   Force<S> force_world;    ///< on the tool by the base, moment about the world's origin
   CurvedAxes<S> curved;    ///< world axes; valid if the reference is curved
   Sliding<S> sliding;      ///< valid if the contact rubs
+  /// What is numerical of a contact is slower by this factor, at most 1: gains are pace kd and
+  /// pace^2 kp, friction fades below speed / pace. Stays when the state is updated.
+  S pace{1.0};
 };
 
 /// Angle, rad, by which axes that follow a surface turn beyond those of the base, per unit rate of
@@ -61,7 +64,7 @@ template <class S>
 void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
                       const ContactState<S>& state, S* out_by_v, int stride);
 
-/// Held rows of alpha + kd nu + kp e, where the bodies' spatial accelerations (world axes, about
+/// Held rows of alpha + kd nu + kp e (gains at the state's pace), where the bodies' spatial accelerations (world axes, about
 /// the world's origin, without gravity) are given.
 template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,

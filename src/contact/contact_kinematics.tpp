@@ -122,7 +122,7 @@ void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
   }
   if (contact.rubs)
     update_sliding(*contact.spec.friction, friction, column(state.axes, contact.directions.front()),
-                   state.p, state.nu, state.sliding);
+                   state.pace, state.p, state.nu, state.sliding);
   if (!contact.proportional) return;
   update_error(contact, pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics),
                state);
@@ -185,12 +185,13 @@ void contact_acceleration(const CompiledContact& contact, const ContactState<S>&
   if (contact.damped) {
     contact_velocity(contact, state, scratch);
     for (std::size_t i = 0; i < contact.directions.size(); ++i)
-      out[i] += scratch[i] * S(kd[contact.directions[i]]);
+      out[i] += scratch[i] * (state.pace * S(kd[contact.directions[i]]));
   }
   if (contact.proportional) {
     contact_error(contact, state, scratch);
+    const S square = state.pace * state.pace;
     for (std::size_t i = 0; i < contact.directions.size(); ++i)
-      out[i] += scratch[i] * S(kp[contact.directions[i]]);
+      out[i] += scratch[i] * (square * S(kp[contact.directions[i]]));
   }
 }
 

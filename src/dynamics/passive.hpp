@@ -24,10 +24,12 @@ struct PassiveJoints {
 };
 
 /// The torques of damping and friction at v (nv), into tau (nv: Nm or N), and their derivatives
-/// d(tau_k)/dv_k, into dtau_dv (nv: the diagonal of a diagonal matrix).
+/// d(tau_k)/dv_k, into dtau_dv (nv: the diagonal of a diagonal matrix). With a pace of at most 1
+/// friction has its full size at slip / pace.
 template <class S>
-void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv) {
-  const S inverse_slip(1.0 / joints.slip);
+void passive_torque(const PassiveJoints& joints, const S* v, S* tau, S* dtau_dv,
+                    const S& pace = S(1.0)) {
+  const S inverse_slip = S(1.0 / joints.slip) * pace;
   for (std::size_t k = 0; k < joints.damping.size(); ++k) {
     const S damping(joints.damping[k]), friction(joints.friction[k]);
     const S sliding = hyperbolic_tangent(S(v[k] * inverse_slip));

@@ -56,6 +56,16 @@ Stage read_stage(const std::string& name, const Reader& reader, const ProblemSco
   return stage;
 }
 
+/// Knots alone, or with steps of their own.
+HorizonSegment read_segment(const std::string& stage, const Reader& reader) {
+  if (!reader.is_map()) return {.stage = stage, .knots = reader.count(1)};
+  reader.allow_only({"knots", "step", "duration"});
+  HorizonSegment segment{.stage = stage, .knots = reader["knots"].count(1)};
+  if (const auto step = reader.find("step")) segment.step = step->positive();
+  if (const auto duration = reader.find("duration")) segment.duration = duration->positive();
+  return segment;
+}
+
 /// A list of {stage: knots} and {repeat: times, of: [...]}; `known` are the stages.
 void read_horizon(const Reader& reader, const std::vector<std::string>& known,
                   std::vector<HorizonSegment>& horizon) {
@@ -79,7 +89,8 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
     } else {
       if (!entry.is_map()) entry.refuse("wanted a stage with its knots, such as 'press: 100'");
       entry.allow_only(known);
-      for (const auto& [stage, knots] : entry.items()) horizon.push_back({stage, knots.count(1)});
+      for (const auto& [stage, knots] : entry.items())
+        horizon.push_back(read_segment(stage, knots));
     }
     if (horizon.size() > max_knots)
       reader.refuse("it has more than " + std::to_string(max_knots) +

@@ -18,12 +18,22 @@ int checked_knots(int knots, double step, int horizon) {
   return std::min(knots, horizon);
 }
 
+std::span<const double> first_steps(const ShootingProblem& problem, std::span<const double> steps) {
+  return steps.first(std::min(steps.size(), static_cast<std::size_t>(problem.knots())));
+}
+
 }  // namespace
 
 FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, int knots, double step)
+    : FeedbackPlan(
+          problem,
+          std::vector<double>(static_cast<std::size_t>(checked_knots(knots, step, problem.knots())),
+                              step)) {}
+
+FeedbackPlan::FeedbackPlan(const ShootingProblem& problem, std::span<const double> steps)
     : problem_(&problem),
-      knots_(checked_knots(knots, step, problem.knots())),
-      step_(step),
+      knots_(static_cast<int>(first_steps(problem, steps).size())),
+      times_(first_steps(problem, steps)),
       x_(RowMatrix::Zero(knots_ + 1, problem.state().nx)),
       u_(RowMatrix::Zero(knots_, problem.max_controls())),
       gain_(static_cast<std::size_t>(knots_),
@@ -44,6 +54,11 @@ void FeedbackPlan::load(const DdpSolver& solver, double time) noexcept {
   loaded_ = true;
 }
 
+void FeedbackPlan::load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept {
+  times_.copy_first(times);
+  load(solver, time);
+}
+
 LinearFeedback FeedbackPlan::make_feedback() const {
   return {Eigen::VectorXd::Zero(u_.cols()), Eigen::MatrixXd::Zero(u_.cols(), dx_.size()),
           Eigen::VectorXd::Zero(x_.cols())};
@@ -51,9 +66,9 @@ LinearFeedback FeedbackPlan::make_feedback() const {
 
 void FeedbackPlan::at(double time, LinearFeedback& out) const noexcept {
   if (!loaded_) return;
-  const double elapsed = std::clamp((time - start_) / step_, 0.0, static_cast<double>(knots_));
-  const int k = std::min(static_cast<int>(elapsed), knots_ - 1);
-  const double fraction = elapsed - k;
+  const double place = times_.place(time - start_);
+  const int k = std::min(static_cast<int>(place), knots_ - 1);
+  const double fraction = place - k;
   out.feedforward = u_.row(k).transpose();
   out.gain = gain_[static_cast<std::size_t>(k)];
   const double* const here = x_.data() + k * x_.cols();

@@ -46,7 +46,11 @@ std::vector<int> contacts_that_rub(const MpcSpec& spec) {
 Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule)
     : problem_(problem),
       schedule_(schedule),
-      step_(spec.problem.stages.front().step),
+      given_(knot_steps(spec.problem)),
+      times_(given_),
+      solved_(given_),
+      begins_(static_cast<std::size_t>(problem.knots()) + 1),
+      nearest_(static_cast<std::size_t>(problem.knots())),
       following_(contacts_on_surface(spec)),
       rubbing_(contacts_that_rub(spec)),
       friction_(spec.friction_estimate.coefficient),
@@ -115,7 +119,35 @@ void Horizon::lower_forces(int knot, double schedule_time) {
 }
 
 void Horizon::place(double schedule_time) {
-  for (int k = 0; k <= problem_.knots(); ++k) place_knot(k, schedule_time + k * step_);
+  const int N = problem_.knots();
+  if (given_.is_even()) {
+    for (int k = 0; k <= N; ++k) place_knot(k, schedule_time + given_.after(k));
+    return;
+  }
+  begin_at_phases(schedule_time);
+  for (int k = 0; k < N; ++k) problem_.set_step(k, times_.step(k));
+  for (int k = 0; k <= N; ++k) place_knot(k, begins_[static_cast<std::size_t>(k)]);
+}
+
+/// Of two changes of phase that are nearest to the same knot, or closer to each other than a fifth
+/// of it is long, the first has it.
+void Horizon::begin_at_phases(double schedule_time) noexcept {
+  const int N = problem_.knots();
+  times_.copy_first(given_);
+  for (int k = 0; k <= N; ++k)
+    begins_[static_cast<std::size_t>(k)] = schedule_time + given_.after(k);
+  constexpr double shortest = 0.2;
+  int last = 0;
+  for (int phase = 1; phase < static_cast<int>(schedule_.phases().size()); ++phase) {
+    const double begin = schedule_.start_of(phase), ahead = begin - schedule_time;
+    const double place = given_.place(ahead);
+    const int k = static_cast<int>(place + 0.5);
+    if (k <= last || k >= N) continue;
+    if (ahead - times_.after(k - 1) < shortest * given_.step(k - 1)) continue;
+    times_.move(k, ahead);
+    begins_[static_cast<std::size_t>(k)] = begin;
+    last = k;
+  }
 }
 
 void Horizon::guess_rest(const Eigen::VectorXd& x, const Eigen::VectorXd& u) noexcept {
@@ -128,22 +160,54 @@ void Horizon::guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
   const int N = problem_.knots();
   const auto xs = solver.xs();
   const auto us = solver.us();
-  const double elapsed = std::max(0.0, (schedule_time - guess_time_) / step_);
+  const double elapsed = std::max(0.0, schedule_time - guess_time_);
   for (int k = 0; k <= N; ++k) {
-    const double at = std::min(k + elapsed, static_cast<double>(N));
+    const double at = where(k, elapsed);
     const int i = std::min(static_cast<int>(at), N - 1);
     const double* const here = xs.data() + i * xs.cols();
     problem_.difference(here, here + xs.cols(), dx_.data());
     dx_ *= at - i;
     problem_.integrate(here, dx_.data(), guess_x_.row(k).data());
-    if (k < N) guess_u_.row(k) = us.row(i);
+    if (k == N) break;
+    guess_u_.row(k) = us.row(i);
+    if (!given_.is_even()) guess_mean_control(k, elapsed, solver);
   }
   guess_x_.row(0) = x.transpose();
 }
 
-int Horizon::knots_since(double schedule_time) const noexcept {
-  const double elapsed = std::max(0.0, (schedule_time - guess_time_) / step_);
-  return static_cast<int>(std::min(elapsed + 0.5, static_cast<double>(problem_.knots())));
+/// Where a knot that now begins so much later than the solution falls into that.
+double Horizon::where(int knot, double elapsed) const noexcept {
+  if (given_.is_even())
+    return std::min(knot + elapsed / given_.step(0), static_cast<double>(given_.knots()));
+  return solved_.place(times_.after(knot) + elapsed);
+}
+
+void Horizon::guess_mean_control(int knot, double elapsed, const DdpSolver& solver) noexcept {
+  const auto us = solver.us();
+  const int N = problem_.knots();
+  const double begin = times_.after(knot) + elapsed, end = times_.after(knot + 1) + elapsed;
+  const int first = std::min(static_cast<int>(solved_.place(begin)), N - 1);
+  if (first == N - 1 || end <= solved_.after(first + 1)) return;  // one control
+  guess_u_.row(knot).setZero();
+  double from = begin;
+  for (int i = first; i < N && from < end; ++i) {
+    const double until = i == N - 1 ? end : std::min(end, solved_.after(i + 1));
+    guess_u_.row(knot) += (until - from) / (end - begin) * us.row(i);
+    from = until;
+  }
+}
+
+void Horizon::shift_limits(DdpSolver& solver, double schedule_time) noexcept {
+  const int N = problem_.knots();
+  const double elapsed = std::max(0.0, schedule_time - guess_time_);
+  if (given_.is_even()) {
+    const double knots = elapsed / given_.step(0) + 0.5;
+    solver.shift_limits(static_cast<int>(std::min(knots, static_cast<double>(N))));
+    return;
+  }
+  for (int k = 0; k < N; ++k)
+    nearest_[static_cast<std::size_t>(k)] = static_cast<int>(where(k, elapsed) + 0.5);
+  solver.shift_limits(nearest_);
 }
 
 }  // namespace burnish

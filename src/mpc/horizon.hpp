@@ -2,6 +2,7 @@
 // begins.
 #pragma once
 
+#include "burnish/mpc/knot_times.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 
@@ -18,7 +19,8 @@ class Horizon {
   /// is not.
   Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule);
 
-  double step() const { return step_; }  ///< s
+  /// Of the knots as they were placed last.
+  const KnotTimes& times() const { return times_; }
   int stage_at(double schedule_time) const noexcept;
   /// N that contact forces of one row are to be lower than their targets: ModelErrorKind::Force.
   void set_force_error(double error) noexcept { force_error_ = error; }
@@ -32,21 +34,28 @@ class Horizon {
   /// The coefficient of the tool's contacts with friction, likewise.
   void set_friction(double coefficient) noexcept { friction_ = coefficient; }
 
-  /// Stage and time of a knot, of all of them. May throw what targets throw.
+  /// Stage and time of a knot, of all of them. Where knots are of different lengths, the one that
+  /// begins nearest to a change of phase begins there: in a long knot a contact would else be made
+  /// late by up to its length. May throw what targets throw.
   void place_knot(int knot, double schedule_time);
   void place(double schedule_time);
 
   /// Where a solve begins, of x: resting there with the controls u, or the solver's solution as a
   /// function of the schedule's time, from this time on: between its knots, the last one repeated.
+  /// Controls are those at a knot's start, or, where knots are of different lengths, the mean over
+  /// it.
   void guess_rest(const Eigen::VectorXd& x, const Eigen::VectorXd& u) noexcept;
   void guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
                      double schedule_time) noexcept;
-  /// Knots, rounded, that a solve from this time of the schedule on begins after the solution.
-  int knots_since(double schedule_time) const noexcept;
+  /// Multipliers of limits go along: to each knot those of the one of the solution that is nearest.
+  void shift_limits(DdpSolver& solver, double schedule_time) noexcept;
   const RowMatrix& guess_x() const { return guess_x_; }
   const RowMatrix& guess_u() const { return guess_u_; }
   /// The solver's solution begins at this time of the schedule.
-  void solved_from(double schedule_time) noexcept { guess_time_ = schedule_time; }
+  void solved_from(double schedule_time) noexcept {
+    guess_time_ = schedule_time;
+    solved_.copy_first(times_);
+  }
 
  private:
   /// Of a cost or constraint of a stage, by its place among these, what its signal is set from.
@@ -54,12 +63,18 @@ class Horizon {
     int term;
     Signal signal;
   };
+  void begin_at_phases(double schedule_time) noexcept;
+  double where(int knot, double elapsed) const noexcept;
+  void guess_mean_control(int knot, double elapsed, const DdpSolver& solver) noexcept;
   void press_places(int knot, double schedule_time);
   void lower_forces(int knot, double schedule_time);
 
   Problem& problem_;
   const Schedule& schedule_;
-  double step_;
+  /// As the specification has them, as they were placed last, and those of the last solution.
+  KnotTimes given_, times_, solved_;
+  std::vector<double> begins_;  ///< s of the schedule, of uneven knots
+  std::vector<int> nearest_;    ///< of the solution's knots, for shift_limits()
   std::vector<int> stage_of_phase_;
   std::vector<int> following_;  ///< contacts_on_surface()
   std::optional<Quadric> surface_;

@@ -5,27 +5,27 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/mpc/knot_times.hpp"
 #include "mpc/descriptions.hpp"
 
 namespace burnish {
 namespace {
 
-int knots_of(const ProblemSpec& problem) {
-  int knots = 0;
-  for (const HorizonSegment& segment : problem.horizon) knots += segment.knots;
-  return knots;
-}
-
-double step_of(const ProblemSpec& problem) {
+/// A knot keeps its step while stages pass over it.
+double duration_of(const ProblemSpec& problem) {
   if (problem.stages.empty()) throw Error("MPC: the problem has no stages");
+  const bool own = std::all_of(problem.horizon.begin(), problem.horizon.end(),
+                               [](const HorizonSegment& segment) { return segment.step > 0.0; });
   for (const Stage& stage : problem.stages) {
     if (stage.impact)
       throw Error("MPC: stage " + in_quotes(stage.name) + " is an impact; wanted steps of time");
-    if (stage.step != problem.stages[0].step)
+    if (!own && stage.step != problem.stages[0].step)
       throw Error("MPC: stage " + in_quotes(stage.name) + " has a step of " + number(stage.step) +
-                  " s; wanted that of the others, " + number(problem.stages[0].step) + " s");
+                  " s; wanted that of the others, " + number(problem.stages[0].step) +
+                  " s, or segments of the horizon that state steps of their own");
   }
-  return problem.stages[0].step;
+  const KnotTimes times(knot_steps(problem));
+  return times.after(times.knots());
 }
 
 int ticks_per_update(const MpcSpec& spec) {
@@ -95,8 +95,9 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
                 " s; wanted between 0 and the update period of " + number(spec.update_period) +
                 " s");
-  if (!(knots_of(spec.problem) * step_of(spec.problem) > 2.0 * spec.update_period))
-    throw Error("MPC: a horizon of " + number(knots_of(spec.problem) * step_of(spec.problem)) +
+  const double horizon = duration_of(spec.problem);
+  if (!(horizon > 2.0 * spec.update_period))
+    throw Error("MPC: a horizon of " + number(horizon) +
                 " s; wanted longer than two update periods of " + number(spec.update_period) +
                 " s");
   if (spec.first_iterations < 1 || spec.jump_iterations < 1 || spec.solver.max_iterations < 1)

@@ -191,7 +191,7 @@ bool MpcController::Impl::replan() {
   if (delay > 0.0)
     (void)prediction_.advance(problem, horizon, policy, now, schedule.time(), delay, x_);
   if (!solve(schedule.time() + delay)) return false;
-  policy.load(solver, now + delay);
+  policy.load(solver, now + delay, horizon.times());
   foresee();
   jumped_ = false;
   return true;
@@ -201,7 +201,7 @@ bool MpcController::Impl::replan() {
 void MpcController::Impl::foresee() noexcept {
   const StateLayout& layout = problem.layout();
   const double at =
-      std::min(error.joint_friction().lead() / horizon.step(), problem.knots() - 1e-9);
+      std::min(horizon.times().place(error.joint_friction().lead()), problem.knots() - 1e-9);
   const int k = static_cast<int>(at);
   const auto xs = solver.xs();
   v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
@@ -216,7 +216,7 @@ bool MpcController::Impl::solve(double schedule_time) {
   if (!plain) iterations = solved_ ? spec.jump_iterations : spec.first_iterations;
   if (warm_) {
     horizon.guess_shifted(x_, solver, schedule_time);
-    solver.shift_limits(horizon.knots_since(schedule_time));
+    horizon.shift_limits(solver, schedule_time);
   } else {
     const Eigen::VectorXd* const rest = holding_.at_rest(gate.last().q);
     for (int i = 0; i < problem.layout().nu; ++i)

@@ -6,18 +6,23 @@
 namespace burnish {
 namespace {
 
-/// Until so many updates have failed that the run is given up.
-int plan_knots(const MpcSpec& spec, int knots) {
+/// Steps of the knots until so many updates have failed that the run is given up.
+std::vector<double> plan_steps(const MpcSpec& spec) {
   const double updates = 2.0 + spec.limits.failed_solves;
   const double time = updates * spec.update_period + spec.solver_delay;
-  return static_cast<int>(
-      std::min<double>(std::ceil(time / spec.problem.stages.front().step) + 1.0, knots));
+  std::vector<double> steps = knot_steps(spec.problem);
+  const KnotTimes times(steps);
+  // Uneven ones may begin half a knot earlier: at a change of phase.
+  const double more = times.is_even() ? 1.0 : 2.0;
+  const double knots = std::ceil(times.place(time)) + more;
+  steps.resize(static_cast<std::size_t>(std::min<double>(knots, times.knots())));
+  return steps;
 }
 
 }  // namespace
 
 Policy::Policy(const MpcSpec& spec, const Problem& problem)
-    : plan_(problem, plan_knots(spec, problem.knots()), spec.problem.stages.front().step),
+    : plan_(problem, plan_steps(spec)),
       next_(plan_),
       feedback_(plan_.make_feedback()),
       effort_(problem.layout().nu),
@@ -34,9 +39,9 @@ void Policy::reset() noexcept {
   next_ready_ = false;
 }
 
-void Policy::load(const DdpSolver& solver, double time) noexcept {
+void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept {
   next_time_ = time;
-  next_.load(solver, next_time_);
+  next_.load(solver, next_time_, times);
   next_ready_ = true;
 }
 

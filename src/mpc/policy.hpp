@@ -11,8 +11,8 @@ class Policy {
   Policy(const MpcSpec& spec, const Problem& problem);
 
   void reset() noexcept;
-  /// The solver's plan, to be used from `time` (s) on.
-  void load(const DdpSolver& solver, double time) noexcept;
+  /// The solver's plan, to be used from `time` (s) on, with its knots at these times after.
+  void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
   /// Goes over to the plan that waits, if its time has come.
   void take_over(double now) noexcept;
   /// Of the plan in use at a time (s) and a state x (nx): u (nu), within the effort limits.

@@ -15,10 +15,10 @@ Prediction::Prediction(const Problem& problem)
 bool Prediction::advance(Problem& problem, Horizon& horizon, Policy& policy, double now,
                          double schedule_time, double duration, Eigen::VectorXd& x) {
   const int nq = problem.layout().nq, nv = problem.layout().nv;
-  const double step = horizon.step();
   start_ = x;
   for (double done = 0.0; done < duration;) {
     horizon.place_knot(0, schedule_time + done);
+    const double step = problem.step_of(0);
     policy.control(now + done, x, u_);
     const double part = std::min(duration - done, step);
     const KnotValue value = problem.roll(0, 0, x.data(), u_.data(), next_.data());

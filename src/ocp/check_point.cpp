@@ -209,8 +209,7 @@ std::vector<DerivativeBlock> CheckPoint::cost(int term) {
   alone.costs = 1;
   alone.row_lower.clear();
   NodeKernel<double>& kernel = impl.worker(0).one;
-  kernel.expand(alone, x_.data(), u_.data(), impl.targets_of(knot_),
-                &impl.times[static_cast<std::size_t>(knot_)]);
+  kernel.expand(alone, x_.data(), u_.data(), impl.targets_of(knot_), impl.when(knot_));
   const Eigen::Map<const Eigen::RowVectorXd> all(kernel.gradient.data(), problem_.layout().nz());
   return split("cost", {term_at(term).name}, all.tail(nz_), differences(cost_row(term), 1),
                floor_of(here_.segment(cost_row(term), 1)));

@@ -90,31 +90,21 @@ void check_initial_state(const ProblemSpec& spec, const StateLayout& layout) {
     throw Error("initial_state holds a NaN or an infinity in its torques or forces");
 }
 
-void set_filter(const ProblemSpec& spec, CompiledStage& stage) {
-  if (!spec.torque_model || stage.terminal || stage.impact) return;
-  const double cutoff = spec.torque_model->cutoff;
-  if (spec.torque_model->is_held()) {
-    if (cutoff != 0.0)
-      throw Error("torque_model: held torques with a cut-off of " + number(cutoff) +
-                  " rad/s; wanted none, or the exact discretisation");
-    stage.decay = stage.half_decay = 0.0;
-    return;
-  }
-  if (!(cutoff > 0.0) || !std::isfinite(cutoff))
-    throw Error("torque_model: a cut-off of " + number(cutoff) +
+void check_torque_model(const std::optional<TorqueModel>& model) {
+  if (!model) return;
+  if (model->is_held() && model->cutoff != 0.0)
+    throw Error("torque_model: held torques with a cut-off of " + number(model->cutoff) +
+                " rad/s; wanted none, or the exact discretisation");
+  if (!model->is_held() && (!(model->cutoff > 0.0) || !std::isfinite(model->cutoff)))
+    throw Error("torque_model: a cut-off of " + number(model->cutoff) +
                 " rad/s; wanted a positive number");
-  const auto decay = [&](double time) {
-    return spec.torque_model->discretization == TorqueModel::Discretization::Exact
-               ? std::exp(-cutoff * time)
-               : 1.0 - cutoff * time;
-  };
-  stage.decay = decay(stage.step);
-  stage.half_decay = decay(0.5 * stage.step);
-  if (std::abs(stage.decay) > 1.0)
-    throw Error("stage " + in_quotes(stage.name) + ": the torque model of " + number(cutoff) +
-                " rad/s is unstable with Euler steps of " + number(stage.step) +
-                " s; wanted a step below " + number(2.0 / cutoff) +
-                " s or the exact discretisation");
+}
+
+/// What is left of the torques after a time, s.
+double decay_after(const TorqueModel& model, double time) {
+  if (model.is_held()) return 0.0;
+  return model.discretization == TorqueModel::Discretization::Exact ? std::exp(-model.cutoff * time)
+                                                                    : 1.0 - model.cutoff * time;
 }
 
 /// What is data of each knot of the active contacts: rotations, surfaces and friction.
@@ -140,8 +130,7 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   stage.dense = !given.impact &&
                 (given.integrator == Integrator::RungeKutta4 || problem.layout.remembered > 0);
   stage.step = given.impact ? 0.0 : given.step;
-  if (!given.impact && (!(given.step > 0.0) || !std::isfinite(given.step)))
-    throw Error(place + ": a step of " + number(given.step) + " s; wanted a positive number");
+  if (!given.impact) problem.check_step(place, given.step);
   stage.nu = given.impact ? 0 : problem.layout.nu;
   stage.solves_contacts = !given.impact;
   stage.active.assign(static_cast<std::size_t>(problem.contacts.size()), 0);
@@ -155,7 +144,6 @@ CompiledStage make_stage(const ProblemSpec& spec, const CompiledProblem& problem
   if (given.impact && given.contacts.empty())
     throw Error(place + ": an impact makes no contact; wanted at least one");
   place_contacts(spec, problem.contacts, stage);
-  set_filter(spec, stage);
   compile_terms(spec, problem, given.costs, given.constraints, place, stage);
   return stage;
 }
@@ -165,8 +153,9 @@ void check_weights(const std::vector<CompiledStage>& stages) {
   for (const CompiledStage& stage : stages)
     for (const CompiledTerm& term : stage.cost_terms()) {
       any_term = true;
-      any_weight = any_weight || std::any_of(term.weights.begin(), term.weights.end(),
-                                             [](double w) { return w > 0.0; });
+      any_weight =
+          any_weight || (term.weight > 0.0 && std::any_of(term.weights.begin(), term.weights.end(),
+                                                          [](double w) { return w > 0.0; }));
     }
   if (!any_term) throw Error("the problem has no cost terms; wanted at least one");
   if (!any_weight) throw Error("all weights of the problem are zero; wanted at least one positive");
@@ -198,7 +187,9 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       blocks(tangent_blocks(tree)),
       contacts(model, contacts_at(spec.contacts, spec.start_time)),
       contact_solver(spec.contact_solver),
+      torque_model(spec.torque_model),
       torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
+  check_torque_model(torque_model);
   remembered = remember_forces(spec, contacts, layout);
   shape = make_shape(layout, blocks);
   if (spec.actuation.passive_torques) passive.emplace(model, spec.actuation.slip_velocity);
@@ -227,6 +218,29 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   stages.push_back(std::move(terminal));
   check_weights(stages);
   find_largest(*this);
+}
+
+KnotTime<double> CompiledProblem::timing(const CompiledStage& stage, double step) const {
+  KnotTime<double> result;
+  if (!stage.passes_time()) return result;
+  result.step = result.weight = step;
+  result.per_second = 1.0 / step;
+  if (step > stage.step) result.pace = stage.step / step;
+  if (torque_model) {
+    result.decay = decay_after(*torque_model, step);
+    result.half_decay = decay_after(*torque_model, 0.5 * step);
+  }
+  return result;
+}
+
+void CompiledProblem::check_step(const std::string& place, double step) const {
+  if (!(step > 0.0) || !std::isfinite(step))
+    throw Error(place + ": a step of " + number(step) + " s; wanted a positive number");
+  if (torque_model && std::abs(decay_after(*torque_model, step)) > 1.0)
+    throw Error(place + ": the torque model of " + number(torque_model->cutoff) +
+                " rad/s is unstable with Euler steps of " + number(step) +
+                " s; wanted a step below " + number(2.0 / torque_model->cutoff) +
+                " s or the exact discretisation");
 }
 
 }  // namespace burnish::ocp

@@ -140,8 +140,8 @@ void TermBuilder::operator()(const residual::JointTorqueRate& r) {
         "or "
         "a cut-off, those that act");
   if (stage.nu == 0) refuse("there is no control here, so torques have no rate");
-  TorqueRate rate{layout().holds_torque ? 1.0 / stage.step : spec.torque_model->cutoff,
-                  actuators(r.joints)};
+  const bool held = layout().holds_torque;
+  TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
   term.rows = static_cast<int>(rate.entries.size());
   if (term.rows == 0) refuse("has no rows");
   zero_target(r.target, term.rows);

@@ -106,13 +106,13 @@ void TermBuilder::finish_weights(const CostTerm& cost) {
   if (cost.weights.size() != 0 && cost.weights.size() != term.rows)
     refuse("has " + std::to_string(cost.weights.size()) + " row weights; wanted " +
            std::to_string(term.rows));
-  const double scale = cost.weight * (stage.terminal || stage.impact ? 1.0 : stage.step);
+  term.weight = cost.weight;
   for (int i = 0; i < term.rows; ++i) {
     const double w = cost.weights.size() == 0 ? 1.0 : cost.weights[i];
     if (!(w >= 0.0) || !std::isfinite(w))
       refuse("row weight " + std::to_string(i) + " is " + number(w) +
              "; wanted a number of at least 0");
-    term.weights.push_back(scale * w);
+    term.weights.push_back(w);
   }
 }
 

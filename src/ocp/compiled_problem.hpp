@@ -10,6 +10,7 @@
 #include "burnish/solver/shooting_problem.hpp"
 #include "dynamics/passive.hpp"
 #include "ocp/compiled_residual.hpp"
+#include "ocp/knot_time.hpp"
 
 namespace burnish::ocp {
 
@@ -23,7 +24,8 @@ struct CompiledTerm {
   int target_size = 0;  ///< entries there
   int signal_size = 0;  ///< entries of the signal
   enum class Load { Plain, Rotation, Placement } load = Load::Plain;  ///< signal -> target entries
-  std::vector<double> weights;  ///< rows; weight, row weight and the step multiplied
+  double weight = 1.0;          ///< of a cost, per second while time passes
+  std::vector<double> weights;  ///< of a cost's rows
   Penalty::Kind penalty = Penalty::Kind::Square;
   std::vector<double> lower, upper;  ///< rows
   double width = 1.0;
@@ -84,9 +86,9 @@ struct CompiledStage {
   bool solves_contacts = true;  ///< accelerations and forces are needed
   bool has_momentum = false;
   Integrator integrator = Integrator::SemiImplicitEuler;
-  bool dense = false;                    ///< its step is expanded as DynamicsForm::Dense
-  double step = 0.0;                     ///< s
-  double decay = 1.0, half_decay = 1.0;  ///< of the torque filter over a step and over half of one
+  bool dense = false;  ///< its step is expanded as DynamicsForm::Dense
+  double step = 0.0;   ///< s, of knots that have none of their own
+  bool passes_time() const { return !terminal && !impact; }
 };
 
 /// The force of a contact in the state.
@@ -98,6 +100,11 @@ struct RememberedForce {
 struct CompiledProblem {
   CompiledProblem(const ProblemSpec& spec);
 
+  /// Of a knot of a stage whose step is so long, s; without its time.
+  KnotTime<double> timing(const CompiledStage& stage, double step) const;
+  /// Throws Error("<place>: ...") for a step that cannot be.
+  void check_step(const std::string& place, double step) const;
+
   Model model;
   Tree tree;
   StateLayout layout;
@@ -106,6 +113,7 @@ struct CompiledProblem {
   ContactSet contacts;
   std::vector<RememberedForce> remembered;
   ContactSolver contact_solver;
+  std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
   std::vector<double> torque_bias;    ///< nv, Nm (N): acts beside the actuators
   std::vector<CompiledStage> stages;  ///< the terminal one last

@@ -47,7 +47,8 @@ struct Selection {
 
 /// per_second (u - tau) of actuators: with a torque model.
 struct TorqueRate {
-  double per_second;  ///< the cut-off, rad/s, or one over the step of held torques
+  double per_second;  ///< the cut-off, rad/s, or one over the stage's step of held torques
+  bool by_step;       ///< held torques: what counts is one over the knot's step
   std::vector<int> entries;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
@@ -130,11 +131,11 @@ struct OwnForceError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
-/// per_second (lambda - what the state remembers of it).
+/// (lambda - what the state remembers of it) / step of the knot.
 struct ForceRate {
   int contact, rows;
   int first;          ///< entry among what is remembered
-  double per_second;  ///< one over the step
+  double per_second;  ///< one over the stage's step, for scales
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };

@@ -81,7 +81,7 @@ const Description& description_of(const Constraint* /*of*/) {
           .number_too()
           .field("price", &C::price,
                  "A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied "
-                 "by the step); infinite: hard.",
+                 "by the step: of longer knots there are fewer that pay); infinite: hard.",
                  range::not_negative_or_infinite)
           .field("square", &C::square, "likewise", range::not_negative);
   return all;
@@ -91,8 +91,8 @@ const Description& description_of(const CostTerm* /*of*/) {
   using C = CostTerm;
   static const Description all =
       Describe<C>("ocp", "CostTerm",
-                  "weight * sum over rows i of weights_i phi(r_i), times the stage's step while "
-                  "time passes.")
+                  "weight * sum over rows i of weights_i phi(r_i), times the knot's step while "
+                  "time passes: a cost is an integral over time, whatever the knots.")
           .field("residual", &C::residual)
           .required()
           .field("weight", &C::weight, "1 / (unit of phi) / s while time passes; not negative")
@@ -137,7 +137,7 @@ const Description& description_of(const Stage* /*of*/) {
           .field("contacts", &S::contacts, "names of those that hold")
           .field("costs", &S::costs)
           .field("constraints", &S::constraints)
-          .field("step", &S::step, "{s}")
+          .field("step", &S::step, "{s}, of knots that have none of their own")
           .field("integrator", &S::integrator)
           .field("impact", &S::impact,
                  "The contacts are made here: velocities jump so that they hold (inelastic), no "
@@ -148,9 +148,21 @@ const Description& description_of(const Stage* /*of*/) {
 const Description& description_of(const HorizonSegment* /*of*/) {
   using H = HorizonSegment;
   static const Description all =
-      Describe<H>("ocp", "HorizonSegment", "Consecutive knots of one stage.")
+      Describe<H>(
+          "ocp", "HorizonSegment",
+          "Consecutive knots of one stage. Their steps may be their own: all alike, or each "
+          "longer (or shorter) than the one before by the same factor, so that few knots "
+          "look far ahead. What is numerical is made for the stage's step, and a knot n "
+          "times as long has it n times slower, as explicit steps ask for: gains of contacts "
+          "are kd / n and kp / n^2, the speeds below which friction fades are n times as "
+          "high.")
           .field("stage", &H::stage)
-          .field("knots", &H::knots);
+          .field("knots", &H::knots)
+          .field("step", &H::step, "{s}, of the first of them; 0: the stage's")
+          .field("duration", &H::duration,
+                 "{s}, of all of them together: steps grow from the first one by the factor r >= "
+                 "1/2, at most 2, for which step (1 + r + ... + r^(knots - 1)) is this; 0: knots "
+                 "times the step.");
   return all;
 }
 

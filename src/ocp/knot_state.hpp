@@ -39,6 +39,8 @@ struct KnotState {
   const CompiledFrame* compiled_frames = nullptr;
   const Momentum<S>* momentum = nullptr;
   const S* targets = nullptr;  ///< of the stage
+  S per_second{0.0};           ///< one over the step; 0 where no time passes
+  S pace{1.0};                 ///< KnotTime::pace
   S* scratch = nullptr;        ///< 12 x nv, for a residual that needs room
 
   // While derivatives are asked for:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ocp/custom_lanes.hpp"
+#include "ocp/knot_time.hpp"
 #include "ocp/stage_dynamics.hpp"
 
 namespace burnish::ocp {
@@ -15,13 +16,13 @@ class NodeKernel {
  public:
   explicit NodeKernel(const CompiledProblem& problem);
 
-  /// Evaluates a stage at x (nx), u (nu), targets (stage.targets entries) and the time of each
-  /// lane, s. Fills next, cost, term_costs, row_values.
+  /// Evaluates a stage at x (nx), u (nu), targets (stage.targets entries) and the time and step of
+  /// each lane. Fills next, cost, term_costs, row_values.
   void values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
-              const double* times);
+              const KnotTime<S>& when);
   /// The same, and gradient, hessian, rows, dynamics, lead.
   void expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
-              const double* times);
+              const KnotTime<S>& when);
 
   /// Another mass distribution of a body, for what is evaluated from then on.
   void set_body_inertia(int body, const BodyInertia& inertia) {
@@ -33,10 +34,11 @@ class NodeKernel {
   KnotValue outcome(const CompiledStage& stage, int lane) const;
   /// r and J (its blocks; may be null) of one term at x and u.
   void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x, const S* u,
-                   const S* targets, const double* times, S* r, S* J);
+                   const S* targets, const KnotTime<S>& when, S* r, S* J);
   /// Accelerations and forces alone, into dynamics().
-  void look(const CompiledStage& stage, const S* x, const S* u, const S* targets) {
-    dynamics_.turn(stage, targets);
+  void look(const CompiledStage& stage, const S* x, const S* u, const S* targets,
+            const KnotTime<S>& when) {
+    load(stage, targets, when);
     dynamics_.values(stage, x, u);
   }
   const StageDynamics<S>& dynamics() const { return dynamics_; }
@@ -55,25 +57,28 @@ class NodeKernel {
  private:
   void residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
                 const double* times, S* r, S* J, S* bends = nullptr);
-  void add_costs(const CompiledStage& stage, const S* targets, const double* times, bool expand);
+  void load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when);
+  void add_costs(const CompiledStage& stage, const S* targets, const KnotTime<S>& when,
+                 bool expand);
   void add_constraints(const CompiledStage& stage, const S* targets, const double* times,
                        bool expand);
   void store_rows(const CompiledTerm& term);
   void store_bends(const CompiledTerm& term);
   void add_block(const JacobianBlock& block, const S* J, const S* slope, const S* curvature);
-  void euler(const CompiledStage& stage, const S* x, const S* u);
-  void euler_derivative(const CompiledStage& stage);
-  void euler_dense_derivative(const CompiledStage& stage);
+  void euler(const KnotTime<S>& when, const S* x, const S* u);
+  void euler_derivative(const S& h);
+  void euler_dense_derivative(const KnotTime<S>& when);
   /// The rows of the next state that remember the forces of this knot, and their derivatives;
   /// before other points of a step are evaluated.
   void remember_forces(const CompiledStage& stage);
   void remember_derivatives(const CompiledStage& stage);
   void jump(const CompiledStage& stage, const S* x, bool with_derivatives);
   void filter_torque(const S* x, const S* u, const S& decay, S* out) const;
-  void runge_kutta(const CompiledStage& stage, const S* x, const S* u, bool with_derivatives);
-  void runge_kutta_derivative(const CompiledStage& stage, int i);
+  void runge_kutta(const CompiledStage& stage, const KnotTime<S>& when, const S* x, const S* u,
+                   bool with_derivatives);
+  void runge_kutta_derivative(const KnotTime<S>& when, int i);
   /// From derivatives of the offsets to those of the point x (+) offset, in place.
-  void close_point(double decay, const S* offset, S* by_z);
+  void close_point(const S& decay, const S* offset, S* by_z);
   bool in_block(int k) const;
   void check_finite(const CompiledStage& stage, bool expanded);
   void load_status();

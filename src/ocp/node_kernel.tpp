@@ -74,11 +74,18 @@ void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& ter
 
 template <class S>
 void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x,
-                                const S* u, const S* targets, const double* times, S* r, S* J) {
-  dynamics_.turn(stage, targets);
+                                const S* u, const S* targets, const KnotTime<S>& when, S* r,
+                                S* J) {
+  load(stage, targets, when);
   dynamics_.values(stage, x, u);
   if (J != nullptr) dynamics_.derivatives(stage);
-  residual(stage, term, targets, times, r, J);
+  residual(stage, term, targets, when.times, r, J);
+}
+
+template <class S>
+void NodeKernel<S>::load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when) {
+  dynamics_.turn(stage, targets);
+  dynamics_.set_step(when.per_second, when.pace);
 }
 
 template <class S>
@@ -120,17 +127,18 @@ void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* s
 }
 
 template <class S>
-void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, const double* times,
-                              bool expand) {
+void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets,
+                              const KnotTime<S>& when, bool expand) {
   cost = S(0.0);
   for (std::size_t t = 0; t < stage.costs; ++t) {
     const CompiledTerm& term = stage.terms[t];
-    residual(stage, term, targets, times, r_.data(), expand ? jacobian_.data() : nullptr);
+    residual(stage, term, targets, when.times, r_.data(), expand ? jacobian_.data() : nullptr);
+    const S scale = S(term.weight) * when.weight;
     S sum(0.0), largest(0.0);
     for (int i = 0; i < term.rows; ++i) {
       const PenaltyValue<S> value =
           evaluate_penalty(term.penalty, term.lower[i], term.upper[i], term.width, r_[i]);
-      const S w(term.weights[i]);
+      const S w = scale * S(term.weights[i]);
       sum += w * value.value;
       slope_[i] = w * value.slope;
       curvature_[i] = w * value.curvature;
@@ -208,9 +216,9 @@ void NodeKernel<S>::filter_torque(const S* x, const S* u, const S& decay, S* out
 }
 
 template <class S>
-void NodeKernel<S>::euler(const CompiledStage& stage, const S* x, const S* u) {
+void NodeKernel<S>::euler(const KnotTime<S>& when, const S* x, const S* u) {
   const StateLayout& layout = problem_->layout;
-  const S h(stage.step);
+  const S h = when.step;
   const S* const a = dynamics_.acceleration();
   for (int k = 0; k < layout.nv; ++k) {
     const S v = x[layout.nq + k] + h * a[k];
@@ -218,14 +226,13 @@ void NodeKernel<S>::euler(const CompiledStage& stage, const S* x, const S* u) {
     step_[k] = h * v;
   }
   integrate_configuration(problem_->tree, x, step_.data(), next.data());
-  filter_torque(x, u, S(stage.decay), next.data());
+  filter_torque(x, u, when.decay, next.data());
 }
 
 template <class S>
-void NodeKernel<S>::euler_derivative(const CompiledStage& stage) {
+void NodeKernel<S>::euler_derivative(const S& h) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
-  const S h(stage.step);
   const S* const by_z = dynamics_.derivative();
   for (int i = 0; i < nv * nz; ++i) dynamics_by_z[i] = h * by_z[i];
   for (int k = 0; k < nv; ++k) dynamics_by_z[k * nz + layout.column_v() + k] += S(1.0);
@@ -239,10 +246,10 @@ void NodeKernel<S>::euler_derivative(const CompiledStage& stage) {
 
 /// F, as close_point has it of Runge-Kutta steps: dv' = dv + h da, d(offset) = h dv'.
 template <class S>
-void NodeKernel<S>::euler_dense_derivative(const CompiledStage& stage) {
+void NodeKernel<S>::euler_dense_derivative(const KnotTime<S>& when) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
-  const S h(stage.step);
+  const S h = when.step;
   const S* const by_z = dynamics_.derivative();
   S* const F = dynamics_by_z.data();
   for (int i = 0; i < nv * nz; ++i) {
@@ -251,7 +258,7 @@ void NodeKernel<S>::euler_dense_derivative(const CompiledStage& stage) {
     F[i] = h * dv;
   }
   for (int k = 0; k < nv; ++k) F[k * nz + layout.column_v() + k] += h;
-  close_point(stage.decay, step_.data(), F);
+  close_point(when.decay, step_.data(), F);
 }
 
 template <class S>
@@ -307,23 +314,23 @@ void NodeKernel<S>::load_status() {
 
 template <class S>
 void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, const S* targets,
-                           const double* times) {
-  dynamics_.turn(stage, targets);
+                           const KnotTime<S>& when) {
+  load(stage, targets, when);
   dynamics_.values(stage, x, u);
-  add_costs(stage, targets, times, false);
+  add_costs(stage, targets, when, false);
   if (stage.rows() > 0) [[unlikely]]
-    add_constraints(stage, targets, times, false);
+    add_constraints(stage, targets, when.times, false);
   if (stage.impact) {
     jump(stage, x, false);
   } else if (!stage.terminal) {
     remember_forces(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
       load_status();
-      runge_kutta(stage, x, u, false);
+      runge_kutta(stage, when, x, u, false);
       check_finite(stage, false);
       return;
     }
-    euler(stage, x, u);
+    euler(when, x, u);
   }
   load_status();
   check_finite(stage, false);
@@ -331,15 +338,15 @@ void NodeKernel<S>::values(const CompiledStage& stage, const S* x, const S* u, c
 
 template <class S>
 void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, const S* targets,
-                           const double* times) {
-  dynamics_.turn(stage, targets);
+                           const KnotTime<S>& when) {
+  load(stage, targets, when);
   dynamics_.values(stage, x, u);
   dynamics_.derivatives(stage);
   std::fill(gradient.begin(), gradient.end(), S(0.0));
   std::fill(hessian.begin(), hessian.end(), S(0.0));
-  add_costs(stage, targets, times, true);
+  add_costs(stage, targets, when, true);
   if (stage.rows() > 0) [[unlikely]]
-    add_constraints(stage, targets, times, true);
+    add_constraints(stage, targets, when.times, true);
   load_status();
   if (stage.impact) {
     jump(stage, x, true);
@@ -348,13 +355,13 @@ void NodeKernel<S>::expand(const CompiledStage& stage, const S* x, const S* u, c
     remember_forces(stage);
     remember_derivatives(stage);
     if (stage.integrator == Integrator::RungeKutta4) {
-      runge_kutta(stage, x, u, true);
+      runge_kutta(stage, when, x, u, true);
     } else {
-      euler(stage, x, u);
+      euler(when, x, u);
       if (stage.dense)
-        euler_dense_derivative(stage);
+        euler_dense_derivative(when);
       else
-        euler_derivative(stage);
+        euler_derivative(when.step);
     }
   }
   check_finite(stage, true);

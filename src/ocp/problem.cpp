@@ -26,7 +26,9 @@ std::vector<std::string> Problem::stage_names() const {
 }
 int Problem::stage_of(int knot) const { return impl_->stage_of.at(static_cast<std::size_t>(knot)); }
 double Problem::time_of(int knot) const { return impl_->times.at(static_cast<std::size_t>(knot)); }
-double Problem::step_of(int knot) const { return impl_->stage(knot).step; }
+double Problem::step_of(int knot) const {
+  return impl_->timing.at(static_cast<std::size_t>(knot)).step;
+}
 
 int Problem::stage_index(const std::string& name) const {
   const std::vector<std::string> names = stage_names();
@@ -66,6 +68,19 @@ void Problem::set_knot(int knot, int stage, double time) {
                 std::to_string(knots()));
   if (knot < knots()) check_stage("set_knot", stage, impl_->compiled.stages.size());
   impl_->set_knot(knot, stage, time);
+}
+
+void Problem::set_step(int knot, double step) {
+  if (knot < 0 || knot >= knots())
+    throw Error("set_step: knot " + std::to_string(knot) + "; wanted 0 to " +
+                std::to_string(knots() - 1));
+  if (impl_->own_steps[static_cast<std::size_t>(knot)] == step) return;
+  const ocp::CompiledStage& stage = impl_->stage(knot);
+  if (stage.impact)
+    throw Error("set_step: knot " + std::to_string(knot) + " is an impact, where no time passes");
+  impl_->compiled.check_step("set_step", step);
+  impl_->own_steps[static_cast<std::size_t>(knot)] = step;
+  impl_->set_timing(knot);
 }
 
 void Problem::advance(int stage) {
@@ -133,7 +148,7 @@ Eigen::VectorXd Problem::residual(int knot, int term, const ConstVectorRef& x,
   Eigen::VectorXd r(compiled.rows);
   impl_->check_point(knot, x, u);
   impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, x.data(), u.data(),
-                                   impl_->targets_of(knot), &impl_->times[knot], r.data(), nullptr);
+                                   impl_->targets_of(knot), impl_->when(knot), r.data(), nullptr);
   return r;
 }
 
@@ -145,7 +160,7 @@ RowMatrix Problem::residual_derivative(int knot, int term, const ConstVectorRef&
   std::vector<double> r(static_cast<std::size_t>(compiled.rows));
   std::vector<double> blocks(static_cast<std::size_t>(compiled.jacobian_size) + 1);
   impl_->worker(0).one.residual_at(stage, compiled, x.data(), u.data(), impl_->targets_of(knot),
-                                   &impl_->times[knot], r.data(), blocks.data());
+                                   impl_->when(knot), r.data(), blocks.data());
   RowMatrix J = RowMatrix::Zero(compiled.rows, layout().nz());
   const double* from = blocks.data();
   for (const ocp::JacobianBlock& block : compiled.blocks) {
@@ -294,14 +309,14 @@ std::vector<std::string> Problem::row_names(int knot) const {
 std::vector<double> Problem::term_costs(int knot, const double* x, const double* u) {
   ocp::NodeKernel<double>& kernel = impl_->worker(0).one;
   const ocp::CompiledStage& stage = impl_->stage(knot);
-  kernel.values(stage, x, u, impl_->targets_of(knot), &impl_->times[knot]);
+  kernel.values(stage, x, u, impl_->targets_of(knot), impl_->when(knot));
   return {kernel.term_costs.begin(),
           kernel.term_costs.begin() + static_cast<std::ptrdiff_t>(stage.costs)};
 }
 std::vector<double> Problem::row_values(int knot, const double* x, const double* u) {
   ocp::NodeKernel<double>& kernel = impl_->worker(0).one;
   const ocp::CompiledStage& stage = impl_->stage(knot);
-  kernel.values(stage, x, u, impl_->targets_of(knot), &impl_->times[knot]);
+  kernel.values(stage, x, u, impl_->targets_of(knot), impl_->when(knot));
   return {kernel.row_values.begin(), kernel.row_values.begin() + stage.rows()};
 }
 std::string Problem::knot_name(int knot) const {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "model/joint_entries.hpp"
+#include "ocp/horizon_knots.hpp"
 
 namespace burnish {
 namespace ocp {
@@ -56,32 +56,6 @@ std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* nam
   return result;
 }
 
-/// The stage of each knot, as its index.
-std::vector<int> stages_of_knots(const ProblemSpec& spec) {
-  std::vector<std::string> names;
-  std::unordered_map<std::string, int> index;
-  for (const Stage& stage : spec.stages) {
-    index.emplace(stage.name, static_cast<int>(names.size()));
-    names.push_back(stage.name);
-  }
-  std::vector<int> result;
-  for (const HorizonSegment& phase : spec.horizon) {
-    const auto found = index.find(phase.stage);
-    if (found == index.end())
-      throw Error("horizon: unknown stage " + in_quotes(phase.stage) +
-                  did_you_mean(phase.stage, names));
-    if (phase.knots < 1)
-      throw Error("horizon: stage " + in_quotes(phase.stage) + " for " +
-                  std::to_string(phase.knots) + " knots; wanted at least 1");
-    if (static_cast<std::size_t>(phase.knots) > max_knots - result.size())
-      throw Error("horizon: it has more than " + std::to_string(max_knots) +
-                  " knots; at most that many are supported");
-    result.insert(result.end(), static_cast<std::size_t>(phase.knots), found->second);
-  }
-  if (result.empty()) throw Error("horizon: has no knots; wanted at least one");
-  return result;
-}
-
 /// Every knot holds the targets of its terms: each may be few enough and the product too many.
 void check_size(std::size_t knots, const CompiledProblem& problem) {
   constexpr std::size_t most = 10'000'000;
@@ -118,15 +92,24 @@ Problem::Impl::Impl(const ProblemSpec& given)
       largest_signal = std::max(largest_signal, term.signal_size);
   signal_scratch.setZero(largest_signal);
 
-  double time = given.start_time;
-  for (const int stage : ocp::stages_of_knots(given)) {
-    stage_of.push_back(stage);
-    times.push_back(time);
-    time += compiled.stages[static_cast<std::size_t>(stage)].step;
-  }
+  ocp::HorizonKnots knots = ocp::knots_of(given);
+  stage_of = std::move(knots.stages);
+  own_steps = std::move(knots.own_steps);
   ocp::check_size(stage_of.size(), compiled);
   stage_of.push_back(static_cast<int>(compiled.stages.size()) - 1);
-  times.push_back(time);
+  own_steps.push_back(0.0);
+  timing.resize(stage_of.size());
+  double time = given.start_time;
+  for (std::size_t k = 0; k < stage_of.size(); ++k) {
+    const int knot = static_cast<int>(k);
+    if (own_steps[k] != 0.0)
+      compiled.check_step(
+          "horizon: knot " + std::to_string(k) + " of stage " + in_quotes(stage(knot).name),
+          own_steps[k]);
+    set_timing(knot);
+    times.push_back(time);
+    time += timing[k].step;
+  }
   targets.assign(stage_of.size() * static_cast<std::size_t>(compiled.largest_targets), 0.0);
   for (std::size_t k = 0; k < stage_of.size(); ++k) {
     load_targets(static_cast<int>(k));
@@ -180,10 +163,26 @@ void Problem::Impl::check_rotations(int knot) {
                   " s is no quaternion of length 1");
 }
 
+void Problem::Impl::set_timing(int knot) {
+  const auto k = static_cast<std::size_t>(knot);
+  const ocp::CompiledStage& at = stage(knot);
+  timing[k] = compiled.timing(at, own_steps[k] != 0.0 ? own_steps[k] : at.step);
+}
+
+ocp::KnotTime<double> Problem::Impl::when(int knot) const {
+  const auto k = static_cast<std::size_t>(knot);
+  ocp::KnotTime<double> result = timing[k];
+  result.times = &times[k];
+  return result;
+}
+
 void Problem::Impl::set_knot(int knot, int stage_index, double time) {
   int& stage_here = stage_of[static_cast<std::size_t>(knot)];
   const bool other = knot < static_cast<int>(stage_of.size()) - 1 && stage_here != stage_index;
-  if (other) stage_here = stage_index;
+  if (other) {
+    stage_here = stage_index;
+    set_timing(knot);
+  }
   times[static_cast<std::size_t>(knot)] = time;
   load_targets(knot);
   if (other) cut_ranges();
@@ -198,9 +197,15 @@ void Problem::Impl::advance(int stage_index) {
   const auto width = static_cast<std::ptrdiff_t>(compiled.largest_targets);
   std::copy(targets.begin() + width,
             targets.begin() + (static_cast<std::ptrdiff_t>(last) + 1) * width, targets.begin());
+  // The last one is as long as the one before it was, if that had a step of its own.
+  std::copy(own_steps.begin() + 1, own_steps.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+            own_steps.begin());
+  std::copy(timing.begin() + 1, timing.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+            timing.begin());
   stage_of[last] = stage_index;
+  set_timing(static_cast<int>(last));
   times[last] = times[last + 1];
-  times[last + 1] += compiled.stages[static_cast<std::size_t>(stage_index)].step;
+  times[last + 1] += timing[last].step;
   load_targets(static_cast<int>(last));
   load_targets(static_cast<int>(last) + 1);
   cut_ranges();
@@ -261,7 +266,7 @@ const ocp::StageDynamics<double>& Problem::Impl::evaluate_one(int knot, const Co
   check_point(knot, x, u);
   // A residual-free look at the dynamics: Runge-Kutta steps would leave their last point behind.
   ocp::NodeKernel<double>& kernel = worker(0).one;
-  kernel.look(stage(knot), x.data(), u.data(), targets_of(knot));
+  kernel.look(stage(knot), x.data(), u.data(), targets_of(knot), when(knot));
   return kernel.dynamics();
 }
 
@@ -269,13 +274,14 @@ KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double
                               double* rows) {
   ocp::NodeKernel<double>& kernel = worker(index).one;
   const ocp::CompiledStage& at = stage(knot);
-  kernel.values(at, x, u, targets_of(knot), &times[static_cast<std::size_t>(knot)]);
+  kernel.values(at, x, u, targets_of(knot), when(knot));
   if (!at.terminal) std::copy(kernel.next.begin(), kernel.next.end(), next);
   if (rows != nullptr) std::copy_n(kernel.row_values.begin(), at.rows(), rows);
   return kernel.outcome(at, 0);
 }
 
-void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView at) {
+void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView at,
+                           ocp::KnotTime<NativePack>& time) {
   const int nx = compiled.layout.nx(), nu = compiled.layout.nu;
   const int target_count = stage(range.begin).targets;
   for (int l = 0; l < native_lanes; ++l) {
@@ -289,6 +295,13 @@ void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView 
     const double* const target = targets_of(static_cast<int>(knot));
     for (int i = 0; i < target_count; ++i)
       worker.targets[static_cast<std::size_t>(i)].v[l] = target[i];
+    const ocp::KnotTime<double>& own = timing[static_cast<std::size_t>(knot)];
+    time.step.v[l] = own.step;
+    time.weight.v[l] = own.weight;
+    time.per_second.v[l] = own.per_second;
+    time.decay.v[l] = own.decay;
+    time.half_decay.v[l] = own.half_decay;
+    time.pace.v[l] = own.pace;
   }
 }
 
@@ -296,15 +309,17 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
                         KnotValue* values, double* rows, KnotExpansion* out) {
   ocp::Worker& w = worker(index);
   const ocp::CompiledStage& at_stage = stage(range.begin);
-  gather(w, range, at);
+  ocp::KnotTime<NativePack> time;
+  gather(w, range, at, time);
   double lane_times[native_lanes];
   for (int l = 0; l < native_lanes; ++l)
     lane_times[l] = times[static_cast<std::size_t>(std::min(range.begin + l, range.end - 1))];
+  time.times = lane_times;
   if (out != nullptr) {
-    w.pack.expand(at_stage, w.x.data(), w.u.data(), w.targets.data(), lane_times);
+    w.pack.expand(at_stage, w.x.data(), w.u.data(), w.targets.data(), time);
     store_expansion(w, at_stage, range, out);
   } else {
-    w.pack.values(at_stage, w.x.data(), w.u.data(), w.targets.data(), lane_times);
+    w.pack.values(at_stage, w.x.data(), w.u.data(), w.targets.data(), time);
   }
   const int nx = compiled.layout.nx();
   for (int k = range.begin; k < range.end; ++k) {
@@ -360,8 +375,9 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   for (int l = 0; l < lanes; ++l) {
     KnotExpansion& knot = out[range.begin + l];
     knot.form = dense ? DynamicsForm::Dense : DynamicsForm::SecondOrder;
-    knot.step = at_stage.step;
-    std::fill_n(knot.decay, compiled.shape.filtered, at_stage.decay);
+    const ocp::KnotTime<double>& own = timing[static_cast<std::size_t>(range.begin + l)];
+    knot.step = own.step;
+    std::fill_n(knot.decay, compiled.shape.filtered, own.decay);
   }
 }
 

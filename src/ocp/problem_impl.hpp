@@ -44,6 +44,8 @@ struct Problem::Impl {
   /// Of the compiled model, and of what workers have made of it; those to come make it anew.
   void set_body_inertia(int body, const InertiaSpec& inertia);
   void set_knot(int knot, int stage, double time);
+  void set_timing(int knot);
+  ocp::KnotTime<double> when(int knot) const;
   void advance(int stage);
   void load_targets(int knot);
   void check_rotations(int knot);
@@ -61,15 +63,18 @@ struct Problem::Impl {
   KnotValue roll(int index, int knot, const double* x, const double* u, double* next, double* rows);
   void run(int index, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
            double* rows, KnotExpansion* out);
-  void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at);
+  void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at,
+              ocp::KnotTime<NativePack>& time);
   void store_expansion(const ocp::Worker& worker, const ocp::CompiledStage& stage, KnotRange range,
                        KnotExpansion* out) const;
 
   ProblemSpec spec;
   ocp::CompiledProblem compiled;
-  std::vector<int> stage_of;    ///< per knot, N + 1
-  std::vector<double> times;    ///< per knot, s
-  std::vector<double> targets;  ///< per knot, largest_targets each
+  std::vector<int> stage_of;                  ///< per knot, N + 1
+  std::vector<double> times;                  ///< per knot, s
+  std::vector<double> own_steps;              ///< per knot, s; 0: its stage's
+  std::vector<ocp::KnotTime<double>> timing;  ///< per knot, without its time
+  std::vector<double> targets;                ///< per knot, largest_targets each
   std::vector<KnotRange> ranges;
   std::vector<double> initial_state, lower, upper;
   std::vector<double> control_scale;  ///< the robot's effort limits, 1 where it has none

@@ -61,7 +61,7 @@ template <class S>
 void ForceRate::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   const int row = knot.dynamics->active().first_row[contact];
   const S* const lambda = knot.dynamics->lambda.data() + row;
-  const S rate(per_second);
+  const S rate = knot.per_second;
   for (int i = 0; i < rows; ++i)
     r[i] = rate * (lambda[i] - knot.force_before[first + i]) - target[i];
   if (J == nullptr) return;

@@ -34,7 +34,7 @@ void Selection::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) 
 
 template <class S>
 void TorqueRate::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
-  const S rate(per_second);
+  const S rate = by_step ? knot.per_second : S(per_second);
   for (std::size_t i = 0; i < entries.size(); ++i)
     r[i] = rate * (knot.u[entries[i]] - knot.torque_state[entries[i]]) - target[i];
   if (J == nullptr) return;

@@ -30,20 +30,20 @@ Motion<S> offset_rate_change(const Motion<S>& theta, const Motion<S>& v, const M
 }  // namespace runge_kutta_detail
 
 template <class S>
-void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S* u,
-                                bool with_derivatives) {
+void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const KnotTime<S>& when, const S* x,
+                                const S* u, bool with_derivatives) {
   const StateLayout& layout = problem_->layout;
   const int nq = layout.nq, nv = layout.nv, nz = layout.nz();
   constexpr double fraction[4] = {0.0, 0.5, 0.5, 1.0};
-  const double decay[4] = {1.0, stage.half_decay, stage.half_decay, stage.decay};
+  const S decay[4] = {S(1.0), when.half_decay, when.half_decay, when.decay};
   for (int i = 0; i < 4; ++i) {
     if (i > 0) {
-      const S ch(fraction[i] * stage.step);
+      const S ch = S(fraction[i]) * when.step;
       const S* const before = rates_.data() + (i - 1) * 2 * nv;
       for (int k = 0; k < 2 * nv; ++k) offset_[k] = ch * before[k];
       integrate_configuration(problem_->tree, x, offset_.data(), point_.data());
       for (int k = 0; k < nv; ++k) point_[nq + k] = x[nq + k] + offset_[nv + k];
-      filter_torque(x, u, S(decay[i]), point_.data());
+      filter_torque(x, u, decay[i], point_.data());
       dynamics_.values(stage, point_.data(), u);
       for (int l = 0; l < Lanes<S>::count; ++l) status_[l] = worst(status_[l], dynamics_.status(l));
       if (with_derivatives) dynamics_.derivatives(stage);
@@ -59,16 +59,16 @@ void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S*
         store_twist(block.kind, offset_rate(theta, v), rate + block.first, 1);
       }
     }
-    if (with_derivatives) runge_kutta_derivative(stage, i);
+    if (with_derivatives) runge_kutta_derivative(when, i);
   }
-  const S sixth(stage.step / 6.0), third(stage.step / 3.0);
+  const S sixth = when.step / S(6.0), third = when.step / S(3.0);
   const S weights[4] = {sixth, third, third, sixth};
   std::fill(offset_.begin(), offset_.end(), S(0.0));
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 2 * nv; ++k) offset_[k] += weights[i] * rates_[i * 2 * nv + k];
   integrate_configuration(problem_->tree, x, offset_.data(), next.data());
   for (int k = 0; k < nv; ++k) next[nq + k] = x[nq + k] + offset_[nv + k];
-  filter_torque(x, u, S(stage.decay), next.data());
+  filter_torque(x, u, when.decay, next.data());
   if (!with_derivatives) return;
 
   S* const F = dynamics_by_z.data();
@@ -78,11 +78,11 @@ void NodeKernel<S>::runge_kutta(const CompiledStage& stage, const S* x, const S*
       for (int i = 0; i < 4; ++i) sum += weights[i] * rates_by_z_[(i * 2 * nv + r) * nz + c];
       F[r * nz + c] = sum;
     }
-  close_point(stage.decay, offset_.data(), F);
+  close_point(when.decay, offset_.data(), F);
 }
 
 template <class S>
-void NodeKernel<S>::close_point(double decay, const S* offset, S* by_z) {
+void NodeKernel<S>::close_point(const S& decay, const S* offset, S* by_z) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz();
   // Multi-entry joints: d(q (+) dq) = A dq0 + B d(dq).
@@ -108,8 +108,8 @@ void NodeKernel<S>::close_point(double decay, const S* offset, S* by_z) {
   for (int i = 0; i < layout.filtered; ++i) {
     S* const row = by_z + (2 * nv + i) * nz;
     std::fill_n(row, nz, S(0.0));
-    row[i] = S(1.0 - decay);
-    row[layout.column_tau() + i] = S(decay);
+    row[i] = S(1.0) - decay;
+    row[layout.column_tau() + i] = decay;
   }
 }
 
@@ -120,17 +120,17 @@ bool NodeKernel<S>::in_block(int k) const {
 }
 
 template <class S>
-void NodeKernel<S>::runge_kutta_derivative(const CompiledStage& stage, int i) {
+void NodeKernel<S>::runge_kutta_derivative(const KnotTime<S>& when, int i) {
   const StateLayout& layout = problem_->layout;
   const int nv = layout.nv, nz = layout.nz(), ndx = layout.ndx();
   constexpr double fraction[4] = {0.0, 0.5, 0.5, 1.0};
-  const double decay[4] = {1.0, stage.half_decay, stage.half_decay, stage.decay};
+  const S decay[4] = {S(1.0), when.half_decay, when.half_decay, when.decay};
   S* const X = point_by_z_.data();  // d(point i)/dz, ndx x nz
   if (i == 0) {
     std::fill(point_by_z_.begin(), point_by_z_.end(), S(0.0));
     for (int k = 0; k < ndx; ++k) X[k * nz + layout.nu + k] = S(1.0);
   } else {
-    const S ch(fraction[i] * stage.step);
+    const S ch = S(fraction[i]) * when.step;
     const S* const before = rates_by_z_.data() + (i - 1) * 2 * nv * nz;
     for (int k = 0; k < 2 * nv * nz; ++k) X[k] = ch * before[k];
     close_point(decay[i], offset_.data(), X);
@@ -139,7 +139,7 @@ void NodeKernel<S>::runge_kutta_derivative(const CompiledStage& stage, int i) {
   std::copy_n(X + nv * nz, nv * nz, rate);
   if (i > 0) {
     using namespace runge_kutta_detail;
-    const S ch(fraction[i] * stage.step);
+    const S ch = S(fraction[i]) * when.step;
     const S* const before = rates_by_z_.data() + (i - 1) * 2 * nv * nz;
     for (const TangentBlock& block : problem_->blocks) {
       const auto theta = load_twist(block.kind, offset_.data() + block.first, 1);

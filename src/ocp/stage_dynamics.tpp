@@ -66,7 +66,7 @@ void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
   if (driven)
     for (int i = 0; i < layout.nu; ++i) tau_[layout.actuated[i]] = driving[i];
   if (problem_->passive) {
-    passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data());
+    passive_torque(*problem_->passive, knot_.v, passive_.data(), dpassive_.data(), knot_.pace);
     add_spring_torque(problem_->passive->springs, knot_.q, knot_.v, passive_.data());
   }
   for (int k = 0; k < layout.nv; ++k)

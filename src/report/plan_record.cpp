@@ -14,15 +14,22 @@ constexpr double kept_every = 0.05;  // s between knots that are kept, about
 }  // namespace
 
 PlanRecorder::PlanRecorder(MpcController& controller, double step, double solver_delay, double rate)
-    : controller_(controller),
-      delay_(solver_delay),
-      period_(rate > 0.0 ? 1.0 / rate : 0.0),
-      stride_(std::max(1, static_cast<int>(std::lround(kept_every / step)))) {
+    : controller_(controller), delay_(solver_delay), period_(rate > 0.0 ? 1.0 / rate : 0.0) {
   if (period_ == 0.0) return;
   const Problem& problem = controller.problem();
   record_.nq = problem.layout().nq;
-  record_.step = stride_ * step;
-  record_.knots = problem.knots() / stride_ + 1;
+  bool is_even = true;
+  for (int k = 1; k < problem.knots(); ++k)
+    is_even = is_even && problem.step_of(k) == problem.step_of(0);
+  if (is_even) {
+    stride_ = std::max(1, static_cast<int>(std::lround(kept_every / step)));
+    record_.step = stride_ * step;
+    record_.knots = problem.knots() / stride_ + 1;
+  } else {
+    const double duration = problem.time_of(problem.knots()) - problem.time_of(0);
+    record_.step = kept_every;
+    record_.knots = static_cast<int>(duration / kept_every + 1e-9) + 1;
+  }
   term_of_.resize(problem.stage_names().size());
 }
 
@@ -36,11 +43,29 @@ void PlanRecorder::look(double time, const Command& command) {
   next_ = std::max(next_ + period_, time + 0.5 * period_);
   const double begin = time + (record_.time.empty() ? 0.0 : delay_);
   record_.time.push_back(begin);
-  for (int k = 0; k < record_.knots; ++k)
-    for (int i = 0; i < record_.nq; ++i)
-      record_.q.push_back(static_cast<float>(plan(k * stride_, i)));
+  add_states();
   add_start();
   add_costs();
+}
+
+void PlanRecorder::add_states() {
+  const Problem& problem = controller_.problem();
+  const MatrixView plan = controller_.plan();
+  Eigen::VectorXd x(plan.cols()), dx(problem.layout().ndx());
+  int before = 0;  // knot
+  for (int kept = 0; kept < record_.knots; ++kept) {
+    if (stride_ > 0) {
+      x = plan.row(kept * stride_);
+    } else {
+      const double at = problem.time_of(0) + kept * record_.step;
+      while (before + 1 < problem.knots() && problem.time_of(before + 1) <= at) ++before;
+      const double begin = problem.time_of(before), length = problem.time_of(before + 1) - begin;
+      problem.difference(plan.row(before).data(), plan.row(before + 1).data(), dx.data());
+      dx *= std::min(1.0, (at - begin) / length);
+      problem.integrate(plan.row(before).data(), dx.data(), x.data());
+    }
+    for (int i = 0; i < record_.nq; ++i) record_.q.push_back(static_cast<float>(x[i]));
+  }
 }
 
 void PlanRecorder::add_start() {

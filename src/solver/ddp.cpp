@@ -67,6 +67,10 @@ void DdpSolver::shift_limits(int knots) noexcept {
   for (int k = 0; k < std::min(knots, impl_->N); ++k) impl_->limited->shift(impl_->controls);
 }
 
+void DdpSolver::shift_limits(std::span<const int> from) noexcept {
+  if (impl_->limited) impl_->limited->shift(impl_->controls, from);
+}
+
 const DdpSummary& DdpSolver::solve() {
   impl_->began = Impl::Clock::now();
   const ThreadPool::Awake awake(*impl_->pool);

@@ -81,14 +81,25 @@ void LimitedLq::forget() noexcept {
 }
 
 void LimitedLq::shift(std::span<const int> controls) noexcept {
-  for (int k = 0; k < N_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (controls[i] != controls[i + 1]) continue;  // rows have other places
-    const Knot &to = knot_at(k), &from = knot_at(k + 1);
-    dense::copy(from.multiplier, row_count_, to.multiplier);
-    dense::copy(from.piece, row_count_, to.piece);
-    dense::copy(from.transposed_gain, state_.ndx * control_stride_, to.transposed_gain);
+  for (int k = 0; k < N_; ++k) take_over(controls, k, k + 1);
+}
+
+void LimitedLq::shift(std::span<const int> controls, std::span<const int> from) noexcept {
+  const int count = std::min(N_, static_cast<int>(from.size()));
+  for (int k = 0; k < count; ++k) {
+    const int source = std::clamp(from[static_cast<std::size_t>(k)], k, N_ - 1);
+    if (source != k) take_over(controls, k, source);
   }
+}
+
+void LimitedLq::take_over(std::span<const int> controls, int knot, int source) noexcept {
+  // Rows have other places where there are other controls.
+  if (controls[static_cast<std::size_t>(knot)] != controls[static_cast<std::size_t>(source)])
+    return;
+  const Knot &to = knot_at(knot), &from = knot_at(source);
+  dense::copy(from.multiplier, row_count_, to.multiplier);
+  dense::copy(from.piece, row_count_, to.piece);
+  dense::copy(from.transposed_gain, state_.ndx * control_stride_, to.transposed_gain);
 }
 
 /// Rows of coefficients and dynamics with a column per row and velocity: what follows a policy

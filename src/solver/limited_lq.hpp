@@ -72,6 +72,9 @@ class LimitedLq {
   /// warm start (multipliers, pieces, gains), and the last before the end, and those before another
   /// number of controls, keep their own. Feedforwards are the caller's.
   void shift(std::span<const int> controls) noexcept;
+  /// The same where knots are of different lengths: knot k takes what from[k] has, which is not
+  /// before it and does not fall with k.
+  void shift(std::span<const int> controls, std::span<const int> from) noexcept;
   int first_row() const { return first_row_; }
   int places() const { return row_count_; }  ///< of a knot's rows, with those that are none
 
@@ -85,6 +88,7 @@ class LimitedLq {
   const double* values(int knot) const { return knot_at(knot).y; }
 
  private:
+  void take_over(std::span<const int> controls, int knot, int source) noexcept;
   /// Places of a knot's vectors in memory_.
   struct Knot {
     double *z, *z_before, *y, *y_before, *multiplier, *lower, *upper, *scale, *weight, *price,

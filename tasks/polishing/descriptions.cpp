@@ -229,6 +229,10 @@ Describe<T>& describe_controller(Describe<T>& task) {
              "controller")
       .field("horizon", &T::horizon, "{s} that are planned ahead", positive)
       .field("step", &T::step, "{s} between two knots of the plan", positive)
+      .field("knots", &T::knots,
+             "of the plan: their steps grow from the first one, so that few look as far ahead; 0: "
+             "all are alike",
+             range::from(0))
       .field("update_rate", &T::update_rate, "{Hz}, of new plans; divides the tick rate", positive)
       .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands", positive)
       .field("solver_delay", &T::solver_delay,

@@ -11,6 +11,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/horizon.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
@@ -377,8 +378,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   problem.terminal.push_back(build.place(0.0));
   for (CostTerm& term : problem.terminal) term.weight *= task.weights.terminal;
   problem.terminal_constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
-  const int knots = static_cast<int>(std::lround(task.horizon / task.step));
-  problem.horizon = {{"reach", knots}};
+  problem.horizon = {horizon_of(task, "reach")};
 
   // The phases of Phase, in its order.
   mpc.schedule = {

@@ -9,6 +9,7 @@
 #include "files/described.hpp"
 #include "files/read_values.hpp"
 #include "polishing/descriptions.hpp"
+#include "polishing/horizon.hpp"
 #include "pressing/task_form.hpp"
 
 namespace burnish::polishing {
@@ -74,6 +75,28 @@ void check_times(const Task& task) {
     refuse_together("phases of " + number(sum) + " s at controller.tick_rate of " +
                     number(task.tick_rate) + " Hz are " + number(steps) +
                     " steps; wanted at most " + number(most_steps));
+}
+
+/// That the plan's knots can be.
+void check_knots(const Task& task) {
+  if (task.knots > 0) {
+    ProblemSpec spec;
+    spec.stages = {{.name = "plan", .step = task.step}};
+    spec.horizon = {horizon_of(task, "plan")};
+    try {
+      (void)knot_steps(spec);
+    } catch (const Error& error) {
+      refuse_together(error.what());
+    }
+    return;
+  }
+  if (!is_multiple(task.horizon, task.step))
+    refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
+                    number(task.step) + " s; wanted a whole number of steps");
+  if (task.horizon / task.step > static_cast<double>(max_knots))
+    refuse_together("the horizon of " + number(task.horizon) + " s has more than " +
+                    std::to_string(max_knots) + " steps of " + number(task.step) +
+                    " s; wanted at most that many");
 }
 
 }  // namespace
@@ -161,13 +184,7 @@ void check_task(const Task& task) {
   check_ranges(description_of(&task), &task,
                [](const std::string& entry) { return "the task: " + entry; });
   check_times(task);
-  if (!is_multiple(task.horizon, task.step))
-    refuse_together("the horizon of " + number(task.horizon) + " s is no multiple of its step of " +
-                    number(task.step) + " s; wanted a whole number of steps");
-  if (task.horizon / task.step > static_cast<double>(max_knots))
-    refuse_together("the horizon of " + number(task.horizon) + " s has more than " +
-                    std::to_string(max_knots) + " steps of " + number(task.step) +
-                    " s; wanted at most that many");
+  check_knots(task);
   if (!is_multiple(task.tick_rate, task.update_rate))
     refuse_together("update_rate is " + number(task.update_rate) + " Hz and tick_rate " +
                     number(task.tick_rate) + " Hz; wanted a whole number of ticks per update");

@@ -187,6 +187,18 @@ TEST_F(ProblemFiles, EverythingElseCanBeSaid) {
   EXPECT_EQ(file.guess.kind, WarmStart::Kind::Still);
 }
 
+TEST_F(ProblemFiles, KnotsHaveStepsOfTheirOwn) {
+  const ProblemFile file = read(small("- press: 5",
+                                      "- press: 2\n"
+                                      "  - press: {knots: 3, step: 0.03}\n"
+                                      "  - press: {knots: 4, step: 0.01, duration: 0.15}\n"
+                                      "  - press: {knots: 1, duration: 0.01}"));
+  const std::vector<double> steps = knot_steps(file.spec);
+  const double wanted[] = {0.01, 0.01, 0.03, 0.03, 0.03, 0.01, 0.02, 0.04, 0.08, 0.01};
+  ASSERT_EQ(steps.size(), std::size(wanted));
+  for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_NEAR(steps[k], wanted[k], 1e-12) << k;
+}
+
 TEST_F(ProblemFiles, ConstraintsStandBesideCosts) {
   const ProblemFile file =
       read(small("    costs:\n",
@@ -382,6 +394,16 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
       {"step: 0.02", "integrator: euler", "", {"stages.press.integrator", "is unknown"}},
       {"- press: 5", "- pres: 5", "", {"horizon[0]", "did you mean 'press'?"}},
       {"- press: 5", "- press: 0", "", {"horizon[0].press: it is 0; wanted at least 1"}},
+      {"- press: 5", "- press: {step: 0.1}", "", {"horizon[0].press", "knots"}},
+      {"- press: 5",
+       "- press: {knots: 5, steps: 0.1}",
+       "",
+       {"horizon[0].press", "'steps'", "did you mean 'step'?"}},
+      {"- press: 5", "- press: {knots: 5, step: 0}", "", {"horizon[0].press.step"}},
+      {"- press: 5",
+       "- press: {knots: 5, step: 0.01, duration: 9}",
+       "",
+       {"'press' for 9 s in 5 knots", "0.01", "0.31 s"}},
       {"- press: 5", "- press: 2.5", "", {"it is 2.5; wanted a whole number"}},
       {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its knots"}},
       {"posture: 7", "force: {type: contact_force, contact: pad}", "", {"terminal, term 'force'"}},

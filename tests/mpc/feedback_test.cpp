@@ -113,6 +113,35 @@ INSTANTIATE_TEST_SUITE_P(Robots, FeedbackPlanOf,
 
 const test::TestRobot arm{"arm7", Base::Fixed, "tool"};
 
+TEST(FeedbackPlan, knows_when_its_knots_are) {
+  ProblemSpec spec = thrown(arm);
+  spec.horizon = {{.stage = "fly", .knots = 8, .step = step, .duration = 0.4}};
+  const Solved solved(spec);
+  const std::vector<double> steps = knot_steps(spec);
+  FeedbackPlan plan(solved.problem, std::span(steps).first(5));
+  EXPECT_EQ(plan.knots(), 5);
+  plan.load(solved.solver, 2.0);
+  LinearFeedback policy = plan.make_feedback();
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_NEAR(plan.time_of(k), 2.0 + solved.problem.time_of(k), 1e-12);
+    const double length = plan.time_of(k + 1) - plan.time_of(k);
+    EXPECT_NEAR(length, steps[static_cast<std::size_t>(k)], 1e-12);
+    plan.at(plan.time_of(k) + 0.25 * length, policy);
+    EXPECT_EQ(policy.gain, Eigen::MatrixXd(solved.solver.gain(k))) << k;
+    const Eigen::VectorXd whole = solved.difference(solved.x(k), solved.x(k + 1));
+    const Eigen::VectorXd part = solved.difference(solved.x(k), policy.state);
+    EXPECT_LT((part - 0.25 * whole).norm(), 1e-9) << k;
+  }
+  // The same knots at other times.
+  KnotTimes moved(steps);
+  moved.move(1, 0.5 * steps[0]);
+  plan.load(solved.solver, 3.0, moved);
+  EXPECT_DOUBLE_EQ(plan.time_of(1), 3.0 + 0.5 * steps[0]);
+  plan.at(3.0 + 0.6 * steps[0], policy);
+  EXPECT_EQ(policy.gain, Eigen::MatrixXd(solved.solver.gain(1)));
+  EXPECT_EQ(FeedbackPlan(solved.problem, std::vector<double>(100, step)).knots(), 8);
+}
+
 TEST(FeedbackPlan, holds_its_ends) {
   const Solved solved(thrown(arm));
   FeedbackPlan plan(solved.problem, 100, step);

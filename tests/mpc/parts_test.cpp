@@ -9,6 +9,8 @@
 #include "mpc/policy.hpp"
 #include "mpc/prediction.hpp"
 #include "mpc/watch.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
@@ -83,8 +85,11 @@ TEST(MeasurementGate, gives_up_after_as_long_as_the_limits_bear) {
 
 /// A toy that is planned for once.
 struct Planned {
-  Planned()
-      : problem(spec.problem), solver(problem, {.max_iterations = 50}), schedule(spec.schedule) {
+  explicit Planned(MpcSpec given = toy_spec())
+      : spec(std::move(given)),
+        problem(spec.problem),
+        solver(problem, {.max_iterations = 50}),
+        schedule(spec.schedule) {
     horizon.place(0.0);
     const Eigen::VectorXd rest = problem.quasi_static(0, spec.problem.initial_state).control;
     horizon.guess_rest(spec.problem.initial_state, rest);
@@ -92,7 +97,7 @@ struct Planned {
     solver.solve();
     horizon.solved_from(0.0);
   }
-  MpcSpec spec = toy_spec();
+  MpcSpec spec;
   Problem problem;
   DdpSolver solver;
   Schedule schedule;
@@ -189,12 +194,127 @@ TEST(Horizon, shifts_the_solution_along_with_the_clock) {
   EXPECT_LT((plan.horizon.guess_x().row(3) - 0.5 * (xs.row(4) + xs.row(5))).norm(), 1e-12);
 }
 
+/// The toy, planned 0.3 s ahead in knots of 10, 15, 22.5 ms and so on.
+MpcSpec growing_spec() {
+  MpcSpec spec = toy_spec();
+  spec.problem.horizon = {
+      {.stage = "rest", .knots = 7, .step = 0.01, .duration = 0.01 * (std::pow(1.5, 7) - 1) / 0.5}};
+  return spec;
+}
+
+TEST(UnevenHorizon, has_a_knot_begin_where_the_phase_changes) {
+  Planned plan(growing_spec());
+  // Knots at 0, 10, 25, 47.5, 81.25 ms and so on; the wave begins at 50 ms.
+  for (const double now : {0.0, 0.003, 0.011, 0.024, 0.038, 0.0431}) {
+    SCOPED_TRACE(now);
+    plan.horizon.place(now);
+    int waving = 0;
+    while (plan.problem.stage_of(waving) == 0) ++waving;
+    EXPECT_DOUBLE_EQ(plan.problem.time_of(waving), 0.05);
+    double time = now;
+    for (int k = 0; k < plan.problem.knots(); ++k) {
+      EXPECT_NEAR(plan.problem.time_of(k), time, 1e-12);
+      EXPECT_GT(plan.problem.step_of(k), 0.0);
+      EXPECT_NEAR(plan.problem.step_of(k), plan.horizon.times().step(k), 1e-15);
+      time += plan.problem.step_of(k);
+    }
+    EXPECT_NEAR(plan.problem.time_of(7), now + growing_spec().problem.horizon[0].duration, 1e-12);
+  }
+  // Nearer than half of the first knot: that is of the phase that it begins in.
+  plan.horizon.place(0.047);
+  EXPECT_EQ(plan.problem.stage_of(0), 0);
+  EXPECT_EQ(plan.problem.stage_of(1), 1);
+  EXPECT_NEAR(plan.problem.time_of(1), 0.057, 1e-12);
+}
+
+TEST(UnevenHorizon, shifts_states_by_time_and_controls_by_what_they_give_on_the_average) {
+  Planned plan(growing_spec());
+  plan.horizon.place(0.0);
+  plan.solver.solve();
+  plan.horizon.solved_from(0.0);
+  const KnotTimes before = plan.horizon.times();
+  const MatrixView xs = plan.solver.xs(), us = plan.solver.us();
+  for (const double later : {0.0, 0.004, 0.013}) {
+    SCOPED_TRACE(later);
+    plan.horizon.place(later);
+    const KnotTimes& now = plan.horizon.times();
+    plan.horizon.guess_shifted(xs.row(0), plan.solver, later);
+    for (int k = 0; k <= 7; ++k) {
+      const double at = before.place(now.after(k) + later);
+      const int i = std::min(static_cast<int>(at), 6);
+      const Eigen::RowVectorXd wanted = xs.row(i) + (at - i) * (xs.row(i + 1) - xs.row(i));
+      if (k > 0) EXPECT_LT((plan.horizon.guess_x().row(k) - wanted).norm(), 1e-12) << k;
+      if (k == 7) break;
+      // The mean over the knot, from a thousand of its moments.
+      Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(us.cols());
+      for (int s = 0; s < 1000; ++s) {
+        const double there = now.after(k) + later + (s + 0.5) / 1000.0 * now.step(k);
+        mean += 1e-3 * us.row(std::min(static_cast<int>(before.place(there)), 6));
+      }
+      EXPECT_LT((plan.horizon.guess_u().row(k) - mean).norm(),
+                2e-3 * us.cwiseAbs().maxCoeff() + 1e-12)
+          << k;
+    }
+  }
+  plan.horizon.place(0.0);
+  plan.horizon.guess_shifted(xs.row(0), plan.solver, 0.0);
+  EXPECT_EQ(plan.horizon.guess_u(), RowMatrix(us)) << "nothing moves where no time passes";
+}
+
+TEST(UnevenHorizon, is_followed_by_its_policy_in_time) {
+  Planned plan(growing_spec());
+  plan.horizon.place(0.0);
+  plan.solver.solve();
+  Policy policy(plan.spec, plan.problem);
+  policy.load(plan.solver, 2.0, plan.horizon.times());
+  policy.take_over(2.0);
+  Eigen::VectorXd u(7);
+  const KnotTimes& times = plan.horizon.times();
+  for (int k = 0; k < 3; ++k) {
+    const double middle = 0.5 * (times.after(k) + times.after(k + 1));
+    policy.control(2.0 + middle, plan.spec.problem.initial_state, u);
+    EXPECT_EQ(policy.feedback().gain, plan.solver.gain(k)) << k;
+    const Eigen::VectorXd wanted =
+        0.5 * (plan.solver.xs().row(k) + plan.solver.xs().row(k + 1)).transpose();
+    EXPECT_LT((policy.feedback().state - wanted).norm(), 1e-12) << k;
+  }
+}
+
+TEST(UnevenHorizon, allocates_nothing_in_ticks) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  MpcSpec spec = growing_spec();
+  spec.solver_delay = 3e-3;
+  spec.problem.stages[1].constraints = {
+      {.residual = residual::JointVelocity{}, .upper = Eigen::VectorXd::Constant(1, 0.2)}};
+  MpcController mpc(spec);
+  Measurement m = toy_measurement(spec);
+  for (int i = 0; i < 100; ++i) {
+    m.time = 1e-3 * i;
+    const AllocationGuard guard;
+    const Command& command = mpc.tick(m);
+    EXPECT_EQ(guard.count(), 0) << i;
+    EXPECT_EQ(command.status, Status::Ok);
+  }
+  EXPECT_EQ(mpc.fault().kind, FaultKind::None);
+  EXPECT_NEAR(mpc.problem().time_of(7) - mpc.problem().time_of(0), spec.problem.horizon[0].duration,
+              1e-12);
+}
+
+TEST(UnevenHorizon, wants_steps_that_do_not_change_with_the_stage) {
+  MpcSpec spec = toy_spec();
+  spec.problem.stages[1].step = 0.02;
+  testing::expect_words(testing::refusal([&] { MpcController{spec}; }),
+                        {"stage 'wave'", "0.02", "segments", "steps of their own"});
+  spec.problem.horizon[0].step = 0.01;
+  EXPECT_NO_THROW(MpcController{spec});
+}
+
 TEST(Policy, takes_a_plan_over_when_its_time_has_come) {
   Planned plan;
   Policy policy(plan.spec, plan.problem);
   const Eigen::VectorXd x = plan.spec.problem.initial_state;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(7);
-  policy.load(plan.solver, 0.01);
+  policy.load(plan.solver, 0.01, plan.horizon.times());
   policy.take_over(0.009);
   policy.control(0.009, x, u);
   EXPECT_TRUE(u.isZero(0.0)) << "there is no plan yet";
@@ -216,7 +336,7 @@ TEST(Policy, takes_a_plan_over_when_its_time_has_come) {
 TEST(Prediction, goes_where_the_policy_leads) {
   Planned plan;
   Policy policy(plan.spec, plan.problem);
-  policy.load(plan.solver, 0.0);
+  policy.load(plan.solver, 0.0, plan.horizon.times());
   policy.take_over(0.0);
   Prediction prediction(plan.problem);
   Eigen::VectorXd x = plan.spec.problem.initial_state;

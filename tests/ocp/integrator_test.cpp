@@ -118,8 +118,9 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
         nu + ndx, ndx);
   }
 
-  void expect_right(const Stage& stage, bool by_autodiff) {
+  void expect_right(const Stage& stage, bool by_autodiff, double own_step = 0.0) {
     Problem problem(one_stage(bare_problem(GetParam(), model), stage));
+    if (own_step > 0.0) problem.set_step(0, own_step);
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem).compiled;
     for (int i = 0; i < 2; ++i) {
       OcpHorizon horizon(problem, generator);
@@ -129,7 +130,7 @@ class StepOf : public ::testing::TestWithParam<OcpCase> {
       EXPECT_LT(relative_error(F, by_differences(problem, x, u)), 1e-7) << "differences";
       if (!by_autodiff) continue;
       const std::vector<double> targets = targets_of(compiled, 0, problem.time_of(0));
-      EXPECT_LT(relative_error(F, step_by_autodiff(compiled, {0, x, u, targets})), 1e-9)
+      EXPECT_LT(relative_error(F, step_by_autodiff(compiled, {0, x, u, targets, own_step})), 1e-9)
           << "automatic differentiation";
     }
   }
@@ -150,6 +151,12 @@ TEST_P(StepOf, RungeKuttaHasItsDerivatives) {
 TEST_P(StepOf, FreeMotionHasItsDerivatives) {
   expect_right({.step = 0.05}, true);
   expect_right({.step = 0.05, .integrator = Integrator::RungeKutta4}, true);
+}
+
+TEST_P(StepOf, KnotsOfAnotherStepHaveTheirDerivatives) {
+  for (const Integrator integrator : {Integrator::SemiImplicitEuler, Integrator::RungeKutta4})
+    expect_right({.contacts = {"brace", "pad"}, .step = 0.02, .integrator = integrator}, true,
+                 0.05);
 }
 
 TEST_P(StepOf, ImpactHasItsDerivatives) {

@@ -89,7 +89,9 @@ TEST_P(ResidualLaw, DerivativesEqualAutomaticDifferentiation) {
       const OcpState at = random_ocp_state(problem, generator);
       const int term = static_cast<int>(t), stage = problem.stage_of(knot);
       const Eigen::MatrixXd wanted = residual_by_autodiff(
-          compiled(), {stage, at.x, at.u, targets_of(compiled(), stage, problem.time_of(knot))},
+          compiled(),
+          {stage, at.x, at.u, targets_of(compiled(), stage, problem.time_of(knot)),
+           problem.step_of(knot)},
           term);
       expect_close(problem.residual_derivative(knot, term, at.x, at.u), wanted, 1e-9, 1e-3);
     }
@@ -108,14 +110,15 @@ TEST_P(ResidualLaw, CostGradientAndHessianFollowFromTheResidual) {
     const RowMatrix J = problem.residual_derivative(knot, 0, x, u);
     const ocp::CompiledTerm& term = ocp::ProblemInside::of(problem).stage(knot).terms[0];
     Eigen::VectorXd slope(r.size()), curvature(r.size());
+    const double weight = 0.7 * problem.step_of(knot);
     double cost = 0.0;
     for (Eigen::Index i = 0; i < r.size(); ++i) {
       const auto row = static_cast<std::size_t>(i);
       const auto phi =
           evaluate_penalty(term.penalty, term.lower[row], term.upper[row], term.width, r[i]);
-      cost += 0.7 * 0.02 * phi.value;
-      slope[i] = 0.7 * 0.02 * phi.slope;
-      curvature[i] = 0.7 * 0.02 * phi.curvature;
+      cost += weight * phi.value;
+      slope[i] = weight * phi.slope;
+      curvature[i] = weight * phi.curvature;
     }
     EXPECT_NEAR(horizon.values[at].cost, cost, 1e-10 * std::max(1.0, std::abs(cost)));
     EXPECT_LT(relative_error(horizon.gradient[at], J.transpose() * slope), 1e-9);
@@ -139,10 +142,10 @@ TEST_P(ResidualLaw, EveryLaneIsItsKnotAlone) {
   for (int knot = 0; knot < problem.knots(); ++knot) {
     SCOPED_TRACE(problem.knot_name(knot));
     const auto at = static_cast<std::size_t>(knot);
-    const double time = problem.time_of(knot);
     kernel.expand(ocp::ProblemInside::of(problem).stage(knot), horizon.x_of(problem, knot).data(),
                   horizon.u_of(problem, knot).data(),
-                  ocp::ProblemInside::of(problem).targets_of(knot), &time);
+                  ocp::ProblemInside::of(problem).targets_of(knot),
+                  ocp::ProblemInside::of(problem).when(knot));
     EXPECT_NEAR(horizon.values[at].cost, kernel.cost, 1e-10 * std::max(1.0, std::abs(kernel.cost)));
     compare(horizon.next_of(problem, knot).data(), kernel.next, layout().nx(), "next state");
     compare(horizon.gradient[at].data(), kernel.gradient, layout().nz(), "gradient");

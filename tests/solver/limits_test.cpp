@@ -107,8 +107,12 @@ TEST_P(Limits, are_kept_from_a_start_that_breaks_them) {
   EXPECT_LE((solver.xs() - xs).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+enum class Shift { None, ByNumber, ByKnots };
+
 /// Recursions of plans in a row, each from the second state of the one before, a knot later.
-int recursions_of_plans_in_a_row(TestProblem& p, StepUpdate update, bool shifted) {
+int recursions_of_plans_in_a_row(TestProblem& p, StepUpdate update, Shift shift) {
+  std::vector<int> from;
+  for (int k = 1; k <= p.knots(); ++k) from.push_back(k);
   int recursions = 0;
   DdpOptions options = to_convergence(update);
   options.callback = [&](const DdpProgress& progress) {
@@ -125,7 +129,8 @@ int recursions_of_plans_in_a_row(TestProblem& p, StepUpdate update, bool shifted
     us.topRows(p.knots() - 1) = solver.us().bottomRows(p.knots() - 1);
     for (Eigen::Index i = 0; i < xs.cols(); ++i) p.start[static_cast<std::size_t>(i)] = xs(0, i);
     solver.set_guess(xs, us);
-    if (shifted) solver.shift_limits(1);
+    if (shift == Shift::ByNumber) solver.shift_limits(1);
+    if (shift == Shift::ByKnots) solver.shift_limits(from);
     EXPECT_EQ(solver.solve().reason, StopReason::Converged) << plan << ": " << solver.text();
     EXPECT_EQ(solver.summary().outside_knot, -1) << plan;
   }
@@ -137,9 +142,10 @@ TEST_P(Limits, take_fewer_recursions_a_knot_later_where_they_are_shifted) {
   TestProblem p = pendulum_swing_up(80);
   set_bounds(p, -4.0, 4.5);
   limit_states(p, {-infinity, -3.0}, {infinity, 3.0});
-  const int shifted = recursions_of_plans_in_a_row(p, GetParam(), true);
-  const int as_they_were = recursions_of_plans_in_a_row(p, GetParam(), false);
+  const int shifted = recursions_of_plans_in_a_row(p, GetParam(), Shift::ByNumber);
+  const int as_they_were = recursions_of_plans_in_a_row(p, GetParam(), Shift::None);
   EXPECT_LT(shifted, as_they_were);
+  EXPECT_EQ(recursions_of_plans_in_a_row(p, GetParam(), Shift::ByKnots), shifted);
   std::printf("recursions: %d of shifted starts, %d of others\n", shifted, as_they_were);
 }
 

@@ -28,6 +28,10 @@ const ocp::CompiledStage& stage_of(const ocp::CompiledProblem& problem, const Oc
   return problem.stages[static_cast<std::size_t>(at.stage)];
 }
 
+void set_step(ocp::StageDynamics<Dual>& dynamics, const ocp::KnotTime<double>& when) {
+  dynamics.set_step(Dual(when.per_second), Dual(when.pace));
+}
+
 /// Derivatives by all of z of what `evaluate` makes of (x, u).
 Eigen::MatrixXd by_z(const ocp::CompiledProblem& problem, const OcpPoint& at,
                      const std::function<Duals(const Duals& x, const Duals& u)>& evaluate) {
@@ -66,9 +70,11 @@ class Stepper {
   Stepper(const ocp::CompiledProblem& problem, const OcpPoint& at)
       : problem_(problem),
         stage_(stage_of(problem, at)),
+        when_(problem.timing(stage_, at.step > 0.0 ? at.step : stage_.step)),
         targets_(at.targets.begin(), at.targets.end()),
         dynamics_(problem) {
     dynamics_.turn(stage_, targets_.data());
+    set_step(dynamics_, when_);
   }
 
   Duals euler(const Duals& x, const Duals& u) {
@@ -76,22 +82,22 @@ class Stepper {
     dynamics_.values(stage_, x.data(), u.data());
     Duals dx(static_cast<std::size_t>(l.ndx()), Dual(0.0));
     for (int k = 0; k < l.nv; ++k) {
-      const Dual dv = Dual(stage_.step * dynamics_.acceleration()[k]);
+      const Dual dv = Dual(when_.step * dynamics_.acceleration()[k]);
       dx[static_cast<std::size_t>(l.nv + k)] = dv;
       dx[static_cast<std::size_t>(k)] =
-          Dual(stage_.step * (x[static_cast<std::size_t>(l.nq + k)] + dv));
+          Dual(when_.step * (x[static_cast<std::size_t>(l.nq + k)] + dv));
     }
-    return moved(problem_, filtered(problem_, remembering(x), u, stage_.decay), dx);
+    return moved(problem_, filtered(problem_, remembering(x), u, when_.decay), dx);
   }
 
   Duals runge_kutta(const Duals& x, const Duals& u) {
     const double fraction[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
-    const double decay[4] = {1.0, stage_.half_decay, stage_.half_decay, stage_.decay};
+    const double decay[4] = {1.0, when_.half_decay, when_.half_decay, when_.decay};
     const auto size = static_cast<std::size_t>(problem_.layout.ndx());
     Duals rate(size, Dual(0.0)), sum(size, Dual(0.0)), from = x;
     for (int i = 0; i < 4; ++i) {
       Duals dx(size, Dual(0.0));
-      for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * stage_.step * rate[k]);
+      for (std::size_t k = 0; k < size; ++k) dx[k] = Dual(fraction[i] * when_.step * rate[k]);
       rate = rate_at(moved(problem_, filtered(problem_, x, u, decay[i]), dx), u);
       if (i == 0) from = remembering(x);
       for (const TangentBlock& block : problem_.blocks) {
@@ -100,10 +106,9 @@ class Stepper {
         const Motion<Dual> theta = load_twist(block.kind, dx.data() + block.first, 1);
         store_twist(block.kind, offset_rate(theta, load_twist(block.kind, entries, 1)), entries, 1);
       }
-      for (std::size_t k = 0; k < size; ++k)
-        sum[k] += Dual(stage_.step / 6.0 * weight[i] * rate[k]);
+      for (std::size_t k = 0; k < size; ++k) sum[k] += Dual(when_.step / 6.0 * weight[i] * rate[k]);
     }
-    return moved(problem_, filtered(problem_, from, u, stage_.decay), sum);
+    return moved(problem_, filtered(problem_, from, u, when_.decay), sum);
   }
 
  private:
@@ -136,6 +141,7 @@ class Stepper {
 
   const ocp::CompiledProblem& problem_;
   const ocp::CompiledStage& stage_;
+  ocp::KnotTime<double> when_;
   Duals targets_;
   ocp::StageDynamics<Dual> dynamics_;
 };
@@ -158,6 +164,7 @@ Eigen::MatrixXd residual_by_autodiff(const ocp::CompiledProblem& problem, const 
   const Duals targets(at.targets.begin(), at.targets.end());
   return by_z(problem, at, [&](const Duals& x, const Duals& u) {
     dynamics.turn(stage, targets.data());
+    set_step(dynamics, problem.timing(stage, at.step > 0.0 ? at.step : stage.step));
     dynamics.values(stage, x.data(), u.data());
     Duals r(static_cast<std::size_t>(compiled.rows), Dual(0.0));
     std::visit(

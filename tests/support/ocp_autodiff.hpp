@@ -5,11 +5,13 @@
 
 namespace burnish::test {
 
-/// A knot: its stage, state (nx), control (nu) and the stage's targets as the kernels read them.
+/// A knot: its stage, state (nx), control (nu), the stage's targets as the kernels read them, and
+/// its own step in s, if it has one.
 struct OcpPoint {
   int stage;
   Eigen::VectorXd x, u;
   std::vector<double> targets;
+  double step = 0.0;
 };
 
 /// Targets of a stage at a time.

@@ -239,8 +239,8 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
   return cases;
 }
 
-/// One stage of one term per residual, each on as many knots as a pack has lanes; those that can
-/// stand at the end also there.
+/// One stage of one term per residual, each on as many knots as a pack has lanes, whose steps grow;
+/// those that can stand at the end also there.
 inline ProblemSpec residual_problem(const OcpCase& test, const Model& model) {
   ProblemSpec spec = bare_problem(test, model);
   std::mt19937_64 generator(12);
@@ -250,7 +250,10 @@ inline ProblemSpec residual_problem(const OcpCase& test, const Model& model) {
         .name = given.name, .residual = given.make(setup), .weight = 0.7, .penalty = given.penalty};
     spec.stages.push_back({.name = given.name, .contacts = {"brace", "pad"}, .costs = {term}});
     spec.stages.back().step = 0.02;
-    spec.horizon.push_back({given.name, native_lanes});
+    spec.horizon.push_back({.stage = given.name,
+                            .knots = native_lanes,
+                            .step = 0.03,
+                            .duration = 0.04 * native_lanes});
     if (given.at_the_end) spec.terminal.push_back(term);
   }
   return spec;

@@ -105,5 +105,27 @@ TEST(PlanRecord, ABaselineHasNone) {
   EXPECT_TRUE(run_task(spec).plans.time.empty());
 }
 
+/// What is kept of a plan lies evenly in time, whatever its knots.
+TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
+  RunSpec even = short_run(20.0);
+  even.task.disturbances = {};
+  RunSpec growing = even;
+  growing.task.knots = 25;
+  const RunResult wanted = run_task(even), got = run_task(growing);
+  EXPECT_EQ(got.outcome.substr(0, 8), wanted.outcome.substr(0, 8));
+  ASSERT_EQ(got.plans.knots, wanted.plans.knots);
+  EXPECT_EQ(got.plans.step, wanted.plans.step);
+  ASSERT_GE(got.plans.time.size(), 3U);
+  // The first plan, in the air: joints are where those of even knots would be.
+  const auto of_plan = static_cast<std::size_t>(got.plans.knots * got.plans.nq);
+  double moved = 0.0;
+  for (std::size_t i = 0; i < of_plan; ++i) {
+    EXPECT_NEAR(got.plans.q[i], wanted.plans.q[i], 5e-3) << i;
+    moved = std::max(moved, std::abs(static_cast<double>(got.plans.q[i]) -
+                                     static_cast<double>(got.plans.q[i % 6])));
+  }
+  EXPECT_GT(moved, 0.02);
+}
+
 }  // namespace
 }  // namespace burnish::polishing

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "burnish/base/views.hpp"
+#include "burnish/mpc/knot_times.hpp"
 #include "burnish/solver/shooting_problem.hpp"
 
 namespace burnish {
@@ -28,13 +30,20 @@ class FeedbackPlan {
   /// between them. The problem must outlive the plan. Throws Error for fewer than one knot and for
   /// a step that is not positive.
   FeedbackPlan(const ShootingProblem& problem, int knots, double step);
+  /// Room for a knot per step, s, whose lengths may differ; all of the horizon's if there are no
+  /// more. Throws Error for no steps and for one that is not positive.
+  FeedbackPlan(const ShootingProblem& problem, std::span<const double> steps);
 
   /// Copies the solver's trajectory and gains, to hold from `time` on. The solver must be one of
   /// the plan's problem. Rows of controls that a knot does not have are zero.
   void load(const DdpSolver& solver, double time) noexcept;
+  /// The same, with knots at other times than before; `times` has at least the plan's knots.
+  void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
   void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
   int knots() const { return knots_; }
+  /// s, of a knot, 0 to knots(); the last is the end.
+  double time_of(int knot) const { return start_ + times_.after(knot); }
   double start() const { return start_; }  ///< s
 
   /// The policy at a time: the controls and gains of the knot that it falls into, about a state
@@ -50,7 +59,8 @@ class FeedbackPlan {
  private:
   const ShootingProblem* problem_;
   int knots_;
-  double step_, start_ = 0.0;
+  KnotTimes times_;
+  double start_ = 0.0;
   bool loaded_ = false;
   RowMatrix x_, u_;
   std::vector<Eigen::MatrixXd> gain_;

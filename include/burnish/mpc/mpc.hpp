@@ -56,7 +56,10 @@ struct Fallback {
 
 struct MpcSpec {
   /// Horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
-  /// segments matter for the number of knots alone; all stages have the same step.
+  /// segments matter for the number of knots and their steps alone: a knot keeps its step whatever
+  /// its stage, and all stages have the same one unless the segments state theirs. Where steps
+  /// differ, the knot nearest to a change of phase begins there; else a knot is of the phase that
+  /// it begins in.
   ProblemSpec problem;
   std::vector<SchedulePhase> schedule = {};
   MakeTask task = {};         ///< events of the schedule, what is watched; none: neither

@@ -50,8 +50,14 @@ class Problem final : public ShootingProblem {
   /// Gives a knot another stage and time; signals are asked for their values there. The terminal
   /// knot keeps its stage. Throws Error for a knot or stage that there is not.
   void set_knot(int knot, int stage, double time);
+  /// Gives a knot a step of its own, s, whatever its stage, from then on. Times stay: set_knot()
+  /// gives them to the knots that are now earlier or later. Throws Error for a knot that there is
+  /// not or where no time passes, and for a step that is not positive, or with which the torque
+  /// model's Euler steps are unstable.
+  void set_step(int knot, double step);
   /// Drops knot 0, moves the others one forward and appends one of this stage at the time after the
-  /// last one; the terminal knot follows. Throws Error for a stage that there is not.
+  /// last one, as long as that was if it has a step of its own; the terminal knot follows. Throws
+  /// Error for a stage that there is not.
   void advance(int stage);
   /// Writes the target of one term at one knot until the knot is set or advanced again: entries as
   /// the residual says. Returns WrongSize or Ok. Throws Error for a knot or term that there is not.

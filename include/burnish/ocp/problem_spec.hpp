@@ -47,7 +47,8 @@ std::string name_of(Penalty::Kind kind);
 /// known name.
 Penalty::Kind parse_penalty(const std::string& name);
 
-/// weight * sum over rows i of weights_i phi(r_i), times the stage's step while time passes.
+/// weight * sum over rows i of weights_i phi(r_i), times the knot's step while time passes: a cost
+/// is an integral over time, whatever the knots.
 struct CostTerm {
   std::string name = {};  ///< unique in its stage; the residual's name if left empty
   Residual residual;
@@ -72,8 +73,8 @@ struct Constraint {
   /// torque times the cut-off, of distances the limit itself where it is above zero, of support
   /// margins half the polygon's width. Where there is none of these it has to be said.
   Eigen::VectorXd scale = {};
-  /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step);
-  /// infinite: hard.
+  /// A violation v costs price |v| + 1/2 square v^2, in units of cost (not multiplied by the step:
+  /// of longer knots there are fewer that pay); infinite: hard.
   double price = std::numeric_limits<double>::infinity();
   double square = 0.0;  ///< likewise
 };
@@ -120,17 +121,27 @@ struct Stage {
   std::vector<std::string> contacts = {};  ///< names of those that hold
   std::vector<CostTerm> costs = {};
   std::vector<Constraint> constraints = {};
-  double step = 0.01;  ///< s
+  double step = 0.01;  ///< s, of knots that have none of their own
   Integrator integrator = Integrator::SemiImplicitEuler;
   /// The contacts are made here: velocities jump so that they hold (inelastic), no time passes,
   /// there is no control, and costs are not multiplied by a step.
   bool impact = false;
 };
 
-/// Consecutive knots of one stage.
+/// Consecutive knots of one stage. Their steps may be their own: all alike, or each longer (or
+/// shorter) than the one before by the same factor, so that few knots look far ahead. What is
+/// numerical is made for the stage's step, and a knot n times as long has it n times slower, as
+/// explicit steps ask for: gains of contacts are kd / n and kp / n^2, the speeds below which friction
+/// fades are n times as high.
 struct HorizonSegment {
   std::string stage = {};
   int knots = 1;
+  double step = 0.0;  ///< s, of the first of them; 0: the stage's
+  /// s, of all of them together: steps grow from the first one by the factor r >= 1/2, at most 2,
+  /// for which step (1 + r + ... + r^(knots - 1)) is this; 0: knots times the step.
+  double duration = 0.0;
+
+  bool has_own_steps() const { return step != 0.0 || duration != 0.0; }
 };
 
 /// Of one problem, the terminal one not counted.
@@ -162,6 +173,9 @@ struct ProblemSpec {
 /// LoopGains::for_step at the longest step. Throws Error where a contact that is none has a loop's
 /// name.
 ProblemSpec with_loops(ProblemSpec spec);
+
+/// s, of each knot of the horizon; 0 at impacts. Throws Error for segments that cannot be.
+std::vector<double> knot_steps(const ProblemSpec& spec);
 
 /// Joints that the problem drives.
 std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec& actuation);

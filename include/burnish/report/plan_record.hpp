@@ -36,7 +36,9 @@ struct PlanRecord {
 /// Copies plans out of a controller, without changing what it does.
 class PlanRecorder {
  public:
-  /// rate: Hz, at most; 0: nothing is recorded. The controller must outlive the recorder.
+  /// step: s, of a plan's knots where they are all as long; where they are not, states between them
+  /// are kept, evenly in time. rate: Hz, at most; 0: nothing is recorded. The controller must
+  /// outlive the recorder.
   PlanRecorder(MpcController& controller, double step, double solver_delay, double rate);
   /// To be called behind ticks, with the measurement's time (s) and the command. Where a plan was
   /// made and one is due it is copied.
@@ -44,14 +46,15 @@ class PlanRecorder {
   PlanRecord take() { return std::move(record_); }
 
  private:
+  void add_states();
   void add_start();
   void add_costs();
   void find_terms(std::size_t stage, int knot);
 
   MpcController& controller_;
   double delay_, period_;
-  int stride_;                                     ///< knots of the plan per one that is kept
-  double next_ = 0.0;                              ///< s, when the next one is due
+  int stride_ = 0;     ///< knots of the plan per one that is kept; 0: they are of different lengths
+  double next_ = 0.0;  ///< s, when the next one is due
   double last_ = -1.0;                             ///< s, of the last tick that was looked at
   std::vector<std::vector<std::size_t>> term_of_;  ///< per stage: its terms among the record's
   PlanRecord record_;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -171,6 +172,10 @@ class DdpSolver {
   /// those of knot k + knots, as a horizon does that has moved on by so much. The last knots keep
   /// theirs, and so do all for a number that is not above zero.
   void shift_limits(int knots) noexcept;
+  /// The same where knots are of different lengths: knot k with those of knot from[k], as far as
+  /// there are entries. They are not to fall, nor to be before k; later knots than the last count
+  /// as that, and a knot with other controls gives none.
+  void shift_limits(std::span<const int> from) noexcept;
 
   /// Iterates until one of StopReason. Allocates nothing and throws nothing of its own: what the
   /// callback or a function of the problem throws, in any thread, reaches the caller. The

@@ -91,8 +91,11 @@ struct Task {
   double retreat_duration = 0.5;  ///< s back to the clearance
   Verdict verdict = {};
 
-  double horizon = 1.0;         ///< s that are planned ahead
-  double step = 0.01;           ///< s between two knots of the plan
+  double horizon = 1.0;  ///< s that are planned ahead
+  double step = 0.01;    ///< s between two knots of the plan
+  /// of the plan: their steps grow from the first one, so that few look as far ahead; 0: all are
+  /// alike
+  int knots = 0;
   double update_rate = 1000.0;  ///< Hz, of new plans; divides the tick rate
   double tick_rate = 2000.0;    ///< Hz, of torque commands
   double solver_delay = 0.0;    ///< s from a measurement to the use of the plan made from it
