@@ -41,6 +41,10 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "{rad/s} that friction along the surface is followed at, of kind torque; 0: the "
                  "bandwidth",
                  range::not_negative)
+          .field("fading", &M::fading,
+                 "{s} that plans take a torque error to last that has come just now, as a push does",
+                 range::positive_or_infinite)
+          .more("what has been there for some seconds lasts; infinite: all of it does")
           .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
           .field(
               "joint_friction", &M::joint_friction,
@@ -180,6 +184,10 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("q", &M::q, "nq")
           .field("v", &M::v, "nv")
           .field("tau", &M::tau, "nv, of the torque sensors between motor and link, Nm or N")
+          .field("support_wrenches", &M::support_wrenches,
+                 "of the sensors in what the robot stands on: force and moment of the ground on each "
+                 "support, {N} and {Nm}, at the origin of its frame, in the frame's axes; 6 x "
+                 "supports, or empty: not measured")
           .field("tool_force_world", &M::tool_force_world,
                  "Of the force sensor: the surface's force on the tool, N, world axes.");
   return all;
@@ -290,6 +298,9 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("supports", &M::supports,
                  "contacts of the problem that the robot stands on, by their names: in every stage, "
                  "and what the fallback and the estimates take to hold always")
+          .field("support_sensors", &M::support_sensors,
+                 "Measurement.support_wrenches are measured: then the torque error is known of all "
+                 "joints, of those on supports too")
           .field("force_sensor", &M::force_sensor,
                  "Measurement.tool_force_world is measured; else the force at the tool is what "
                  "torques, positions and velocities say beyond what they said in the air just "

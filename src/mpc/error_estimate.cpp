@@ -37,7 +37,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
   }
   smoothing_ =
       joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;
-  acted_ = torque_offset_ = torque_error_ = total_ = v_ahead_ =
+  acted_ = torque_offset_ = torque_error_ = lasting_error_ = total_ = v_ahead_ =
       Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
@@ -49,6 +49,8 @@ void ErrorEstimate::reset() noexcept {
   acted_.setZero();
   torque_offset_.setZero();
   torque_error_.setZero();
+  lasting_error_.setZero();
+  since_ = 0.0;
   friction_force_.setZero();
   v_ahead_.setZero();
   between_.setZero();
@@ -75,13 +77,15 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
   if (options_.kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
     const Status seen = has_sensor_
-                            ? observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt())
+                            ? observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt(),
+                                               m.support_wrenches)
                             : Status::Ok;
     if (seen <= Status::NotConverged) {
       torque_offset_ += share * (m.tau - acted_ - torque_offset_);
       joint_friction_.learn(model_error(), observed_at(), gate.dt());
     }
     follow_friction(gate, before);
+    follow_lasting(gate.dt());
     contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
     total_ += model_error() - torque_offset_;
@@ -127,6 +131,14 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const Eigen::Vector3d known = turned_friction(gate.dt(), bandwidth);
   torque_error_ = model_error();
   torque_error_.noalias() += ratio * (tool_motion_.jacobian.topRows(3).transpose() * known);
+}
+
+/// The mean of the first seconds, and of the last ones from then on.
+void ErrorEstimate::follow_lasting(double dt) noexcept {
+  constexpr double memory = 2.0, first = 0.1;  // s
+  since_ += dt;
+  const double share = std::min(1.0, dt / std::clamp(since_, first, memory));
+  lasting_error_ += share * (torque_error_ - lasting_error_);
 }
 
 /// What is measured of friction is late by the filters of forces and by the time until torques act.

@@ -51,6 +51,8 @@ class ErrorEstimate {
 
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
+  /// nv, of that: what has been there for some seconds, Nm (N).
+  const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
   double force_error() const { return force_error_; }  ///< N
   /// nv, slow part of measured minus acted torque, Nm (N).
   const Eigen::VectorXd& torque_offset() const { return torque_offset_; }
@@ -68,6 +70,7 @@ class ErrorEstimate {
     return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
   }
   void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
+  void follow_lasting(double dt) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
   Eigen::Vector3d turned_friction(double dt, double bandwidth) noexcept;
   Eigen::Vector3d explained_friction(const MeasurementGate& gate,
@@ -88,8 +91,9 @@ class ErrorEstimate {
   FrameDerivatives tool_motion_;
   /// nv, torque that the model believes to act, less that of joint_friction_
   Eigen::VectorXd acted_;
-  Eigen::VectorXd torque_offset_, torque_error_, total_;
+  Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
   Eigen::VectorXd v_ahead_;  ///< nv, of a plan
+  double since_ = 0.0;       ///< s, of lasting_error_
   double smoothing_;         ///< s
   /// m/s, of the tool in v_ahead_, smoothed once and twice: its velocity when torques act
   Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;

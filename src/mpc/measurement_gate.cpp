@@ -8,10 +8,12 @@ MeasurementGate::MeasurementGate(const MpcSpec& spec)
     : limits_(spec.limits),
       tick_period_(spec.tick_period),
       has_force_(spec.force_sensor),
+      supports_(spec.support_sensors ? static_cast<Eigen::Index>(spec.supports.size()) : 0),
       q_start_(spec.problem.initial_state.head(spec.problem.model.nq)),
       body_(spec.problem.model) {
   last_.q = q_start_;
   last_.v = last_.tau = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  last_.support_wrenches.setZero(6, supports_);
 }
 
 void MeasurementGate::reset() noexcept {
@@ -20,6 +22,7 @@ void MeasurementGate::reset() noexcept {
   last_.v.setZero();
   last_.tau.setZero();
   last_.tool_force_world.setZero();
+  last_.support_wrenches.setZero();
   started_ = fresh_ = first_ = false;
 }
 
@@ -56,7 +59,9 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   const double gap = started_ ? m.time - last_.time : 0.0;
   const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() &&
-                      (!has_force_ || m.tool_force_world.allFinite());
+                      (!has_force_ || m.tool_force_world.allFinite()) &&
+                      (supports_ == 0 || (m.support_wrenches.cols() == supports_ &&
+                                          m.support_wrenches.allFinite()));
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
     bridge(latch, FaultKind::BadMeasurement, limits_.bad);
@@ -64,6 +69,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   last_.tau = m.tau;
   if (has_force_) last_.tool_force_world = m.tool_force_world;
+  if (supports_ > 0) last_.support_wrenches = m.support_wrenches;
   now_ = last_.time = m.time;
   if (gap > limits_.stale) latch.raise(now_, FaultKind::StaleMeasurement, gap, limits_.stale);
   return true;

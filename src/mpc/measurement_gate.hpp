@@ -41,6 +41,7 @@ class MeasurementGate {
   SafetyLimits limits_;
   double tick_period_;
   bool has_force_;
+  Eigen::Index supports_;  ///< whose wrenches are measured
   Eigen::VectorXd q_start_;
   RigidBody body_;
   Measurement last_;  ///< its time is that of the last good one

@@ -110,7 +110,9 @@ struct TorqueErrorObserver::Impl {
        std::vector<ContactSpec> supports)
       : options(given),
         is_closed(!model.loops.empty() || !supports.empty()),
-        dynamics(closed_dynamics(model, std::move(supports))),
+        has_loops(!model.loops.empty()),
+        dynamics(closed_dynamics(model, supports)),
+        free(closed_dynamics(model)),
         body(model),
         frame(body.frame(tool)),
         velocity(Eigen::VectorXd::Zero(model.nv)),
@@ -127,22 +129,26 @@ struct TorqueErrorObserver::Impl {
       throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
     if (!(given.limit > 0.0))
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
+    for (const ContactSpec& support : supports) feet.push_back(body.frame(support.tool));
   }
 
   ModelErrorOptions options;
-  /// Of `change` the part that supports and loops carry moves nothing, so that nothing would ever correct it:
-  /// with a = a_0 + A tau of the closed mechanism, M A takes it away. False where A is unknown.
-  bool drop_what_is_carried() noexcept {
-    if (dynamics.forward_derivatives() > Status::NotConverged) return false;
-    innovation.noalias() = dynamics.da_dtau() * change;
-    change.noalias() = dynamics.mass_matrix() * innovation;
+  /// Of `change` the part that supports and loops carry moves nothing, so that nothing would ever
+  /// correct it: with a = a_0 + A tau of the closed mechanism, M A takes it away. False where A is
+  /// unknown.
+  bool drop_what_is_carried(ContactDynamics& closed) noexcept {
+    if (closed.forward_derivatives() > Status::NotConverged) return false;
+    innovation.noalias() = closed.da_dtau() * change;
+    change.noalias() = closed.mass_matrix() * innovation;
     return true;
   }
 
-  bool is_closed;
-  ContactDynamics dynamics;
+  bool is_closed, has_loops;
+  ContactDynamics dynamics;  ///< with supports and loops
+  ContactDynamics free;      ///< with loops alone, where what acts on supports is measured
   RigidBody body;
   int frame;
+  std::vector<int> feet;
   FrameDerivatives derivatives;
   bool started = false;
   Eigen::VectorXd velocity, error, total, innovation, change;
@@ -169,6 +175,7 @@ void TorqueErrorObserver::reset() noexcept {
 }
 
 Status TorqueErrorObserver::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  (void)impl_->free.set_payload(frame, payload);
   return impl_->dynamics.set_payload(frame, payload);
 }
 
@@ -177,10 +184,15 @@ double TorqueErrorObserver::bandwidth() const { return impl_->bandwidth; }
 
 Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef& v,
                                    const ConstVectorRef& tau, const Eigen::Vector3d& force_world,
-                                   double dt) noexcept {
+                                   double dt, const Wrenches& supports) noexcept {
   Impl& d = *impl_;
+  const bool is_measured = supports.cols() > 0;
   if (tau.size() != d.total.size()) return Status::WrongSize;
-  if (!tau.allFinite() || !force_world.allFinite() || !std::isfinite(dt)) return Status::NotFinite;
+  if (is_measured && supports.cols() != static_cast<Eigen::Index>(d.feet.size()))
+    return Status::WrongSize;
+  if (!tau.allFinite() || !force_world.allFinite() || !std::isfinite(dt) || !supports.allFinite())
+    return Status::NotFinite;
+  ContactDynamics& dynamics = is_measured ? d.free : d.dynamics;
   Status status = d.body.update(q, v);
   if (status > Status::NotConverged) return status;
   if (!d.started) {
@@ -192,16 +204,22 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.body.frame_derivatives(d.frame, Reference::centered(), d.derivatives);
   d.total = tau + d.error;
   d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
-  status = d.dynamics.forward(q, v, d.total);
+  for (Eigen::Index i = 0; i < supports.cols(); ++i) {
+    d.body.frame_derivatives(d.feet[static_cast<std::size_t>(i)], Reference::local(),
+                             d.derivatives);
+    d.total.noalias() += d.derivatives.jacobian.transpose() * supports.col(i);
+  }
+  status = dynamics.forward(q, v, d.total);
   if (status > Status::NotConverged) return status;
   d.bandwidth = d.haste.factor() * d.options.bandwidth;
   const double pole = std::exp(-d.bandwidth * dt);
-  d.velocity += dt * d.dynamics.a();
+  d.velocity += dt * dynamics.a();
   d.innovation = v - d.velocity;
   d.velocity += (1.0 - pole * pole) * d.innovation;
   d.innovation *= (1.0 - pole) * (1.0 - pole) / dt;
-  d.change.noalias() = d.dynamics.mass_matrix() * d.innovation;
-  if (d.is_closed && !d.drop_what_is_carried()) return Status::SingularContacts;
+  d.change.noalias() = dynamics.mass_matrix() * d.innovation;
+  if ((is_measured ? d.has_loops : d.is_closed) && !d.drop_what_is_carried(dynamics))
+    return Status::SingularContacts;
   d.error += d.change;
   d.haste.see(d.change, dt);
   d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);

@@ -59,7 +59,8 @@ MpcController::Impl::Impl(MpcSpec given)
       tool_(RigidBody(spec.problem.model).frame(spec.tool)),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
-      v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)) {
+      v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
+      passing_(v_ahead_) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_world;
   std::size_t longest = 0;
@@ -183,9 +184,7 @@ void MpcController::Impl::update() noexcept {
 bool MpcController::Impl::replan() {
   const double now = gate.now(), delay = solved_ ? spec.solver_delay : 0.0;
   measured_state();
-  if (spec.model_error.kind == ModelErrorKind::Torque &&
-      problem.set_torque_bias(error.torque_error()) != Status::Ok)
-    return false;
+  if (spec.model_error.kind == ModelErrorKind::Torque && !tell_torque_error()) return false;
   horizon.set_force_error(error.force_error());
   // Without a prediction the measurement is the best there is.
   if (delay > 0.0)
@@ -195,6 +194,13 @@ bool MpcController::Impl::replan() {
   foresee();
   jumped_ = false;
   return true;
+}
+
+bool MpcController::Impl::tell_torque_error() noexcept {
+  const double fading = spec.model_error.fading;
+  if (std::isinf(fading)) return problem.set_torque_bias(error.torque_error()) == Status::Ok;
+  passing_ = error.torque_error() - error.lasting_error();
+  return problem.set_torque_bias(error.lasting_error(), passing_, fading) == Status::Ok;
 }
 
 /// The velocity of the plan a while ahead.

@@ -31,6 +31,7 @@ struct MpcController::Impl {
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
   bool replan();
+  bool tell_torque_error() noexcept;
   void foresee() noexcept;
   bool solve(double schedule_time);
   void control() noexcept;
@@ -64,7 +65,7 @@ struct MpcController::Impl {
   std::vector<Reading> readings_;  ///< of watched_
   int tool_;                       ///< frame
   Command command_;
-  Eigen::VectorXd x_, u_, v_ahead_;
+  Eigen::VectorXd x_, u_, v_ahead_, passing_;
   long tick_ = 0;
   bool due_ = false;     ///< an update
   bool solved_ = false;  ///< there is a plan

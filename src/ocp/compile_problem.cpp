@@ -188,7 +188,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
       contacts(model, contacts_at(spec.contacts, spec.start_time)),
       contact_solver(spec.contact_solver),
       torque_model(spec.torque_model),
-      torque_bias(static_cast<std::size_t>(model.nv), 0.0) {
+      torque_bias(static_cast<std::size_t>(model.nv), 0.0),
+      passing_torque(torque_bias) {
   check_torque_model(torque_model);
   remembered = remember_forces(spec, contacts, layout);
   shape = make_shape(layout, blocks);

@@ -151,7 +151,8 @@ void CustomLanes<S>::evaluate(const CompiledStage& stage, const CustomResidual& 
       copy(knot.u, u_, 0, u_.size());
       copy(knot.targets, targets_, 0, static_cast<std::size_t>(stage.targets));
       moved_.turn(stage, targets_.data());
-      moved_.set_step(Lanes<S>::get(knot.per_second, l), Lanes<S>::get(knot.pace, l));
+      moved_.set_step(Lanes<S>::get(knot.per_second, l), Lanes<S>::get(knot.pace, l),
+                      Lanes<S>::get(knot.passing, l));
       differences(stage, residual, times[l]);
     }
     for (int i = 0; i < rows; ++i)

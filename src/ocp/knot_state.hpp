@@ -41,6 +41,7 @@ struct KnotState {
   const S* targets = nullptr;  ///< of the stage
   S per_second{0.0};           ///< one over the step; 0 where no time passes
   S pace{1.0};                 ///< KnotTime::pace
+  S passing{0.0};              ///< KnotTime::passing
   S* scratch = nullptr;        ///< 12 x nv, for a residual that needs room
 
   // While derivatives are asked for:

@@ -14,6 +14,7 @@ struct KnotTime {
   /// contacts and the speeds at which friction fades, is made for the stage's step and slower by
   /// this factor: explicit steps would else not bear it.
   S pace{1.0};
+  S passing{0.0};  ///< of the torque that passes, what is left (Problem::set_torque_bias)
   const double* times = nullptr;  ///< s, of each lane
 };
 

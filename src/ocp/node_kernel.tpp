@@ -85,7 +85,7 @@ void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& 
 template <class S>
 void NodeKernel<S>::load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when) {
   dynamics_.turn(stage, targets);
-  dynamics_.set_step(when.per_second, when.pace);
+  dynamics_.set_step(when.per_second, when.pace, when.passing);
 }
 
 template <class S>

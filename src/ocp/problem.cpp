@@ -139,6 +139,19 @@ Status Problem::set_torque_bias(const ConstVectorRef& torque) {
   if (torque.size() != static_cast<Eigen::Index>(bias.size())) return Status::WrongSize;
   if (!torque.allFinite()) return Status::NotFinite;
   std::copy_n(torque.data(), bias.size(), bias.data());
+  impl_->fading = 0.0;
+  return Status::Ok;
+}
+
+Status Problem::set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
+                                double fading) {
+  std::vector<double>& kept = impl_->compiled.passing_torque;
+  if (passing.size() != static_cast<Eigen::Index>(kept.size())) return Status::WrongSize;
+  if (!passing.allFinite() || !(fading > 0.0)) return Status::NotFinite;
+  const Status status = set_torque_bias(torque);
+  if (status != Status::Ok) return status;
+  std::copy_n(passing.data(), kept.size(), kept.data());
+  impl_->fading = fading;
   return Status::Ok;
 }
 

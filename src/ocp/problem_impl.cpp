@@ -173,6 +173,7 @@ ocp::KnotTime<double> Problem::Impl::when(int knot) const {
   const auto k = static_cast<std::size_t>(knot);
   ocp::KnotTime<double> result = timing[k];
   result.times = &times[k];
+  result.passing = passing(knot);
   return result;
 }
 
@@ -302,6 +303,7 @@ void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView 
     time.decay.v[l] = own.decay;
     time.half_decay.v[l] = own.half_decay;
     time.pace.v[l] = own.pace;
+    time.passing.v[l] = passing(static_cast<int>(knot));
   }
 }
 

@@ -46,6 +46,11 @@ struct Problem::Impl {
   void set_knot(int knot, int stage, double time);
   void set_timing(int knot);
   ocp::KnotTime<double> when(int knot) const;
+  /// KnotTime::passing.
+  double passing(int knot) const {
+    return fading > 0.0 ? std::exp((times[0] - times[static_cast<std::size_t>(knot)]) / fading)
+                        : 0.0;
+  }
   void advance(int stage);
   void load_targets(int knot);
   void check_rotations(int knot);
@@ -73,6 +78,7 @@ struct Problem::Impl {
   std::vector<int> stage_of;                  ///< per knot, N + 1
   std::vector<double> times;                  ///< per knot, s
   std::vector<double> own_steps;              ///< per knot, s; 0: its stage's
+  double fading = 0.0;  ///< s, of the torque that passes; 0: there is none
   std::vector<ocp::KnotTime<double>> timing;  ///< per knot, without its time
   std::vector<double> targets;                ///< per knot, largest_targets each
   std::vector<KnotRange> ranges;

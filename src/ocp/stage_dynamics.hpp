@@ -17,10 +17,11 @@ class StageDynamics {
 
   /// Loads what a knot's targets (stage.targets entries) turn; they must outlive what follows.
   void turn(const CompiledStage& stage, const S* targets);
-  /// KnotTime::per_second and pace; they hold until the next call.
-  void set_step(const S& per_second, const S& pace) {
+  /// KnotTime::per_second, pace and passing; they hold until the next call.
+  void set_step(const S& per_second, const S& pace, const S& passing) {
     knot_.per_second = per_second;
     knot_.pace = pace;
+    knot_.passing = passing;
     dynamics_.set_pace(pace);
   }
   /// Evaluates a stage at x (nx) and u (nu): frames, momentum, a and lambda. Needs turn().

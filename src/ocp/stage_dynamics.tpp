@@ -70,7 +70,8 @@ void StageDynamics<S>::apply_torques(const CompiledStage& stage) {
     add_spring_torque(problem_->passive->springs, knot_.q, knot_.v, passive_.data());
   }
   for (int k = 0; k < layout.nv; ++k)
-    total_[k] = tau_[k] + passive_[k] + S(problem_->torque_bias[k]);
+    total_[k] = tau_[k] + passive_[k] + S(problem_->torque_bias[k]) +
+                knot_.passing * S(problem_->passing_torque[k]);
 }
 
 template <class S>

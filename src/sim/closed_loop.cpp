@@ -119,7 +119,7 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances),
+        sensing(driven.model(), disturbances, static_cast<int>(driven.scene().supports.size())),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
         total(Eigen::VectorXd::Zero(driven.model().nv)),
@@ -127,6 +127,8 @@ struct ClosedLoop::Impl {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
+    measurement.support_wrenches.setZero(
+        6, static_cast<Eigen::Index>(driven.scene().supports.size()));
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
     body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step

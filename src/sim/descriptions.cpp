@@ -82,6 +82,10 @@ const Description& description_of(const Disturbances* /*of*/) {
                  size)
           .field("force_cutoff", &D::force_cutoff, "{rad/s}, low-pass behind the noise; 0: none",
                  size)
+          .field("support_force_noise", &D::support_force_noise,
+                 "{N}, deviation per axis of the sensors in supports", size)
+          .field("support_moment_noise", &D::support_moment_noise,
+                 "{Nm}, likewise; both behind force_cutoff", size)
           .group("In the plant's model and scene: plant_model() and plant_scene().")
           .field("mass_scale", &D::mass_scale, "of all masses and inertias of the plant",
                  range::positive)

@@ -57,6 +57,8 @@ Disturbances disturbance_preset(const std::string& name) {
   result.finite_difference_velocity = true;
   result.velocity_cutoff = cutoff;
   result.force_noise = 0.3;
+  result.support_force_noise = 1.0;
+  result.support_moment_noise = 0.1;
   result.force_cutoff = cutoff;
   if (name == "sensors") return result;
   result.mass_scale = 1.05;

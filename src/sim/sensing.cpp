@@ -1,5 +1,6 @@
 #include "burnish/sim/sensing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,11 +30,12 @@ struct Sensing::Random {
       : torque(seed, streams::torque_sensor),
         position(seed, streams::position),
         velocity(seed, streams::velocity),
-        force(seed, streams::force) {}
-  RandomStream torque, position, velocity, force;
+        force(seed, streams::force),
+        support(seed, streams::support) {}
+  RandomStream torque, position, velocity, force, support;
 };
 
-Sensing::Sensing(const Model& model, const Disturbances& disturbances)
+Sensing::Sensing(const Model& model, const Disturbances& disturbances, int supports)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
@@ -43,12 +45,14 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances)
       work_(differences_) {
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
+  measurement_.support_wrenches.setZero(6, supports);
 }
 
 Sensing::~Sensing() = default;
 
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
+  measurement_.support_wrenches.setZero();
   measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
   started_ = false;
 }
@@ -63,6 +67,7 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
     for (double& tau : measurement_.tau)
       tau += disturbances_.torque_sensor_noise * random_->torque.normal();
   measure_force(plant);
+  measure_supports(plant);
   started_ = true;
   return measurement_;
 }
@@ -106,6 +111,19 @@ void Sensing::measure_force(const Plant& plant) noexcept {
   const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
   Eigen::Vector3d& force = measurement_.tool_force_world;
   force += part * (reading - force);
+}
+
+void Sensing::measure_supports(const Plant& plant) noexcept {
+  auto& wrenches = measurement_.support_wrenches;
+  const auto& reading = plant.support_wrenches();
+  const double part = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
+  for (Eigen::Index i = 0; i < std::min(reading.cols(), wrenches.cols()); ++i)
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const double deviation =
+          k < 3 ? disturbances_.support_force_noise : disturbances_.support_moment_noise;
+      const double noise = deviation > 0.0 ? deviation * random_->support.normal() : 0.0;
+      wrenches(k, i) += part * (reading(k, i) + noise - wrenches(k, i));
+    }
 }
 
 }  // namespace burnish

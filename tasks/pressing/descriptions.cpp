@@ -96,12 +96,14 @@ const Description& description_of(const Standing* /*of*/) {
           .field("plan_sole", &S::plan_sole,
                  "of half a sole's sides, that plans keep the centre of pressure within; 0 to 1",
                  range::share)
+          .field("least_load", &S::least_load, "{N} that plans keep on each foot", size)
           .field("balance", &S::balance, "{1/m^2}: centre of mass to where it starts", size)
           .field("base", &S::base, "{1/rad^2}: base to its orientation at the start", size)
           .field("momentum", &S::momentum,
                  "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass", size)
           .field("contact_kd", &S::contact_kd,
-                 "{1/s}, damping of the feet's constraint (Baumgarte)", size);
+                 "{1/s}, damping of the feet's constraint (Baumgarte)", size)
+          .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments");
   return all;
 }
 

@@ -1,5 +1,7 @@
 #include "pressing/standing_terms.hpp"
 
+#include <limits>
+
 #include "base/decomposition.hpp"
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
@@ -123,6 +125,13 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
   for (const std::string& foot : standing.feet) {
     rows.push_back({.name = "friction of " + foot,
                     .residual = residual::FrictionCone{foot, standing.plan_friction}});
+    Eigen::VectorXd least = Eigen::VectorXd::Constant(
+        standing.has_soles() ? 6 : 3, -std::numeric_limits<double>::infinity());
+    least[2] = standing.least_load;
+    rows.push_back({.name = "load of " + foot,
+                    .residual = residual::ContactForce{foot},
+                    .lower = least,
+                    .scale = Eigen::VectorXd::Constant(least.size(), 100.0)});
     if (!standing.has_soles()) continue;
     rows.push_back({.name = "pressure of " + foot,
                     .residual = residual::CenterOfPressure{foot, standing.plan_sole * standing.half_x,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct ModelErrorOptions {
   double calm = 1.0;
   /// rad/s that friction along the surface is followed at, of kind torque; 0: the bandwidth
   double sliding_bandwidth = 0.0;
+  /// s that plans take a torque error to last that has come just now, as a push does; what has been
+  /// there for some seconds lasts; infinite: all of it does
+  double fading = std::numeric_limits<double>::infinity();
   double limit = 30.0;  ///< Nm (N): estimates stay within +- this
   /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
   /// once where a joint turns around
@@ -58,8 +62,8 @@ struct ModelErrorOptions {
 class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet
-  /// that a robot stands on; of the torque error the part that they and loops carry moves nothing
-  /// and is not known. Throws Error for an unknown frame and options out of range.
+  /// that a robot stands on; of the torque error the part that loops carry moves nothing and is not
+  /// known, nor is what supports carry unless their wrenches are measured. Throws Error for an unknown frame and options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
                       std::vector<ContactSpec> supports = {});
   ~TorqueErrorObserver();
@@ -73,7 +77,13 @@ class TorqueErrorObserver {
   /// is not positive after the first: WrongSize, NotFinite, NotNormalized or SingularMass. No
   /// allocation.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
-                const Eigen::Vector3d& force_world, double dt) noexcept;
+                const Eigen::Vector3d& force_world, double dt) noexcept {
+    return update(q, v, tau, force_world, dt, Wrenches(6, 0));
+  }
+  /// The same with what acts on the supports, measured: Measurement::support_wrenches.
+  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+  Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
+                const Eigen::Vector3d& force_world, double dt, const Wrenches& supports) noexcept;
   /// As ContactDynamics::set_payload.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   const Eigen::VectorXd& torque_error() const;  ///< d, nv, Nm (N)

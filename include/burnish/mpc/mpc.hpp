@@ -70,6 +70,9 @@ struct MpcSpec {
   /// Contacts of the problem that the robot stands on, by their names: in every stage, and what the
   /// fallback and the estimates take to hold always. A base that floats free wants some.
   std::vector<std::string> supports = {};
+  /// Measurement.support_wrenches are measured: then the torque error is known of all joints, of
+  /// those on supports too
+  bool support_sensors = false;
   /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
   /// positions and velocities say beyond what they said in the air just before, which wants
   /// model_error.kind torque

@@ -56,6 +56,8 @@ struct Disturbances {
   double velocity_cutoff = 0.0;  ///< rad/s, low-pass on those; 0: none
   double force_noise = 0.0;      ///< N, deviation per axis of the force sensor
   double force_cutoff = 0.0;     ///< rad/s, low-pass behind the noise; 0: none
+  double support_force_noise = 0.0;   ///< N, deviation per axis of the sensors in supports
+  double support_moment_noise = 0.0;  ///< Nm, likewise; both behind force_cutoff
 
   // In the plant's model and scene (plant_model() and plant_scene()).
   double mass_scale = 1.0;  ///< of all masses and inertias of the plant

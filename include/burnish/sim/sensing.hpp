@@ -15,8 +15,9 @@ struct Tree;
 /// allocates nothing after construction and throws nothing.
 class Sensing {
  public:
-  /// Throws Error as check_disturbances() does.
-  Sensing(const Model& model, const Disturbances& disturbances);
+  /// `supports`: of the plant's scene, whose wrenches are measured. Throws Error as
+  /// check_disturbances() does.
+  Sensing(const Model& model, const Disturbances& disturbances, int supports = 0);
   ~Sensing();
 
   /// Forgets all measurements, with the same random numbers to come.
@@ -32,6 +33,7 @@ class Sensing {
   void measure_position(const Plant& plant) noexcept;
   void measure_velocity(const Plant& plant) noexcept;
   void measure_force(const Plant& plant) noexcept;
+  void measure_supports(const Plant& plant) noexcept;
 
   Disturbances disturbances_;
   std::vector<Joint> joints_;
