@@ -297,11 +297,16 @@ struct CostReader {
     return result;
   }
   Residual center_of_pressure() {
-    keys({"contact", "half_x", "half_y"});
+    keys({"contact", "half_x", "half_y", "torsion"});
     rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_below", 1}, {"y_above", 1}};
     contact();
-    return residual::CenterOfPressure{reader["contact"].text(), reader["half_x"].positive(),
+    residual::CenterOfPressure result{reader["contact"].text(), reader["half_x"].positive(),
                                       reader["half_y"].positive()};
+    if (const auto torsion = reader.find("torsion")) {
+      result.torsion = torsion->positive();
+      rows.rows.insert(rows.rows.end(), {{"turn_right", 1}, {"turn_left", 1}});
+    }
+    return result;
   }
   Residual com() {
     keys({"target"});

@@ -309,9 +309,12 @@ void TermBuilder::operator()(const residual::CenterOfPressure& r) {
   if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
     refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
            " m; wanted positive numbers");
-  term.rows = 4;
-  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y};
-  dense_block(4, all_columns());
+  if (!(r.torsion >= 0.0) || !std::isfinite(r.torsion))
+    refuse("a torsion of " + number(r.torsion) + " m; wanted a number of at least zero");
+  if (r.torsion > 0.0) needs(c, {0b111100});
+  term.rows = r.torsion > 0.0 ? 6 : 4;
+  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, r.torsion};
+  dense_block(term.rows, all_columns());
 }
 
 void TermBuilder::operator()(const residual::CenterOfMass& r) {

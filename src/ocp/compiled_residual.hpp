@@ -178,6 +178,7 @@ struct PyramidMargin {
 struct PressureMargin {
   WrenchView wrench;
   double half_x, half_y;
+  double torsion;  ///< 0: without its two rows
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };

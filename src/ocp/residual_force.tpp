@@ -132,6 +132,11 @@ void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* 
   r[1] = hx * w[2] - w[4];
   r[2] = hy * w[2] + w[3];
   r[3] = hy * w[2] - w[3];
+  const S turning(torsion);
+  if (torsion > 0.0) {
+    r[4] = turning * w[2] + w[5];
+    r[5] = turning * w[2] - w[5];
+  }
   if (J == nullptr) return;
   const int nz = knot.layout->nz();
   for (int c = 0; c < nz; ++c) {
@@ -140,6 +145,10 @@ void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* 
     J[nz + c] = hx * fz - my;
     J[2 * nz + c] = hy * fz + mx;
     J[3 * nz + c] = hy * fz - mx;
+    if (torsion == 0.0) continue;
+    const S mz = dw[5 * nz + c];
+    J[4 * nz + c] = turning * fz + mz;
+    J[5 * nz + c] = turning * fz - mz;
   }
 }
 

@@ -48,8 +48,10 @@ struct RowNames {
   Names operator()(const PyramidMargin& r) const {
     return cone_row_names(static_cast<int>(r.sides.size()));
   }
-  Names operator()(const PressureMargin&) const {
-    return {"x_above", "x_below", "y_below", "y_above"};
+  Names operator()(const PressureMargin& r) const {
+    Names names{"x_above", "x_below", "y_below", "y_above"};
+    if (r.torsion > 0.0) names.insert(names.end(), {"turn_right", "turn_left"});
+    return names;
   }
   Names operator()(const ComError&) const { return directions(0, 3); }
   Names operator()(const SupportMargin& r) const {

@@ -1,5 +1,6 @@
 #include "pressing/standing_terms.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "base/decomposition.hpp"
@@ -134,8 +135,10 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
                     .scale = Eigen::VectorXd::Constant(least.size(), 100.0)});
     if (!standing.has_soles()) continue;
     rows.push_back({.name = "pressure of " + foot,
-                    .residual = residual::CenterOfPressure{foot, standing.plan_sole * standing.half_x,
-                                                           standing.plan_sole * standing.half_y}});
+                    .residual = residual::CenterOfPressure{
+                        foot, standing.plan_sole * standing.half_x,
+                        standing.plan_sole * standing.half_y,
+                        standing.plan_friction * std::hypot(standing.half_x, standing.half_y) / 3.0}});
   }
   return rows;
 }

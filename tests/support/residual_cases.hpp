@@ -205,6 +205,9 @@ inline std::vector<ResidualCase> residual_cases(const OcpCase& test) {
        [](Setup) { return R::FrictionCone{.contact = "pad", .friction = 0.4, .sides = 5}; },
        Penalty::at_least(1.0), at_the_end},
       {"pressure", [](Setup) { return R::CenterOfPressure{"pad"}; }, square, at_the_end},
+      {"pressure and torsion",
+       [](Setup) { return R::CenterOfPressure{.contact = "pad", .torsion = 0.03}; }, square,
+       at_the_end},
       {"centre of mass", [](Setup s) { return R::CenterOfMass{s.random(3)}; }},
       {"support",
        [](Setup) {

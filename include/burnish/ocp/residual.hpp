@@ -163,11 +163,15 @@ struct FrictionCone {
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
 /// the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x; zero where the centre, which is
 /// (-m_y, m_x) / f_z, is at the edge above in x, below in x, below in y, above in y. Default
-/// penalty: a barrier at 0.
+/// penalty: a barrier at 0. With a torsion two rows more: torsion f_z +- m_z, how far the moment
+/// about the normal is within what friction bears, which of a sole is some coefficient times a
+/// third of its half diagonal (S. Caron et al., "Stability of surface contacts for humanoid robots:
+/// closed-form formulae of the contact wrench cone for rectangular support areas", 2015).
 struct CenterOfPressure {
   std::string contact = {};
   double half_x = 0.1;  ///< m
   double half_y = 0.05;
+  double torsion = 0.0;  ///< m; 0: the moment about the normal is free
 };
 
 /// Centre of mass minus the target, 3 rows, m, world.

@@ -22,7 +22,7 @@ struct Standing {
 
   double plan_friction = 0.5;  ///< coefficient that plans keep within
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1
-  double plan_sole = 0.8;
+  double plan_sole = 0.95;
   double least_load = 40.0;  ///< N that plans keep on each foot
   double balance = 1e3;    ///< 1/m^2: centre of mass to where it starts
   double base = 100.0;     ///< 1/rad^2: base to its orientation at the start
