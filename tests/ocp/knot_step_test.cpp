@@ -125,7 +125,7 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       const auto steps = {0.01, 0.017, 0.03};
       Stage stage{.name = "go", .contacts = {"brace", "pad"}, .integrator = integrator};
       stage.costs = {{.residual = residual::JointVelocity{}, .weight = 0.3},
-                     {.residual = residual::FramePosition{test.robot.tool}, .weight = 2.0}};
+                     {.residual = residual::FramePosition{test.robot.tool, Eigen::Vector3d::Zero()}, .weight = 2.0}};
       if (test.torque_model)
         stage.costs.push_back({.residual = residual::JointTorqueRate{}, .weight = 1e-3});
       if (test.remembers)
@@ -179,6 +179,7 @@ TEST_F(KnotSteps, ThatAreLongerThanTheStagesSoftenWhatIsNumerical) {
     const OcpState at = random_ocp_state(problem, generator);
     Eigen::VectorXd got(at.x.size()), want(at.x.size());
     problem.set_step(0, 0.04);
+    wanted.set_step(0, 0.04);
     problem.roll(0, 0, at.x.data(), at.u.data(), got.data());
     wanted.roll(0, 0, at.x.data(), at.u.data(), want.data());
     EXPECT_LT(relative_error(got, want), 1e-12);
