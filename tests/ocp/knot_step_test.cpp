@@ -148,7 +148,10 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       for (std::size_t k = 0; k < at_a.values.size(); ++k) {
         EXPECT_EQ(a.time_of(static_cast<int>(k)), b.time_of(static_cast<int>(k)));
         EXPECT_EQ(at_a.values[k].cost, at_b.values[k].cost);
-        EXPECT_EQ(at_a.gradient[k], at_b.gradient[k]);
+        // The end has no controls, and so many entries less.
+        const int nz = a.controls(static_cast<int>(k)) + a.state().ndx;
+        EXPECT_EQ(at_a.gradient[k].head(nz), at_b.gradient[k].head(nz));
+        if (k + 1 == at_a.values.size()) break;
         EXPECT_EQ(at_a.decay[k], at_b.decay[k]);
         EXPECT_EQ(at_a.out[k].step, at_b.out[k].step);
       }
