@@ -125,7 +125,8 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       const auto steps = {0.01, 0.017, 0.03};
       Stage stage{.name = "go", .contacts = {"brace", "pad"}, .integrator = integrator};
       stage.costs = {{.residual = residual::JointVelocity{}, .weight = 0.3},
-                     {.residual = residual::FramePosition{test.robot.tool, Eigen::Vector3d::Zero()}, .weight = 2.0}};
+                     {.residual = residual::FramePosition{test.robot.tool, Eigen::Vector3d::Zero()},
+                      .weight = 2.0}};
       if (test.torque_model)
         stage.costs.push_back({.residual = residual::JointTorqueRate{}, .weight = 1e-3});
       if (test.remembers)
