@@ -64,8 +64,8 @@ template <class S>
 void contact_jacobian(const CompiledContact& contact, const Kinematics<S>& kinematics,
                       const ContactState<S>& state, S* out_by_v, int stride);
 
-/// Held rows of alpha + kd nu + kp e (gains at the state's pace), where the bodies' spatial accelerations (world axes, about
-/// the world's origin, without gravity) are given.
+/// Held rows of alpha + kd nu + kp e (gains at the state's pace), where the bodies' spatial
+/// accelerations (world axes, about the world's origin, without gravity) are given.
 template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
                           const Motion<S>& a_tool, const Motion<S>& a_base, S* out);

@@ -31,8 +31,7 @@ struct Sliding {
 template <class S>
 BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coefficient,
                                    const Vec3<S>& normal, const S& pace, const Vec3<S>& p,
-                                   const Motion<S>& nu,
-                                   Sliding<S>& at) {
+                                   const Motion<S>& nu, Sliding<S>& at) {
   at.coefficient = coefficient;
   at.n = normal;
   at.c = p - normal * S(friction.radius);

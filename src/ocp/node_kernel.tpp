@@ -74,8 +74,7 @@ void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& ter
 
 template <class S>
 void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x,
-                                const S* u, const S* targets, const KnotTime<S>& when, S* r,
-                                S* J) {
+                                const S* u, const S* targets, const KnotTime<S>& when, S* r, S* J) {
   load(stage, targets, when);
   dynamics_.values(stage, x, u);
   if (J != nullptr) dynamics_.derivatives(stage);
@@ -127,8 +126,8 @@ void NodeKernel<S>::add_block(const JacobianBlock& block, const S* J, const S* s
 }
 
 template <class S>
-void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets,
-                              const KnotTime<S>& when, bool expand) {
+void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, const KnotTime<S>& when,
+                              bool expand) {
   cost = S(0.0);
   for (std::size_t t = 0; t < stage.costs; ++t) {
     const CompiledTerm& term = stage.terms[t];

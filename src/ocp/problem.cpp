@@ -74,7 +74,7 @@ void Problem::set_step(int knot, double step) {
   if (knot < 0 || knot >= knots())
     throw Error("set_step: knot " + std::to_string(knot) + "; wanted 0 to " +
                 std::to_string(knots() - 1));
-  if (impl_->own_steps[static_cast<std::size_t>(knot)] == step) return;
+  if (step > 0.0 && impl_->own_steps[static_cast<std::size_t>(knot)] == step) return;
   const ocp::CompiledStage& stage = impl_->stage(knot);
   if (stage.impact)
     throw Error("set_step: knot " + std::to_string(knot) + " is an impact, where no time passes");

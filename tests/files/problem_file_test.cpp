@@ -192,9 +192,9 @@ TEST_F(ProblemFiles, KnotsHaveStepsOfTheirOwn) {
                                       "- press: 2\n"
                                       "  - press: {knots: 3, step: 0.03}\n"
                                       "  - press: {knots: 4, step: 0.01, duration: 0.15}\n"
-                                      "  - press: {knots: 1, duration: 0.01}"));
+                                      "  - press: {knots: 2, duration: 0.05}"));
   const std::vector<double> steps = knot_steps(file.spec);
-  const double wanted[] = {0.01, 0.01, 0.03, 0.03, 0.03, 0.01, 0.02, 0.04, 0.08, 0.01};
+  const double wanted[] = {0.02, 0.02, 0.03, 0.03, 0.03, 0.01, 0.02, 0.04, 0.08, 0.02, 0.03};
   ASSERT_EQ(steps.size(), std::size(wanted));
   for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_NEAR(steps[k], wanted[k], 1e-12) << k;
 }

@@ -243,7 +243,9 @@ TEST(UnevenHorizon, shifts_states_by_time_and_controls_by_what_they_give_on_the_
       const double at = before.place(now.after(k) + later);
       const int i = std::min(static_cast<int>(at), 6);
       const Eigen::RowVectorXd wanted = xs.row(i) + (at - i) * (xs.row(i + 1) - xs.row(i));
-      if (k > 0) EXPECT_LT((plan.horizon.guess_x().row(k) - wanted).norm(), 1e-12) << k;
+      if (k > 0) {
+        EXPECT_LT((plan.horizon.guess_x().row(k) - wanted).norm(), 1e-12) << k;
+      }
       if (k == 7) break;
       // The mean over the knot, from a thousand of its moments.
       Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(us.cols());

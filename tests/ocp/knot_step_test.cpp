@@ -125,7 +125,8 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       const auto steps = {0.01, 0.017, 0.03};
       Stage stage{.name = "go", .contacts = {"brace", "pad"}, .integrator = integrator};
       stage.costs = {{.residual = residual::JointVelocity{}, .weight = 0.3},
-                     {.residual = residual::FramePosition{test.robot.tool}, .weight = 2.0}};
+                     {.residual = residual::FramePosition{test.robot.tool, Eigen::Vector3d::Zero()},
+                      .weight = 2.0}};
       if (test.torque_model)
         stage.costs.push_back({.residual = residual::JointTorqueRate{}, .weight = 1e-3});
       if (test.remembers)
@@ -148,7 +149,10 @@ TEST_F(KnotSteps, AreWhatAStageWithThatStepIs) {
       for (std::size_t k = 0; k < at_a.values.size(); ++k) {
         EXPECT_EQ(a.time_of(static_cast<int>(k)), b.time_of(static_cast<int>(k)));
         EXPECT_EQ(at_a.values[k].cost, at_b.values[k].cost);
-        EXPECT_EQ(at_a.gradient[k], at_b.gradient[k]);
+        // The end has no controls, and so many entries less.
+        const int nz = a.controls(static_cast<int>(k)) + a.state().ndx;
+        EXPECT_EQ(at_a.gradient[k].head(nz), at_b.gradient[k].head(nz));
+        if (k + 1 == at_a.values.size()) break;
         EXPECT_EQ(at_a.decay[k], at_b.decay[k]);
         EXPECT_EQ(at_a.out[k].step, at_b.out[k].step);
       }
@@ -179,6 +183,7 @@ TEST_F(KnotSteps, ThatAreLongerThanTheStagesSoftenWhatIsNumerical) {
     const OcpState at = random_ocp_state(problem, generator);
     Eigen::VectorXd got(at.x.size()), want(at.x.size());
     problem.set_step(0, 0.04);
+    wanted.set_step(0, 0.04);
     problem.roll(0, 0, at.x.data(), at.u.data(), got.data());
     wanted.roll(0, 0, at.x.data(), at.u.data(), want.data());
     EXPECT_LT(relative_error(got, want), 1e-12);

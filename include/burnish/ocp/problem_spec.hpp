@@ -131,8 +131,8 @@ struct Stage {
 /// Consecutive knots of one stage. Their steps may be their own: all alike, or each longer (or
 /// shorter) than the one before by the same factor, so that few knots look far ahead. What is
 /// numerical is made for the stage's step, and a knot n times as long has it n times slower, as
-/// explicit steps ask for: gains of contacts are kd / n and kp / n^2, the speeds below which friction
-/// fades are n times as high.
+/// explicit steps ask for: gains of contacts are kd / n and kp / n^2, the speeds below which
+/// friction fades are n times as high.
 struct HorizonSegment {
   std::string stage = {};
   int knots = 1;
