@@ -53,7 +53,8 @@ std::string under_equalities(const fs::path& file, const TreeSpec& tree, mjModel
   if (tied.rows == 0) return "-";
   EXPECT_GT(tied.states, 0) << file;
   char text[80];
-  std::snprintf(text, sizeof text, "%d rows, %.0e", tied.rows, tied.worst());
+  std::snprintf(text, sizeof text, "%d row%s, %.0e", tied.rows, tied.rows == 1 ? "" : "s",
+                tied.worst());
   return text;
 }
 
