@@ -62,6 +62,7 @@ void print_warnings(const Robot& robot, bool strict) {
   if (count > most)
     fmt::print(stderr, "burnish: {} more warnings, all in burnish show ROBOT --json\n",
                count - most);
+  for (const std::string& note : robot.notes) fmt::print(stderr, "burnish: note: {}\n", note);
 }
 
 }  // namespace burnish::app

@@ -24,7 +24,8 @@ struct RobotArguments {
 /// Adds --strict to a command whose robot is named elsewhere.
 void add_strict(CLI::App& command, bool& strict);
 
-/// Prints the robot's warnings to standard error, of more than 10 how many more there are. Throws
+/// Prints the robot's warnings to standard error, of more than 10 how many more there are, and its
+/// notes. Throws
 /// Error with them where `strict`.
 void print_warnings(const Robot& robot, bool strict = false);
 /// The same for a robot by name. Throws Error as load_robot does.

@@ -95,6 +95,7 @@ Json show_json(const Robot& robot, const Eigen::VectorXd& q, const std::string& 
               {"gravity", numbers_json(model.gravity)},
               {"locked_joints", model.locked_joints},
               {"warnings", robot.warnings},
+              {"notes", robot.notes},
               {"joints", Json::array()},
               {"frames", Json::array()},
               {"postures", Json::object()},

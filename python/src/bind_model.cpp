@@ -35,6 +35,7 @@ void for_each_member(Visit&& visit) {
   visit("parent_of_v", &Model::parent_of_v);
   visit("locked_joints", &Model::locked_joints);
   visit("warnings", &Model::warnings);
+  visit("notes", &Model::notes);
   visit("support_entries", &Model::support_entries);
   visit("support_begin", &Model::support_begin);
 }
@@ -63,7 +64,7 @@ bool equal(const Model& a, const Model& b) {
 }
 bool equal(const Robot& a, const Robot& b) {
   return equal(a.model, b.model) && a.postures == b.postures &&
-         a.default_posture == b.default_posture && a.warnings == b.warnings;
+         a.default_posture == b.default_posture && a.warnings == b.warnings && a.notes == b.notes;
 }
 /// Against another of the class; Python decides about the rest.
 template <class Machine>
@@ -120,6 +121,9 @@ void bind_robot(py::module_& m) {
       .def_property_readonly(
           "warnings", [](const Robot& robot) { return robot.warnings; },
           "What is odd about its files but computes, one sentence each.")
+      .def_property_readonly(
+          "notes", [](const Robot& robot) { return robot.notes; },
+          "What its files hold that dynamics does not need, one sentence each: never refused.")
       .def("posture", &Robot::posture, py::arg("name"),
            "Configuration (nq,) of a named posture, loops closed. Raises Error with the nearest "
            "known "
@@ -139,12 +143,13 @@ void bind_robot(py::module_& m) {
       .def(py::pickle(
           [](const Robot& robot) {
             return py::make_tuple(model_state(robot.model), robot.postures, robot.default_posture,
-                                  robot.warnings);
+                                  robot.warnings, robot.notes);
           },
           [](const py::tuple& state) {
             return Robot{model_of(state[0]), py::cast<std::map<std::string, Posture>>(state[1]),
                          py::cast<std::string>(state[2]),
-                         py::cast<std::vector<std::string>>(state[3])};
+                         py::cast<std::vector<std::string>>(state[3]),
+                         py::cast<std::vector<std::string>>(state[4])};
           }));
 
   m.def(
@@ -297,6 +302,8 @@ void bind_model(py::module_& m) {
                     "Moving joints of the description that were locked.")
       .def_readonly("warnings", &Model::warnings,
                     "What is odd about the description but computes, one sentence each.")
+      .def_readonly("notes", &Model::notes,
+                    "What the description holds that dynamics does not need, one sentence each.")
       .def_property_readonly(
           "v_names",
           [](const Model& self) {

@@ -223,7 +223,7 @@ class TestDescriptions:
             burnish.parse_urdf("<robot", source="here.urdf")
 
     def test_are_read_from_mjcf(self, tmp_path: Path) -> None:
-        text = ('<mujoco model="m"><option gravity="0 0 -2"/><worldbody><body name="b"><joint name="j" '
+        text = ('<mujoco model="m"><option gravity="0 0 -2"/><worldbody><light/><body name="b"><joint name="j" '
                 'type="slide" range="0 2"/><geom size="0.1"/><site name="tip" pos="0 0 1"/></body>'
                 '</worldbody><actuator><motor joint="j" ctrlrange="-3 3"/></actuator><keyframe><key '
                 'name="home" qpos="1"/></keyframe></mujoco>')
@@ -238,6 +238,10 @@ class TestDescriptions:
         robot = burnish.load_robot(str(file))
         assert robot.default_posture == "home"
         assert robot.model.gravity[2] == -2.0
+        assert robot.warnings == [] and robot.notes == robot.model.notes
+        assert len(robot.notes) == 1 and "1 <light>" in robot.notes[0]
+        strict = burnish.load_robot(str(file), burnish.RobotOverrides(strict=True))
+        assert strict.notes == robot.notes
         with pytest.raises(burnish.Error, match="here.xml"):
             burnish.parse_mjcf("<mujoco", source="here.xml")
 

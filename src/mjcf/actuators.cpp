@@ -16,11 +16,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What an element or the compiler says of a range: its larger end, or infinity where there is
 /// none.
-double bound(const Item& item, const char* limited, const char* range, const Reading& reading,
+double bound(const Item& item, const char* limited, const char* range, Reading& reading,
              bool& is_even) {
   const auto stated = item.numbers(range, 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
-  if (!item.choice(limited).value_or(has_range && reading.compiler.autolimits)) return infinity;
+  if (!item.choice(limited).value_or(has_range && reading.compiler_of(item.xml()).autolimits))
+    return infinity;
   if (!has_range) refuse_at(item.xml(), std::string("it is limited, but has no ") + range);
   is_even = is_even && (*stated)[0] == -(*stated)[1];
   return std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
@@ -50,8 +51,8 @@ double largest_force(const Item& item, Reading& reading) {
   bool is_even = true;
   double force = bound(item, "forcelimited", "forcerange", reading, is_even);
   if (is_servo(item)) {
-    reading.said.note("gains of servos and muscles are not carried over, only their largest force",
-                      example_of(item.xml()));
+    reading.aside.note("gains of servos and muscles are not carried over, only their largest force",
+                       example_of(item.xml()));
   } else {
     const double control = bound(item, "ctrllimited", "ctrlrange", reading, is_even);
     const double gain = std::abs(gain_of(item));

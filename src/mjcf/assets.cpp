@@ -26,16 +26,17 @@ void read_mesh(const Item& item, Reading& reading) {
   std::string name = item.name();
   if (name.empty()) name = file.stem().string();
   if (name.empty()) refuse_at(item.xml(), "it has neither a name nor a file; one is needed");
-  if (reading.compiler.strip_paths) file = file.filename();
+  const Part& part = reading.part_of(item.xml());
+  if (part.compiler.strip_paths) file = file.filename();
   // What is absolute stays so.
-  if (!stated.empty()) mesh.file = (fs::path(reading.compiler.mesh_folder) / file).string();
+  if (!stated.empty()) mesh.file = (part.folder / part.compiler.mesh_folder / file).string();
   if (const auto scale = item.numbers("scale", 3))
     mesh.scale = Eigen::Vector3d((*scale)[0], (*scale)[1], (*scale)[2]);
   if (const auto at = item.numbers("refpos", 3))
     mesh.reference.translation() = Eigen::Vector3d((*at)[0], (*at)[1], (*at)[2]);
   if (const auto turned = item.numbers("refquat", 4))
     mesh.reference.linear() = quaternion_of(*turned, item.xml()).toRotationMatrix();
-  mesh.inertia = inertia_kind(item, reading.compiler, mesh);
+  mesh.inertia = inertia_kind(item, part.compiler, mesh);
   if (!reading.meshes.emplace(name, mesh).second)
     refuse_at(item.xml(), "a mesh of the name " + in_quotes(name) + " is defined twice");
 }
@@ -49,19 +50,15 @@ void read_material(const Item& item, Reading& reading) {
 
 }  // namespace
 
-void read_assets(const XMLElement& section, Reading& reading) {
-  for (const XMLElement* child : reading.source.children(section)) {
-    const std::string_view kind = child->Name();
-    if (kind == "mesh")
-      reading.findings.attempt([&] { read_mesh(reading.item(*child), reading); });
-    else if (kind == "material")
-      reading.findings.attempt_or_warn([&] { read_material(reading.item(*child), reading); },
-                                       "; it is drawn in grey");
-    else if (kind == "model")
-      reading.said.note("models to attach are passed over", example_of(*child));
-    else
-      ++reading.passed_over[std::string(kind)];
-  }
+void read_asset(const XMLElement& asset, Reading& reading) {
+  const std::string_view kind = asset.Name();
+  if (kind == "mesh")
+    reading.findings.attempt([&] { read_mesh(reading.item(asset), reading); });
+  else if (kind == "material")
+    reading.findings.attempt_or_warn([&] { read_material(reading.item(asset), reading); },
+                                     "; it is drawn in grey");
+  else if (kind != "model")  // what attaches it asks for it
+    ++reading.passed_over[std::string(kind)];
 }
 
 }  // namespace burnish::mjcf

@@ -35,6 +35,17 @@ struct Contents {
   const XMLElement* inertial = nullptr;
 };
 
+/// What else is in a body: nothing that dynamics needs, or nothing that is known.
+void pass_over(const XMLElement& element, Reading& reading) {
+  const std::string_view kind = element.Name();
+  if (kind == "light" || kind == "camera")
+    ++reading.passed_over[std::string(kind)];
+  else if (kind == "plugin")
+    reading.said.note("forces of plugins are not carried over", example_of(element));
+  else
+    reading.said.note("elements of unknown names are passed over", example_of(element));
+}
+
 void collect(const XMLElement& element, const Isometry3d& around, const DefaultClass* defaults,
              int depth, Reading& reading, Contents& contents) {
   if (depth > most_nested)
@@ -47,7 +58,8 @@ void collect(const XMLElement& element, const Isometry3d& around, const DefaultC
     if (kind == "body") {
       contents.bodies.push_back({child, around, reading.class_inside(*child, defaults)});
     } else if (kind == "frame") {
-      const Isometry3d inside = around * placement_of(Item(*child, nullptr), reading.compiler);
+      const Isometry3d inside =
+          around * placement_of(Item(*child, nullptr), reading.compiler_of(*child));
       collect(*child, inside, reading.class_inside(*child, defaults), depth + 1, reading, contents);
     } else if (kind == "joint") {
       add(contents.joints);
@@ -59,15 +71,13 @@ void collect(const XMLElement& element, const Isometry3d& around, const DefaultC
       add(contents.sites);
     } else if (kind == "inertial") {
       contents.inertial = child;
-    } else if (kind == "attach" || kind == "replicate") {
-      refuse_at(*child,
-                "it stands for bodies that are not read; save the model from MuJoCo, which "
-                "writes them out");
     } else if (kind == "composite" || kind == "flexcomp") {
-      reading.said.note("what is soft or composed (<composite>, <flexcomp>) is not carried over",
-                        example_of(*child));
+      reading.has_composed = true;
+      reading.said.note(
+          "what is soft or composed (<composite>, <flexcomp>, <flex>) is not carried over",
+          example_of(*child));
     } else {
-      ++reading.passed_over[std::string(kind)];
+      pass_over(*child, reading);
     }
   }
 }
@@ -109,8 +119,10 @@ void correct(InertiaSpec& body, const Compiler& compiler) {
   body.inertia_at_com = 0.5 * (turned + turned.transpose());
 }
 
-InertiaSpec mass_of(const Contents& contents, std::size_t link, bool moves, Reading& reading) {
-  const InertiaFromGeom from_geom = reading.compiler.inertia_from_geom;
+InertiaSpec mass_of(const Contents& contents, const XMLElement& element, std::size_t link,
+                    bool moves, Reading& reading) {
+  const Compiler& compiler = reading.compiler_of(element);
+  const InertiaFromGeom from_geom = compiler.inertia_from_geom;
   const bool infers = from_geom == InertiaFromGeom::Yes ||
                       (from_geom == InertiaFromGeom::Auto && contents.inertial == nullptr);
   std::vector<Geom> geoms;
@@ -119,9 +131,9 @@ InertiaSpec mass_of(const Contents& contents, std::size_t link, bool moves, Read
   InertiaSpec body = read_geoms(geoms, link, how, reading);
   const bool keeps_inertial = !infers || body.mass <= 0.0;
   if (keeps_inertial && contents.inertial != nullptr) {
-    reading.findings.attempt([&] { body = read_inertial(*contents.inertial, reading.compiler); });
+    reading.findings.attempt([&] { body = read_inertial(*contents.inertial, compiler); });
   }
-  correct(body, reading.compiler);
+  correct(body, compiler);
   return body;
 }
 
@@ -154,15 +166,15 @@ void read_range(const Item& item, JointSpec& joint, Reading& reading) {
   const auto stated = item.numbers("range", 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
   const auto limited = item.choice("limited");
-  if (!limited.value_or(has_range && reading.compiler.autolimits)) return;
+  if (!limited.value_or(has_range && reading.compiler_of(item.xml()).autolimits)) return;
   if (joint.type == JointType::Ball) {
     reading.said.note("the range of ball joints is not carried over", example_of(item.xml()));
     return;
   }
   if (!has_range) refuse_at(item.xml(), "it is limited, but has no range");
   const bool turns = joint.type == JointType::Revolute;
-  joint.lower = turns ? reading.compiler.angle((*stated)[0]) : (*stated)[0];
-  joint.upper = turns ? reading.compiler.angle((*stated)[1]) : (*stated)[1];
+  joint.lower = turns ? reading.compiler_of(item.xml()).angle((*stated)[0]) : (*stated)[0];
+  joint.upper = turns ? reading.compiler_of(item.xml()).angle((*stated)[1]) : (*stated)[1];
 }
 
 /// What all actuators together may do to the joint.
@@ -170,7 +182,8 @@ void read_effort(const Item& item, JointSpec& joint, Reading& reading) {
   const auto stated = item.numbers("actuatorfrcrange", 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
   const auto limited = item.choice("actuatorfrclimited");
-  if (!limited.value_or(has_range && reading.compiler.autolimits) || !has_range) return;
+  if (!limited.value_or(has_range && reading.compiler_of(item.xml()).autolimits) || !has_range)
+    return;
   joint.effort_limit = std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
   if ((*stated)[0] != -(*stated)[1]) reading.said.note(uneven_forces, example_of(item.xml()));
 }
@@ -206,7 +219,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   ReadJoint read;
   JointSpec& joint = read.spec;
   joint.type = joint_type(item);
-  joint.line = item.xml().GetLineNum();
+  joint.line = line_of(item.xml());
   joint.name = item.name();
   if (joint.name.empty()) {
     // As a free-flying base is called everywhere.
@@ -216,7 +229,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   }
   reading.findings.attempt([&] {
     const bool turns = joint.type == JointType::Revolute;
-    const double unit = turns ? reading.compiler.angle(1.0) : 1.0;
+    const double unit = turns ? reading.compiler_of(item.xml()).angle(1.0) : 1.0;
     const bool is_single = turns || joint.type == JointType::Prismatic;
     if (is_single) {
       const std::vector<double> axis = item.overlaid("axis", {0.0, 0.0, 1.0});
@@ -316,7 +329,7 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
         placement.translation() = 0.5 * (from + to);
         if ((from - to).norm() > 0.0) placement.linear() = rotation_to(from - to);
       } else {
-        placement = placement_of(within.item, reading.compiler);
+        placement = placement_of(within.item, reading.compiler_of(within.item.xml()));
       }
       const std::string name = within.item.name();
       if (name.empty()) return;  // nobody can ask for it
@@ -325,8 +338,8 @@ void read_sites(const std::vector<Within>& sites, const std::string& link, Readi
       std::string frame = name;
       if (reading.links.is_taken(name) || reading.joints.is_taken(name)) {
         frame = reading.frames.unique(name + "_site");
-        reading.said.note("sites with the name of a body or a joint are called by it and '_site'",
-                          example_of(within.item.xml()));
+        reading.aside.note("sites with the name of a body or a joint are called by it and '_site'",
+                           example_of(within.item.xml()));
       }
       reading.frames.take(frame);
       reading.tree.frames.push_back({frame, link, placement});
@@ -353,10 +366,11 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   LinkSpec link;
   const char* stated = xml.Attribute("name");
   link.name = stated == nullptr || *stated == '\0' ? reading.links.unique("body") : stated;
-  link.line = xml.GetLineNum();
+  link.line = line_of(xml);
   Isometry3d placement = child.around;
-  reading.findings.attempt(
-      [&] { placement = child.around * placement_of(Item(xml, nullptr), reading.compiler); });
+  reading.findings.attempt([&] {
+    placement = child.around * placement_of(Item(xml, nullptr), reading.compiler_of(xml));
+  });
   reading.findings.attempt([&] { say_of_body(xml, reading); });
   Contents contents;
   reading.findings.attempt(
@@ -366,7 +380,7 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   reading.tree.links.push_back(link);
   reading.link_at_start.emplace(name, reading.link_at_start.at(parent) * placement);
   moves = moves || !contents.joints.empty();
-  reading.tree.links[index].inertia = mass_of(contents, index, moves, reading);
+  reading.tree.links[index].inertia = mass_of(contents, xml, index, moves, reading);
   join(contents.joints, parent, name, placement, link.line, reading);
   read_sites(contents.sites, name, reading);
   for (const Child& below : contents.bodies) read_body(below, name, moves, depth + 1, reading);
@@ -389,7 +403,7 @@ void take_names(const XMLElement& element, int depth, Reading& reading) {
 
 void read_world(const XMLElement& section, Reading& reading) {
   if (reading.tree.links.empty()) {
-    reading.tree.links.push_back({world_name, {}, {}, section.GetLineNum()});
+    reading.tree.links.push_back({world_name, {}, {}, line_of(section)});
     reading.links.take(world_name);
     reading.link_at_start[world_name] = Isometry3d::Identity();
   }

@@ -49,7 +49,7 @@ void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& 
 void say_of_tendon(const Item& item, Reading& reading) {
   const auto range = item.numbers("range", 2);
   const bool has_range = range && ((*range)[0] != 0.0 || (*range)[1] != 0.0);
-  if (item.choice("limited").value_or(has_range && reading.compiler.autolimits))
+  if (item.choice("limited").value_or(has_range && reading.compiler_of(item.xml()).autolimits))
     reading.said.note("limits of tendons are not carried over", example_of(item.xml()));
   if (item.number("frictionloss", 0.0) != 0.0 || item.number("armature", 0.0) != 0.0)
     reading.said.note("friction and inertia of tendons are not carried over",
@@ -59,7 +59,7 @@ void say_of_tendon(const Item& item, Reading& reading) {
 void read_fixed(const Item& item, Reading& reading) {
   TendonSpec tendon;
   tendon.name = item.name();
-  tendon.line = item.xml().GetLineNum();
+  tendon.line = line_of(item.xml());
   double at_rest = 0.0;
   for (const XMLElement* part : reading.source.children(item.xml())) {
     if (std::string_view(part->Name()) != "joint") continue;
@@ -75,6 +75,48 @@ void read_fixed(const Item& item, Reading& reading) {
   say_of_tendon(item, reading);
   reading.tree.tendons.push_back(std::move(tendon));
 }
+
+/// Spatial tendons, whose length runs along points, have no place in a tree. What they do to the
+/// motion is lost, and each is named; the others only say a length.
+class SpatialTendons {
+ public:
+  void look_at(const Item& item, Reading& reading) {
+    const bool pulls =
+        item.overlaid("stiffness", {0.0})[0] != 0.0 || item.overlaid("damping", {0.0})[0] != 0.0;
+    const bool resists =
+        item.number("frictionloss", 0.0) != 0.0 || item.number("armature", 0.0) != 0.0;
+    const auto range = item.numbers("range", 2);
+    const bool has_range = range && ((*range)[0] != 0.0 || (*range)[1] != 0.0);
+    const bool stops =
+        item.choice("limited").value_or(has_range && reading.compiler_of(item.xml()).autolimits);
+    const std::string name = example_of(item.xml());
+    if (pulls) pulling_.push_back(name);
+    if (stops) stopping_.push_back(name);
+    if (resists) resisting_.push_back(name);
+    if (!pulls && !stops && !resists)
+      reading.aside.note("spatial tendons without a spring, a damper or limits are passed over",
+                         name);
+  }
+
+  void tell(Reading& reading) const {
+    tell_of("springs and dampers", pulling_, reading);
+    tell_of("limits", stopping_, reading);
+    tell_of("friction and inertia", resisting_, reading);
+  }
+
+ private:
+  static void tell_of(const std::string& what, const std::vector<std::string>& names,
+                      Reading& reading) {
+    constexpr std::size_t most = 12;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+      list += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+    if (!names.empty()) reading.said.note(what + " of spatial tendons are not carried over", list);
+  }
+
+  std::vector<std::string> pulling_, stopping_, resisting_;
+};
 
 // ---- Couplings of joints
 
@@ -122,8 +164,8 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
     leader = &joint_of(leader->mimic->leader, item.xml(), reading);
   }
   fix(*leader, value, reading);
-  reading.said.note("joints that an equality holds at a value are fixed there",
-                    example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
+  reading.aside.note("joints that an equality holds at a value are fixed there",
+                     example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
 /// A coupling of which one joint is held already holds the other; y - y0 = a0 + a1 (x - x0).
@@ -210,7 +252,7 @@ std::string link_of(const Item& item, const char* attribute, const Reading& read
   std::vector<std::string> known;
   for (const auto& [name, pose] : reading.link_at_start) known.push_back(name);
   refuse_at(item.xml(),
-            "body " + in_quotes(*stated) + " does not exist" + did_you_mean(*stated, known));
+            "body " + in_quotes(*stated) + " does not exist" + reading.hint(*stated, known));
 }
 
 const Placed& site_of(const Item& item, const char* attribute, const Reading& reading) {
@@ -219,7 +261,7 @@ const Placed& site_of(const Item& item, const char* attribute, const Reading& re
   if (found != reading.sites.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [one, site] : reading.sites) known.push_back(one);
-  refuse_at(item.xml(), "site " + in_quotes(name) + " does not exist" + did_you_mean(name, known));
+  refuse_at(item.xml(), "site " + in_quotes(name) + " does not exist" + reading.hint(name, known));
 }
 
 Isometry3d at_point(const std::vector<double>& p) {
@@ -242,7 +284,7 @@ std::optional<Isometry3d> stated_pose(const Item& item) {
 
 void close_loop(const Item& item, bool is_weld, Reading& reading) {
   LoopSpec loop;
-  loop.line = item.xml().GetLineNum();
+  loop.line = line_of(item.xml());
   loop.name = item.name().empty() ? reading.loops.unique("loop") : item.name();
   reading.loops.take(loop.name);
   loop.directions = is_weld ? Directions::all() : Directions::linear();
@@ -274,8 +316,8 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
 void read_equality(const Item& item, Reading& reading) {
   const std::string_view kind = item.xml().Name();
   if (!item.flag("active", true))
-    return reading.said.note("equalities that are not active are passed over",
-                             example_of(item.xml()));
+    return reading.aside.note("equalities that are not active are passed over",
+                              example_of(item.xml()));
   if (kind == "connect") return close_loop(item, false, reading);
   if (kind == "weld") return close_loop(item, true, reading);
   if (kind == "joint") return couple(item, reading);
@@ -292,12 +334,14 @@ Item equality_item(const XMLElement& element, const Reading& reading) {
 }  // namespace
 
 void read_tendons(const std::vector<const XMLElement*>& elements, Reading& reading) {
+  SpatialTendons spatial;
   for (const XMLElement* element : elements) {
     if (std::string_view(element->Name()) == "fixed")
       reading.findings.attempt([&] { read_fixed(reading.item(*element), reading); });
     else
-      reading.said.note("spatial tendons are not carried over", example_of(*element));
+      reading.findings.attempt([&] { spatial.look_at(reading.item(*element), reading); });
   }
+  spatial.tell(reading);
 }
 
 void read_equalities(const std::vector<const XMLElement*>& elements, Reading& reading) {

@@ -252,9 +252,9 @@ std::vector<VisualSpec> visuals_of(const Stated& geom, Reading& reading) {
 InertiaSpec read_geoms(const std::vector<Geom>& geoms, std::size_t link, Weigh how,
                        Reading& reading) {
   InertiaSpec sum;
-  const Compiler& compiler = reading.compiler;
   for (const Geom& one : geoms) {
     reading.findings.attempt([&] {
+      const Compiler& compiler = reading.compiler_of(one.item->xml());
       const Stated geom = state(*one.item, one.around, compiler);
       for (VisualSpec& visual : visuals_of(geom, reading))
         reading.drawn.push_back({link, geom.group, std::move(visual)});

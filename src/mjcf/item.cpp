@@ -28,6 +28,18 @@ void DefaultClasses::read(const XMLElement& section, Source& source) {
   read(section, source, classes_.front());
 }
 
+void DefaultClasses::attach(const std::string& main, const std::vector<const XMLElement*>& sections,
+                            Source& source) {
+  classes_.push_back({main, nullptr, {}});
+  DefaultClass& outermost = classes_.back();
+  by_name_[main] = &outermost;
+  for (const XMLElement* section : sections) {
+    const char* name = section->Attribute("class");
+    if (name != nullptr && *name != '\0') by_name_[name] = &outermost;
+    read(*section, source, outermost);
+  }
+}
+
 void DefaultClasses::read(const XMLElement& element, Source& source, DefaultClass& into) {
   for (const XMLElement* child : source.children(element)) {
     if (std::string_view(child->Name()) != "default") {

@@ -31,6 +31,11 @@ class DefaultClasses {
   /// a name that is taken.
   void read(const XMLElement& section, Source& source);
 
+  /// The <default>s of another model, whose classes are renamed; its outermost goes by `main` too,
+  /// and knows nothing of the classes of this one.
+  void attach(const std::string& main, const std::vector<const XMLElement*>& sections,
+              Source& source);
+
   const DefaultClass& main() const { return classes_.front(); }
   /// Throws Error with the nearest known name.
   const DefaultClass& named(const std::string& name, const XMLElement& asking) const;

@@ -16,16 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sections of a model by name, each in its own order, whatever the order of the sections is.
-using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less<>>;
-
 constexpr std::array<std::string_view, 16> known_sections = {
     "compiler",  "option",  "size",   "visual",   "statistic", "default", "custom",   "asset",
     "worldbody", "contact", "tendon", "equality", "actuator",  "sensor",  "keyframe", "extension"};
 
-Sections sections_of(Reading& reading) {
+Sections sections_of(const XMLElement& root, Reading& reading) {
   Sections sections;
-  for (const XMLElement* section : reading.source.children(reading.source.root())) {
+  for (const XMLElement* section : reading.source.children(root)) {
     const std::string name = section->Name();
     const bool is_known =
         std::find(known_sections.begin(), known_sections.end(), name) != known_sections.end();
@@ -91,21 +88,25 @@ void add_visuals(Reading& reading) {
 }
 
 void scale_masses(Reading& reading) {
-  if (reading.compiler.total_mass <= 0.0) return;
+  const double total = reading.compiler_of(reading.source.root()).total_mass;
+  if (total <= 0.0) return;
   double sum = 0.0;
   for (const LinkSpec& link : reading.tree.links) sum += link.inertia.mass;
   if (!(sum > 0.0)) return;
   for (LinkSpec& link : reading.tree.links) {
-    link.inertia.mass *= reading.compiler.total_mass / sum;
-    link.inertia.inertia_at_com *= reading.compiler.total_mass / sum;
+    link.inertia.mass *= total / sum;
+    link.inertia.inertia_at_com *= total / sum;
   }
 }
 
 /// What is for eyes and simulators alone, in one sentence.
 void say_what_is_passed_over(const Sections& sections, Reading& reading) {
   for (const std::string_view name : {"contact", "sensor", "custom", "extension", "deformable"})
-    for (const XMLElement* element : elements_of(sections, name, reading))
+    for (const XMLElement* element : elements_of(sections, name, reading)) {
+      if (std::string_view(element->Name()) == "flex")
+        continue;  // said among what changes dynamics
       ++reading.passed_over[element->Name()];
+    }
   if (reading.passed_over.empty()) return;
   constexpr std::size_t most = 30;
   std::string kinds;
@@ -117,23 +118,30 @@ void say_what_is_passed_over(const Sections& sections, Reading& reading) {
     }
     kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " <" + name.substr(0, 80) + ">";
   }
-  reading.findings.warn("passed over is what dynamics does not need: " + kinds);
+  reading.tree.notes.push_back(reading.source.name() +
+                               ": passed over is what dynamics does not need: " + kinds);
 }
 
 void read_sections(const Sections& sections, Reading& reading) {
-  for_each_section(sections, "compiler", reading,
-                   [&](const XMLElement& s) { reading.compiler.read(s); });
   for_each_section(sections, "option", reading,
                    [&](const XMLElement& s) { read_option(s, reading); });
   for_each_section(sections, "default", reading,
                    [&](const XMLElement& s) { reading.classes.read(s, reading.source); });
-  for_each_section(sections, "asset", reading,
-                   [&](const XMLElement& s) { read_assets(s, reading); });
+  for (const XMLElement* asset : elements_of(sections, "asset", reading))
+    read_asset(*asset, reading);
   for_each_section(sections, "worldbody", reading,
                    [&](const XMLElement& s) { read_world(s, reading); });
-  read_tendons(elements_of(sections, "tendon", reading), reading);
-  read_actuators(elements_of(sections, "actuator", reading), reading);
-  read_equalities(elements_of(sections, "equality", reading), reading);
+  for (const XMLElement* element : elements_of(sections, "deformable", reading))
+    if (std::string_view(element->Name()) == "flex")
+      reading.said.note(
+          "what is soft or composed (<composite>, <flexcomp>, <flex>) is not carried over",
+          example_of(*element));
+  // Of what is cut off everything that names it would be missing.
+  if (reading.tree.links.size() > max_links) return;
+  Sections& elements = reading.part_of(reading.source.root()).elements;
+  read_tendons(elements["tendon"], reading);
+  read_actuators(elements["actuator"], reading);
+  read_equalities(elements["equality"], reading);
   read_keyframes(elements_of(sections, "keyframe", reading), reading);
 }
 
@@ -143,6 +151,38 @@ std::string Names::unique(const std::string& wanted) {
   std::string name = wanted;
   while (!taken_.insert(name).second) name = wanted + "_" + std::to_string(++numbers_[wanted]);
   return name;
+}
+
+Reading::Reading(const std::string& xml, const std::string& name,
+                 std::optional<std::filesystem::path> folder)
+    : source(xml, name, std::move(folder)), findings(name) {
+  source.expand_by([this](const XMLElement& element) {
+    std::vector<const XMLElement*> copies;
+    if (!expanding.insert(&element).second) refuse_at(element, "it attaches what it stands in");
+    const Deeper deeper(expanding_depth);
+    constexpr int most = 20;
+    if (expanding_depth > most)
+      refuse_at(element, "copies hold others more than " + std::to_string(most) + " deep");
+    findings.attempt([&] { copies = expand(element, *this); });
+    return copies;
+  });
+}
+
+Part& Reading::part_of(const XMLElement& element) {
+  const XMLElement& root = source.model_of(element);
+  const auto known = parts.find(&root);
+  return known != parts.end() ? known->second : parts[&root] = read_part(root, *this);
+}
+
+Part read_part(const XMLElement& root, Reading& reading) {
+  Part part;
+  part.folder = reading.source.folder_of(root);
+  part.sections = sections_of(root, reading);
+  for_each_section(part.sections, "compiler", reading,
+                   [&](const XMLElement& s) { part.compiler.read(s); });
+  for (const char* section : {"tendon", "equality", "actuator"})
+    part.elements[section] = elements_of(part.sections, section, reading);
+  return part;
 }
 
 Item Reading::item(const XMLElement& xml, const DefaultClass* around) const {
@@ -156,13 +196,18 @@ const DefaultClass* Reading::class_inside(const XMLElement& xml, const DefaultCl
   return stated == nullptr || *stated == '\0' ? around : &classes.named(stated, xml);
 }
 
+std::string Reading::hint(const std::string& name, const std::vector<std::string>& known) const {
+  const std::string near = did_you_mean(name, known);
+  return near.empty() && has_composed ? "; what <composite> and <flexcomp> make is not read" : near;
+}
+
 Coordinate& Reading::coordinate(const std::string& joint, const XMLElement& asking) {
   const auto found = joint_by_name.find(joint);
   if (found != joint_by_name.end()) return coordinates[found->second];
   std::vector<std::string> known;
   if (findings.are_few())
     for (const auto& [name, index] : joint_by_name) known.push_back(name);
-  refuse_at(asking, "joint " + in_quotes(joint) + " does not exist" + did_you_mean(joint, known));
+  refuse_at(asking, "joint " + in_quotes(joint) + " does not exist" + hint(joint, known));
 }
 
 TreeSpec read_model(const std::string& xml, const std::string& name,
@@ -171,13 +216,15 @@ TreeSpec read_model(const std::string& xml, const std::string& name,
   TreeSpec& tree = reading.tree;
   tree.source = name;
   tree.name = model_name(reading);
-  const Sections sections = sections_of(reading);
+  const Sections& sections = reading.part_of(reading.source.root()).sections;
   if (!sections.contains("worldbody"))
     refuse(name, "it has no <worldbody>; the bodies of a robot were wanted in one");
   read_sections(sections, reading);
   add_visuals(reading);
   scale_masses(reading);
-  reading.said.tell(reading.findings);
+  for (const std::string& sentence : reading.said.sentences()) reading.findings.warn(sentence);
+  for (const std::string& sentence : reading.aside.sentences())
+    tree.notes.push_back(reading.source.name() + ": " + sentence);
   say_what_is_passed_over(sections, reading);
   tree.warnings = reading.findings.warnings();  // what is odd about the values, build_model says
   if (!reading.findings.has_problems()) check_topology(tree, reading.findings);

@@ -1,5 +1,6 @@
 #include "mjcf/mjcf_source.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "base/sentence.hpp"
@@ -12,9 +13,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 100;
+constexpr std::size_t most_copies = 50'000;
+constexpr int most_nested_copies = 1000;
 
 /// The name of its file hangs on a document.
-std::string file_of(const XMLElement& element) {
+std::string name_of_file(const XMLElement& element) {
   const void* name = element.GetDocument()->GetUserData();
   return name == nullptr ? "" : *static_cast<const std::string*>(name);
 }
@@ -35,6 +38,7 @@ Source::File& Source::parse(const std::string& xml, const std::string& name,
   auto file = std::make_unique<File>();
   file->name = name;
   file->included_by = included_by;
+  file->model = included_by == nullptr ? file.get() : included_by->model;
   file->document = std::make_unique<tinyxml2::XMLDocument>();
   file->document->SetUserData(&file->name);
   file->root = &parse_xml(*file->document, xml, name, "MJCF", "<mujoco>");
@@ -49,48 +53,124 @@ std::optional<fs::path> Source::find(const fs::path& file) const {
   return fs::is_regular_file(path, ignored) ? std::optional(path) : std::nullopt;
 }
 
-const XMLElement& Source::included(const XMLElement& include) {
-  const auto known = root_of_include_.find(&include);
-  if (known != root_of_include_.end()) return *known->second;
-  const std::string file = needed_attribute(include, "file", place_of(include));
-  if (!folder_) {
-    refuse_at(include, "it names the file " + in_quotes(file) +
-                           "; a text by itself includes none, so read it from a file");
-  }
-  const auto from = std::find_if(files_.begin(), files_.end(), [&](const auto& one) {
-    return one->document.get() == include.GetDocument();
+Source::File& Source::file_of(const XMLElement& element) const {
+  const auto file = std::find_if(files_.begin(), files_.end(), [&](const auto& one) {
+    return one->document.get() == element.GetDocument();
   });
-  // As MuJoCo has it beside the main file, or else beside the file that includes it.
-  auto path = find(file);
-  if (!path) path = find(fs::path((*from)->path).parent_path() / file);
-  if (!path) refuse_at(include, "the file " + in_quotes(file) + " does not exist");
+  return **file;
+}
+
+const XMLElement& Source::opened(const XMLElement& naming, bool is_model) {
+  const auto known = opened_.find(&naming);
+  if (known != opened_.end()) return *known->second;
+  const std::string file = needed_attribute(naming, "file", place_of(naming));
+  if (!folder_) {
+    refuse_at(naming, "it names the file " + in_quotes(file) +
+                          "; a text by itself includes none, so read it from a file");
+  }
+  const File& from = file_of(naming);
+  // As MuJoCo has it beside the model's main file, or else beside the file that names it.
+  auto path = find(folder_of(*from.model->root) / file);
+  if (!path) path = find(fs::path(from.path).parent_path() / file);
+  if (!path) refuse_at(naming, "the file " + in_quotes(file) + " does not exist");
   const fs::path real = path->lexically_normal();
-  for (const File* at = from->get(); at != nullptr; at = at->included_by) {
+  for (const File* at = &from; at != nullptr; at = at->included_by) {
     if (at->path == real || (at->included_by == nullptr && fs::path(at->name) == real))
-      refuse_at(include, "the file " + in_quotes(file) + " includes itself");
+      refuse_at(naming, "the file " + in_quotes(file) + " includes itself");
   }
   if (files_.size() >= most_files)
-    refuse_at(include, "more than " + std::to_string(most_files) + " files are included");
-  File& read = parse(read_text(real, "MJCF file"), real.string(), from->get());
+    refuse_at(naming, "more than " + std::to_string(most_files) + " files are included");
+  File& read = parse(read_text(real, "MJCF file"), real.string(), &from);
   read.path = real;
-  root_of_include_[&include] = read.root;
+  if (is_model) read.model = &read;
+  opened_[&naming] = read.root;
   return *read.root;
 }
 
-void Source::append(const XMLElement& element, std::vector<const XMLElement*>& children) {
+const XMLElement& Source::open_model(const XMLElement& naming) { return opened(naming, true); }
+
+const XMLElement& Source::model_of(const XMLElement& element) const {
+  return *file_of(element).model->root;
+}
+
+fs::path Source::folder_of(const XMLElement& root) const {
+  const File& file = file_of(root);
+  if (file.included_by == nullptr) return {};
+  return file.path.parent_path().lexically_relative(folder_->lexically_normal());
+}
+
+const std::vector<const XMLElement*>& Source::expansion(const XMLElement& element) {
+  const auto known = expansions_.find(&element);
+  if (known != expansions_.end()) return known->second;
+  return expansions_[&element] = expand_(element);
+}
+
+void Source::append(const XMLElement& element, bool expands,
+                    std::vector<const XMLElement*>& children) {
+  const auto made_around = inside_.find(&element);
+  if (made_around != inside_.end()) {
+    children.insert(children.end(), made_around->second.begin(), made_around->second.end());
+    return;
+  }
   for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
-    if (std::string_view(child->Name()) == "include")
-      append(included(*child), children);
-    else
+    const std::string_view kind = child->Name();
+    if (kind == "include") {
+      append(opened(*child, false), expands, children);
+    } else if (expands && (kind == "attach" || kind == "replicate")) {
+      const auto& others = expansion(*child);
+      children.insert(children.end(), others.begin(), others.end());
+    } else {
       children.push_back(child);
+    }
   }
 }
 
 std::vector<const XMLElement*> Source::children(const XMLElement& element) {
   std::vector<const XMLElement*> result;
-  append(element, result);
+  append(element, true, result);
   return result;
+}
+
+std::vector<const XMLElement*> Source::stated_children(const XMLElement& element) {
+  std::vector<const XMLElement*> result;
+  append(element, false, result);
+  return result;
+}
+
+XMLElement& Source::make(const XMLElement& beside, const char* name) {
+  if (++copies_ > most_copies)
+    refuse_at(beside, "with it more than " + std::to_string(most_copies) +
+                          " elements are copied; at most that many are supported");
+  XMLElement* made = file_of(beside).document->NewElement(name);
+  const void* original = beside.GetUserData() == nullptr ? &beside : beside.GetUserData();
+  made->SetUserData(const_cast<void*>(original));
+  return *made;
+}
+
+XMLElement& Source::make_around(const XMLElement& beside, const char* name,
+                                std::vector<const XMLElement*> children) {
+  XMLElement& made = make(beside, name);
+  // They may belong to other documents, of which none takes what is another's.
+  inside_[&made] = std::move(children);
+  return made;
+}
+
+XMLElement& Source::copy(const XMLElement& element, const Rewrite& rewrite) {
+  const Deeper deeper(copying_);
+  if (copying_ > most_nested_copies)
+    refuse_at(element,
+              "copies of it are nested more than " + std::to_string(most_nested_copies) + " deep");
+  const std::vector<const XMLElement*> inside = children(element);
+  std::vector<const XMLElement*> copies;
+  copies.reserve(inside.size());
+  for (const XMLElement* child : inside) copies.push_back(&copy(*child, rewrite));
+  XMLElement& made = copies.empty() ? make(element, element.Name())
+                                    : make_around(element, element.Name(), std::move(copies));
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next())
+    made.SetAttribute(a->Name(), a->Value());
+  rewrite(made);
+  return made;
 }
 
 XmlPlace place_of(const XMLElement& element) {
@@ -98,7 +178,7 @@ XmlPlace place_of(const XMLElement& element) {
   constexpr std::size_t longest = 80;
   const std::string kind = std::string(element.Name()).substr(0, longest);
   const bool has_name = name != nullptr && *name != '\0';
-  return {file_of(element), has_name ? kind + " " + in_quotes(name) : "<" + kind + ">"};
+  return {name_of_file(element), has_name ? kind + " " + in_quotes(name) : "<" + kind + ">"};
 }
 
 void refuse_at(const XMLElement& element, const std::string& what) {

@@ -64,15 +64,29 @@ class Names {
   std::map<std::string, int> numbers_;
 };
 
+/// Sections of a model by name, each in its own order, whatever the order of the sections is.
+using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less<>>;
+
+/// A model by itself: the file's own, or one that is attached.
+struct Part {
+  Compiler compiler;
+  std::filesystem::path folder;  ///< of its file, from that of the main one
+  Sections sections;
+  /// Of sections that name bodies, joints or sites what they hold, by section. Copies of what is
+  /// named bring copies of them.
+  Sections elements;
+};
+
 struct Reading {
   Source source;
-  Compiler compiler;
+  std::map<const XMLElement*, Part> parts;  ///< by root
   DefaultClasses classes;
   std::map<std::string, MeshAsset> meshes;
   std::map<std::string, Eigen::Vector4d> colours;  ///< by material
   TreeSpec tree;
   Findings findings;
-  Said said;
+  Said said;   ///< what changes dynamics: warnings
+  Said aside;  ///< what does not: notes
   Names links, joints, frames, loops;
   std::map<std::string, Placed> sites;
   std::map<std::string, Eigen::Isometry3d> link_at_start;  ///< in the world at qpos0
@@ -82,20 +96,41 @@ struct Reading {
   std::vector<Drawn> drawn;
   std::map<std::string, int> passed_over;  ///< elements that say nothing here, by name
 
+  std::set<std::pair<const XMLElement*, std::string>> attached;  ///< roots and prefixes
+  bool has_composed = false;  ///< a <composite> or <flexcomp>, whose bodies are not read
+  int expanding_depth = 0;
+  std::set<const XMLElement*> expanding;  ///< of <attach> and <replicate> those that were met
+
   Reading(const std::string& xml, const std::string& name,
-          std::optional<std::filesystem::path> folder)
-      : source(xml, name, std::move(folder)), findings(name) {}
+          std::optional<std::filesystem::path> folder);
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  /// The model that an element belongs to; copies belong to that of what they are copied from.
+  Part& part_of(const XMLElement& element);
+  const Compiler& compiler_of(const XMLElement& element) { return part_of(element).compiler; }
 
   /// The element under its own class, or else under `around`. Throws Error for an unknown class.
   Item item(const XMLElement& xml, const DefaultClass* around = nullptr) const;
   /// The class of elements inside: `childclass`, or else `around`.
   const DefaultClass* class_inside(const XMLElement& xml, const DefaultClass* around) const;
+  /// Why something named may be missing: "; what <composite> and <flexcomp> make is not read", or
+  /// the nearest known name.
+  std::string hint(const std::string& name, const std::vector<std::string>& known) const;
   /// A joint's entry, by name. Throws Error with the nearest known name.
   Coordinate& coordinate(const std::string& joint, const XMLElement& asking);
 };
 
-/// <asset>: meshes and the colours of materials. Nothing is opened.
-void read_assets(const XMLElement& section, Reading& reading);
+/// A model's own settings and sections, as its root has them.
+Part read_part(const XMLElement& root, Reading& reading);
+
+/// What stands for an <attach> or a <replicate>: copies of bodies, joints, geoms and sites under
+/// other names. Elements of other sections that name some of it are copied with them. Throws Error
+/// where that cannot be read.
+std::vector<const XMLElement*> expand(const XMLElement& element, Reading& reading);
+
+/// Of <asset>: a mesh, or the colour of a material. Nothing is opened.
+void read_asset(const XMLElement& asset, Reading& reading);
 
 /// <worldbody>: links, joints, sites and what is drawn.
 void read_world(const XMLElement& section, Reading& reading);

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "base/findings.hpp"
-
 namespace burnish::mjcf {
 
 class Said {
@@ -21,12 +19,14 @@ class Said {
       kinds_.push_back({what, example, 1});
   }
 
-  void tell(Findings& findings) const {
+  std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
     for (const Kind& kind : kinds_) {
       const std::string several =
           kind.count > 1 ? std::to_string(kind.count) + " of them, such as " : "";
-      findings.warn(kind.what + " (" + several + kind.example + ")");
+      all.push_back(kind.what + " (" + several + kind.example + ")");
     }
+    return all;
   }
 
  private:

@@ -308,6 +308,7 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   fill_support(model);
   check_inertia_along_joints(model, findings);
   findings.refuse_problems();
+  model.notes = tree.notes;
   model.warnings = tree.warnings;
   model.warnings.insert(model.warnings.end(), findings.warnings().begin(),
                         findings.warnings().end());

@@ -212,7 +212,11 @@ const Description& description_of(const TreeSpec* /*of*/) {
           .field("gravity", &T::gravity, "{m/s^2}, where the file states it")
           .field("warnings", &T::warnings,
                  "What was odd about the file but stopped nothing, one sentence each; a Model gets "
-                 "them too.");
+                 "them too.")
+          .field("notes", &T::notes,
+                 "What the file holds beside that which is passed over without changing dynamics, "
+                 "one sentence each: no oddity, so that strict reading bears it. A Model gets them "
+                 "too.");
   return all;
 }
 

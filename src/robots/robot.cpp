@@ -457,6 +457,7 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   of_loops.refuse_problems();
   if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
   if (overrides.strict) refuse_warnings(of_loops.origin(), of_loops.warnings());
+  robot.notes = robot.model.notes;
   robot.warnings = robot.model.warnings;
   robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
   robot.warnings.insert(robot.warnings.end(), of_loops.warnings().begin(),

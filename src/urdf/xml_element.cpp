@@ -58,8 +58,13 @@ void refuse(const XmlPlace& place, const tinyxml2::XMLElement& at, const std::st
   refuse(place.source, line_text(at) + place.element + ": " + what);
 }
 
+int line_of(const tinyxml2::XMLElement& element) {
+  const auto* original = static_cast<const tinyxml2::XMLElement*>(element.GetUserData());
+  return (original == nullptr ? element : *original).GetLineNum();
+}
+
 std::string line_text(const tinyxml2::XMLElement& element) {
-  return "line " + std::to_string(element.GetLineNum()) + ": ";
+  return "line " + std::to_string(line_of(element)) + ": ";
 }
 
 std::string name_of(const tinyxml2::XMLElement& element, const std::string& source) {

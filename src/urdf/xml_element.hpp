@@ -20,6 +20,8 @@ struct XmlPlace {
 [[noreturn]] void refuse(const XmlPlace& place, const tinyxml2::XMLElement& at,
                          const std::string& what);
 
+/// The line it stands at; of a copy, whose user data is what it was copied from, that one's.
+int line_of(const tinyxml2::XMLElement& element);
 /// "line 12: ".
 std::string line_text(const tinyxml2::XMLElement& element);
 

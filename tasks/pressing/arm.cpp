@@ -9,24 +9,38 @@
 namespace burnish::pressing {
 namespace {
 
-/// Says which links are at the ends of the robot.
+/// "; links at its ends are a, b, c", of many the first, or nothing where there is none.
+std::string listed(const std::string& what, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 6;
+  std::string text = names.empty() ? "" : "; " + what + " are ";
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return text;
+}
+
+bool is_of_loop(const Model& model, const std::string& frame) {
+  return std::any_of(model.loops.begin(), model.loops.end(),
+                     [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
+}
+
+/// Says which frames its files name, sites among them, and which links are at the ends of the
+/// robot.
 [[noreturn]] void refuse_tool(const std::string& tool, const Model& model) {
-  std::vector<std::string> names, ends;
+  std::vector<std::string> names, links, frames, before_ends;
   for (const Frame& frame : model.frames) {
     names.push_back(frame.name);
-    if (frame.kind != FrameKind::Link || frame.body < 0) continue;
-    const bool carries =
-        std::any_of(model.joints.begin(), model.joints.end(),
-                    [&](const Joint& joint) { return joint.parent == frame.body; });
-    if (!carries) ends.push_back(frame.name);
+    if (frame.kind == FrameKind::Joint || frame.body < 0) continue;
+    const bool is_end = std::none_of(model.joints.begin(), model.joints.end(),
+                                     [&](const Joint& j) { return j.parent == frame.body; });
+    if (frame.kind == FrameKind::Link) {
+      if (is_end) links.push_back(frame.name);
+    } else if (!is_of_loop(model, frame.name)) {
+      (is_end ? frames : before_ends).push_back(frame.name);
+    }
   }
+  frames.insert(frames.end(), before_ends.begin(), before_ends.end());
   std::string near = did_you_mean(tool, names);
-  constexpr std::size_t most = 6;
-  if (near.empty() && !ends.empty()) {
-    near = "; links at its ends are ";
-    for (std::size_t i = 0; i < std::min(most, ends.size()); ++i)
-      near += (i == 0 ? "" : ", ") + ends[i];
-  }
+  if (near.empty()) near = listed("its own frames", frames) + listed("links at its ends", links);
   throw EntryError("tool.frame", "the tool's frame " + in_quotes(tool) + " is none of robot " +
                                      in_quotes(model.name) + near);
 }

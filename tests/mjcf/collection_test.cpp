@@ -9,6 +9,7 @@
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/model/model.hpp"
 #include "mjcf/comparison.hpp"
+#include "mjcf/tied_comparison.hpp"
 #include "support/scratch.hpp"
 
 namespace burnish::testing {
@@ -45,6 +46,18 @@ std::string by_file(const fs::path& file, const TreeSpec& tree) {
   }
 }
 
+/// Of the copy, which has the file's equalities; "-" where it has none that are carried over.
+std::string under_equalities(const fs::path& file, const TreeSpec& tree, mjModel& copy) {
+  const TiedAgreement tied = compare_tied(tree, copy, states_tried);
+  EXPECT_LE(tied.worst(), 1e-9) << file;
+  if (tied.rows == 0) return "-";
+  EXPECT_GT(tied.states, 0) << file;
+  char text[80];
+  std::snprintf(text, sizeof text, "%d row%s, %.0e", tied.rows, tied.rows == 1 ? "" : "s",
+                tied.worst());
+  return text;
+}
+
 void look_at(const fs::path& file, const fs::path& folder, Counts& counts) {
   const std::string name = fs::relative(file, folder).string();
   TreeSpec tree;
@@ -58,7 +71,7 @@ void look_at(const fs::path& file, const fs::path& folder, Counts& counts) {
     return;
   }
   ++counts.read;
-  std::string error;
+  std::string error, tied = "-";
   try {
     const auto theirs = mujoco::compile(plain_copy(file, tree));
     load_masses(tree, *theirs);
@@ -73,11 +86,13 @@ void look_at(const fs::path& file, const fs::path& folder, Counts& counts) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0e", worst);
     error = text;
+    tied = under_equalities(file, tree, *theirs);
   } catch (const Error& reason) {
     error = reason.what();
   }
-  std::printf("| %s | %d | %d | %zu | %zu | %s | %s |\n", name.c_str(), model.nq, model.nv,
-              tree.loops.size(), tree.warnings.size(), error.c_str(), by_file(file, tree).c_str());
+  std::printf("| %s | %d | %d | %zu | %zu | %s | %s | %s |\n", name.c_str(), model.nq, model.nv,
+              tree.loops.size(), tree.warnings.size(), error.c_str(), by_file(file, tree).c_str(),
+              tied.c_str());
 }
 
 TEST(MjcfCollection, AgreesWithMujoco) {
@@ -86,8 +101,10 @@ TEST(MjcfCollection, AgreesWithMujoco) {
     GTEST_SKIP() << "BURNISH_MJCF names no folder with MJCF files";
   mju_user_warning = [](const char*) {};
   Counts counts;
-  std::printf("| model | nq | nv | loops | warnings | error | error by the file itself |\n");
-  std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf(
+      "| model | nq | nv | loops | warnings | error | error by the file itself | under equalities "
+      "|\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const fs::path& file : models_in(folder)) look_at(file, folder, counts);
   std::printf("%d read, %d refused, %d agree with MuJoCo to 1e-10\n", counts.read, counts.refused,
               counts.agreed);

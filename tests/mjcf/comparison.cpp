@@ -12,6 +12,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/model/state.hpp"
+#include "mjcf/joint_map.hpp"
 #include "support/contact_states.hpp"
 
 namespace burnish::testing {
@@ -20,84 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using tinyxml2::XMLElement;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-std::string name_in(const mjModel& model, int type, int index) {
-  const char* name = mj_id2name(&model, type, index);
-  return name == nullptr ? "" : name;
-}
-
-/// For each of MuJoCo's joints the tree's: by its name, or else the next that the file does not
-/// name.
-std::vector<std::string> joints_of(const TreeSpec& tree, const mjModel& theirs) {
-  std::set<std::string> stated;
-  for (int j = 0; j < theirs.njnt; ++j) stated.insert(name_in(theirs, mjOBJ_JOINT, j));
-  std::vector<std::string> unnamed;
-  for (const JointSpec& joint : tree.joints)
-    if (joint.type != JointType::Fixed && !stated.contains(joint.name))
-      unnamed.push_back(joint.name);
-  std::vector<std::string> names;
-  auto next = unnamed.begin();
-  for (int j = 0; j < theirs.njnt; ++j) {
-    const std::string name = name_in(theirs, mjOBJ_JOINT, j);
-    if (name.empty() && next == unnamed.end()) throw Error("MuJoCo has more joints");
-    names.push_back(name.empty() ? *next++ : name);
-  }
-  if (next != unnamed.end()) throw Error("MuJoCo has fewer joints");
-  return names;
-}
-
-/// Places of the joints in both, and values of those that are fixed in the tree.
-struct Map {
-  const Model& model;
-  const mjModel& theirs;
-  std::vector<int> ours;  // index of a joint of the model, -1: held
-
-  Map(const TreeSpec& tree, const Model& compiled, const mjModel& other)
-      : model(compiled), theirs(other) {
-    for (const std::string& name : joints_of(tree, other)) {
-      const auto found = std::find_if(model.joints.begin(), model.joints.end(),
-                                      [&](const Joint& joint) { return joint.name == name; });
-      ours.push_back(found == model.joints.end() ? -1
-                                                 : static_cast<int>(found - model.joints.begin()));
-    }
-  }
-
-  /// Writes qpos, and the matrix B with qvel = B v and its rate of change times v.
-  void store(const Eigen::VectorXd& q, const Eigen::VectorXd& v, mjData& data, Eigen::MatrixXd& B,
-             Eigen::VectorXd& drift) const {
-    B.setZero(theirs.nv, model.nv);
-    drift.setZero(theirs.nv);
-    mju_copy(data.qpos, theirs.qpos0, theirs.nq);
-    for (int j = 0; j < theirs.njnt; ++j) {
-      const int index = ours[static_cast<std::size_t>(j)];
-      if (index < 0) continue;
-      const Joint& joint = model.joints[static_cast<std::size_t>(index)];
-      mjtNum* qpos = data.qpos + theirs.jnt_qposadr[j];
-      const int dof = theirs.jnt_dofadr[j];
-      if (theirs.jnt_type[j] == mjJNT_FREE) {
-        const auto x = q.segment<7>(joint.q_index);
-        const Eigen::Quaterniond r(x[6], x[3], x[4], x[5]);
-        const double theirs_q[7] = {x[0], x[1], x[2], x[6], x[3], x[4], x[5]};
-        mju_copy(qpos, theirs_q, 7);
-        B.block<3, 3>(dof, joint.v_index) = r.toRotationMatrix();
-        B.block<3, 3>(dof + 3, joint.v_index + 3).setIdentity();
-        const Eigen::Vector3d u = v.segment<3>(joint.v_index), w = v.segment<3>(joint.v_index + 3);
-        drift.segment<3>(dof) = r * w.cross(u);
-      } else if (theirs.jnt_type[j] == mjJNT_BALL) {
-        const auto x = q.segment<4>(joint.q_index);
-        const double theirs_q[4] = {x[3], x[0], x[1], x[2]};
-        mju_copy(qpos, theirs_q, 4);
-        B.block<3, 3>(dof, joint.v_index).setIdentity();
-      } else {
-        const double factor = joint.follows ? joint.follows->multiplier : 1.0;
-        const double offset = joint.follows ? joint.follows->offset : 0.0;
-        qpos[0] = factor * q[joint.q_index] + offset;
-        B(dof, joint.v_index) = factor;
-      }
-    }
-    Eigen::Map<Eigen::VectorXd>(data.qvel, theirs.nv) = B * v;
-  }
-};
 
 Eigen::MatrixXd mass_matrix_of(const mjModel& model, const mjData& data) {
   RowMajor full(model.nv, model.nv);
@@ -127,7 +50,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
   options.gravity = tree.gravity.value_or(options.gravity);
   const Model model = build_model(tree, options);
   const mujoco::DataPointer data(mj_makeData(&theirs));
-  const Map map(tree, model, theirs);
+  const JointMap map(tree, model, theirs);
   std::set<std::string> links;
   for (const LinkSpec& link : tree.links) links.insert(link.name);
   ContactDynamics ours(model);
@@ -206,6 +129,8 @@ class Copy {
         copy_inside(section, sections, true);
         sections += "</worldbody>\n";
       }
+      if (name == "tendon") copy_tendons(section, sections);
+      if (name == "equality") copy_equalities(section, sections);
     });
     return "<mujoco>\n<compiler inertiafromgeom=\"false\"/>\n" + sections + "</mujoco>\n";
   }
@@ -270,8 +195,38 @@ class Copy {
       if (name == "joint")
         tag(child, "joint",
             {"type", "axis", "pos", "ref", "armature", "damping", "stiffness", "springref"}, text);
+      if (name == "tendon") tag(child, "tendon", {"stiffness", "damping", "springlength"}, text);
     });
     text += "</default>\n";
+  }
+
+  void copy_tendons(const XMLElement& section, std::string& text) {
+    text += "<tendon>\n";
+    each(section, [&](const XMLElement& child) {
+      const char* name = child.Attribute("name");
+      if (std::string_view(child.Name()) != "fixed" || name == nullptr) return;
+      tendons_.insert(name);
+      tag(child, "fixed", {"name", "class", "stiffness", "damping", "springlength"}, text, "",
+          true);
+      each(child, [&](const XMLElement& part) { tag(part, "joint", {"joint", "coef"}, text); });
+      text += "</fixed>\n";
+    });
+    text += "</tendon>\n";
+  }
+
+  void copy_equalities(const XMLElement& section, std::string& text) {
+    text += "<equality>\n";
+    each(section, [&](const XMLElement& child) {
+      const std::string name = child.Name();
+      const char* tendon = child.Attribute("tendon1");
+      if (name == "joint" || (name == "tendon" && tendon != nullptr && tendons_.contains(tendon)) ||
+          name == "connect" || name == "weld")
+        tag(child, name,
+            {"active", "body1", "body2", "anchor", "relpose", "joint1", "joint2", "tendon1",
+             "tendon2", "polycoef"},
+            text);
+    });
+    text += "</equality>\n";
   }
 
   void copy_inertia(const std::string& body, std::string& text) {
@@ -331,7 +286,7 @@ class Copy {
   std::vector<std::unique_ptr<tinyxml2::XMLDocument>> documents_;
   const XMLElement* root_;
   std::map<std::string, InertiaSpec> masses_;
-  std::set<std::string> taken_;
+  std::set<std::string> taken_, tendons_;  // of bodies; of fixed tendons that were written
 };
 
 }  // namespace

@@ -26,8 +26,9 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states);
 /// MuJoCo's reading of a file. Throws Error with its sentence.
 mujoco::ModelPointer load(const std::filesystem::path& file);
 
-/// A text for MuJoCo 2.2.2 with the bodies, joints and defaults of the file, taken from it element
-/// by element, and the masses of the tree. Throws Error where a frame of MuJoCo 3 holds joints.
+/// A text for MuJoCo 2.2.2 with the bodies, joints, fixed tendons, equalities and defaults of the
+/// file, taken from it element by element, and the masses of the tree. Throws Error where a frame
+/// of MuJoCo 3 holds joints.
 std::string plain_copy(const std::filesystem::path& file, const TreeSpec& tree);
 
 /// Masses and inertias of the tree to the last digit; MuJoCo's own reading of an inertia is good to

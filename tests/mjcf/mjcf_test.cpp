@@ -52,6 +52,12 @@ std::string warning_of(const TreeSpec& tree, const std::string& word) {
     if (warning.find(word) != std::string::npos) return warning;
   return "";
 }
+/// The note with a word in it, likewise.
+std::string note_of(const TreeSpec& tree, const std::string& word) {
+  for (const std::string& note : tree.notes)
+    if (note.find(word) != std::string::npos) return note;
+  return "";
+}
 Eigen::Matrix3d rotation_of(const std::string& attributes, const std::string& compiler = "") {
   const TreeSpec tree = parse("<compiler " + compiler + "/>" + body(mass, attributes));
   return joint_of(tree, "b_fixed").placement.linear();
@@ -575,7 +581,7 @@ TEST(Mjcf, HoldsAJointThatAnEqualityHoldsAlone) {
   EXPECT_TRUE(
       joint_of(tree, "y").placement.linear().isApprox(turn(0.25, Vector3d::UnitZ()), 1e-15));
   EXPECT_EQ(tree.postures.at("k").size(), 1u);
-  EXPECT_NE(warning_of(tree, "fixed there"), "");
+  EXPECT_NE(note_of(tree, "fixed there"), "");
 }
 
 TEST(Mjcf, HoldsWhatHangsOnAHeldJoint) {
@@ -633,7 +639,7 @@ TEST(Mjcf, ClosesLoops) {
   EXPECT_TRUE(posed.first.linear().isIdentity(0.0));
   const TreeSpec idle = parse(world + "<weld body1='a' active='false'/></equality>");
   EXPECT_TRUE(idle.loops.empty());
-  EXPECT_NE(warning_of(idle, "not active"), "");
+  EXPECT_NE(note_of(idle, "not active"), "");
   expect_words(refused(world + "<connect body1='aa' anchor='0 0 0'/></equality>"),
                {"'aa'", "did you mean 'a'"});
   expect_words(refused(world + "<connect body1='a' body2='b'/></equality>"), {"anchor"});
@@ -670,7 +676,13 @@ TEST(Mjcf, HasFixedTendons) {
   const TreeSpec spatial =
       parse(two_hinges() + "<tendon><spatial name='s'><site site='a'/></spatial></tendon>");
   EXPECT_TRUE(spatial.tendons.empty());
-  expect_words(warning_of(spatial, "spatial"), {"'s'"});
+  EXPECT_TRUE(spatial.warnings.empty());
+  expect_words(note_of(spatial, "spatial"), {"'s'"});
+  const TreeSpec pulls = parse(two_hinges() +
+                               "<tendon><spatial name='s' stiffness='3'/><spatial name='t' "
+                               "damping='1' range='0 1'/></tendon>");
+  expect_words(warning_of(pulls, "springs"), {"spatial 's'", "spatial 't'"});
+  expect_words(warning_of(pulls, "limits of spatial"), {"spatial 't'"});
 }
 
 // ---- Keyframes
@@ -743,8 +755,6 @@ TEST(Mjcf, RefusesWhatCannotBeMeant) {
   expect_words(refused(body("<geom size='1' mass='-1'/>")), {"negative"});
   expect_words(refused(body("<geom type='cube'/>")), {"'cube'"});
   expect_words(refused("<worldbody><joint/></worldbody>"), {"no joints"});
-  expect_words(refused(body("<attach model='m'/>" + mass)), {"<attach>", "MuJoCo"});
-  expect_words(refused(body("<replicate count='3'/>" + mass)), {"<replicate>"});
   expect_words(refused("<option/>"), {"<worldbody>"});
   expect_words(refused(body("<joint name='j' axis='0 0 0'/>" + mass)), {"'j'", "axis is zero"});
   expect_words(refused(body("<joint name='j'/>" + mass) + body("<joint name='j'/>" + mass)),
@@ -758,8 +768,36 @@ TEST(Mjcf, SaysWhatItPassesOverInOneSentence) {
   const TreeSpec tree =
       parse("<worldbody><light/><light/><camera/><body name='b'>" + mass +
             "</body></worldbody><sensor><gyro/></sensor><asset><texture/></asset>");
-  ASSERT_EQ(tree.warnings.size(), 1u);
-  expect_words(tree.warnings[0], {"2 <light>", "1 <camera>", "1 <gyro>", "1 <texture>"});
+  EXPECT_TRUE(tree.warnings.empty());
+  ASSERT_EQ(tree.notes.size(), 1u);
+  expect_words(tree.notes[0], {"m.xml", "2 <light>", "1 <camera>", "1 <gyro>", "1 <texture>"});
+}
+
+TEST(Mjcf, IsStrictAboutWhatChangesDynamicsAlone) {
+  ModelOptions strict;
+  strict.strict = true;
+  const std::string hinge = "<joint name='j' range='0 1'/>" + mass;
+  const TreeSpec plain =
+      parse(body(hinge + "<light/><site name='j'/>") +
+            "<actuator><position joint='j' forcerange='-1 1'/></actuator><equality><connect "
+            "body1='b' anchor='0 0 0' active='false'/></equality>");
+  const Model model = build_model(plain, strict);
+  EXPECT_EQ(model.notes, plain.notes);
+  EXPECT_EQ(model.notes.size(), 4u);
+  EXPECT_NE(note_of(plain, "gains of servos"), "");
+  EXPECT_NE(note_of(plain, "'_site'"), "");
+  for (const char* odd :
+       {"<plugin plugin='mujoco.elasticity.cable'/>", "<gerom/>", "<flexcomp/>"}) {
+    const TreeSpec tree = parse(body(hinge + odd));
+    ASSERT_EQ(tree.warnings.size(), 1u) << odd;
+    expect_words(refusal([&] { build_model(tree, strict); }), {"strict", "line 1"});
+  }
+  expect_words(refused(body(hinge + "<composite type='cable'/>") +
+                       "<equality><connect body1='B_last' anchor='0 0 0'/></equality>"),
+               {"body 'B_last' does not exist", "<composite>"});
+  const TreeSpec soft = parse(body(hinge) + "<deformable><flex name='f'/><skin/></deformable>");
+  expect_words(warning_of(soft, "soft"), {"flex 'f'"});
+  expect_words(note_of(soft, "passed over"), {"1 <skin>"});
 }
 
 }  // namespace

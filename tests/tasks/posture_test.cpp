@@ -210,6 +210,23 @@ TEST(Posture, OfADescriptionOnlyTheJointsThatCarryTheToolMove) {
                {"links at its ends are ", "fl_shank_link"});
 }
 
+TEST(Posture, AToolThatIsMissingIsSoughtAmongSitesToo) {
+  const Scratch scratch;
+  const auto hinge = [](const std::string& name, const std::string& inside) {
+    return "<body name='" + name + "' pos='0 0 0.3'><joint name='j" + name + "' axis='0 1 0'/>" +
+           "<geom size='0.1'/><site name='on_" + name + "'/>" + inside + "</body>";
+  };
+  Task task;
+  task.robot = scratch
+                   .write("arm.xml", "<mujoco><worldbody><site name='floor'/>" +
+                                         hinge("a", hinge("b", "")) + "</worldbody></mujoco>")
+                   .string();
+  task.tool = "nothing_like_it_at_all";
+  const std::string said = refusal([&] { load_task_robot(task); });
+  expect_words(said, {"its own frames are on_b, on_a; links at its ends are b"});
+  EXPECT_EQ(said.find("floor"), std::string::npos);
+}
+
 TEST(Posture, ABaseThatFloatsFreeIsRefused) {
   Task task = task_for_arm7("tool");
   task.robot = "arm7:floating";

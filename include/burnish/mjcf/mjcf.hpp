@@ -17,8 +17,8 @@ namespace burnish {
 /// quaternion is x, y, z, w here. The root link is "world". A body with several joints is a chain
 /// of massless links; where a joint lies off its body's origin, a fixed joint leads back to it, so
 /// that the body's link is where MuJoCo has the body. What a TreeSpec has no place for is in
-/// `warnings`: one sentence for each kind, with their number and an example. docs/robots.md has the
-/// table.
+/// `warnings`: one sentence for each kind, with their number and an example; where that changes no
+/// dynamics, in `notes`. docs/robots.md has the table.
 ///
 /// Postures are the keyframes, and "qpos0", how the file draws the robot, where that is not at
 /// zero.

@@ -166,6 +166,7 @@ struct Model {
   /// What is odd about the description but computes, one sentence each: that of the TreeSpec, then
   /// inertias that no solid has and joints that move no mass.
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;  ///< those of the TreeSpec
 
   /// Storage of support(): entries begin[body] to begin[body + 1].
   std::vector<int> support_entries, support_begin;

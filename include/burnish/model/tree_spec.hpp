@@ -136,6 +136,9 @@ struct TreeSpec {
   std::optional<Eigen::Vector3d> gravity;   ///< m/s^2, where the file states it
   /// What was odd about the file but stopped nothing, one sentence each; a Model gets them too.
   std::vector<std::string> warnings;
+  /// What the file holds beside that which is passed over without changing dynamics, one sentence
+  /// each: no oddity, so that strict reading bears it. A Model gets them too.
+  std::vector<std::string> notes;
 };
 
 }  // namespace burnish

@@ -18,6 +18,8 @@ struct Robot {
   std::string default_posture;  ///< name in postures, or empty
   /// What is odd about its files but computes, one sentence each: those of the model and others.
   std::vector<std::string> warnings;
+  /// What its files hold that dynamics does not need, one sentence each: never refused.
+  std::vector<std::string> notes;
 
   /// Configuration of a named posture; of a robot with loops one that closes them
   /// (closed_configuration() in contact/loops.hpp). Throws Error with the nearest known name, and
