@@ -258,7 +258,9 @@ void add_estimate(IdentifyArguments& a, CLI::App& command) {
   command.add_flag("--armature", a.spec.armature,
                    "Inertias of the joints' rotors too, in place of the model's");
   command.add_flag("--offset", a.spec.offset, "A constant error of each torque too");
-  command.add_option("--motion-window", a.spec.motion_window,"Seconds that a polynomial spans which differentiates the motion [0.04]")
+  command
+      .add_option("--motion-window", a.spec.motion_window,
+                  "Seconds that a polynomial spans which differentiates the motion [0.04]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command.add_option("--window", a.spec.window, "Seconds that torques are smoothed over [0.25]")
@@ -289,8 +291,7 @@ void add_motion(IdentifyArguments& a, CLI::App& command) {
   command
       .add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
       ->type_name("RAD");
-  command
-      .add_option("--speed", a.excitation.speed, "Radians (m) per second of joints at most [2]")
+  command.add_option("--speed", a.excitation.speed, "Radians (m) per second of joints at most [2]")
       ->type_name("RAD/S")
       ->check(CLI::PositiveNumber);
   command

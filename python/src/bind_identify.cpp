@@ -104,8 +104,9 @@ void bind_identify(py::module_& m) {
          bool armature, bool offset, bool delay, double motion_window, double window,
          double start) {
         const py::gil_scoped_release release;
-        return identify(model, {period, q, tau},
-                        {bodies, payload, friction, armature, offset, delay, motion_window, window, start});
+        return identify(
+            model, {period, q, tau},
+            {bodies, payload, friction, armature, offset, delay, motion_window, window, start});
       },
       py::arg("model"), py::arg("q"), py::arg("tau"), py::arg("period"),
       py::arg("bodies") = std::vector<std::string>(), py::arg("payload") = "tool",

@@ -106,8 +106,7 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion, const W
     // Windows that it lies in: their middles are at half + s stride.
     const int last = std::min(samples - 1, i / stride);
     for (int s = std::max(0, (i - 2 * half + stride - 1) / stride); s <= last; ++s)
-      terms.middleRows(static_cast<Eigen::Index>(s) * nv, nv) +=
-          kernel[i - s * stride] * now;
+      terms.middleRows(static_cast<Eigen::Index>(s) * nv, nv) += kernel[i - s * stride] * now;
   }
   take(terms, windows.period);
 }

@@ -15,10 +15,10 @@ struct Windows {
   /// Throws Error as identify() does.
   Windows(const Model& model, const MotionRecord& record, const IdentificationSpec& spec);
 
-  int motion = 0, longer = 0;         ///< half of them, samples of the record
-  int torque = 0;                     ///< half of it, instants
-  Eigen::Index first = 0, count = 0;  ///< sample of the first instant; number of instants
-  Eigen::Index stride = 1;            ///< samples from instant to instant
+  int motion = 0, longer = 0;          ///< half of them, samples of the record
+  int torque = 0;                      ///< half of it, instants
+  Eigen::Index first = 0, count = 0;   ///< sample of the first instant; number of instants
+  Eigen::Index stride = 1;             ///< samples from instant to instant
   double period = 0.0, spacing = 0.0;  ///< s from sample to sample, and from instant to instant
 };
 

@@ -150,9 +150,12 @@ TEST_F(Identified, FrictionAndRotorsOfEachJointWithAPayload) {
   };
   for (int k = 0; k < model.nv; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    EXPECT_LE(within(found.armature[i], real.armature[k]), 4.0) << k << ' ' << found.armature[i].value << " +- " << found.armature[i].sigma;
-    EXPECT_LE(within(found.viscous[i], real.damping[k]), 4.0) << k << ' ' << found.viscous[i].value << " +- " << found.viscous[i].sigma;
-    EXPECT_LE(within(found.coulomb[i], real.friction[k]), 4.0) << k << ' ' << found.coulomb[i].value << " +- " << found.coulomb[i].sigma;
+    EXPECT_LE(within(found.armature[i], real.armature[k]), 4.0)
+        << k << ' ' << found.armature[i].value << " +- " << found.armature[i].sigma;
+    EXPECT_LE(within(found.viscous[i], real.damping[k]), 4.0)
+        << k << ' ' << found.viscous[i].value << " +- " << found.viscous[i].sigma;
+    EXPECT_LE(within(found.coulomb[i], real.friction[k]), 4.0)
+        << k << ' ' << found.coulomb[i].value << " +- " << found.coulomb[i].sigma;
     EXPECT_LE(found.armature[i].sigma, 0.02);
     EXPECT_LE(found.viscous[i].sigma, 0.1);
     EXPECT_LE(found.coulomb[i].sigma, 0.1);
@@ -209,8 +212,8 @@ TEST_F(Identified, ExcitationStaysWithinLimits) {
 
 TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
   MotionRecord record;
-  record.q = RowMatrix::Zero(2000, model.nq);
-  record.tau = RowMatrix::Zero(2000, model.nv);
+  record.q = RowMatrix::Zero(3000, model.nq);
+  record.tau = RowMatrix::Zero(3000, model.nv);
   const auto refused = [&](const auto& change, const std::string& with,
                            IdentificationSpec spec = {}) {
     MotionRecord bad = record;
@@ -229,6 +232,9 @@ TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
   refused([](auto& r) { r.q = r.q.topRows(500).eval(), r.tau = r.tau.topRows(500).eval(); },
           "ten windows");
   IdentificationSpec spec;
+  spec.motion_window = 0.3;
+  refused([](auto&) {}, "motion_window", spec);
+  spec.motion_window = 0.04;
   spec.payload = "tol";
   refused([](auto&) {}, "'tool'", spec);
   spec.bodies = {"flnge"};

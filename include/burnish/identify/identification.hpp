@@ -4,9 +4,9 @@
 // Positions and torques are differentiated by the same short local polynomials (A. Savitzky, M.
 // Golay, 1964), forwards and backwards alike, so that neither is late; with that motion the torques
 // are linear in the masses (ContactDynamics::regressor), and remain so when both sides are smoothed
-// over longer windows, which take the noise away and nothing from the truth. Masses are estimated in
-// log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body Inertia",
-// 2022), in which every value is a body that there can be. docs/identification.md has the
+// over longer windows, which take the noise away and nothing from the truth. Masses are estimated
+// in log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body
+// Inertia", 2022), in which every value is a body that there can be. docs/identification.md has the
 // equations.
 #pragma once
 
