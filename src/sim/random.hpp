@@ -52,7 +52,8 @@ enum : std::uint64_t {
   torque_sensor,
   position,
   velocity,
-  force
+  force,
+  payload
 };
 }  // namespace streams
 
