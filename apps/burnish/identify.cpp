@@ -70,12 +70,13 @@ std::string table_of(const Model& model, const Identification& found) {
                         estimate_text(found.delay.value, found.delay.sigma, 1e3));
   text += fmt::format("\n{:<24} {:>12} {:>12}", "rms of torque, Nm (N)", "as modelled", "as found");
   if (!found.viscous.empty()) text += fmt::format(" {:>22} {:>22}", "viscous", "Coulomb");
+  if (!found.armature.empty()) text += fmt::format(" {:>22}", "rotor inertia");
   if (!found.offset.empty()) text += fmt::format(" {:>22}", "offset");
   text += "\n";
   for (int k = 0; k < model.nv; ++k) {
     text += fmt::format("{:<24} {:>12.4g} {:>12.4g}", model.v_name(k), found.rms_before[k],
                         found.rms_after[k]);
-    for (const auto* list : {&found.viscous, &found.coulomb, &found.offset})
+    for (const auto* list : {&found.viscous, &found.coulomb, &found.armature, &found.offset})
       if (!list->empty()) {
         const Estimate& e = (*list)[static_cast<std::size_t>(k)];
         text += fmt::format(" {:>22}", estimate_text(e.value, e.sigma, 1.0));
@@ -110,6 +111,7 @@ Json json_of(const Identification& found) {
   }
   json["viscous"] = estimates(found.viscous);
   json["coulomb"] = estimates(found.coulomb);
+  json["armature"] = estimates(found.armature);
   json["offset"] = estimates(found.offset);
   json["delay"] = {{"value", found.delay.value}, {"sigma", found.delay.sigma}};
   json["rms_before"] = numbers(found.rms_before);
@@ -253,8 +255,15 @@ void add_estimate(IdentifyArguments& a, CLI::App& command) {
       ->type_name("FRAME");
   command.add_flag("--friction", a.spec.friction,
                    "Joint friction too: for torques that motors give");
+  command.add_flag("--armature", a.spec.armature,
+                   "Inertias of the joints' rotors too, in place of the model's");
   command.add_flag("--offset", a.spec.offset, "A constant error of each torque too");
-  command.add_option("--window", a.spec.window, "Seconds that a smoothing polynomial spans [0.12]")
+  command
+      .add_option("--motion-window", a.spec.motion_window,
+                  "Seconds that a polynomial spans which differentiates the motion [0.04]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--window", a.spec.window, "Seconds that torques are smoothed over [0.25]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command.add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
@@ -282,6 +291,14 @@ void add_motion(IdentifyArguments& a, CLI::App& command) {
   command
       .add_option("--range", a.excitation.range, "Radians (m) that joints leave the start [0.8]")
       ->type_name("RAD");
+  command.add_option("--speed", a.excitation.speed, "Radians (m) per second of joints at most [2]")
+      ->type_name("RAD/S")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--speed-share", a.excitation.speed_share,
+                  "Share of velocity limits that is used [0.4]")
+      ->type_name("SHARE")
+      ->check(CLI::PositiveNumber);
   command.add_option("--joints", a.excitation.joints, "Joints that move [all]")
       ->type_name("JOINT,...")
       ->delimiter(',');

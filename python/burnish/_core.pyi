@@ -884,6 +884,8 @@ class Identification:
     @property
     def coulomb(self) -> Optional[Tuple[Array, Array]]: ...
     @property
+    def armature(self) -> Optional[Tuple[Array, Array]]: ...
+    @property
     def offset(self) -> Optional[Tuple[Array, Array]]: ...
     @property
     def delay(self) -> Tuple[float, float]: ...
@@ -900,8 +902,8 @@ class Identification:
 
 def identify(
     model: Model, q: ArrayLike, tau: ArrayLike, period: float, bodies: Sequence[str] = (),
-    payload: str = "tool", friction: bool = False, offset: bool = False, delay: bool = True,
-    window: float = 0.12, start: float = 0.0,
+    payload: str = "tool", friction: bool = False, armature: bool = False, offset: bool = False,
+    delay: bool = True, motion_window: float = 0.04, window: float = 0.25, start: float = 0.0,
 ) -> Identification: ...
 def excitation(
     model: Model, q_start: ArrayLike, frame: str = "tool", duration: float = 10.0,

@@ -76,6 +76,8 @@ void bind_results(py::module_& m) {
       .def_property_readonly(
           "coulomb", [](const I& i) { return arrays_of(i.coulomb); }, "Likewise, Nm (N).")
       .def_property_readonly(
+          "armature", [](const I& i) { return arrays_of(i.armature); }, "Likewise, kg m^2 (kg).")
+      .def_property_readonly(
           "offset", [](const I& i) { return arrays_of(i.offset); }, "Likewise, Nm (N).")
       .def_property_readonly(
           "delay",
@@ -99,15 +101,18 @@ void bind_identify(py::module_& m) {
       "identify",
       [](const Model& model, const Matrix& q, const Matrix& tau, double period,
          const std::vector<std::string>& bodies, const std::string& payload, bool friction,
-         bool offset, bool delay, double window, double start) {
+         bool armature, bool offset, bool delay, double motion_window, double window,
+         double start) {
         const py::gil_scoped_release release;
-        return identify(model, {period, q, tau},
-                        {bodies, payload, friction, offset, delay, window, start});
+        return identify(
+            model, {period, q, tau},
+            {bodies, payload, friction, armature, offset, delay, motion_window, window, start});
       },
       py::arg("model"), py::arg("q"), py::arg("tau"), py::arg("period"),
       py::arg("bodies") = std::vector<std::string>(), py::arg("payload") = "tool",
-      py::arg("friction") = false, py::arg("offset") = false, py::arg("delay") = true,
-      py::arg("window") = 0.12, py::arg("start") = 0.0,
+      py::arg("friction") = false, py::arg("armature") = false, py::arg("offset") = false,
+      py::arg("delay") = true, py::arg("motion_window") = 0.04, py::arg("window") = 0.25,
+      py::arg("start") = 0.0,
       "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; "
       "of "
       "the links `bodies`, or of what is carried at the frame `payload`. See "

@@ -4,26 +4,27 @@
 #include <cmath>
 
 #include "base/decomposition.hpp"
-#include "burnish/derivatives/contact_dynamics.hpp"
 
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double slip_velocity = 0.02;  // rad/s (m/s), at which Coulomb's friction has its sign
-constexpr double lag_windows = 4.0;     // that sums over lags reach
+constexpr double lag_windows = 6.0;  // that sums over lags reach
 
 /// Samples between which residuals are correlated, at most.
-int lags_of(const Regression& of) { return std::min(of.lags, of.samples / 4); }
+int lags_of(const Regression& of) {
+  return std::min(static_cast<int>(std::ceil(lag_windows * of.samples_per_window)), of.samples / 4);
+}
 
 /// How much of a lag counts (M. Bartlett).
 double share_of(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
 /// By how much standard deviations from a sum over lags are to be enlarged, since that sum is
 /// itself an estimate: the critical values of N. Kiefer and T. Vogelsang, "A New Asymptotic Theory
-/// for Heteroskedasticity-Autocorrelation Robust Tests" (2005), by those of a normal distribution.
+/// for Heteroskedasticity-Autocorrelation Robust Tests" (2005), by those of a normal distribution;
+/// both of 99 %, so that large errors are as rare as they should be.
 double enlargement(double lags_per_sample) {
   const double b = lags_per_sample;
-  return 1.0 + (2.9694 * b + 0.4160 * b * b - 0.5324 * b * b * b) / 1.96;
+  return 1.0 + (4.1618 * b + 0.5368 * b * b - 0.9060 * b * b * b) / 2.3263;
 }
 
 /// Autocovariance of the residuals at a lag of samples, nv x nv.
@@ -134,82 +135,6 @@ Eigen::VectorXd rms(const Regression& of, const Eigen::VectorXd& residual) {
 
 }  // namespace
 
-Regression::Regression(const Model& model, const SmoothedMotion& motion,
-                       const std::vector<Unknown>& unknowns, const IdentificationSpec& spec)
-    : nv(model.nv), samples(motion.samples()), inertias(static_cast<int>(unknowns.size())) {
-  samples_per_window = spec.window / motion.spacing;
-  lags = static_cast<int>(std::ceil(lag_windows * samples_per_window));
-  const Eigen::Index rows = static_cast<Eigen::Index>(samples) * nv;
-  int columns = 10 * inertias;
-  const auto add = [&](bool wanted, int count) {
-    const int first = wanted ? columns : -1;
-    if (wanted) columns += count;
-    return first;
-  };
-  viscous = add(spec.friction, nv);
-  coulomb = add(spec.friction, nv);
-  offset = add(spec.offset, nv);
-  delay = add(spec.delay, 1);
-  rest.resize(rows);
-  before.resize(rows);
-  Y.setZero(rows, 10 * inertias);
-  linear.setZero(rows, columns - 10 * inertias);
-  prior.setZero(columns);
-  prior_sigma.setConstant(columns, 1e3);  // Nm, Nms/rad: nothing is believed of friction
-  if (delay >= 0) prior_sigma[delay] = 0.02;
-  std::vector<int> bodies;
-  for (int i = 0; i < inertias; ++i) {
-    bodies.push_back(unknowns[static_cast<std::size_t>(i)].body);
-    prior.segment<10>(10 * i) = unknowns[static_cast<std::size_t>(i)].eta;
-    prior_sigma.segment<10>(10 * i) = unknowns[static_cast<std::size_t>(i)].sigma;
-  }
-  // Bodies whose own parameters are wanted are known to weigh nothing.
-  Vector10 own;
-  ContactDynamics dynamics(model);
-  RowMatrix of_bodies;
-  const Eigen::VectorXd none(0);
-  const int skip = 10 * inertias;
-  for (int i = 0; i < samples; ++i) {
-    const Eigen::Index row = static_cast<Eigen::Index>(i) * nv;
-    (void)dynamics.inverse(motion.q.row(i).transpose(), motion.v.row(i).transpose(),
-                           motion.a.row(i).transpose(), none);
-    (void)dynamics.regressor(bodies, of_bodies);
-    before.segment(row, nv) = motion.tau.row(i).transpose() - dynamics.tau();
-    rest.segment(row, nv) = before.segment(row, nv);
-    for (int b = 0; b < inertias; ++b) {
-      const Unknown& unknown = unknowns[static_cast<std::size_t>(b)];
-      const auto block = of_bodies.middleCols<10>(10 * b);
-      Y.block(row, 10 * b, nv, 10) = block * unknown.to_body;
-      if (!unknown.replaces) continue;
-      own = inertia_parameters(inertia_of_body(model, unknown.body));
-      rest.segment(row, nv) += block * own;
-    }
-    for (int k = 0; k < nv; ++k) {
-      const double v = motion.v(i, k);
-      if (viscous >= 0) linear(row + k, viscous - skip + k) = v;
-      if (coulomb >= 0) linear(row + k, coulomb - skip + k) = std::tanh(v / slip_velocity);
-      if (offset >= 0) linear(row + k, offset - skip + k) = 1.0;
-      if (delay >= 0) linear(row + k, delay - skip) = -motion.tau_rate(i, k);
-    }
-  }
-}
-
-Eigen::VectorXd Regression::residual(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd result = rest - linear * x.tail(linear.cols());
-  for (int i = 0; i < inertias; ++i)
-    result -= Y.middleCols<10>(10 * i) * LogCholesky::parameters(x.segment<10>(10 * i));
-  return result;
-}
-
-Eigen::MatrixXd Regression::derivative(const Eigen::VectorXd& x) const {
-  Eigen::MatrixXd result(rest.size(), size());
-  for (int i = 0; i < inertias; ++i)
-    result.middleCols<10>(10 * i) =
-        Y.middleCols<10>(10 * i) * LogCholesky::derivative(x.segment<10>(10 * i));
-  result.rightCols(linear.cols()) = linear;
-  return result;
-}
-
 Fit fit(const Regression& regression) {
   Fit result;
   result.x = regression.prior;
@@ -220,7 +145,8 @@ Fit fit(const Regression& regression) {
   constexpr int rounds = 40;
   const double start = std::pow(share * result.rms_before.norm(), 2) + 1e-16;
   Eigen::VectorXd variance = Eigen::VectorXd::Constant(regression.nv, start);
-  Eigen::VectorXd weight = row_weights(regression, variance);
+  Eigen::VectorXd& weight = result.weight;
+  weight = row_weights(regression, variance);
   for (int round = 0; round < rounds; ++round) {
     const bool least = minimize(regression, weight, result.x);
     const Eigen::VectorXd next = spectral_variance(regression, regression.residual(result.x));
@@ -233,6 +159,17 @@ Fit fit(const Regression& regression) {
   result.covariance = covariance_of(regression, result.x, weight);
   result.rms_after = rms(regression, regression.residual(result.x));
   return result;
+}
+
+void add_bias(const Regression& regression, const Regression& longer, double share, Fit& fit) {
+  const Step here = step_at(regression, fit.x, fit.weight);
+  const Step there = step_at(longer, fit.x, fit.weight);
+  const Eigen::MatrixXd A = regression.derivative(fit.x);
+  Eigen::MatrixXd towards(regression.size(), 2);
+  towards.col(0) = share * (there.gradient - here.gradient);
+  towards.col(1) = A.transpose() * fit.weight.cwiseProduct(regression.held);
+  const Eigen::MatrixXd bias = solve_positive(here.information, towards);
+  fit.covariance += bias * bias.transpose();
 }
 
 }  // namespace burnish::identify_detail

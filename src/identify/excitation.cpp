@@ -43,6 +43,7 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
   want("margin", spec.margin, spec.margin >= 0.0, "at least 0");
   want("speed_share", spec.speed_share, spec.speed_share > 0.0 && spec.speed_share <= 1.0,
        "0 to 1");
+  want("speed", spec.speed, spec.speed > 0.0, "more than 0");
   want("effort_share", spec.effort_share, spec.effort_share > 0.0 && spec.effort_share <= 1.0,
        "0 to 1");
   want("candidates", spec.candidates, spec.candidates >= 1, "at least 1");
@@ -76,8 +77,7 @@ Room room_of(const Model& model, const Eigen::VectorXd& q_start, const Excitatio
                     " of a limit; wanted a start further inside, a smaller margin or other joints");
     }
     room.way[k] = way;
-    const double limit = model.velocity_limit[k];
-    room.speed[k] = std::isfinite(limit) ? std::min(spec.speed_share * limit, 2.0) : 1.0;
+    room.speed[k] = std::min(spec.speed_share * model.velocity_limit[k], spec.speed);
   }
   return room;
 }

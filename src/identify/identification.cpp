@@ -113,13 +113,20 @@ std::vector<int> EstimatedInertia::not_shown() const {
 
 Identification identify(const Model& model, const MotionRecord& record,
                         const IdentificationSpec& spec) {
-  const identify_detail::SmoothedMotion motion(model, record, spec);
+  const identify_detail::Windows windows(model, record, spec);
   const std::vector<Unknown> unknowns = unknowns_of(model, spec);
-  const identify_detail::Regression regression(model, motion, unknowns, spec);
-  const identify_detail::Fit fit = identify_detail::fit(regression);
+  const auto regression_over = [&](int half) {
+    const identify_detail::SmoothedMotion motion(model, record, windows, half);
+    return identify_detail::Regression(model, motion, windows, unknowns, spec);
+  };
+  const identify_detail::Regression regression = regression_over(windows.motion);
+  // What polynomials of degree five take from an acceleration grows with the window's fourth power.
+  const double growth = std::pow(static_cast<double>(windows.longer) / windows.motion, 4);
+  identify_detail::Fit fit = identify_detail::fit(regression);
+  add_bias(regression, regression_over(windows.longer), 1.0 / (growth - 1.0), fit);
 
   Identification result;
-  result.samples = motion.samples();
+  result.samples = regression.samples;
   result.converged = fit.converged;
   result.rms_before = fit.rms_before;
   result.rms_after = fit.rms_after;
@@ -134,10 +141,11 @@ Identification identify(const Model& model, const MotionRecord& record,
       list.push_back({fit.x[first + k], std::sqrt(fit.covariance(first + k, first + k))});
     return list;
   };
-  result.viscous = estimates(regression.viscous);
-  result.coulomb = estimates(regression.coulomb);
-  result.offset = estimates(regression.offset);
-  if (const int k = regression.delay; k >= 0)
+  result.viscous = estimates(regression.layout.viscous);
+  result.coulomb = estimates(regression.layout.coulomb);
+  result.armature = estimates(regression.layout.armature);
+  result.offset = estimates(regression.layout.offset);
+  if (const int k = regression.layout.delay; k >= 0)
     result.delay = {fit.x[k], std::sqrt(fit.covariance(k, k))};
   warn_of(result);
   return result;

@@ -9,7 +9,9 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr int samples_per_window = 4;  // what is nearer says nearly the same
+constexpr int fewest = 3;                // samples on either side of a window's middle
+constexpr int instants_per_window = 40;  // of the motion; more say nothing new
+constexpr double compared = 1.5;         // times the motion's window is the one it is compared with
 
 void check(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {
   for (const Joint& joint : model.joints)
@@ -32,18 +34,9 @@ void check(const Model& model, const MotionRecord& record, const IdentificationS
     throw Error("identify: start is " + number(spec.start) + " s; wanted at least 0");
 }
 
-/// Samples on either side of a window's middle.
-int half_window(const MotionRecord& record, const IdentificationSpec& spec) {
-  const double half = 0.5 * spec.window / record.period;
-  if (!(half >= 3.0))
-    throw Error("identify: a window of " + number(spec.window) +
-                " s holds fewer than 7 samples of " + number(record.period) +
-                " s; wanted a longer one, or a record of more samples");
-  if (half * 20.0 > static_cast<double>(record.q.rows()))
-    throw Error("identify: the record lasts " +
-                number(record.period * static_cast<double>(record.q.rows())) +
-                " s; wanted at least ten windows of " + number(spec.window) + " s");
-  return static_cast<int>(std::lround(half));
+/// Half a window in steps of `period`.
+int half_of(double window, double period) {
+  return static_cast<int>(std::lround(0.5 * window / period));
 }
 
 /// The way of each joint from the first sample on: an angle that goes round goes on.
@@ -68,33 +61,52 @@ double even_period(const Eigen::Ref<const Eigen::VectorXd>& time) {
   return period;
 }
 
-SmoothedMotion::SmoothedMotion(const Model& model, const MotionRecord& record,
-                               const IdentificationSpec& spec) {
+Windows::Windows(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {
   check(model, record, spec);
-  const int half = half_window(record, spec);
+  period = record.period;
+  const auto samples = static_cast<double>(record.q.rows());
+  if (!(0.5 * spec.window >= fewest * period))
+    throw Error("identify: a window of " + number(spec.window) +
+                " s holds fewer than 7 samples of " + number(period) +
+                " s; wanted a longer one, or a record of more samples");
+  if (!(10.0 * spec.window <= samples * period))
+    throw Error("identify: the record lasts " + number(period * samples) +
+                " s; wanted at least ten windows of " + number(spec.window) + " s");
+  if (!(spec.motion_window > 0.0 && spec.motion_window <= spec.window))
+    throw Error("identify: a motion_window of " + number(spec.motion_window) +
+                " s; wanted one above 0, up to the window of " + number(spec.window) + " s");
+  motion = std::max(fewest, half_of(spec.motion_window, period));
+  longer = static_cast<int>(std::ceil(compared * motion));
+  stride = std::max(1, 2 * motion / instants_per_window);
+  spacing = static_cast<double>(stride) * period;
+  torque = std::max(fewest, half_of(spec.window, spacing));
+  first = static_cast<Eigen::Index>(spec.start / period) + longer;
+  count = (record.q.rows() - longer - first + stride - 1) / stride;
+  if (count < 10 * torque)
+    throw Error("identify: after " + number(spec.start) + " s the record has too little left");
+}
+
+SmoothedMotion::SmoothedMotion(const Model& model, const MotionRecord& record,
+                               const Windows& windows, int half) {
   const Smoother smoother(half, record.period);
   const Eigen::MatrixXd way = way_of(model, record.q);
   const Eigen::MatrixXd torque = record.tau;
-  const Eigen::Index stride = std::max(1, 2 * half / samples_per_window);
-  const auto first = static_cast<Eigen::Index>(spec.start / record.period) + half;
-  const Eigen::Index count = (record.q.rows() - half - first + stride - 1) / stride;
-  if (count < 10 * samples_per_window / 2)
-    throw Error("identify: after " + number(spec.start) + " s the record has too little left");
-  spacing = static_cast<double>(stride) * record.period;
-  q.resize(count, model.nq);
-  for (RowMatrix* matrix : {&v, &a, &tau, &tau_rate}) matrix->resize(count, model.nv);
+  q.resize(windows.count, model.nq);
+  for (RowMatrix* matrix : {&v, &a, &tau, &tau_rate, &tau_bend})
+    matrix->resize(windows.count, model.nv);
   Eigen::VectorXd moved(model.nv);
-  const Eigen::VectorXd start = record.q.row(0);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index middle = first + i * stride;
+  const Eigen::VectorXd start = normalized(model, record.q.row(0).transpose());
+  for (Eigen::Index i = 0; i < windows.count; ++i) {
+    const Eigen::Index middle = windows.first + i * windows.stride;
     for (int k = 0; k < model.nv; ++k) {
       moved[k] = smoother.at(way.col(k), middle, 0);
       v(i, k) = smoother.at(way.col(k), middle, 1);
       a(i, k) = smoother.at(way.col(k), middle, 2);
       tau(i, k) = smoother.at(torque.col(k), middle, 0);
       tau_rate(i, k) = smoother.at(torque.col(k), middle, 1);
+      tau_bend(i, k) = smoother.at(torque.col(k), middle, 2);
     }
-    q.row(i) = integrate(model, normalized(model, start), moved).transpose();
+    q.row(i) = integrate(model, start, moved).transpose();
   }
 }
 

@@ -1,5 +1,8 @@
 #include "identify/smoothing.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "base/decomposition.hpp"
 
 namespace burnish::identify_detail {
@@ -18,6 +21,13 @@ Smoother::Smoother(int half, double period) : half_(half), weights_(2 * half + 1
   weights_.col(0) = fit.row(0);
   weights_.col(1) = fit.row(1) / unit;
   weights_.col(2) = 2.0 * fit.row(2) / (unit * unit);
+}
+
+Eigen::VectorXd bell(int half) {
+  Eigen::VectorXd result(2 * half + 1);
+  for (int i = -half; i <= half; ++i)
+    result[i + half] = std::pow(std::cos(0.5 * std::numbers::pi * i / (half + 1.0)), 4);
+  return result / result.sum();
 }
 
 }  // namespace burnish::identify_detail

@@ -22,4 +22,8 @@ class Smoother {
   Eigen::Matrix<double, Eigen::Dynamic, 3> weights_;
 };
 
+/// Weights of a mean over 2 half + 1 samples, the fourth power of a cosine: it lets through what is
+/// slower than the window, and less than a thousandth of what is faster than 4 / window.
+Eigen::VectorXd bell(int half);
+
 }  // namespace burnish::identify_detail

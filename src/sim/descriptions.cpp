@@ -26,6 +26,24 @@ const Description& description_of(const SurfaceMotion* /*of*/) {
   return all;
 }
 
+const Description& description_of(const UnknownPayload* /*of*/) {
+  using P = UnknownPayload;
+  static const Description all =
+      Describe<P>(
+          "sim", "UnknownPayload",
+          "What a plant carries at one of its frames and its controller does not know: a ball.")
+          .field("frame", &P::frame, "that it is fixed to")
+          .field("mass", &P::mass, "{kg}", range::not_negative)
+          .field("com", &P::com, "{m}, its centre, in the frame's axes")
+          .field("radius", &P::radius, "{m}", range::not_negative)
+          .field("mass_range", &P::mass_range,
+                 "{kg}: it weighs mass + r, |r| <= this, and not less than nothing",
+                 range::not_negative)
+          .field("com_range", &P::com_range,
+                 "{m}: each entry of its centre is com + r, |r| <= this", range::not_negative);
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Disturbances* /*of*/) {
   using D = Disturbances;
@@ -89,6 +107,7 @@ const Description& description_of(const Disturbances* /*of*/) {
           .group("In the plant's model and scene: plant_model() and plant_scene().")
           .field("mass_scale", &D::mass_scale, "of all masses and inertias of the plant",
                  range::positive)
+          .field("payload", &D::payload, "what the plant carries besides")
           .field("surface_tilt_deg", &D::surface_tilt_deg,
                  "{degrees} about the surface's two tangents, unknown to the controller",
                  range::between(-90, 90))

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/dynamics/reference.hpp"
 #include "sim/descriptions.hpp"
+#include "sim/random.hpp"
 
 namespace burnish {
 namespace {
@@ -69,6 +70,20 @@ Disturbances disturbance_preset(const std::string& name) {
   return result;
 }
 
+Payload carried_payload(const Disturbances& disturbances) {
+  const UnknownPayload& given = disturbances.payload;
+  RandomStream random(disturbances.seed, streams::payload);
+  Payload result;
+  result.frame = given.frame;
+  InertiaSpec& ball = result.inertia;
+  ball.mass = std::max(0.0, given.mass + random.uniform(-given.mass_range, given.mass_range));
+  if (ball.mass == 0.0) return result;
+  ball.com = given.com;
+  for (double& x : ball.com) x += random.uniform(-given.com_range, given.com_range);
+  ball.inertia_at_com = 0.4 * ball.mass * given.radius * given.radius * Eigen::Matrix3d::Identity();
+  return result;
+}
+
 Model plant_model(const Model& nominal, const Disturbances& disturbances) {
   check_disturbances(nominal, disturbances);
   Model result = nominal;
@@ -79,7 +94,8 @@ Model plant_model(const Model& nominal, const Disturbances& disturbances) {
   const bool felt = !disturbances.torque_loop;
   set_friction(result, felt ? disturbances.joint_coulomb : 0.0,
                felt ? disturbances.joint_viscous : 0.0);
-  return result;
+  const Payload payload = carried_payload(disturbances);
+  return payload.inertia.mass > 0.0 ? with_payload(std::move(result), payload) : result;
 }
 
 SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances) {

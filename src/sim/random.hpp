@@ -53,7 +53,8 @@ enum : std::uint64_t {
   position,
   velocity,
   force,
-  support
+  support,
+  payload
 };
 }  // namespace streams
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/identify/trial.hpp"
+#include "burnish/sim/ideal_plant.hpp"
 #ifdef BURNISH_HAS_MUJOCO
 #include "burnish/mujoco/mujoco_plant.hpp"
 #endif
@@ -47,6 +48,27 @@ TEST_F(Identified, APayloadToAPercentWithinWhatItStates) {
     EXPECT_LT(trial.found.rms_after.norm(), 0.2 * trial.found.rms_before.norm());
     EXPECT_EQ(check_inertia(trial.found.inertias[0].inertia), Status::Ok);
   }
+}
+
+TEST_F(Identified, AFastMotionWithinWhatItStates) {
+  // No noise: what is left is what smoothing takes, and what it states is nothing else.
+  const Excitation fast(model, start_of(model), "tool",
+                        {.highest = 1.5, .speed_share = 1.0, .speed = 3.0, .candidates = 4});
+  IdentificationSpec spec;
+  for (const double window : {0.04, 0.08}) {
+    spec.motion_window = window;
+    const Trial trial = try_identification(model, fast, disturbance_preset("none"), spec, 2);
+    const EstimatedInertia& found = trial.found.inertias.at(0);
+    EXPECT_LE(std::abs(trial.error[0]), 2e-4 * trial.carried.inertia.mass);
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_LE(std::abs(trial.error[i]), 2.0 * found.sigma[i]) << window << " s, " << i;
+    }
+    EXPECT_LE(found.sigma[0], 1e-3 * trial.carried.inertia.mass);
+  }
+  const Trial noisy = try_identification(model, fast, sensors(), {}, 2);
+  EXPECT_LE(std::abs(noisy.error[0]), 2e-3 * noisy.carried.inertia.mass);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_LE(std::abs(noisy.error[i]), 4.0 * noisy.found.inertias[0].sigma[i]) << i;
 }
 
 TEST_F(Identified, TheMassOfALinkThatIsOtherwiseThanTheModelSays) {
@@ -103,6 +125,47 @@ TEST_F(Identified, FrictionWhereTorquesAreThoseOfMotors) {
   }
 }
 
+TEST_F(Identified, FrictionAndRotorsOfEachJointWithAPayload) {
+  Model known = model;
+  known.armature.setConstant(0.05);
+  Model real = with_payload(known, drawn_payload("tool", 4));
+  for (int k = 0; k < model.nv; ++k) {
+    real.armature[k] = 0.03 + 0.01 * k;
+    real.damping[k] = 0.2 + 0.1 * k;
+    real.friction[k] = 0.4 - 0.05 * k;
+  }
+  SceneSpec scene;
+  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
+  const auto plant = make_ideal_plant(real, scene);
+  const Trace trace = record_motion(*plant, known, motion, sensors());
+  MotionRecord record = motion_record(model, trace);
+  for (int k = 0; k < model.nv; ++k)
+    record.tau.col(k) = trace.column("tau_applied_" + model.v_name(k));
+  IdentificationSpec spec;
+  spec.friction = spec.armature = true;
+  const Identification found = identify(model, record, spec);
+  ASSERT_EQ(static_cast<int>(found.armature.size()), model.nv);
+  const auto within = [](const Estimate& one, double truth) {
+    return std::abs(one.value - truth) / one.sigma;
+  };
+  for (int k = 0; k < model.nv; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    EXPECT_LE(within(found.armature[i], real.armature[k]), 4.0)
+        << k << ' ' << found.armature[i].value << " +- " << found.armature[i].sigma;
+    EXPECT_LE(within(found.viscous[i], real.damping[k]), 4.0)
+        << k << ' ' << found.viscous[i].value << " +- " << found.viscous[i].sigma;
+    EXPECT_LE(within(found.coulomb[i], real.friction[k]), 4.0)
+        << k << ' ' << found.coulomb[i].value << " +- " << found.coulomb[i].sigma;
+    EXPECT_LE(found.armature[i].sigma, 0.02);
+    EXPECT_LE(found.viscous[i].sigma, 0.1);
+    EXPECT_LE(found.coulomb[i].sigma, 0.1);
+  }
+  const Vector10 error =
+      found.inertias[0].values - estimate_values(drawn_payload("tool", 4).inertia);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_LE(std::abs(error[i]), 4.0 * found.inertias[0].sigma[i]) << i << ' ' << error[i];
+}
+
 TEST_F(Identified, WhatTheMotionDoesNotShowIsSaid) {
   // Nearly at rest: weights show, what turning takes does not.
   ExcitationSpec spec;
@@ -149,8 +212,8 @@ TEST_F(Identified, ExcitationStaysWithinLimits) {
 
 TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
   MotionRecord record;
-  record.q = RowMatrix::Zero(2000, model.nq);
-  record.tau = RowMatrix::Zero(2000, model.nv);
+  record.q = RowMatrix::Zero(3000, model.nq);
+  record.tau = RowMatrix::Zero(3000, model.nv);
   const auto refused = [&](const auto& change, const std::string& with,
                            IdentificationSpec spec = {}) {
     MotionRecord bad = record;
@@ -169,6 +232,9 @@ TEST_F(Identified, BadRecordsAreRefusedWithOneSentence) {
   refused([](auto& r) { r.q = r.q.topRows(500).eval(), r.tau = r.tau.topRows(500).eval(); },
           "ten windows");
   IdentificationSpec spec;
+  spec.motion_window = 0.3;
+  refused([](auto&) {}, "motion_window", spec);
+  spec.motion_window = 0.04;
   spec.payload = "tol";
   refused([](auto&) {}, "'tool'", spec);
   spec.bodies = {"flnge"};

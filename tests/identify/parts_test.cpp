@@ -43,6 +43,20 @@ TEST(Smoothing, TakesNoiseAway) {
   EXPECT_NEAR(std::sqrt(square / 400.0), std::sqrt(225.0 / 64.0 / 121.0), 0.03);
 }
 
+TEST(Smoothing, MeansLetSlowPartsThroughAndNoFastOnes) {
+  const int half = 50;
+  const Eigen::VectorXd weights = identify_detail::bell(half);
+  EXPECT_NEAR(weights.sum(), 1.0, 1e-12);
+  const auto left_of = [&](double turns_per_window) {
+    double sum = 0.0;
+    for (int i = -half; i <= half; ++i)
+      sum += weights[i + half] * std::cos(M_PI * turns_per_window * i / half);
+    return std::abs(sum);
+  };
+  EXPECT_GT(left_of(0.25), 0.95);
+  for (double turns = 4.0; turns < 20.0; turns += 0.1) EXPECT_LT(left_of(turns), 1e-3) << turns;
+}
+
 TEST(LogCholesky, LeadsBackAndIsDifferentiatedExactly) {
   std::mt19937_64 generator(2);
   for (int trial = 0; trial < 20; ++trial) {

@@ -331,6 +331,37 @@ TEST(PlantModel, scales_masses_and_states_joint_friction) {
   EXPECT_TRUE(plant_model(nominal, d).damping.isZero(0.0));
 }
 
+TEST(PlantModel, carries_a_payload_that_the_controller_does_not_know) {
+  const Model nominal = right_arm();
+  Disturbances d;
+  EXPECT_EQ(plant_model(nominal, d).total_mass(), nominal.total_mass());
+  d.payload.mass = 1.0;
+  d.payload.com = {0.0, 0.01, 0.05};
+  const Model real = plant_model(nominal, d);
+  EXPECT_NEAR(real.total_mass(), nominal.total_mass() + 1.0, 1e-12);
+  const int body = frame_on_body("test", nominal, "tool").body;
+  const Eigen::Isometry3d& at = frame_on_body("test", nominal, "tool").placement;
+  const InertiaSpec own = inertia_of_body(nominal, body), both = inertia_of_body(real, body);
+  const Eigen::Vector3d centre = (own.mass * own.com + at * d.payload.com) / (own.mass + 1.0);
+  EXPECT_LE((both.com - centre).norm(), 1e-12);
+  d.payload.mass_range = 0.4;
+  d.payload.com_range = 0.02;
+  double least = 2.0, most = 0.0;
+  for (d.seed = 0; d.seed < 50; ++d.seed) {
+    const Payload drawn = carried_payload(d);
+    EXPECT_LE(std::abs(drawn.inertia.mass - 1.0), 0.4);
+    EXPECT_LE((drawn.inertia.com - d.payload.com).cwiseAbs().maxCoeff(), 0.02);
+    least = std::min(least, drawn.inertia.mass), most = std::max(most, drawn.inertia.mass);
+  }
+  EXPECT_LT(least, 0.7);
+  EXPECT_GT(most, 1.3);
+  d.payload.mass = -1.0;
+  EXPECT_THROW((void)plant_model(nominal, d), Error);
+  d.payload.mass = 1.0;
+  d.payload.frame = "tol";
+  EXPECT_THROW((void)plant_model(nominal, d), Error);
+}
+
 TEST(PlantModel, spares_a_floating_base) {
   const Model floating = named_robot(has_robot_files ? "talos:right_arm" : "arm7", Base::FreeFlyer);
   Disturbances d;

@@ -81,6 +81,7 @@ Task unusual_task() {
   d.surface_height = -0.002;
   d.surface_shape = SurfaceShape{.kind = SurfaceShape::Kind::Ridge, .slope = 0.2, .hollow = true};
   d.surface_motion = {.amplitude = 1e-3, .frequency = 2.5, .drift = -0.01, .start = 0.5};
+  d.payload = {.frame = "flange", .mass = 1.2, .com = {0.0, 0.01, 0.1}, .mass_range = 0.3};
   d.pushes = {{1.0, 0.2, {0.0, 0.0, -20.0}}, {2.5, 0.1, {5.0, 0.0, 0.0}}};
   return task;
 }
@@ -111,6 +112,9 @@ TEST_F(TaskFile, WhatIsWrittenReadsBackAsItWas) {
   EXPECT_EQ(back.disturbances.surface_shape->kind, SurfaceShape::Kind::Ridge);
   EXPECT_TRUE(back.disturbances.surface_shape->hollow);
   EXPECT_EQ(back.disturbances.surface_motion.drift, -0.01);
+  EXPECT_EQ(back.disturbances.payload.frame, "flange");
+  EXPECT_EQ(back.disturbances.payload.com, task.disturbances.payload.com);
+  EXPECT_EQ(back.disturbances.payload.mass_range, 0.3);
   ASSERT_EQ(back.disturbances.pushes.size(), 2U);
   EXPECT_EQ(back.disturbances.pushes[0].force_world, Eigen::Vector3d(0.0, 0.0, -20.0));
 }

@@ -17,7 +17,8 @@ struct ExcitationSpec {
   double highest = 0.7;       ///< Hz, of the harmonics of 1/duration that joints move with
   double range = 0.8;         ///< rad (m) that joints leave their start at most
   double margin = 0.1;        ///< rad (m) that they keep from their limits
-  double speed_share = 0.4;   ///< of velocity limits that is used, up to 2 rad/s; 1 rad/s without
+  double speed_share = 0.4;   ///< of velocity limits that is used
+  double speed = 2.0;         ///< rad/s (m/s) that are used at most, limits or none
   double effort_share = 0.8;  ///< of effort limits, of the robot without a payload
   std::vector<std::string> joints = {};  ///< that move; empty: all
   int candidates = 40;                   ///< drawn, of which the one is taken that shows most

@@ -1,11 +1,12 @@
 // Mass distributions from a recorded motion: those of chosen bodies, or of what a robot carries,
 // with their uncertainty.
 //
-// Positions and torques are smoothed and differentiated by the same local polynomials (A. Savitzky,
-// M. Golay, 1964), forwards and backwards alike, so that neither is late; with the smoothed motion
-// the torques are linear in the masses (ContactDynamics::regressor). Masses are estimated in
-// log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body Inertia",
-// 2022), in which every value is a body that there can be. docs/identification.md has the
+// Positions and torques are differentiated by the same short local polynomials (A. Savitzky, M.
+// Golay, 1964), forwards and backwards alike, so that neither is late; with that motion the torques
+// are linear in the masses (ContactDynamics::regressor), and remain so when both sides are smoothed
+// over longer windows, which take the noise away and nothing from the truth. Masses are estimated
+// in log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth Parameterization of Rigid-Body
+// Inertia", 2022), in which every value is a body that there can be. docs/identification.md has the
 // equations.
 #pragma once
 
@@ -37,10 +38,17 @@ struct IdentificationSpec {
   /// Joint friction: Coulomb's and viscous of each entry of v. For torques that motors give;
   /// sensors behind the gears do not feel it.
   bool friction = false;
-  bool offset = false;   ///< a constant error of each torque
-  bool delay = true;     ///< of torques behind positions
-  double window = 0.12;  ///< s that a polynomial spans
-  double start = 0.0;    ///< s at the start of the record that are left out
+  /// Inertia of each joint's rotor behind its gear, in place of the model's armature. For torques
+  /// that motors give, too.
+  bool armature = false;
+  bool offset = false;  ///< a constant error of each torque
+  bool delay = true;    ///< of torques behind positions
+  /// s that polynomials span which differentiate the motion, or seven samples: short beside its
+  /// fastest part
+  double motion_window = 0.04;
+  /// s that torques, and what they are compared with, are smoothed over: against noise
+  double window = 0.25;
+  double start = 0.0;  ///< s at the start of the record that are left out
 };
 
 /// A number with its standard deviation.
@@ -71,8 +79,8 @@ inline constexpr std::array<std::string_view, 10> estimate_names{
 
 struct Identification {
   std::vector<EstimatedInertia> inertias;
-  /// nv each where they were asked for, else empty: Nms/rad (Ns/m), Nm (N), Nm (N).
-  std::vector<Estimate> viscous, coulomb, offset;
+  /// nv each where they were asked for, else empty: Nms/rad (Ns/m), Nm (N), kg m^2 (kg), Nm (N).
+  std::vector<Estimate> viscous, coulomb, armature, offset;
   Estimate delay;              ///< s
   Eigen::VectorXd rms_before;  ///< nv, of the torques that the model as given leaves, Nm (N)
   Eigen::VectorXd rms_after;   ///< nv, of those that what was found leaves

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/model/model.hpp"
+#include "burnish/model/inertia.hpp"
 #include "burnish/sim/scene.hpp"
 
 namespace burnish {
@@ -21,6 +21,17 @@ struct Push {
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
   std::string frame = {};  ///< that it acts at; empty: the tip's
 };
+/// What a plant carries at one of its frames and its controller does not know: a ball.
+struct UnknownPayload {
+  std::string frame = "tool";
+  double mass = 0.0;  ///< kg
+  /// m, its centre, in the frame's axes
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  double radius = 0.05;     ///< m
+  double mass_range = 0.0;  ///< kg: it weighs mass + r, |r| <= this, and not less than nothing
+  double com_range = 0.0;   ///< m: each entry of its centre is com + r, |r| <= this
+};
+
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
 /// have neither motors nor encoders and are spared. Units are those of revolute joints; prismatic
 /// ones have m and N in place of rad and Nm.
@@ -60,7 +71,8 @@ struct Disturbances {
   double support_moment_noise = 0.0;  ///< Nm, likewise; both behind force_cutoff
 
   // In the plant's model and scene (plant_model() and plant_scene()).
-  double mass_scale = 1.0;  ///< of all masses and inertias of the plant
+  double mass_scale = 1.0;      ///< of all masses and inertias of the plant
+  UnknownPayload payload = {};  ///< what the plant carries besides
   /// degrees about the surface's two tangents, unknown to the controller; through its point, about
   /// the first tangent after the second
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
@@ -85,9 +97,13 @@ Disturbances disturbance_preset(const std::string& name);
 /// be, or of the wrong size.
 void check_disturbances(const Model& model, const Disturbances& disturbances);
 
-/// The robot as it is, from the robot as the controller knows it: masses scaled, and joint friction
-/// as the disturbances say. Without them the joints have none, whatever the model's description
-/// states. Throws Error as check_disturbances() does.
+/// What is carried: its mass and centre as the seed draws them. Without a mass: nothing.
+Payload carried_payload(const Disturbances& disturbances);
+
+/// The robot as it is, from the robot as the controller knows it: masses scaled, a payload added,
+/// and joint friction as the disturbances say. Without them the joints have none, whatever the
+/// model's description states. Throws Error as check_disturbances() does, and for a payload's frame
+/// that the robot does not know.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 
 /// The scene as it is, from the scene as the controller knows it. Throws Error for a bad normal or
