@@ -15,6 +15,19 @@ const Words& words_of(ModelErrorKind /*of*/) {
   return all;
 }
 
+const Words& words_of(PlanTiming /*of*/) {
+  static const Words all{
+      "mpc",
+      "PlanTiming",
+      "When a plan is used, that takes time to be made.",
+      {{"fixed", "solver_delay after the measurement that it starts from"},
+       {"measured",
+        "when it would be done: the time that it took passes, as measured, while the plan before "
+        "goes on; for simulations"},
+       {"thread", "when it is done: plans are made in a thread of their own"}}};
+  return all;
+}
+
 const Description& description_of(const ModelErrorOptions* /*of*/) {
   using M = ModelErrorOptions;
   static const Description all =
@@ -309,10 +322,12 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "{N} along the normal that count as contact")
           .field("tick_period", &M::tick_period, "{s}")
           .field("update_period", &M::update_period, "{s} between solves, a multiple of the tick")
+          .field("timing", &M::timing, "fixed, measured or thread")
           .field("solver_delay", &M::solver_delay,
                  "{s} from a measurement to the use of the plan that starts from it, at most the "
                  "update period. The plan is made for the state that the policy in use leads to by "
                  "then.")
+          .field("slowdown", &M::slowdown, "of measured timing: a machine by this factor slower")
           .field("solver", &M::solver)
           .field("first_iterations", &M::first_iterations, "of the first solve")
           .field("jump_iterations", &M::jump_iterations,

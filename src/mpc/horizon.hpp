@@ -15,9 +15,13 @@ std::vector<int> contacts_that_rub(const MpcSpec& spec);
 
 class Horizon {
  public:
-  /// Both must outlive it; the problem's knots are its. Throws Error for a phase whose stage there
-  /// is not.
+  /// The problem must outlive it; its knots are the horizon's. Throws Error for a phase whose stage
+  /// there is not.
   Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule);
+
+  /// Where the schedule is, for all knots that are placed from then on.
+  void follow(const Schedule& schedule) noexcept { schedule_ = schedule; }
+  int stage_of(int phase) const { return stage_of_phase_[static_cast<std::size_t>(phase)]; }
 
   /// Of the knots as they were placed last.
   const KnotTimes& times() const { return times_; }
@@ -70,7 +74,7 @@ class Horizon {
   void lower_forces(int knot, double schedule_time);
 
   Problem& problem_;
-  const Schedule& schedule_;
+  Schedule schedule_;
   /// As the specification has them, as they were placed last, and those of the last solution.
   KnotTimes given_, times_, solved_;
   std::vector<double> begins_;  ///< s of the schedule, of uneven knots

@@ -91,7 +91,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
         "no remembered_forces");
   if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
     throw Error("MPC: the normal is not finite or has no length; wanted a direction");
-  if (!(spec.solver_delay >= 0.0) || spec.solver_delay > spec.update_period)
+  if (!(spec.slowdown > 0.0) || !std::isfinite(spec.slowdown))
+    throw Error("MPC: a slowdown of " + number(spec.slowdown) + "; wanted a positive number");
+  if (!(spec.solver_delay >= 0.0) ||
+      (spec.timing == PlanTiming::Fixed && spec.solver_delay > spec.update_period))
     throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
                 " s; wanted between 0 and the update period of " + number(spec.update_period) +
                 " s");

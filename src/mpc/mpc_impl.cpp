@@ -50,6 +50,8 @@ MpcController::Impl::Impl(MpcSpec given)
       error(spec),
       horizon(spec, problem, schedule),
       policy(spec, problem),
+      in_use_(policy),
+      expected_(spec.solver_delay),
       prediction_(problem),
       holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
@@ -60,7 +62,9 @@ MpcController::Impl::Impl(MpcSpec given)
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
       v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
-      passing_(v_ahead_) {
+      passing_(v_ahead_),
+      x_plan_(x_),
+      u_plan_(u_) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_world;
   std::size_t longest = 0;
@@ -69,9 +73,12 @@ MpcController::Impl::Impl(MpcSpec given)
     longest = std::max(longest, quantity.name.size());
   }
   fault.report.quantity.reserve(longest);
+  if (spec.timing == PlanTiming::Thread)
+    planner_ = std::make_unique<BackgroundWork>([this] { make_plan(); });
 }
 
 Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpec& payload) {
+  await_plan();
   const Status status = problem.set_payload(frame, payload);
   if (status != Status::Ok) return status;
   error.set_payload(frame, payload);
@@ -81,6 +88,12 @@ Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpe
 }
 
 void MpcController::Impl::reset() noexcept {
+  await_plan();
+  is_making_ = false;
+  expected_ = spec.solver_delay;
+  busy_until_ = -std::numeric_limits<double>::infinity();
+  surface_.reset();
+  depth_ = 0.0;
   task->reset();
   schedule.reset();
   fault.reset();
@@ -125,17 +138,21 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
 /// What a good measurement tells, up to a new plan if one is due.
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
-  if (!spec.force_sensor) gate.feel(error.feel(gate, command_, horizon.stage_at(schedule.time())));
+  const int stage = horizon.stage_of(schedule.phase());
+  if (!spec.force_sensor) gate.feel(error.feel(gate, command_, stage));
   const unsigned happened = task->sense(view);
   look_at_surface();
-  error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());
+  error.update(gate, command_, stage, schedule.time());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
-  horizon.set_friction(command_.friction);
   if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
+  if (is_making_ && !planner_->is_busy()) finish_plan();
   policy.take_over(gate.now());
-  if (!fault.is_set() && due_) update();
+  // Else a plan that was to be used until the next one is there would never be.
+  const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
+                       (spec.timing == PlanTiming::Fixed || !policy.waits());
+  if (!fault.is_set() && due_ && is_free) update();
 }
 
 void MpcController::Impl::look_at_surface() noexcept {
@@ -147,7 +164,8 @@ void MpcController::Impl::look_at_surface() noexcept {
   command_.normal_world = gradient / length;
   error.set_surface(*surface, command_.normal_world);
   const double depth = task->surface_depth();
-  horizon.set_surface(*surface, std::isfinite(depth) ? depth : 0.0);
+  surface_ = *surface;
+  depth_ = std::isfinite(depth) ? depth : 0.0;
 }
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
@@ -161,39 +179,112 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
   }
 }
 
+/// The first plan is waited for: without one there is nothing to go on with.
 void MpcController::Impl::update() noexcept {
+  due_ = false;
+  const bool is_ready = prepare_plan();
+  is_making_ = true;
+  if (is_ready && planner_ && !making_.first) {
+    planner_->start();
+    return;
+  }
+  if (is_ready) make_plan();
+  finish_plan();
+}
+
+/// What a plan is made from, as it is now; false where that cannot be told to the problem.
+bool MpcController::Impl::prepare_plan() noexcept {
+  // Ticks are what time is counted by, and plans that others wait for begin at one.
+  const double ticks = std::ceil(expected_ / spec.tick_period - 0.01);
+  const double expected =
+      spec.timing == PlanTiming::Fixed ? spec.solver_delay : ticks * spec.tick_period;
+  making_ = Making{.now = gate.now(),
+                   .schedule_time = schedule.time(),
+                   .delay = solved_ ? expected : 0.0,
+                   .first = !solved_,
+                   .jumped = jumped_};
+  jumped_ = false;
+  horizon.follow(schedule);
+  horizon.set_friction(command_.friction);
+  horizon.set_force_error(error.force_error());
+  if (surface_) horizon.set_surface(*surface_, depth_);
+  x_plan_ = measured_state();
+  if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
+  if (!warm_) look_ahead();
+  return spec.model_error.kind != ModelErrorKind::Torque || tell_torque_error();
+}
+
+/// The controls that hold the robot where it is.
+void MpcController::Impl::look_ahead() noexcept {
+  const Eigen::VectorXd* const rest = holding_.at_rest(gate.last().q);
+  for (int i = 0; i < problem.layout().nu; ++i)
+    u_plan_[i] =
+        rest == nullptr ? 0.0 : (*rest)[problem.layout().actuated[static_cast<std::size_t>(i)]];
+}
+
+void MpcController::Impl::make_plan() noexcept {
   const auto began = std::chrono::steady_clock::now();
-  const bool first = !solved_;
-  bool usable = false;
   try {
-    usable = replan();
+    making_.usable = replan();
   } catch (...) {
     // Of a function that the specification holds: all that is known is that there is no plan.
-    keep_exception();
+    making_.thrown = std::current_exception();
     warm_ = false;
   }
-  due_ = false;
-  command_.solve_time =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  solved_ = solved_ || usable;
-  if (!usable) command_.status = worst(command_.status, Status::NotConverged);
-  command_.missed_deadline = plans_.judge(gate.now(), usable, first, command_.solve_time, fault);
+  making_.took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 /// A plan from the measured state on: false if there is none that can be used.
 bool MpcController::Impl::replan() {
-  const double now = gate.now(), delay = solved_ ? spec.solver_delay : 0.0;
-  measured_state();
-  if (spec.model_error.kind == ModelErrorKind::Torque && !tell_torque_error()) return false;
-  horizon.set_force_error(error.force_error());
+  const double delay = making_.delay;
   // Without a prediction the measurement is the best there is.
   if (delay > 0.0)
-    (void)prediction_.advance(problem, horizon, policy, now, schedule.time(), delay, x_);
-  if (!solve(schedule.time() + delay)) return false;
-  policy.load(solver, now + delay, horizon.times());
-  foresee();
-  jumped_ = false;
+    (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy, making_.now,
+                              making_.schedule_time, delay, x_plan_);
+  if (!solve(making_.schedule_time + delay)) return false;
+  const StateLayout& layout = problem.layout();
+  const double at =
+      std::min(horizon.times().place(error.joint_friction().lead()), problem.knots() - 1e-9);
+  const int k = static_cast<int>(at);
+  const auto xs = solver.xs();
+  v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
   return true;
+}
+
+/// What came of a plan, in the tick that it is there.
+void MpcController::Impl::finish_plan() noexcept {
+  is_making_ = false;
+  const double took = making_.took * (spec.timing == PlanTiming::Measured ? spec.slowdown : 1.0);
+  command_.solve_time = took;
+  if (making_.thrown && !thrown) thrown = making_.thrown;
+  if (making_.usable) {
+    const DdpSummary& summary = solver.summary();
+    command_.iterations = summary.iterations;
+    command_.limits_outside = summary.outside;
+    command_.limits_open = summary.limits_open;
+    command_.limits_pushing = summary.pushing;
+    command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
+    // The first one is made while the robot is still held.
+    const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
+    const double done = making_.now + (passes ? took : 0.0);
+    policy.load(solver, making_.now + making_.delay, horizon.times(), done);
+    error.foresee(v_ahead_);
+    if (passes) busy_until_ = done - 0.01 * spec.tick_period;
+  } else {
+    command_.status = worst(command_.status, Status::NotConverged);
+    jumped_ = jumped_ || making_.jumped;
+  }
+  solved_ = solved_ || making_.usable;
+  if (!making_.first) {
+    constexpr double forgetting = 0.05;
+    const double seen = spec.timing == PlanTiming::Thread ? gate.now() - making_.now : took;
+    expected_ = std::max(seen, expected_ + forgetting * (seen - expected_));
+  }
+  command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
+}
+
+void MpcController::Impl::await_plan() noexcept {
+  if (planner_) planner_->wait();
 }
 
 bool MpcController::Impl::tell_torque_error() noexcept {
@@ -203,32 +294,17 @@ bool MpcController::Impl::tell_torque_error() noexcept {
   return problem.set_torque_bias(error.lasting_error(), passing_, fading) == Status::Ok;
 }
 
-/// The velocity of the plan a while ahead.
-void MpcController::Impl::foresee() noexcept {
-  const StateLayout& layout = problem.layout();
-  const double at =
-      std::min(horizon.times().place(error.joint_friction().lead()), problem.knots() - 1e-9);
-  const int k = static_cast<int>(at);
-  const auto xs = solver.xs();
-  v_ahead_ = (xs.row(k) + (at - k) * (xs.row(k + 1) - xs.row(k))).segment(layout.nq, layout.nv);
-  error.foresee(v_ahead_);
-}
-
 bool MpcController::Impl::solve(double schedule_time) {
   horizon.place(schedule_time);
-  if (problem.set_initial_state(x_) != Status::Ok) return false;
+  if (problem.set_initial_state(x_plan_) != Status::Ok) return false;
   int iterations = spec.solver.max_iterations;
-  const bool plain = solved_ && !jumped_ && warm_;
-  if (!plain) iterations = solved_ ? spec.jump_iterations : spec.first_iterations;
+  const bool plain = !making_.first && !making_.jumped && warm_;
+  if (!plain) iterations = making_.first ? spec.first_iterations : spec.jump_iterations;
   if (warm_) {
-    horizon.guess_shifted(x_, solver, schedule_time);
+    horizon.guess_shifted(x_plan_, solver, schedule_time);
     horizon.shift_limits(solver, schedule_time);
   } else {
-    const Eigen::VectorXd* const rest = holding_.at_rest(gate.last().q);
-    for (int i = 0; i < problem.layout().nu; ++i)
-      u_[i] =
-          rest == nullptr ? 0.0 : (*rest)[problem.layout().actuated[static_cast<std::size_t>(i)]];
-    horizon.guess_rest(x_, u_);
+    horizon.guess_rest(x_plan_, u_plan_);
   }
   warm_ = false;
   solver.set_max_iterations(iterations);
@@ -236,11 +312,6 @@ bool MpcController::Impl::solve(double schedule_time) {
   solver.set_limit_budget(factors, factors);
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   const DdpSummary& summary = solver.solve();
-  command_.iterations = summary.iterations;
-  command_.limits_outside = summary.outside;
-  command_.limits_open = summary.limits_open;
-  command_.limits_pushing = summary.pushing;
-  command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
   if (!solver.us().allFinite() || !solver.xs().allFinite()) return false;
   warm_ = true;
   horizon.solved_from(schedule_time);

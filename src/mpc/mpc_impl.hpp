@@ -4,6 +4,7 @@
 #include <exception>
 #include <vector>
 
+#include "base/background_work.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "mpc/black_box.hpp"
@@ -30,9 +31,13 @@ struct MpcController::Impl {
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
-  bool replan();
+  bool prepare_plan() noexcept;
   bool tell_torque_error() noexcept;
-  void foresee() noexcept;
+  void look_ahead() noexcept;
+  void make_plan() noexcept;
+  bool replan();
+  void finish_plan() noexcept;
+  void await_plan() noexcept;
   bool solve(double schedule_time);
   void control() noexcept;
   void fall_back() noexcept;
@@ -57,6 +62,22 @@ struct MpcController::Impl {
   std::exception_ptr thrown;  ///< by a function of the specification, first of all
 
  private:
+  /// A plan that is being made, and what came of it. While it is, the problem, the solver, the
+  /// horizon and the prediction are its maker's alone.
+  struct Making {
+    double now = 0.0, schedule_time = 0.0, delay = 0.0;  ///< s, of the measurement that it is from
+    bool first = false, jumped = false;
+    bool usable = false;
+    double took = 0.0;  ///< s
+    std::exception_ptr thrown = {};
+  };
+  Making making_;
+  Policy in_use_;  ///< as it was when the plan was begun
+  double expected_;         ///< s that a plan takes, about
+  double busy_until_ = 0.0; ///< s, of measured timing
+  bool is_making_ = false;
+  std::optional<Quadric> surface_;
+  double depth_ = 0.0;
   Prediction prediction_;
   Holding holding_;
   PlanWatch plans_;
@@ -66,11 +87,13 @@ struct MpcController::Impl {
   int tool_;                       ///< frame
   Command command_;
   Eigen::VectorXd x_, u_, v_ahead_, passing_;
+  Eigen::VectorXd x_plan_, u_plan_;  ///< where the plan begins; at rest
   long tick_ = 0;
   bool due_ = false;     ///< an update
   bool solved_ = false;  ///< there is a plan
   bool warm_ = false;    ///< the solver's trajectory can be started from
   bool jumped_ = false;  ///< the schedule's clock, since the last plan
+  std::unique_ptr<BackgroundWork> planner_;  ///< of timing by a thread; the last: it ends first
 };
 
 }  // namespace burnish

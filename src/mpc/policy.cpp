@@ -8,6 +8,8 @@ namespace {
 
 /// Steps of the knots until so many updates have failed that the run is given up.
 std::vector<double> plan_steps(const MpcSpec& spec) {
+  // Nobody knows how long plans take.
+  if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);
   const double updates = 2.0 + spec.limits.failed_solves;
   const double time = updates * spec.update_period + spec.solver_delay;
   std::vector<double> steps = knot_steps(spec.problem);
@@ -39,9 +41,10 @@ void Policy::reset() noexcept {
   next_ready_ = false;
 }
 
-void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept {
-  next_time_ = time;
-  next_.load(solver, next_time_, times);
+void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times,
+                  double done) noexcept {
+  next_time_ = std::max(time, done);
+  next_.load(solver, time, times);
   next_ready_ = true;
 }
 

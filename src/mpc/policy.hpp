@@ -11,8 +11,12 @@ class Policy {
   Policy(const MpcSpec& spec, const Problem& problem);
 
   void reset() noexcept;
-  /// The solver's plan, to be used from `time` (s) on, with its knots at these times after.
-  void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
+  /// The solver's plan from `time` (s) on, with its knots at these times after; it is there to be
+  /// used from `done` on.
+  void load(const DdpSolver& solver, double time, const KnotTimes& times, double done) noexcept;
+  /// The plan in use as the other's, for what is foreseen beside it.
+  void follow(const Policy& other) noexcept { plan_ = other.plan_; }
+  bool waits() const { return next_ready_; }  ///< a plan, for its time
   /// Goes over to the plan that waits, if its time has come.
   void take_over(double now) noexcept;
   /// Of the plan in use at a time (s) and a state x (nx): u (nu), within the effort limits.

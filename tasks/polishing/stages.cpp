@@ -395,7 +395,9 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
+  mpc.timing = task.timing;
   mpc.solver_delay = task.solver_delay;
+  mpc.slowdown = task.slowdown;
   mpc.solver.update = task.solver;
   mpc.solver.max_iterations = task.iterations;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);

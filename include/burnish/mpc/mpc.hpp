@@ -54,6 +54,17 @@ struct Fallback {
   double give = 0.15;     ///< of the torque limits, where the spring slips; 0 to 1
 };
 
+/// When a plan is used, that takes time to be made.
+enum class PlanTiming {
+  Fixed,  ///< `solver_delay` after the measurement that it starts from, however long it took
+  /// when it would be done: the time that it took passes, as measured, while the plan before goes
+  /// on, and the next one begins no earlier. For simulations.
+  Measured,
+  /// when it is done: plans are made in a thread of their own, and a tick takes no longer for them.
+  /// The functions of the specification are then called in that thread.
+  Thread,
+};
+
 struct MpcSpec {
   /// Horizon, stages, costs. The horizon's stages are replaced by what the schedule says, so its
   /// segments matter for the number of knots and their steps alone: a knot keeps its step whatever
@@ -79,9 +90,12 @@ struct MpcSpec {
   bool force_sensor = true;
   double tick_period = 5e-4;    ///< s
   double update_period = 0.01;  ///< s between solves, a multiple of the tick
+  PlanTiming timing = PlanTiming::Fixed;
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
-  /// The plan is made for the state that the policy in use leads to by then.
+  /// The plan is made for the state that the policy in use leads to by then. Where plans are timed
+  /// otherwise: what is expected of the first ones; of others it is what they took.
   double solver_delay = 0.0;
+  double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
   DdpOptions solver = {
       .update = StepUpdate::MultipleShooting, .max_iterations = 1, .limits = {.tolerance = 1e-6}};
   int first_iterations = 100;  ///< of the first solve
@@ -106,6 +120,8 @@ struct MpcSpec {
 /// same torques to the last bit. tick() is to be called once per `tick_period` with what was
 /// measured then; the first call solves the problem to its end and may take its time. Times of
 /// measurements may start anywhere: the schedule's clock starts at the first one.
+///
+/// Updates that are due before the plan before is done wait for it, where timing is not fixed.
 ///
 /// Each tick: (1) the measurement is checked; (2) the model error is estimated, from the torque
 /// commanded at the tick before, and the force at the tool from torques, positions and velocities

@@ -98,7 +98,11 @@ struct Task {
   int knots = 0;
   double update_rate = 1000.0;  ///< Hz, of new plans; divides the tick rate
   double tick_rate = 2000.0;    ///< Hz, of torque commands
-  double solver_delay = 0.0;    ///< s from a measurement to the use of the plan made from it
+  /// fixed: plans are used solver_delay after their measurement; measured: the time that each takes
+  /// passes, in simulations too; thread: they are made in a thread of their own
+  PlanTiming timing = PlanTiming::Fixed;
+  double solver_delay = 0.0;  ///< s from a measurement to the use of the plan made from it
+  double slowdown = 1.0;      ///< of measured timing: a machine by this factor slower
   int iterations = 1;           ///< of the solver, per plan
   StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
   double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
