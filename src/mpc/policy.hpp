@@ -1,6 +1,8 @@
 // The plan in use and the one that is to follow it, as a controller between two solves.
 #pragma once
 
+#include <limits>
+
 #include "burnish/mpc/mpc.hpp"
 
 namespace burnish {
@@ -13,7 +15,8 @@ class Policy {
   void reset() noexcept;
   /// The solver's plan from `time` (s) on, with its knots at these times after; it is there to be
   /// used from `done` on.
-  void load(const DdpSolver& solver, double time, const KnotTimes& times, double done) noexcept;
+  void load(const DdpSolver& solver, double time, const KnotTimes& times,
+            double done = -std::numeric_limits<double>::infinity()) noexcept;
   /// The plan in use as the other's, for what is foreseen beside it.
   void follow(const Policy& other) noexcept { plan_ = other.plan_; }
   bool waits() const { return next_ready_; }  ///< a plan, for its time
