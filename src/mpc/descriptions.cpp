@@ -181,7 +181,11 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("v", &M::v, "nv")
           .field("tau", &M::tau, "nv, of the torque sensors between motor and link, Nm or N")
           .field("tool_force_world", &M::tool_force_world,
-                 "Of the force sensor: the surface's force on the tool, N, world axes.");
+                 "Of the force sensor: the surface's force on the tool, N, world axes.")
+          .field("imu", &M::imu, "Of the robot's inertial measurement unit, if it has one.")
+          .field("foot_forces", &M::foot_forces,
+                 "Of the sensors in the feet: the ground's normal force on each, N; empty without "
+                 "them.");
   return all;
 }
 

@@ -113,7 +113,7 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances),
+        sensing(driven.model(), disturbances, chosen.imu_frame),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
         trace(columns_of(driven.model()), rows_for(chosen, driven.dt())) {

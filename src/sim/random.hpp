@@ -52,7 +52,10 @@ enum : std::uint64_t {
   torque_sensor,
   position,
   velocity,
-  force
+  force,
+  gyro,
+  accelerometer,
+  foot_force
 };
 }  // namespace streams
 

@@ -33,7 +33,8 @@ struct Sensing::Random {
   RandomStream torque, position, velocity, force;
 };
 
-Sensing::Sensing(const Model& model, const Disturbances& disturbances)
+Sensing::Sensing(const Model& model, const Disturbances& disturbances,
+                 const std::optional<std::string>& imu_frame)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
@@ -43,6 +44,7 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances)
       work_(differences_) {
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
+  if (imu_frame) imu_.emplace(model, *imu_frame, disturbances);
 }
 
 Sensing::~Sensing() = default;
@@ -50,6 +52,7 @@ Sensing::~Sensing() = default;
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
   measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
+  if (imu_) imu_->reset();
   started_ = false;
 }
 
@@ -63,6 +66,9 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
     for (double& tau : measurement_.tau)
       tau += disturbances_.torque_sensor_noise * random_->torque.normal();
   measure_force(plant);
+  if (imu_)
+    measurement_.imu =
+        imu_->measure(plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt());
   started_ = true;
   return measurement_;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
+#include "burnish/estimate/imu.hpp"
 
 namespace burnish {
 
@@ -16,6 +18,10 @@ struct Measurement {
   Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
   /// Of the force sensor: the surface's force on the tool, N, world axes.
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
+  /// Of the robot's inertial measurement unit, if it has one.
+  std::optional<ImuReading> imu = {};
+  /// Of the sensors in the feet: the ground's normal force on each, N; empty without them.
+  Eigen::VectorXd foot_forces = {};
 };
 
 /// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at

@@ -5,6 +5,7 @@
 
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/imu_sensor.hpp"
 #include "burnish/sim/plant.hpp"
 
 namespace burnish {
@@ -15,8 +16,10 @@ struct Tree;
 /// allocates nothing after construction and throws nothing.
 class Sensing {
  public:
-  /// Throws Error as check_disturbances() does.
-  Sensing(const Model& model, const Disturbances& disturbances);
+  /// With `imu_frame`, a frame of the robot or empty for its first body, there is an inertial
+  /// measurement unit. Throws Error as check_disturbances() does, and as ImuSensor.
+  Sensing(const Model& model, const Disturbances& disturbances,
+          const std::optional<std::string>& imu_frame = {});
   ~Sensing();
 
   /// Forgets all measurements, with the same random numbers to come.
@@ -42,6 +45,7 @@ class Sensing {
   Eigen::VectorXd q_before_;     ///< nq, as measured
   Eigen::VectorXd differences_;  ///< nv, filtered
   Eigen::VectorXd work_;         ///< nv
+  std::optional<ImuSensor> imu_;
   Measurement measurement_;
 };
 
