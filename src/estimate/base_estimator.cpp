@@ -118,6 +118,7 @@ struct BaseEstimator::Impl {
   Eigen::VectorXd gates;   ///< squares
   Eigen::VectorXd rested;  ///< s, of feet that slip
   FootSet slipping = 0;
+  double lost = 0.0;  ///< s in which all feet that stand slip
   EstimatorInnovation innovation;
 };
 
@@ -146,6 +147,7 @@ void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVector
   change_coordinates(state, 1.0, start_covariance);
   filter.reset(state, Vector3d::Zero(), Vector3d::Zero(), start_covariance);
   slipping = 0;
+  lost = 0.0;
   rested.setZero();
   innovation = {};
 }
@@ -187,6 +189,7 @@ void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const
   slipping = (slipping | rejected) & standing;
   const double limit = speed_limit();
   FootSet rests = 0;
+  double fastest = 0.0;
   for (int k = 0; k < filter.feet(); ++k) {
     if ((rejected & foot_bit(k)) != 0) rested[k] = 0.0;
     if ((slipping & ~rejected & foot_bit(k)) == 0) continue;
@@ -194,10 +197,18 @@ void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const
     const InertialState<double>& unit = filter.state();
     const Vec3<double> speed =
         unit.v + unit.R * (kinematics.velocity(k) + cross(w, kinematics.seen(k).p));
-    rested[k] = dot(speed, speed) < limit * limit ? rested[k] + dt : 0.0;
+    const double length = std::sqrt(dot(speed, speed));
+    fastest = std::max(fastest, length);
+    rested[k] = length < limit ? rested[k] + dt : 0.0;
     if (rested[k] >= options.rejoin_after) rests |= foot_bit(k);
   }
   slipping &= ~rests;
+  lost = filter.standing() == 0 && slipping != 0 && slipping == standing ? lost + dt : 0.0;
+  if (lost > options.lost_after) {
+    filter.doubt_velocity(fastest);
+    slipping = 0;
+    lost = 0.0;
+  }
   filter.add(standing & ~slipping, kinematics.all_seen(), noise);
 }
 
@@ -249,6 +260,7 @@ Status BaseEstimator::update(const ImuReading& imu, const ConstVectorRef& q,
   if (d.filter.feet() < 32) standing &= foot_bit(d.filter.feet()) - 1;
   d.filter.save();
   const FootSet slipped = d.slipping;
+  const double lost = d.lost;
   d.filter.propagate(imu, dt);
   d.see_feet();
   d.filter.remove(d.filter.standing() & ~standing);
@@ -259,6 +271,7 @@ Status BaseEstimator::update(const ImuReading& imu, const ConstVectorRef& q,
   if (!good || !d.filter.is_finite()) {
     d.filter.restore();
     d.slipping = slipped;
+    d.lost = lost;
     return Status::NotFinite;
   }
   d.q.tail(d.q.size() - 7) = q.tail(d.q.size() - 7);

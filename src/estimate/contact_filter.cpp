@@ -225,8 +225,8 @@ bool ContactFilter::correct_by_chosen() noexcept {
   change_.noalias() = K * r;
   factor.matrixL().solveInPlace<Eigen::OnTheRight>(K);
 
-  AP_.noalias() = -(K * PHt.transpose());
-  AP_ += P_;
+  AP_ = P_;
+  AP_.noalias() -= K * PHt.transpose();
   auto rest = APHt_.leftCols(m);  // K N - A P H^T, which rounding makes other than zero
   rest.noalias() = K * N;
   for (int i = 0; i < count; ++i)
@@ -281,6 +281,10 @@ void ContactFilter::add(FootSet added, const std::vector<SeenFoot>& seen,
     });
   });
   standing_ |= added;
+}
+
+void ContactFilter::doubt_velocity(double deviation) noexcept {
+  P_.diagonal().segment<3>(v).array() += deviation * deviation;
 }
 
 void ContactFilter::remove(FootSet feet_to_remove) noexcept {

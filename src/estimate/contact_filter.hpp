@@ -84,6 +84,9 @@ class ContactFilter {
   void add(FootSet added, const std::vector<SeenFoot>& seen, const Eigen::MatrixXd& noise) noexcept;
   void remove(FootSet feet_to_remove) noexcept;
 
+  /// The unit's velocity is known that much less, m/s.
+  void doubt_velocity(double deviation) noexcept;
+
   const InertialState<double>& state() const { return state_; }
   const Eigen::Vector3d& b_gyro() const { return b_gyro_; }                    ///< rad/s
   const Eigen::Vector3d& b_accelerometer() const { return b_accelerometer_; }  ///< m/s^2

@@ -67,6 +67,10 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
           .field("rejoin_after", &B::rejoin_after,
                  "{s} that a foot which slipped has to rest before it counts again", size)
           .field("rejoin_speed", &B::rejoin_speed, "{m/s} below which it rests", deviation)
+          .field("lost_after", &B::lost_after,
+                 "{s} without any foot that counts while some stand, after which it is not they "
+                 "that are taken to slip, but the base's velocity to be wrong",
+                 size)
           .group("Of what reset() is told.")
           .field("tilt_deviation", &B::tilt_deviation,
                  "{rad}, of what reset() is told, about horizontal axes", size)

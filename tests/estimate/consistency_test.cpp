@@ -20,7 +20,7 @@ constexpr int seeds = 60;
 
 /// A mean of squares over runs, each of `freedom` degrees, is within bounds that it leaves once in
 /// ten thousand times.
-void expect_consistent(double mean, int freedom, int runs, const std::string& what) {
+void expect_square(double mean, int freedom, int runs, const std::string& what) {
   const int all = freedom * runs;
   const double low = chi_square_quantile(all, 0.5e-4) / runs,
                high = chi_square_quantile(all, 1.0 - 0.5e-4) / runs;
@@ -271,8 +271,8 @@ TEST_P(Consistency, ErrorsAndInnovationsAreAsLargeAsTheCovarianceSays) {
   }
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const std::string at = "_at_" + std::to_string(looks[i]);
-    expect_consistent(squares[i], freedom[i], seeds, scenario.name + "_knowable" + at);
-    expect_consistent(all_squares[i], all_freedom[i], seeds, scenario.name + "_all" + at);
+    expect_square(squares[i], freedom[i], seeds, scenario.name + "_knowable" + at);
+    expect_square(all_squares[i], all_freedom[i], seeds, scenario.name + "_all" + at);
   }
   // Their mean deviates by sqrt(2/rows) where they are white.
   const double bound = 4.0 * std::sqrt(2.0 / static_cast<double>(rows));

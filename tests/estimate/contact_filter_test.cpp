@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A ball and a sole.
-const std::vector<char> soles = {0, 1};
+const std::vector<char> ball_and_sole = {0, 1};
 constexpr FootSet both = 3;
 constexpr int entries_of_xi = ContactFilter::unit_size + 9, seen_rows = 9;
 
@@ -146,7 +146,7 @@ MatrixXd random_covariance(int size, double scale, std::mt19937_64& generator) {
 /// Both feet stand, seen as `seen` says; a covariance with no zero in it.
 struct Standing {
   explicit Standing(std::uint64_t seed, const FilterNoise& noise = {})
-      : generator(seed), filter(soles, noise, gravity) {
+      : generator(seed), filter(ball_and_sole, noise, gravity) {
     const InertialState<double> start{from_eigen(exp3(normal3(generator, 1.0))),
                                       from_eigen(normal3(generator, 1.0)),
                                       from_eigen(normal3(generator, 2.0))};

@@ -45,6 +45,9 @@ struct BaseEstimatorOptions {
   double gate = 0.99999;       ///< share of a foot's readings that pass while it stands still
   double rejoin_after = 0.05;  ///< s that a foot which slipped has to rest before it counts again
   double rejoin_speed = 0.03;  ///< m/s below which it rests
+  /// s without any foot that counts while some stand, after which it is not they that are taken to
+  /// slip, but the base's velocity to be wrong
+  double lost_after = 0.15;
 
   double tilt_deviation = 0.02;       ///< rad, of what reset() is told, about horizontal axes
   double yaw_deviation = 1e-3;        ///< rad, likewise about the vertical
