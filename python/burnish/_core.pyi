@@ -639,6 +639,40 @@ def make_guess(problem: Problem, start: Optional[WarmStart] = None) -> Trajector
 
 
 # ---------------------------------------------------------------------------
+# estimate
+# ---------------------------------------------------------------------------
+
+from .estimate import BaseEstimatorOptions, EstimatorInnovation, ImuReading
+
+class BaseEstimator:
+    def __init__(self, model: Model, options: BaseEstimatorOptions) -> None: ...
+    def reset(
+        self, q: ArrayLike, v: Optional[ArrayLike] = None, covariance: Optional[ArrayLike] = None
+    ) -> None: ...
+    def update(
+        self, imu: ImuReading, q: ArrayLike, v: ArrayLike, standing: Sequence[bool], dt: float
+    ) -> None: ...
+    @property
+    def q(self) -> Array: ...  # (nq,)
+    @property
+    def v(self) -> Array: ...  # (nv,)
+    @property
+    def covariance(self) -> Array: ...  # (15, 15)
+    @property
+    def gyro_bias(self) -> Array: ...  # (3,), rad/s
+    @property
+    def accelerometer_bias(self) -> Array: ...  # (3,), m/s^2
+    @property
+    def feet_that_count(self) -> List[bool]: ...
+    @property
+    def feet_that_slip(self) -> List[bool]: ...
+    @property
+    def innovation(self) -> EstimatorInnovation: ...
+
+# (end of estimate)
+
+
+# ---------------------------------------------------------------------------
 # mpc
 # ---------------------------------------------------------------------------
 

@@ -54,8 +54,7 @@ enum : std::uint64_t {
   velocity,
   force,
   gyro,
-  accelerometer,
-  foot_force
+  accelerometer
 };
 }  // namespace streams
 
