@@ -88,11 +88,12 @@ Scenario trotting_on_balls() {
 /// One run of the truth and of the filter.
 class Trial {
  public:
-  Trial(const Scenario& scenario, std::uint64_t seed, double dt)
+  /// `told`: of the noise that there is, what the filter is told.
+  Trial(const Scenario& scenario, std::uint64_t seed, double dt, double told = 1.0)
       : scenario_(&scenario),
         dt_(dt),
         generator_(seed),
-        filter(scenario.soles, noise_, gravity),
+        filter(scenario.soles, times(noise_, told), gravity),
         unit_{noise_, dt, &generator_, normal3(generator_, bias_g_), normal3(generator_, bias_a_)},
         feet_(scenario.soles.size()),
         seen_(scenario.soles.size()) {
@@ -194,6 +195,11 @@ class Trial {
   }
 
  private:
+  static FilterNoise times(const FilterNoise& noise, double factor) {
+    return {factor * noise.gyro,      factor * noise.accelerometer,
+            factor * noise.gyro_bias, factor * noise.accelerometer_bias,
+            factor * noise.slip,      factor * noise.sole_turn};
+  }
   struct Foot {
     bool down = false;
     Vector3d d = Vector3d::Zero();
@@ -279,6 +285,25 @@ TEST_P(Consistency, ErrorsAndInnovationsAreAsLargeAsTheCovarianceSays) {
   EXPECT_NEAR(innovations / static_cast<double>(rows), 1.0, bound) << rows << " rows";
   RecordProperty(scenario.name + "_innovations",
                  std::to_string(innovations / static_cast<double>(rows)));
+}
+
+TEST(ConsistencyItself, ShowsNoiseThatTheFilterWasNotTold) {
+  const Scenario scenario = standing_on_soles();
+  for (const double told : {0.5, 2.0}) {
+    double square = 0.0;
+    int freedom = 0;
+    for (int seed = 1; seed <= seeds; ++seed) {
+      Trial run(scenario, static_cast<std::uint64_t>(seed), 0.005, told);
+      for (int tick = 0; tick < 150; ++tick) run.tick(0.005 * tick);
+      const MatrixXd T = run.knowable();
+      const VectorXd e = T * run.error(150 * 0.005);
+      square += e.dot((T * run.filter.covariance() * T.transpose()).ldlt().solve(e)) / seeds;
+      freedom = static_cast<int>(T.rows());
+    }
+    const double bound =
+        chi_square_quantile(freedom * seeds, told < 1.0 ? 1.0 - 1e-9 : 1e-9) / seeds;
+    EXPECT_EQ(square > bound, told < 1.0) << square << " " << bound;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, Consistency, ::testing::Values(0, 1));
