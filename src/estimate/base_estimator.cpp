@@ -297,6 +297,9 @@ const Eigen::Vector3d& BaseEstimator::accelerometer_bias() const {
 Eigen::Vector3d BaseEstimator::foot_position(int foot) const {
   return to_eigen(impl_->filter.foot_position(foot));
 }
+Eigen::Matrix3d BaseEstimator::foot_rotation(int foot) const {
+  return to_eigen(impl_->filter.state().R * impl_->kinematics.seen(foot).R);
+}
 BaseEstimator::Feet BaseEstimator::feet_that_count() const { return impl_->filter.standing(); }
 BaseEstimator::Feet BaseEstimator::feet_that_slip() const { return impl_->slipping; }
 const EstimatorInnovation& BaseEstimator::innovation() const { return impl_->innovation; }

@@ -11,10 +11,12 @@ struct EstimatedBase::Impl {
       : estimator(model, options),
         contacts(model, estimator.feet(), feet),
         forces(model, options.feet, feet.bandwidth),
-        tau(Eigen::VectorXd::Zero(model.nv)) {
+        up(-model.gravity.normalized()),
+        tau(Eigen::VectorXd::Zero(model.nv)),
+        normal_forces(Eigen::VectorXd::Zero(estimator.feet())) {
     result.q = model.q_neutral;
     result.v = result.tau = tau;
-    result.foot_forces.setZero(estimator.feet());
+    result.support_wrenches.setZero(6, estimator.feet());
   }
 
   Status feel(const Measurement& measured, double dt) noexcept;
@@ -23,10 +25,12 @@ struct EstimatedBase::Impl {
   BaseEstimator estimator;
   FootContacts contacts;
   FootForces forces;
+  Eigen::Vector3d up;
   bool started = false;
   Status status = Status::Ok;
   double last = 0.0;    ///< s, when the last measurement was taken that could be used
   Eigen::VectorXd tau;  ///< of this one, without the base's entries
+  Eigen::VectorXd normal_forces;
   Measurement result;
 };
 
@@ -53,7 +57,13 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
 
 /// Which feet stand.
 Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
-  if (measured.foot_forces.size() > 0) return contacts.update(measured.foot_forces, dt);
+  if (measured.support_wrenches.cols() > 0) {
+    if (measured.support_wrenches.cols() != normal_forces.size()) return Status::WrongSize;
+    for (int k = 0; k < estimator.feet(); ++k)
+      normal_forces[k] =
+          up.dot(estimator.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
+    return contacts.update(normal_forces, dt);
+  }
   // The base is the one of the tick before: its estimate needs to know which feet stand.
   if (measured.q.size() != result.q.size() || measured.v.size() != result.v.size())
     return Status::WrongSize;
@@ -92,10 +102,11 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.time = measured.time;
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
-  if (measured.foot_forces.size() == result.foot_forces.size())
-    result.foot_forces = measured.foot_forces;
+  // Room for them is there from the start on; without sensors it is given up, and stays so.
+  if (measured.support_wrenches.cols() == d.estimator.feet())
+    result.support_wrenches = measured.support_wrenches;
   else
-    result.foot_forces = d.contacts.forces();
+    result.support_wrenches.resize(6, 0);
   if (measured.tau.size() == result.tau.size()) result.tau = measured.tau;
   if (measured.q.size() == result.q.size())
     result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);

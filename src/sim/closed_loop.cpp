@@ -113,13 +113,14 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances, chosen.imu_frame),
+        sensing(driven.model(), disturbances),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
         trace(columns_of(driven.model()), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
+    if (chosen.imu_frame) sensing.mount_imu(driven.model(), *chosen.imu_frame);
   }
 
   double* record_state(double* to) noexcept;

@@ -33,8 +33,7 @@ struct Sensing::Random {
   RandomStream torque, position, velocity, force;
 };
 
-Sensing::Sensing(const Model& model, const Disturbances& disturbances,
-                 const std::optional<std::string>& imu_frame)
+Sensing::Sensing(const Model& model, const Disturbances& disturbances)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
@@ -44,10 +43,13 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances,
       work_(differences_) {
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
-  if (imu_frame) imu_.emplace(model, *imu_frame, disturbances);
 }
 
 Sensing::~Sensing() = default;
+
+void Sensing::mount_imu(const Model& model, const std::string& frame) {
+  imu_.emplace(model, frame, disturbances_);
+}
 
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);

@@ -46,6 +46,19 @@ struct StandingBiped {
     measured.time = 1e-3 * tick;
     return measured;
   }
+  /// Sensors in the feet: shares of the weight, straight up, in axes of the soles.
+  void load(double left, double right) {
+    RigidBody body(model);
+    EXPECT_EQ(body.update(truth, VectorXd::Zero(model.nv)), Status::Ok);
+    measured.support_wrenches.setZero(6, 2);
+    const double shares[] = {left, right};
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Matrix3d R =
+          body.placement(body.frame(options.feet[static_cast<std::size_t>(k)].frame)).linear();
+      measured.support_wrenches.col(k).head<3>() =
+          -shares[k] * model.total_mass() * (R.transpose() * model.gravity);
+    }
+  }
   Model model = biped::model(Base::FreeFlyer);
   BaseEstimatorOptions options;
   Measurement measured;
@@ -58,7 +71,7 @@ TEST(EstimatedBase, TellsTheBaseByTorquesOrByFootSensors) {
     EstimatedBase base(biped.model, biped.options);
     ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
     const double weight = -biped.model.total_mass() * biped.model.gravity.z();
-    if (sensors) biped.measured.foot_forces = Eigen::Vector2d(0.5 * weight, 0.5 * weight);
+    if (sensors) biped.load(0.5, 0.5);
     for (int tick = 0; tick < 200; ++tick) {
       const Measurement& told = base.update(biped.at(tick));
       ASSERT_EQ(base.status(), Status::Ok) << tick;
@@ -67,12 +80,13 @@ TEST(EstimatedBase, TellsTheBaseByTorquesOrByFootSensors) {
       EXPECT_LT((told.q - biped.truth).norm(), 1e-6);
       EXPECT_LT(told.v.norm(), 1e-6);
       EXPECT_TRUE(told.tau == biped.measured.tau);
+      EXPECT_EQ(told.support_wrenches.cols(), sensors ? 2 : 0);
     }
     EXPECT_EQ(base.estimator().feet_that_count(), 3U);
     EXPECT_NEAR(base.contacts().forces()[0], 0.5 * weight, 1e-3 * weight);
     // One foot is unloaded.
     if (!sensors) continue;
-    biped.measured.foot_forces = Eigen::Vector2d(weight, 0.0);
+    biped.load(1.0, 0.0);
     for (int tick = 200; tick < 300; ++tick) base.update(biped.at(tick));
     EXPECT_EQ(base.estimator().feet_that_count(), 1U);
   }
@@ -96,7 +110,7 @@ TEST(EstimatedBase, WhatCannotBeUsedLeavesTheBaseAndIsBridged) {
   EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), told);
   EXPECT_EQ(base.status(), Status::NotFinite);
   bad = biped.at(53);
-  bad.foot_forces = Eigen::Vector3d::Ones();
+  bad.support_wrenches.setOnes(6, 3);
   base.update(bad);
   EXPECT_EQ(base.status(), Status::WrongSize);
   bad = biped.at(54);

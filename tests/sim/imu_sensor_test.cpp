@@ -139,7 +139,8 @@ TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
 TEST(Sensing, HasReadingsOfTheUnitWhereThereIsOne) {
   const Model model = arm7::model(Base::Fixed);
   const auto plant = make_ideal_plant(model, {});
-  Sensing with(model, {}, "tool"), without(model, {});
+  Sensing with(model, {}), without(model, {});
+  with.mount_imu(model, "tool");
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   ASSERT_LE(plant->reset(q, rest), Status::NotConverged);
   EXPECT_FALSE(without.measure(*plant, rest).imu.has_value());

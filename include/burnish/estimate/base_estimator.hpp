@@ -106,6 +106,8 @@ class BaseEstimator {
   const Eigen::Vector3d& accelerometer_bias() const;  ///< m/s^2
   /// Of a foot that counts, where it stands: world, m.
   Eigen::Vector3d foot_position(int foot) const;
+  /// Of any foot, as the base and the joints were last told: foot -> world.
+  Eigen::Matrix3d foot_rotation(int foot) const;
   Feet feet_that_count() const;
   Feet feet_that_slip() const;  ///< that stand and are left out
   const EstimatorInnovation& innovation() const;

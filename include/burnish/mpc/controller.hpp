@@ -12,16 +12,16 @@ namespace burnish {
 
 /// What the sensors say at a tick.
 struct Measurement {
-  double time = 0.0;    ///< s
-  Eigen::VectorXd q;    ///< nq
-  Eigen::VectorXd v;    ///< nv
+  double time = 0.0;                   ///< s
+  Eigen::VectorXd q;                   ///< nq
+  Eigen::VectorXd v;                   ///< nv
+  std::optional<ImuReading> imu = {};  ///< of the robot's inertial measurement unit, if it has one
   Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
   /// Of the force sensor: the surface's force on the tool, N, world axes.
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
-  /// Of the robot's inertial measurement unit, if it has one.
-  std::optional<ImuReading> imu = {};
-  /// Of the sensors in the feet: the ground's normal force on each, N; empty without them.
-  Eigen::VectorXd foot_forces = {};
+  /// Of the sensors in what the robot stands on: force and moment of the ground on each support, N
+  /// and Nm, at the origin of its frame, in the frame's axes; 6 x supports, or empty: not measured.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
 };
 
 /// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at

@@ -16,11 +16,13 @@ struct Tree;
 /// allocates nothing after construction and throws nothing.
 class Sensing {
  public:
-  /// With `imu_frame`, a frame of the robot or empty for its first body, there is an inertial
-  /// measurement unit. Throws Error as check_disturbances() does, and as ImuSensor.
-  Sensing(const Model& model, const Disturbances& disturbances,
-          const std::optional<std::string>& imu_frame = {});
+  /// Throws Error as check_disturbances() does.
+  Sensing(const Model& model, const Disturbances& disturbances);
   ~Sensing();
+
+  /// From now on measurements have readings of an inertial measurement unit at a frame of the
+  /// robot, empty: its first body. Throws Error as ImuSensor.
+  void mount_imu(const Model& model, const std::string& frame);
 
   /// Forgets all measurements, with the same random numbers to come.
   void reset() noexcept;
