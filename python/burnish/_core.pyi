@@ -642,7 +642,7 @@ def make_guess(problem: Problem, start: Optional[WarmStart] = None) -> Trajector
 # estimate
 # ---------------------------------------------------------------------------
 
-from .estimate import BaseEstimatorOptions, EstimatorInnovation, ImuReading
+from .estimate import BaseEstimatorOptions, EstimatorInnovation, FootContactOptions, FootSpec, ImuReading
 
 class BaseEstimator:
     def __init__(self, model: Model, options: BaseEstimatorOptions) -> None: ...
@@ -668,6 +668,24 @@ class BaseEstimator:
     def feet_that_slip(self) -> List[bool]: ...
     @property
     def innovation(self) -> EstimatorInnovation: ...
+
+class FootContacts:
+    def __init__(
+        self, model: Model, feet: int, options: Optional[FootContactOptions] = None
+    ) -> None: ...
+    def update(self, normal_forces: ArrayLike, dt: float) -> None: ...
+    @property
+    def standing(self) -> List[bool]: ...
+    @property
+    def forces(self) -> Array: ...  # (feet,), N
+
+class FootForces:
+    def __init__(self, model: Model, feet: Sequence[FootSpec], bandwidth: float = 150.0) -> None: ...
+    def update(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, dt: float) -> None: ...
+    @property
+    def forces_world(self) -> Array: ...  # (3, feet), N
+    @property
+    def normal_forces(self) -> Array: ...  # (feet,), N
 
 # (end of estimate)
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ._core import BaseEstimator
+from ._core import BaseEstimator, FootContacts, FootForces
 
 __all__ = [
-    "BaseEstimator", "BaseEstimatorOptions", "EstimatorInnovation", "FootContactOptions", "FootKind", "FootSpec",
-    "ImuReading",
+    "BaseEstimator", "BaseEstimatorOptions", "EstimatorInnovation", "FootContactOptions", "FootContacts", "FootForces",
+    "FootKind", "FootSpec", "ImuReading",
 ]
 
 

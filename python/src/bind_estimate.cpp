@@ -2,7 +2,11 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <memory>
+#include <optional>
+
 #include "bind.hpp"
+#include "burnish/estimate/foot_forces.hpp"
 #include "machine.hpp"
 #include "specs_estimate.hpp"
 
@@ -11,6 +15,12 @@ namespace burnish::python {
 namespace {
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
+
+std::vector<bool> bools_of(std::uint32_t feet, int count) {
+  std::vector<bool> result;
+  for (int k = 0; k < count; ++k) result.push_back(((feet >> k) & 1U) != 0);
+  return result;
+}
 
 struct EstimatorMachine {
   EstimatorMachine(const Model& model, const BaseEstimatorOptions& options)
@@ -29,10 +39,22 @@ struct EstimatorMachine {
     return feet;
   }
   std::vector<bool> list_of(BaseEstimator::Feet feet) const {
-    std::vector<bool> result;
-    for (int k = 0; k < estimator.feet(); ++k) result.push_back(((feet >> k) & 1U) != 0);
-    return result;
+    return bools_of(feet, estimator.feet());
   }
+};
+
+struct ContactsMachine {
+  ContactsMachine(const Model& model, int feet, const FootContactOptions& options)
+      : contacts(model, feet, options) {}
+  FootContacts contacts;
+  Busy busy;
+};
+
+struct ForcesMachine {
+  ForcesMachine(const Model& model, const std::vector<FootSpec>& feet, double bandwidth)
+      : forces(model, feet, bandwidth) {}
+  FootForces forces;
+  Busy busy;
 };
 
 using EstimatorClass = py::class_<EstimatorMachine>;
@@ -70,9 +92,65 @@ void bind_estimates(EstimatorClass& c) {
           "EstimatorInnovation of the last update.");
 }
 
+void bind_contacts(py::module_& m) {
+  py::class_<ContactsMachine>(m, "FootContacts", "A foot's normal force with hysteresis.")
+      .def(py::init(
+               [](const Model& model, int feet, const std::optional<FootContactOptions>& options) {
+                 return std::make_unique<ContactsMachine>(model, feet,
+                                                          options.value_or(FootContactOptions{}));
+               }),
+           py::arg("model"), py::arg("feet"), py::arg("options") = py::none(),
+           "Raises Error for options out of range, and for noise that would reach across the "
+           "hysteresis.")
+      .def(
+          "update",
+          [](ContactsMachine& self, const Vector& normal_forces, double dt) {
+            const Busy::Lock lock(self.busy, "FootContacts.update");
+            require(self.contacts.update(normal_forces, dt), "FootContacts.update");
+          },
+          py::arg("normal_forces"), py::arg("dt"),
+          "Normal forces, N, one per foot, dt s after the last ones.")
+      .def_property_readonly(
+          "standing",
+          [](const ContactsMachine& self) {
+            return bools_of(self.contacts.standing(),
+                            static_cast<int>(self.contacts.forces().size()));
+          },
+          "One bool per foot.")
+      .def_property_readonly(
+          "forces", [](const ContactsMachine& self) { return self.contacts.forces(); },
+          "N, behind the low-pass.");
+  py::class_<ForcesMachine>(
+      m, "FootForces",
+      "The force on each foot where no sensor measures it: from joint torques "
+      "through the dynamics.")
+      .def(py::init([](const Model& model, const std::vector<FootSpec>& feet, double bandwidth) {
+             return std::make_unique<ForcesMachine>(model, feet, bandwidth);
+           }),
+           py::arg("model"), py::arg("feet"), py::arg("bandwidth") = 150.0,
+           "bandwidth: rad/s. Raises Error for feet that are unknown or fixed to the world.")
+      .def(
+          "update",
+          [](ForcesMachine& self, const Vector& q, const Vector& v, const Vector& tau, double dt) {
+            const Busy::Lock lock(self.busy, "FootForces.update");
+            require(self.forces.update(q, v, tau, dt), "FootForces.update");
+          },
+          py::arg("q"), py::arg("v"), py::arg("tau"), py::arg("dt"),
+          "The state and the torques (nv,; Nm or N, none in the base's entries) that acted in the "
+          "dt s since the last one. Raises EvaluationError for what cannot be used.")
+      .def_property_readonly(
+          "forces_world",
+          [](const ForcesMachine& self) { return Eigen::MatrixXd(self.forces.forces_world()); },
+          "(3, feet), of the ground on each foot, N, world axes.")
+      .def_property_readonly(
+          "normal_forces", [](const ForcesMachine& self) { return self.forces.normal_forces(); },
+          "(feet,), against gravity, N.");
+}
+
 }  // namespace
 
 void bind_estimate(py::module_& m) {
+  bind_contacts(m);
   EstimatorClass c(m, "BaseEstimator",
                    "Where a robot on its feet is and how it moves: its floating base from a "
                    "gyroscope, an accelerometer, encoders and which feet stand. See "

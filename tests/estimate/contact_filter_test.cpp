@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <random>
 
@@ -163,7 +164,6 @@ struct Standing {
   MatrixXd seen_noise;
 };
 
-/// Rows as the filter has them: the ball's, then the sole's place and rotation.
 bool same(const MatrixXd& a, const MatrixXd& b, double relative) {
   return (a - b).norm() <= relative * b.norm();
 }
@@ -375,6 +375,32 @@ TEST(ContactFilter, MovingAndTurningTheWorldChangesNothingButThat) {
   EXPECT_LT((Z * to_eigen(a.filter.state().v) - to_eigen(b.filter.state().v)).norm(), 1e-7);
   EXPECT_LT((Z * to_eigen(a.filter.state().p) + t - to_eigen(b.filter.state().p)).norm(), 1e-6);
   EXPECT_LT((a.filter.b_gyro() - b.filter.b_gyro()).norm(), 1e-8);
+}
+
+TEST(ContactFilter, AfterManyTicksTheCovarianceIsStillOne) {
+  // Four minutes at 1 kHz in which place and yaw grow uncertain and all else does not.
+  const FilterNoise noise{1e-3, 1e-2, 1e-5, 1e-4, 1e-3, 1e-3};
+  Standing s(11, noise);
+  const MatrixXd quiet = 1e-9 * MatrixXd::Identity(seen_rows, seen_rows);
+  for (int i = 0; i < 240000; ++i) {
+    const State<double> hat = state_of(s.filter);
+    const Vec3<double> up = transpose_times(hat.unit.R, from_eigen(Vector3d(-gravity)));
+    s.filter.propagate({s.filter.b_gyro(), s.filter.b_accelerometer() + to_eigen(up)}, 1e-3);
+    const State<double> next = state_of(s.filter);
+    for (int k = 0; k < 2; ++k)
+      s.seen[static_cast<std::size_t>(k)].p = transpose_times(next.unit.R, next.d[k] - next.unit.p);
+    s.seen[1].R = transpose_times(next.unit.R, next.C);
+    bool good = false;
+    (void)s.filter.update(both, s.seen, quiet, VectorXd::Constant(2, infinity), good);
+    ASSERT_TRUE(good) << i;
+  }
+  const MatrixXd& P = s.filter.covariance();
+  EXPECT_TRUE(s.filter.is_finite());
+  EXPECT_TRUE(P == P.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(P);
+  EXPECT_GT(eigen.eigenvalues().minCoeff(), 0.0);
+  const Matrix3d R = to_eigen(s.filter.state().R);
+  EXPECT_LT((R * R.transpose() - Matrix3d::Identity()).norm(), 1e-14);
 }
 
 TEST(ContactFilter, FeetThatAreLiftedLeaveNothingBehind) {
