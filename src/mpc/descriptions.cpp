@@ -184,7 +184,7 @@ const Description& description_of(const Measurement* /*of*/) {
           .field(
               "support_wrenches", &M::support_wrenches,
               "of the sensors in what the robot stands on: force and moment of the ground on each "
-              "support, {N} and {Nm}, at the origin of its frame, in the frame's axes; 6 x "
+              "support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
               "supports, or empty: not measured")
           .field("tool_force_world", &M::tool_force_world,
                  "Of the force sensor: the surface's force on the tool, N, world axes.");

@@ -21,8 +21,8 @@ enum class FootKind {
 };
 
 struct FootSpec {
-  std::string frame;  ///< of a ball its middle, where it rolls little
-  FootKind kind = FootKind::Ball;
+  std::string frame;               ///< of a ball its middle, where it rolls little
+  FootKind kind = FootKind::Ball;  ///< ball, whose origin stays, or sole, which does not turn
 };
 
 /// Noise is white where it is a density, a deviation per square root of Hz: a reading every dt s
