@@ -147,7 +147,7 @@ void ContactFilter::innovate(int k, const SeenFoot& seen, int row) noexcept {
   const Foot& foot = feet_[index(k)];
   r_.segment<3>(row) = to_eigen(state_.R * seen.p - (foot.d - state_.p));
   if (!foot.sole) return;
-  double angle;
+  double angle = 0.0;
   r_.segment<3>(row + 3) = to_eigen(log_rotation(state_.R * seen.R * transposed(foot.C), angle));
 }
 

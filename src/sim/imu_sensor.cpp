@@ -92,7 +92,7 @@ const ImuReading& ImuSensor::measure(const ConstVectorRef& q, const ConstVectorR
   const Motion<double> twist = at_point(body.v, body.p + body.R * d.frame.p);
   const Vec3<double> gravity = d.tree.gravity;
   if (d.started) {
-    double angle;
+    double angle = 0.0;
     const Vec3<double> phi = log_rotation(transpose_times(d.R_before, R), angle);
     const Vec3<double> change = (twist.linear - d.v_before) * (1.0 / elapsed) - gravity;
     const Eigen::Matrix3d mean = to_eigen(gamma_1(phi, rotation_series(phi)));
