@@ -9,6 +9,7 @@ from .base import *
 from .contact import *
 from .derivatives import *
 from .dynamics import *
+from .estimate import *
 from .files import *
 from .identification import *
 from .model import *

@@ -647,6 +647,58 @@ def make_guess(problem: Problem, start: Optional[WarmStart] = None) -> Trajector
 
 
 # ---------------------------------------------------------------------------
+# estimate
+# ---------------------------------------------------------------------------
+
+from .estimate import BaseEstimatorOptions, EstimatorInnovation, FootContactOptions, FootSpec, ImuReading
+
+class BaseEstimator:
+    def __init__(self, model: Model, options: BaseEstimatorOptions) -> None: ...
+    def reset(
+        self, q: ArrayLike, v: Optional[ArrayLike] = None, covariance: Optional[ArrayLike] = None
+    ) -> None: ...
+    def update(
+        self, imu: ImuReading, q: ArrayLike, v: ArrayLike, standing: Sequence[bool], dt: float
+    ) -> None: ...
+    @property
+    def q(self) -> Array: ...  # (nq,)
+    @property
+    def v(self) -> Array: ...  # (nv,)
+    @property
+    def covariance(self) -> Array: ...  # (15, 15)
+    @property
+    def gyro_bias(self) -> Array: ...  # (3,), rad/s
+    @property
+    def accelerometer_bias(self) -> Array: ...  # (3,), m/s^2
+    @property
+    def feet_that_count(self) -> List[bool]: ...
+    @property
+    def feet_that_slip(self) -> List[bool]: ...
+    @property
+    def innovation(self) -> EstimatorInnovation: ...
+
+class FootContacts:
+    def __init__(
+        self, model: Model, feet: int, options: Optional[FootContactOptions] = None
+    ) -> None: ...
+    def update(self, normal_forces: ArrayLike, dt: float) -> None: ...
+    @property
+    def standing(self) -> List[bool]: ...
+    @property
+    def forces(self) -> Array: ...  # (feet,), N
+
+class FootForces:
+    def __init__(self, model: Model, feet: Sequence[FootSpec], bandwidth: float = 150.0) -> None: ...
+    def update(self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, dt: float) -> None: ...
+    @property
+    def forces_world(self) -> Array: ...  # (3, feet), N
+    @property
+    def normal_forces(self) -> Array: ...  # (feet,), N
+
+# (end of estimate)
+
+
+# ---------------------------------------------------------------------------
 # mpc
 # ---------------------------------------------------------------------------
 

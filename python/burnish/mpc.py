@@ -13,6 +13,7 @@ from . import _core
 from ._core import FeedbackPlan, MpcController, Schedule, TorqueErrorObserver, Trace
 from ._spec import Spec
 from .base import Status
+from .estimate import ImuReading
 from .ocp import ProblemSpec
 from .pressing import PressingTask
 from .solver import DdpOptions, LimitOptions, StepUpdate

@@ -17,6 +17,7 @@ void bind_derivatives(py::module_& m);
 void bind_ocp(py::module_& m);
 void bind_solver(py::module_& m);
 void bind_files(py::module_& m);
+void bind_estimate(py::module_& m);
 void bind_mpc(py::module_& m);
 void bind_sim(py::module_& m);
 void bind_identify(py::module_& m);

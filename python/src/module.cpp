@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, module) {
   bind_ocp(module);
   bind_solver(module);
   bind_files(module);
+  bind_estimate(module);
   bind_mpc(module);
   bind_sim(module);
   bind_identify(module);

@@ -3,6 +3,7 @@
 
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/mpc/surface_estimate.hpp"
+#include "estimate/descriptions.hpp"
 #include "ocp/descriptions.hpp"
 #include "solver/descriptions.hpp"
 

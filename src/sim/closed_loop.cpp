@@ -132,6 +132,7 @@ struct ClosedLoop::Impl {
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
     body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step
+    if (chosen.imu_frame) sensing.mount_imu(driven.model(), *chosen.imu_frame);
   }
 
   double* record_state(double* to) noexcept;

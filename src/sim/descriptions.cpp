@@ -104,6 +104,22 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "{N}, deviation per axis of the sensors in supports", size)
           .field("support_moment_noise", &D::support_moment_noise,
                  "{Nm}, likewise; both behind force_cutoff", size)
+          .group(
+              "Of an inertial measurement unit, where there is one. Densities are those of data "
+              "sheets: a reading every dt s has a deviation of the density / sqrt(dt).")
+          .field("gyro_noise", &D::gyro_noise, "{rad/s/sqrt(Hz)}, white, per axis", size)
+          .field("gyro_bias_range", &D::gyro_bias_range, "{rad/s}: each axis adds b, |b| <= this",
+                 size)
+          .field("gyro_bias_walk", &D::gyro_bias_walk, "{rad/s^2/sqrt(Hz)} that b walks with", size)
+          .field("gyro_step", &D::gyro_step, "{rad/s}, of its converter; 0: exact", size)
+          .field("accelerometer_noise", &D::accelerometer_noise,
+                 "{m/s^2/sqrt(Hz)}, white, per axis", size)
+          .field("accelerometer_bias_range", &D::accelerometer_bias_range,
+                 "{m/s^2}: each axis adds b, |b| <= this", size)
+          .field("accelerometer_bias_walk", &D::accelerometer_bias_walk,
+                 "{m/s^3/sqrt(Hz)} that b walks with", size)
+          .field("accelerometer_step", &D::accelerometer_step,
+                 "{m/s^2}, of its converter; 0: exact", size)
           .group("In the plant's model and scene: plant_model() and plant_scene().")
           .field("mass_scale", &D::mass_scale, "of all masses and inertias of the plant",
                  range::positive)
@@ -254,7 +270,10 @@ const Description& description_of(const ClosedLoopOptions* /*of*/) {
                  range::positive)
           .field("max_duration", &C::max_duration, "{s} that the trace has room for")
           .field("record_every", &C::record_every, "plant steps per row of the trace",
-                 range::from(1));
+                 range::from(1))
+          .field("imu_frame", &C::imu_frame,
+                 "frame of an inertial measurement unit that the controller is given readings of; "
+                 "empty: of the robot's first body; none: there is no unit");
   return all;
 }
 

@@ -54,7 +54,9 @@ enum : std::uint64_t {
   velocity,
   force,
   support,
-  payload
+  payload,
+  gyro,
+  accelerometer
 };
 }  // namespace streams
 

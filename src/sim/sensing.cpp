@@ -50,10 +50,15 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances, int suppo
 
 Sensing::~Sensing() = default;
 
+void Sensing::mount_imu(const Model& model, const std::string& frame) {
+  imu_.emplace(model, frame, disturbances_);
+}
+
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
   measurement_.support_wrenches.setZero();
   measurement_.tool_force_world.setZero();  // filters add to it, and rounding would remember
+  if (imu_) imu_->reset();
   started_ = false;
 }
 
@@ -68,6 +73,9 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
       tau += disturbances_.torque_sensor_noise * random_->torque.normal();
   measure_force(plant);
   measure_supports(plant);
+  if (imu_)
+    measurement_.imu =
+        imu_->measure(plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt());
   started_ = true;
   return measurement_;
 }

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
+#include "burnish/estimate/imu.hpp"
 
 namespace burnish {
 
 /// What the sensors say at a tick.
 struct Measurement {
-  double time = 0.0;    ///< s
-  Eigen::VectorXd q;    ///< nq
-  Eigen::VectorXd v;    ///< nv
+  double time = 0.0;                   ///< s
+  Eigen::VectorXd q;                   ///< nq
+  Eigen::VectorXd v;                   ///< nv
+  std::optional<ImuReading> imu = {};  ///< of the robot's inertial measurement unit, if it has one
   Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
   /// Of the force sensor: the surface's force on the tool, N, world axes.
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();

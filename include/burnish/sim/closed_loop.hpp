@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/controller.hpp"
@@ -15,6 +17,9 @@ struct ClosedLoopOptions {
   double control_period = 1e-3;  ///< s, a multiple of the plant's step
   double max_duration = 20.0;    ///< s that the trace has room for
   int record_every = 1;          ///< plant steps per row of the trace
+  /// frame of an inertial measurement unit that the controller is given readings of; empty: of the
+  /// robot's first body; none: there is no unit
+  std::optional<std::string> imu_frame = {};
 };
 
 /// Advances the plant by its own step; the controller ticks at the start of every control period

@@ -70,6 +70,17 @@ struct Disturbances {
   double support_force_noise = 0.0;   ///< N, deviation per axis of the sensors in supports
   double support_moment_noise = 0.0;  ///< Nm, likewise; both behind force_cutoff
 
+  // Of an inertial measurement unit, where there is one (class ImuSensor). Densities are those of
+  // data sheets: a reading every dt s has a deviation of the density / sqrt(dt).
+  double gyro_noise = 0.0;                ///< rad/s/sqrt(Hz), white, per axis
+  double gyro_bias_range = 0.0;           ///< rad/s: each axis adds b, |b| <= this
+  double gyro_bias_walk = 0.0;            ///< rad/s^2/sqrt(Hz) that b walks with
+  double gyro_step = 0.0;                 ///< rad/s, of its converter; 0: exact
+  double accelerometer_noise = 0.0;       ///< m/s^2/sqrt(Hz), white, per axis
+  double accelerometer_bias_range = 0.0;  ///< m/s^2: each axis adds b, |b| <= this
+  double accelerometer_bias_walk = 0.0;   ///< m/s^3/sqrt(Hz) that b walks with
+  double accelerometer_step = 0.0;        ///< m/s^2, of its converter; 0: exact
+
   // In the plant's model and scene (plant_model() and plant_scene()).
   double mass_scale = 1.0;      ///< of all masses and inertias of the plant
   UnknownPayload payload = {};  ///< what the plant carries besides

@@ -5,6 +5,7 @@
 
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/imu_sensor.hpp"
 #include "burnish/sim/plant.hpp"
 
 namespace burnish {
@@ -19,6 +20,10 @@ class Sensing {
   /// check_disturbances() does.
   Sensing(const Model& model, const Disturbances& disturbances, int supports = 0);
   ~Sensing();
+
+  /// From now on measurements have readings of an inertial measurement unit at a frame of the
+  /// robot, empty: its first body. Throws Error as ImuSensor.
+  void mount_imu(const Model& model, const std::string& frame);
 
   /// Forgets all measurements, with the same random numbers to come.
   void reset() noexcept;
@@ -44,6 +49,7 @@ class Sensing {
   Eigen::VectorXd q_before_;     ///< nq, as measured
   Eigen::VectorXd differences_;  ///< nv, filtered
   Eigen::VectorXd work_;         ///< nv
+  std::optional<ImuSensor> imu_;
   Measurement measurement_;
 };
 

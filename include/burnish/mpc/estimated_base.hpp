@@ -1,0 +1,47 @@
+// What stands between sensing and the controller of a robot on its feet: a measurement whose base
+// is estimated rather than known.
+#pragma once
+
+#include <memory>
+
+#include "burnish/estimate/base_estimator.hpp"
+#include "burnish/estimate/foot_contacts.hpp"
+#include "burnish/mpc/controller.hpp"
+
+namespace burnish {
+
+/// Which feet stand is told by their sensors, where a measurement has any
+/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order), and
+/// by joint torques through the dynamics (FootForces) where not; the base then by BaseEstimator.
+/// Ticks allocate nothing and throw nothing.
+class EstimatedBase {
+ public:
+  /// Throws Error as BaseEstimator and FootContacts do.
+  EstimatedBase(const Model& model, const BaseEstimatorOptions& estimator,
+                const FootContactOptions& contacts = {});
+  ~EstimatedBase();
+  EstimatedBase(EstimatedBase&&) noexcept;
+  EstimatedBase& operator=(EstimatedBase&&) noexcept;
+
+  /// Starts at a state of the whole robot, q (nq) and v (nv), on these feet: all of them unless
+  /// said. WrongSize, NotFinite or NotNormalized, which change nothing.
+  Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
+               BaseEstimator::Feet standing = ~BaseEstimator::Feet{0}) noexcept;
+
+  /// The measurement with the base's entries of q and v replaced by their estimates. The first one
+  /// after reset() only starts the clock. What cannot be used (no reading of the unit, a time that
+  /// stands still, see status()) leaves the base where it was.
+  const Measurement& update(const Measurement& measured) noexcept;
+
+  /// Of the last update: WrongSize without a reading of the unit or with another number of
+  /// supports, NotFinite for numbers that are none and a time that does not go on.
+  Status status() const;
+  const BaseEstimator& estimator() const;
+  const FootContacts& contacts() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,13 @@
+"""The state of a base on feet."""
+
+from __future__ import annotations
+
+from ._core import BaseEstimator, FootContacts, FootForces
+
+__all__ = [
+    "BaseEstimator", "BaseEstimatorOptions", "EstimatorInnovation", "FootContactOptions", "FootContacts", "FootForces",
+    "FootKind", "FootSpec", "ImuReading",
+]
+
+
+# Described classes stand here (scripts/describe).

@@ -1,0 +1,124 @@
+#include "burnish/mpc/estimated_base.hpp"
+
+#include <cmath>
+
+#include "burnish/estimate/foot_forces.hpp"
+
+namespace burnish {
+
+struct EstimatedBase::Impl {
+  Impl(const Model& model, const BaseEstimatorOptions& options, const FootContactOptions& feet)
+      : estimator(model, options),
+        contacts(model, estimator.feet(), feet),
+        forces(model, options.feet, feet.bandwidth),
+        up(-model.gravity.normalized()),
+        tau(Eigen::VectorXd::Zero(model.nv)),
+        normal_forces(Eigen::VectorXd::Zero(estimator.feet())) {
+    result.q = model.q_neutral;
+    result.v = result.tau = tau;
+    result.support_wrenches.setZero(6, estimator.feet());
+  }
+
+  Status feel(const Measurement& measured, double dt) noexcept;
+  Status follow(const Measurement& measured) noexcept;
+
+  BaseEstimator estimator;
+  FootContacts contacts;
+  FootForces forces;
+  Eigen::Vector3d up;
+  bool started = false;
+  Status status = Status::Ok;
+  double last = 0.0;    ///< s, when the last measurement was taken that could be used
+  Eigen::VectorXd tau;  ///< of this one, without the base's entries
+  Eigen::VectorXd normal_forces;
+  Measurement result;
+};
+
+EstimatedBase::EstimatedBase(const Model& model, const BaseEstimatorOptions& estimator,
+                             const FootContactOptions& contacts)
+    : impl_(std::make_unique<Impl>(model, estimator, contacts)) {}
+EstimatedBase::~EstimatedBase() = default;
+EstimatedBase::EstimatedBase(EstimatedBase&&) noexcept = default;
+EstimatedBase& EstimatedBase::operator=(EstimatedBase&&) noexcept = default;
+
+Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
+                            BaseEstimator::Feet standing) noexcept {
+  Impl& d = *impl_;
+  const Status status = d.estimator.reset(q, v);
+  if (status != Status::Ok) return status;
+  d.contacts.reset(standing);
+  d.forces.reset();
+  d.started = false;
+  d.status = Status::Ok;
+  d.result.q = q;
+  d.result.v = v;
+  return Status::Ok;
+}
+
+/// Which feet stand.
+Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
+  if (measured.support_wrenches.cols() > 0) {
+    if (measured.support_wrenches.cols() != normal_forces.size()) return Status::WrongSize;
+    for (int k = 0; k < estimator.feet(); ++k)
+      normal_forces[k] =
+          up.dot(estimator.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
+    return contacts.update(normal_forces, dt);
+  }
+  // The base is the one of the tick before: its estimate needs to know which feet stand.
+  if (measured.q.size() != result.q.size() || measured.v.size() != result.v.size())
+    return Status::WrongSize;
+  result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);
+  result.v.tail(result.v.size() - 6) = measured.v.tail(result.v.size() - 6);
+  if (measured.tau.size() != tau.size()) return Status::WrongSize;
+  tau = measured.tau;
+  tau.head<6>().setZero();
+  const Status told = forces.update(result.q, result.v, tau, dt);
+  if (told != Status::Ok) return told;
+  return contacts.update(forces.normal_forces(), dt);
+}
+
+Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
+  if (!std::isfinite(measured.time)) return Status::NotFinite;
+  if (!started) last = measured.time;
+  const bool first = !started;
+  started = true;
+  if (first) return Status::Ok;
+  // What could not be used is bridged by the readings after it.
+  const double dt = measured.time - last;
+  if (!measured.imu) return Status::WrongSize;
+  if (!(dt > 0.0)) return Status::NotFinite;
+  const Status told = feel(measured, dt);
+  if (told != Status::Ok) return told;
+  const Status status_of_base =
+      estimator.update(*measured.imu, measured.q, measured.v, contacts.standing(), dt);
+  if (status_of_base == Status::Ok) last = measured.time;
+  return status_of_base;
+}
+
+const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
+  Impl& d = *impl_;
+  d.status = d.follow(measured);
+  Measurement& result = d.result;
+  result.time = measured.time;
+  result.tool_force_world = measured.tool_force_world;
+  result.imu = measured.imu;
+  // Room for them is there from the start on; without sensors it is given up, and stays so.
+  if (measured.support_wrenches.cols() == d.estimator.feet())
+    result.support_wrenches = measured.support_wrenches;
+  else
+    result.support_wrenches.resize(6, 0);
+  if (measured.tau.size() == result.tau.size()) result.tau = measured.tau;
+  if (measured.q.size() == result.q.size())
+    result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);
+  if (measured.v.size() == result.v.size())
+    result.v.tail(result.v.size() - 6) = measured.v.tail(result.v.size() - 6);
+  result.q.head<7>() = d.estimator.q().head<7>();
+  result.v.head<6>() = d.estimator.v().head<6>();
+  return result;
+}
+
+Status EstimatedBase::status() const { return impl_->status; }
+const BaseEstimator& EstimatedBase::estimator() const { return impl_->estimator; }
+const FootContacts& EstimatedBase::contacts() const { return impl_->contacts; }
+
+}  // namespace burnish

@@ -1,0 +1,617 @@
+// The estimator on robots: consistency with noise of encoders and of the unit, drift, feet that
+// slip, bad input.
+#include "burnish/estimate/base_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include "burnish/dynamics/placement.hpp"
+#include "estimate/chi_square.hpp"
+#include "estimate/truth.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+#include "support/special_numbers.hpp"
+
+namespace burnish::test {
+namespace {
+
+using burnish::testing::expect_words;
+using burnish::testing::refusal;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A robot on its feet, with the unit in its base.
+struct OnFeet {
+  Model model;
+  VectorXd q;
+  BaseEstimatorOptions options;
+};
+
+OnFeet humanoid_on_soles() {
+  OnFeet robot;
+  if (has_robot_files) {
+    robot.model = named_robot("talos", Base::FreeFlyer);
+#if BURNISH_HAS_ROBOTS
+    robot.q = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/talos").reference_configuration();
+#endif
+  } else {
+    robot.model = biped::model(Base::FreeFlyer);
+    robot.q = biped::half_sitting(robot.model);
+  }
+  robot.options.feet = {{"left_sole_link", FootKind::Sole}, {"right_sole_link", FootKind::Sole}};
+  return robot;
+}
+
+#if BURNISH_HAS_ROBOTS
+OnFeet quadruped() {
+  OnFeet robot;
+  const auto loaded = load_robot(std::string(BURNISH_ROBOTS_DIR) + "/quadruped");
+  robot.model = loaded.model;
+  robot.q = loaded.reference_configuration();
+  for (const char* foot : {"fl_foot", "fr_foot", "rl_foot", "rr_foot"})
+    robot.options.feet.push_back({foot, FootKind::Ball});
+  return robot;
+}
+#endif
+
+Pose base_of(const VectorXd& q) {
+  return {Eigen::Quaterniond(q[6], q[3], q[4], q[5]).toRotationMatrix(), q.head<3>()};
+}
+Pose frame_pose(const OnFeet& robot, const std::string& frame) {
+  const Eigen::Isometry3d at = frame_placement(robot.model, robot.q, frame);
+  return {at.linear(), at.translation()};
+}
+
+/// All feet stay where they are.
+RobotMotion standing_motion(const OnFeet& robot, double duration, double dt, double size = 1.0) {
+  std::vector<FootOverTime> feet;
+  for (const FootSpec& foot : robot.options.feet) {
+    const Pose at = frame_pose(robot, foot.frame);
+    feet.push_back({foot.frame, foot.kind == FootKind::Sole, [at](double) { return at; },
+                    [](double) { return true; }});
+  }
+  return robot_motion(robot.model, robot.q, swaying(base_of(robot.q), size), feet, duration, dt);
+}
+
+/// A trot at 0.3 m/s after a moment on all feet, two of them at a time.
+RobotMotion trotting_motion(const OnFeet& robot, double duration, double dt) {
+  constexpr double speed = 0.3, cycle = 0.4, down = 0.6, begin = 0.2;
+  const Pose start = base_of(robot.q);
+  const auto walked = [](double t) {  // sets off smoothly
+    const double s = std::max(0.0, t - begin);
+    return speed * (s < cycle ? s * s / (2.0 * cycle) : s - 0.5 * cycle);
+  };
+  const PoseOverTime base = [=](double t) {
+    const double w = 2.0 * M_PI / cycle, s = std::max(0.0, t - begin),
+                 grown = s * s / (0.1 + s * s);
+    Pose pose = start;
+    pose.p +=
+        Vector3d(walked(t), 0.005 * grown * std::sin(w * s), 0.004 * grown * std::sin(2.0 * w * s));
+    pose.R = exp3(grown * Vector3d(0.02 * std::sin(w * s), 0.015 * std::sin(2.0 * w * s), 0.0));
+    return pose;
+  };
+  std::vector<FootOverTime> feet;
+  for (std::size_t k = 0; k < robot.options.feet.size(); ++k) {
+    const std::string frame = robot.options.feet[k].frame;
+    const Pose first = frame_pose(robot, frame);
+    const double offset = k == 0 || k == 3 ? 0.0 : 0.5;
+    // Steps: foot n stands from lift-off to lift-off ahead of the hip by half a stride.
+    const auto cycles = [=](double t) { return (t - begin) / cycle + offset; };
+    const auto place = [=](double n) {  // where it stands in cycle n
+      if (n < 1.0) return Vector3d(first.p);
+      const double middle = begin + (n - offset + 0.5 * down) * cycle;
+      return Vector3d(first.p + Vector3d(walked(middle), 0.0, 0.0));
+    };
+    const auto stands = [=](double t) {
+      const double n = cycles(t), phase = n - std::floor(n);
+      return n < 1.0 ? n < down : phase < down;
+    };
+    const auto pose = [=](double t) {
+      const double n = std::max(0.0, std::floor(cycles(t))), phase = cycles(t) - n;
+      Pose at = first;
+      at.p = place(n);
+      if (phase <= down) return at;
+      const double s = (phase - down) / (1.0 - down),
+                   smooth = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+      at.p += smooth * (place(n + 1.0) - place(n));
+      at.p.z() += 0.05 * 16.0 * s * s * (1.0 - s) * (1.0 - s);
+      return at;
+    };
+    feet.push_back({frame, false, pose, stands});
+  }
+  return robot_motion(robot.model, robot.q, base, feet, duration, dt);
+}
+
+/// An estimator fed with what noisy sensors say of a motion.
+class Estimation {
+ public:
+  Estimation(const OnFeet& robot, const RobotMotion& motion, std::uint64_t seed,
+             bool exact_start = false)
+      : estimator(robot.model, robot.options),
+        encoder_noise(robot.options.encoder_noise),
+        robot_(&robot),
+        motion_(&motion),
+        generator_(seed) {
+    const BaseEstimatorOptions& o = robot.options;
+    unit_ = {{o.gyro_noise, o.accelerometer_noise, o.gyro_bias_walk, o.accelerometer_bias_walk, 0.0,
+              0.0},
+             motion.dt,
+             &generator_,
+             normal3(generator_, o.gyro_bias_deviation),
+             normal3(generator_, o.accelerometer_bias_deviation)};
+    VectorXd q = motion.q[0], v = motion.v[0];
+    if (!exact_start) {
+      Vector3d turn = normal3(generator_, o.tilt_deviation);
+      turn.z() *= o.yaw_deviation / o.tilt_deviation;
+      const Pose truth = base_of(q);
+      const Matrix3d R = exp3(turn).transpose() * truth.R;
+      q.segment<4>(3) = Eigen::Quaterniond(R).coeffs();
+      q.head<3>() -= normal3(generator_, o.position_deviation);
+      const Vector3d v_world = truth.R * v.head<3>() - normal3(generator_, o.velocity_deviation);
+      v.head<3>() = R.transpose() * v_world;
+    }
+    if (estimator.reset(q, v) != Status::Ok) throw Error("no start");
+  }
+
+  Status tick(std::size_t i, BaseEstimator::Feet standing, const ImuReading& exact) {
+    VectorXd noise = VectorXd::Zero(robot_->model.nv);
+    std::normal_distribution<double> draw(0.0, encoder_noise);
+    for (Eigen::Index k = 6; k < noise.size(); ++k) noise[k] = draw(generator_);
+    const VectorXd q = integrate(robot_->model, motion_->q[i], noise);
+    const Status status =
+        estimator.update(unit_.read(exact), q, motion_->v[i], standing, motion_->dt);
+    squared_ += estimator.innovation().squared;
+    rows_ += estimator.innovation().rows;
+    return status;
+  }
+  Status tick(std::size_t i) { return tick(i, motion_->standing[i], motion_->imu[i]); }
+
+  /// As reset() takes covariances: world axes, of the unit (which is the base here).
+  VectorXd error(std::size_t i) const {
+    const Pose truth = base_of(motion_->q[i]), told = base_of(estimator.q());
+    VectorXd e(15);
+    e << log3(truth.R * told.R.transpose()),
+        truth.R * motion_->v[i].head<3>() - told.R * estimator.v().head<3>(), truth.p - told.p,
+        unit_.b_gyro - estimator.gyro_bias(),
+        unit_.b_accelerometer - estimator.accelerometer_bias();
+    return e;
+  }
+  /// Of tilt, velocity seen from the base, and biases, squared and scaled: 11 degrees.
+  double knowable_square(std::size_t i) const {
+    const Vector3d v = base_of(estimator.q()).R * estimator.v().head<3>();
+    MatrixXd T = MatrixXd::Zero(11, 15);
+    T.topLeftCorner(2, 2).setIdentity();
+    T.block<3, 3>(2, 3).setIdentity();
+    // d(R^T v) = R^T (dv + v x theta)
+    T.block<3, 3>(2, 0) << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    T.bottomRightCorner(6, 6).setIdentity();
+    return square(T, i);
+  }
+  double whole_square(std::size_t i) const { return square(MatrixXd::Identity(15, 15), i); }
+  double squared_innovations() const { return squared_; }
+  long innovation_rows() const { return rows_; }
+
+  BaseEstimator estimator;
+  double encoder_noise;
+
+ private:
+  double square(const MatrixXd& T, std::size_t i) const {
+    const VectorXd e = T * error(i);
+    return e.dot((T * estimator.covariance() * T.transpose()).ldlt().solve(e));
+  }
+
+  const OnFeet* robot_;
+  const RobotMotion* motion_;
+  std::mt19937_64 generator_;
+  NoisyUnit unit_{};
+  double squared_ = 0.0;
+  long rows_ = 0;
+};
+
+/// The noise is that of the encoders alone, and feet do not creep.
+BaseEstimatorOptions with_true_noise(BaseEstimatorOptions options) {
+  options.place_noise = 1e-6;
+  options.turn_noise = 1e-6;
+  options.slip_noise = options.sole_turn_noise = 0.0;
+  options.encoder_noise = 3e-4;
+  options.yaw_deviation = 0.01;
+  options.gate = 1.0 - 1e-9;
+  return options;
+}
+
+void expect_consistent(OnFeet robot, const RobotMotion& motion, const std::string& name) {
+  constexpr int seeds = 50;
+  robot.options = with_true_noise(robot.options);
+  const std::vector<std::size_t> looks = {10, motion.q.size() / 3, motion.q.size() - 1};
+  std::vector<double> knowable(looks.size(), 0.0), whole(looks.size(), 0.0);
+  double squares = 0.0;
+  long rows = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    Estimation run(robot, motion, seed);
+    for (std::size_t i = 1, look = 0; i < motion.q.size(); ++i) {
+      ASSERT_EQ(run.tick(i), Status::Ok);
+      ASSERT_EQ(run.estimator.feet_that_slip(), 0U) << seed << " " << i;
+      if (look == looks.size() || i != looks[look]) continue;
+      knowable[look] += run.knowable_square(i) / seeds;
+      whole[look++] += run.whole_square(i) / seeds;
+    }
+    squares += run.squared_innovations();
+    rows += run.innovation_rows();
+  }
+  const auto check = [&](double mean, int freedom, const std::string& what) {
+    EXPECT_GT(mean, chi_square_quantile(freedom * seeds, 0.5e-4) / seeds) << what;
+    EXPECT_LT(mean, chi_square_quantile(freedom * seeds, 1.0 - 0.5e-4) / seeds) << what;
+    ::testing::Test::RecordProperty(what, std::to_string(mean / freedom));
+  };
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    check(knowable[i], 11, name + "_knowable_at_" + std::to_string(looks[i]));
+    check(whole[i], 15, name + "_all_at_" + std::to_string(looks[i]));
+  }
+  const double mean = squares / static_cast<double>(rows);
+  EXPECT_NEAR(mean, 1.0, 4.0 * std::sqrt(2.0 / static_cast<double>(rows))) << rows;
+  ::testing::Test::RecordProperty(name + "_innovations", std::to_string(mean));
+}
+
+TEST(BaseEstimator, IsConsistentOnTwoSoles) {
+  const OnFeet robot = humanoid_on_soles();
+  expect_consistent(robot, standing_motion(robot, 4.0, 0.005), "soles");
+}
+
+#if BURNISH_HAS_ROBOTS
+TEST(BaseEstimator, IsConsistentAtATrot) {
+  const OnFeet robot = quadruped();
+  expect_consistent(robot, trotting_motion(robot, 4.0, 0.005), "trot");
+}
+#endif
+
+TEST(BaseEstimator, WithoutNoiseItIsExact) {
+  OnFeet robot = humanoid_on_soles();
+  robot.options = with_true_noise(robot.options);
+  BaseEstimatorOptions& o = robot.options;
+  const RobotMotion motion = standing_motion(robot, 1.0, 0.001);
+  BaseEstimator estimator(robot.model, o);
+  ASSERT_EQ(estimator.reset(motion.q[0], motion.v[0]), Status::Ok);
+  for (std::size_t i = 1; i < motion.q.size(); ++i)
+    ASSERT_EQ(
+        estimator.update(motion.imu[i], motion.q[i], motion.v[i], motion.standing[i], motion.dt),
+        Status::Ok);
+  EXPECT_LT((estimator.q() - motion.q.back()).norm(), 1e-6);
+  EXPECT_LT((estimator.v() - motion.v.back()).head<3>().norm(), 1e-5);
+  // The gyroscope's mean over the tick before.
+  EXPECT_LT((estimator.v() - motion.v.back()).norm(), 1e-3);
+}
+
+TEST(BaseEstimator, AUnitOnTheTrunkTellsOfTheBase) {
+  OnFeet robot = humanoid_on_soles();
+  const std::string unit = has_robot_files ? "torso_2_link" : "arm_1_link";
+  robot.options.imu_frame = unit;
+  const Model& model = robot.model;
+  RobotMotion motion = standing_motion(robot, 0.5, 0.001);
+  // Joints between the unit and the base turn too.
+  RigidBody body(model);
+  const auto twisted = [&](double t, VectorXd q) {
+    VectorXd step = VectorXd::Zero(model.nv);
+    for (int k = 6; k < model.nv; ++k)
+      if (model.v_name(k).starts_with("torso") || model.v_name(k).starts_with("arm"))
+        step[k] = 0.1 * (1.0 - std::cos(6.0 * t));
+    return integrate(model, q, step);
+  };
+  for (std::size_t i = 0; i < motion.q.size(); ++i) {
+    const double t = static_cast<double>(i) * motion.dt;
+    motion.q[i] = twisted(t, motion.q[i]);
+    for (int k = 6; k < model.nv; ++k)
+      if (model.v_name(k).starts_with("torso") || model.v_name(k).starts_with("arm"))
+        motion.v[i][k] = 0.6 * std::sin(6.0 * t);
+  }
+  const auto state_of_unit = [&](std::size_t i) {
+    EXPECT_EQ(body.update(motion.q[i], motion.v[i]), Status::Ok);
+    const int frame = body.frame(unit);
+    return std::pair<Matrix3d, Vector3d>{body.placement(frame).linear(),
+                                         body.velocity(frame, Reference::centered()).head<3>()};
+  };
+  BaseEstimator estimator(model, robot.options);
+  ASSERT_EQ(estimator.reset(motion.q[0], motion.v[0]), Status::Ok);
+  for (std::size_t i = 1; i < motion.q.size(); ++i) {
+    const auto [R_0, v_0] = state_of_unit(i - 1);
+    const auto [R_1, v_1] = state_of_unit(i);
+    ImuReading reading;
+    reading.gyro = log3(R_0.transpose() * R_1) / motion.dt;
+    const Vec3<double> phi = from_eigen(Vector3d(reading.gyro * motion.dt));
+    reading.accelerometer = to_eigen(gamma_1(phi, rotation_series(phi))).inverse() *
+                            (R_0.transpose() * ((v_1 - v_0) / motion.dt - gravity));
+    ASSERT_EQ(estimator.update(reading, motion.q[i], motion.v[i], motion.standing[i], motion.dt),
+              Status::Ok);
+  }
+  EXPECT_LT((estimator.q() - motion.q.back()).norm(), 1e-5);
+  EXPECT_LT((estimator.v() - motion.v.back()).head<3>().norm(), 1e-3);
+  EXPECT_LT((estimator.v() - motion.v.back()).norm(), 1e-2);
+}
+
+TEST(BaseEstimator, LearnsBiasesAndTiltAndDriftsSlowly) {
+  OnFeet robot = humanoid_on_soles();
+  robot.options.encoder_noise = 3e-4;
+  const RobotMotion motion = standing_motion(robot, 6.0, 0.005);
+  double yaw = 0.0, place = 0.0, tilt = 0.0, gyro = 0.0;
+  constexpr int runs = 10;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    Estimation run(robot, motion, seed);
+    for (std::size_t i = 1; i < motion.q.size(); ++i) ASSERT_EQ(run.tick(i), Status::Ok);
+    const VectorXd e = run.error(motion.q.size() - 1);
+    yaw += e[2] * e[2] / runs;
+    place += e.segment<3>(6).squaredNorm() / runs;
+    tilt += e.head<2>().squaredNorm() / runs;
+    gyro += e.segment<3>(9).squaredNorm() / runs;
+  }
+  EXPECT_LT(std::sqrt(tilt), 0.25 * robot.options.tilt_deviation * std::sqrt(2.0) * 2.0);
+  EXPECT_LT(std::sqrt(gyro), 0.2 * robot.options.gyro_bias_deviation * std::sqrt(3.0));
+  EXPECT_LT(std::sqrt(place), 0.03);
+  EXPECT_LT(std::sqrt(yaw), 0.02);
+}
+
+/// How place and yaw drift from a time on until the motion ends: deviations over runs, m and rad,
+/// as they are and as the estimator claims, and microseconds per update.
+struct Drift {
+  double place = 0.0, height = 0.0, yaw = 0.0, tilt = 0.0, velocity = 0.0;
+  double claimed_place = 0.0, claimed_yaw = 0.0, time = 0.0;
+};
+Drift drift_of(const OnFeet& robot, const RobotMotion& motion, double from) {
+  constexpr int runs = 10;
+  const auto first = static_cast<std::size_t>(std::lround(from / motion.dt));
+  const std::size_t last = motion.q.size() - 1;
+  Drift d;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    Estimation run(robot, motion, seed, true);
+    VectorXd before = VectorXd::Zero(15);
+    for (std::size_t i = 1; i <= last; ++i) {
+      EXPECT_EQ(run.tick(i), Status::Ok);
+      if (i == first) before = run.error(i);
+    }
+    const VectorXd e = run.error(last), moved = e - before;
+    d.place += moved.segment<2>(6).squaredNorm() / runs;
+    d.height += moved[8] * moved[8] / runs;
+    d.yaw += moved[2] * moved[2] / runs;
+    d.tilt += e.head<2>().squaredNorm() / runs;
+    d.velocity += e.segment<3>(3).squaredNorm() / runs;
+    d.claimed_place += run.estimator.covariance().block<2, 2>(6, 6).trace() / runs;
+    d.claimed_yaw += run.estimator.covariance()(2, 2) / runs;
+  }
+  for (double* square :
+       {&d.place, &d.height, &d.yaw, &d.tilt, &d.velocity, &d.claimed_place, &d.claimed_yaw})
+    *square = std::sqrt(*square);
+  BaseEstimator timed(robot.model, robot.options);
+  EXPECT_EQ(timed.reset(motion.q[0], motion.v[0]), Status::Ok);
+  // The quickest 20 updates: other work on the machine only adds.
+  d.time = infinity;
+  auto start = std::chrono::steady_clock::now();
+  for (std::size_t i = 1; i <= last; ++i) {
+    EXPECT_EQ(timed.update(motion.imu[i], motion.q[i], motion.v[i], motion.standing[i], motion.dt),
+              Status::Ok);
+    if (i % 20 != 0) continue;
+    const auto now = std::chrono::steady_clock::now();
+    d.time = std::min(d.time, 1e6 * std::chrono::duration<double>(now - start).count() / 20.0);
+    start = now;
+  }
+  return d;
+}
+void print(const char* what, const Drift& d, double per, const char* of) {
+  std::printf(
+      "%-9s per %s: place %.2f mm, height %.2f mm, yaw %.3f deg; claimed over the whole: place "
+      "%.2f "
+      "mm, yaw %.3f deg; tilt %.3f deg, velocity %.2f mm/s; %.1f us per update\n",
+      what, of, 1e3 * d.place / per, 1e3 * d.height / per, 180.0 / M_PI * d.yaw / per,
+      1e3 * d.claimed_place, 180.0 / M_PI * d.claimed_yaw, 180.0 / M_PI * d.tilt, 1e3 * d.velocity,
+      d.time);
+}
+
+/// The figures of docs/state_estimation.md. Set BURNISH_TEST_LONG.
+TEST(BaseEstimator, FiguresOfDrift) {
+  if (std::getenv("BURNISH_TEST_LONG") == nullptr) GTEST_SKIP() << "set BURNISH_TEST_LONG";
+  const OnFeet robot = humanoid_on_soles();
+  const Drift stands = drift_of(robot, standing_motion(robot, 20.0, 0.002), 5.0);
+  print("stands", stands, 15.0 / 60.0, "minute");
+  EXPECT_LT(stands.place, 3.0 * stands.claimed_place);
+  EXPECT_LT(stands.yaw, 3.0 * stands.claimed_yaw);
+#if BURNISH_HAS_ROBOTS
+  const OnFeet walker = quadruped();
+  const RobotMotion trot = trotting_motion(walker, 12.0, 0.002);
+  const Drift walks = drift_of(walker, trot, 2.0);
+  const double way = trot.q.back()[0] - trot.q[1000][0];
+  print("trots", walks, way, "metre");
+  EXPECT_LT(walks.place, 3.0 * walks.claimed_place);
+#endif
+}
+
+/// Foot 0 slides off over the ground at a speed, for a while.
+struct Sliding {
+  OnFeet robot;
+  RobotMotion motion;
+};
+Sliding sliding(double speed, double from, double to, double duration) {
+  Sliding result{humanoid_on_soles(), {}};
+  std::vector<FootOverTime> feet;
+  for (const FootSpec& foot : result.robot.options.feet) {
+    const Pose at = frame_pose(result.robot, foot.frame);
+    const bool slides = feet.empty();
+    feet.push_back({foot.frame, true,
+                    [=](double t) {
+                      Pose pose = at;
+                      if (slides) pose.p.x() += speed * (std::clamp(t, from, to) - from);
+                      return pose;
+                    },
+                    [](double) { return true; }});
+  }
+  result.motion = robot_motion(result.robot.model, result.robot.q,
+                               swaying(base_of(result.robot.q), 0.5), feet, duration, 0.002);
+  return result;
+}
+
+TEST(BaseEstimator, AFootThatSlipsIsLeftOutAndTakenBack) {
+  const Sliding s = sliding(0.15, 1.0, 1.4, 2.0);
+  const auto last = s.motion.q.size() - 1;
+  double with_gate = 0.0, without = 0.0;
+  for (const bool gated : {true, false}) {
+    OnFeet robot = s.robot;
+    if (!gated) robot.options.gate = 1.0 - 1e-15;
+    if (!gated) robot.options.encoder_noise = 0.05;  // so wide that nothing is beyond it
+    Estimation run(robot, s.motion, 5, true);
+    run.encoder_noise = s.robot.options.encoder_noise;
+    bool slipped = false;
+    for (std::size_t i = 1; i <= last; ++i) {
+      ASSERT_EQ(run.tick(i), Status::Ok);
+      const double t = static_cast<double>(i) * s.motion.dt;
+      const BaseEstimator::Feet out = run.estimator.feet_that_slip();
+      EXPECT_EQ(out & 2U, 0U) << "the foot that stands, at " << t;
+      if (t < 1.0) {
+        EXPECT_EQ(out, 0U) << t;
+      }
+      slipped = slipped || (out & 1U) != 0;
+      if (gated && t > 1.03 && t < 1.4) {
+        EXPECT_EQ(out, 1U) << t;
+      }
+      if (t > 1.55) {
+        EXPECT_EQ(out, 0U) << t;
+      }
+    }
+    (gated ? with_gate : without) = run.error(last).segment<3>(6).norm();
+    EXPECT_EQ(slipped, gated);
+    if (gated) {
+      EXPECT_EQ(run.estimator.feet_that_count(), 3U);
+    }
+  }
+  EXPECT_LT(with_gate, 0.01);
+  EXPECT_GT(without, 0.02);  // half of the foot's way
+}
+
+TEST(BaseEstimator, FeetThatAreAllLostAreFoundAgain) {
+  // The base is set off by a blow that no sensor of the estimator's saw.
+  OnFeet robot = humanoid_on_soles();
+  const RobotMotion motion = standing_motion(robot, 1.0, 0.002, 0.2);
+  Estimation run(robot, motion, 3, true);
+  for (std::size_t i = 1; i < motion.q.size(); ++i) {
+    ImuReading exact = motion.imu[i];
+    if (i >= 100 && i < 110) exact.accelerometer.x() += 60.0;
+    ASSERT_EQ(run.tick(i, motion.standing[i], exact), Status::Ok);
+    if (i == 115) {
+      EXPECT_NE(run.estimator.feet_that_slip(), 0U);
+    }
+  }
+  EXPECT_EQ(run.estimator.feet_that_slip(), 0U);
+  EXPECT_EQ(run.estimator.feet_that_count(), 3U);
+}
+
+TEST(BaseEstimator, FeetInTheAirAreNoAnchor) {
+  OnFeet robot = humanoid_on_soles();
+  const RobotMotion motion = standing_motion(robot, 0.4, 0.002, 0.2);
+  Estimation run(robot, motion, 4, true);
+  for (std::size_t i = 1; i < motion.q.size(); ++i) {
+    const BaseEstimator::Feet standing = i < 50 ? 3U : i < 100 ? 2U : i < 150 ? 0U : 3U;
+    const MatrixXd before = run.estimator.covariance();
+    ASSERT_EQ(run.tick(i, standing, motion.imu[i]), Status::Ok);
+    EXPECT_EQ(run.estimator.feet_that_count(), standing);
+    if (standing == 0U) {
+      EXPECT_GT(run.estimator.covariance()(3, 3), before(3, 3));  // it flies, and knows less
+      EXPECT_EQ(run.estimator.innovation().rows, 0);
+    }
+  }
+}
+
+TEST(BaseEstimator, BadInputIsAnsweredWithAStatusAndChangesNothing) {
+  const OnFeet robot = humanoid_on_soles();
+  const RobotMotion motion = standing_motion(robot, 0.02, 0.002);
+  Estimation run(robot, motion, 1);
+  BaseEstimator& e = run.estimator;
+  for (std::size_t i = 1; i < motion.q.size(); ++i) ASSERT_EQ(run.tick(i), Status::Ok);
+  const VectorXd q = e.q(), v = e.v(), still = VectorXd::Zero(robot.model.nv);
+  const MatrixXd P = e.covariance();
+  const ImuReading good = motion.imu.back();
+  ImuReading bad = good;
+  bad.gyro.y() = nan;
+  EXPECT_EQ(e.update(bad, q, v, 3, 0.002), Status::NotFinite);
+  bad = good;
+  bad.accelerometer.x() = infinity;
+  EXPECT_EQ(e.update(bad, q, v, 3, 0.002), Status::NotFinite);
+  bad.accelerometer.x() = 1e300;
+  EXPECT_EQ(e.update(bad, q, v, 3, 0.002), Status::NotFinite);
+  for (const double dt : {0.0, -0.001, nan, infinity})
+    EXPECT_EQ(e.update(good, q, v, 3, dt), Status::NotFinite);
+  EXPECT_EQ(e.update(good, q.head(q.size() - 1), v, 3, 0.002), Status::WrongSize);
+  EXPECT_EQ(e.update(good, q, v.head(v.size() - 1), 3, 0.002), Status::WrongSize);
+  VectorXd wrong = q;
+  wrong[9] = nan;
+  EXPECT_EQ(e.update(good, wrong, v, 3, 0.002), Status::NotFinite);
+  wrong = v;
+  wrong[9] = infinity;
+  EXPECT_EQ(e.update(good, q, wrong, 3, 0.002), Status::NotFinite);
+  EXPECT_EQ(e.reset(q.head(3), v), Status::WrongSize);
+  wrong = q;
+  wrong[3] = nan;
+  EXPECT_EQ(e.reset(wrong, v), Status::NotFinite);
+  wrong[3] = 2.0;
+  EXPECT_EQ(e.reset(wrong, v), Status::NotNormalized);
+  EXPECT_EQ(e.reset(q, v, MatrixXd::Identity(14, 14)), Status::WrongSize);
+  EXPECT_EQ(e.reset(q, v, -MatrixXd::Identity(15, 15)), Status::NotPhysical);
+  EXPECT_TRUE(e.q() == q && e.v() == v);
+  EXPECT_TRUE(e.covariance() == P);
+  EXPECT_EQ(e.update(good, q, v, 3, 0.002), Status::Ok);
+  // Bits beyond the feet are nobody's.
+  EXPECT_EQ(e.update(good, q, v, ~0U, 0.002), Status::Ok);
+  EXPECT_EQ(e.feet_that_count() & ~3U, 0U);
+}
+
+TEST(BaseEstimator, TicksAllocateNothing) {
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  const OnFeet robot = humanoid_on_soles();
+  const RobotMotion motion = standing_motion(robot, 0.1, 0.002);
+  BaseEstimator estimator(robot.model, robot.options);
+  ASSERT_EQ(estimator.reset(motion.q[0], motion.v[0]), Status::Ok);
+  const AllocationGuard guard;
+  for (std::size_t i = 1; i < motion.q.size(); ++i) {
+    const BaseEstimator::Feet standing = i < 20 ? 3U : i < 30 ? 1U : 3U;
+    ASSERT_EQ(estimator.update(motion.imu[i], motion.q[i], motion.v[i], standing, motion.dt),
+              Status::Ok);
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(BaseEstimator, StartsWhereItIsTold) {
+  const OnFeet robot = humanoid_on_soles();
+  BaseEstimator estimator(robot.model, robot.options);
+  std::mt19937_64 generator(8);
+  const VectorXd q = random_configuration(robot.model, generator);
+  const VectorXd v = random_vector(robot.model.nv, 1.0, generator);
+  ASSERT_EQ(estimator.reset(q, v), Status::Ok);
+  EXPECT_TRUE(estimator.q() == q && estimator.v() == v);
+  VectorXd sigma(15);
+  const BaseEstimatorOptions& o = robot.options;
+  sigma << o.tilt_deviation, o.tilt_deviation, o.yaw_deviation,
+      VectorXd::Constant(3, o.velocity_deviation), VectorXd::Constant(3, o.position_deviation),
+      VectorXd::Constant(3, o.gyro_bias_deviation),
+      VectorXd::Constant(3, o.accelerometer_bias_deviation);
+  EXPECT_LT((estimator.covariance().diagonal().cwiseSqrt() - sigma).norm(), 1e-9);
+  EXPECT_EQ(estimator.feet_that_count(), 0U);
+}
+
+TEST(BaseEstimator, RefusesOptionsThatWillNotDo) {
+  const OnFeet robot = humanoid_on_soles();
+  const auto refused = [&](const std::function<void(BaseEstimatorOptions&)>& change) {
+    BaseEstimatorOptions options = robot.options;
+    change(options);
+    return refusal([&] { BaseEstimator(robot.model, options); });
+  };
+  expect_words(refused([](auto& o) { o.feet.clear(); }), {"0 feet", "1 to 32"});
+  expect_words(refused([](auto& o) { o.feet[1] = o.feet[0]; }), {"left_sole_link", "twice"});
+  expect_words(refused([](auto& o) { o.feet[0].frame = "left_sole_lnk"; }), {"left_sole_link"});
+  expect_words(refused([](auto& o) { o.gyro_noise = -1.0; }), {"gyro_noise", "-1"});
+  expect_words(refused([](auto& o) { o.gate = 1.0; }), {"gate", "1"});
+  expect_words(refused([](auto& o) { o.place_noise = 0.0; }), {"place_noise", "0"});
+  expect_words(refused([](auto& o) { o.imu_frame = "imu"; }), {"imu"});
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,160 @@
+// What a simulated unit reads.
+#include "burnish/sim/imu_sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/model/state.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "burnish/sim/sensing.hpp"
+#include "estimate/strapdown.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+using burnish::testing::expect_words;
+using burnish::testing::refusal;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+TEST(ImuSensor, ReadingsThatAreHeldLeadToTheTrueRotationAndVelocity) {
+  const Model model = named_robot("every_joint", Base::FreeFlyer);
+  std::mt19937_64 generator(1);
+  const std::string frame = "tip";
+  RigidBody body(model);
+  ImuSensor sensor(model, frame, {});
+  const VectorXd q_0 = random_configuration(model, generator);
+  const VectorXd v_0 = random_vector(model.nv, 1.0, generator);
+  ASSERT_EQ(body.update(q_0, v_0), Status::Ok);
+  const auto state = [&] {
+    const Eigen::Isometry3d at = body.placement(body.frame(frame));
+    return InertialState<double>{
+        from_eigen(Eigen::Matrix3d(at.linear())),
+        from_eigen(Vector3d(body.velocity(body.frame(frame), Reference::centered()).head<3>())),
+        from_eigen(Vector3d(at.translation()))};
+  };
+  InertialState<double> carried = state();
+  constexpr double dt = 0.01;
+  const ImuReading first = sensor.measure(q_0, v_0, dt);
+  const Eigen::Matrix3d R = to_eigen(carried.R);
+  EXPECT_LT((first.gyro -
+             R.transpose() * body.velocity(body.frame(frame), Reference::centered()).tail<3>())
+                .norm(),
+            1e-12);
+  EXPECT_LT((first.accelerometer + R.transpose() * model.gravity).norm(), 1e-12);
+  VectorXd q = q_0, v = v_0;
+  for (int tick = 0; tick < 20; ++tick) {
+    v += dt * random_vector(model.nv, 10.0, generator);
+    q = integrate(model, q, dt * v);
+    const ImuReading& reading = sensor.measure(q, v, dt);
+    carried = strapdown(carried, from_eigen(reading.gyro), from_eigen(reading.accelerometer),
+                        from_eigen(model.gravity), dt);
+    ASSERT_EQ(body.update(q, v), Status::Ok);
+    const InertialState<double> now = state();
+    EXPECT_LT((to_eigen(now.R) - to_eigen(carried.R)).norm(), 1e-10);
+    EXPECT_LT((to_eigen(now.v) - to_eigen(carried.v)).norm(), 1e-9);
+  }
+}
+
+TEST(ImuSensor, ErrorsAreAsTheDisturbancesSay) {
+  const Model model = named_robot("every_joint", Base::FreeFlyer);
+  const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
+  Disturbances d;
+  d.seed = 4;
+  d.gyro_bias_range = 0.02;
+  d.accelerometer_bias_range = 0.3;
+  ImuSensor biased(model, "", d);
+  (void)biased.measure(q, rest, 0.01);
+  EXPECT_TRUE(biased.reading().gyro == biased.gyro_bias());
+  EXPECT_GT(biased.gyro_bias().norm(), 0.0);
+  EXPECT_LE(biased.gyro_bias().cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LE(biased.accelerometer_bias().cwiseAbs().maxCoeff(), 0.3);
+
+  // Noise: the deviation of readings is density / sqrt(dt), that of a walk density sqrt(t).
+  Disturbances n;
+  n.gyro_noise = 0.01;
+  n.accelerometer_noise = 0.2;
+  n.accelerometer_bias_walk = 0.5;
+  constexpr double dt = 0.0025;
+  constexpr int ticks = 4000;
+  ImuSensor noisy(model, "", n);
+  double gyro = 0.0;
+  for (int tick = 0; tick < ticks; ++tick)
+    gyro += noisy.measure(q, rest, dt).gyro.squaredNorm() / (3.0 * ticks);
+  EXPECT_NEAR(std::sqrt(gyro), 0.01 / std::sqrt(dt), 0.05 * 0.01 / std::sqrt(dt));
+  EXPECT_TRUE(noisy.gyro_bias().isZero(0.0));
+  double walk = 0.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    n.seed = seed;
+    ImuSensor walker(model, "", n);
+    for (int tick = 0; tick < 40; ++tick) (void)walker.measure(q, rest, dt);
+    walk += walker.accelerometer_bias().squaredNorm() / 600.0;
+  }
+  EXPECT_NEAR(std::sqrt(walk), 0.5 * std::sqrt(40 * dt), 0.1 * 0.5 * std::sqrt(40 * dt));
+
+  Disturbances stepped;
+  stepped.gyro_step = 0.01;
+  stepped.accelerometer_step = 0.5;
+  ImuSensor coarse(model, "", stepped);
+  const ImuReading& reading =
+      coarse.measure(q, random_vector(model.nv, 1.0, *std::make_unique<std::mt19937_64>(2)), dt);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(std::remainder(reading.gyro[k], 0.01), 0.0, 1e-12);
+    EXPECT_NEAR(std::remainder(reading.accelerometer[k], 0.5), 0.0, 1e-12);
+  }
+}
+
+TEST(ImuSensor, ItsRandomNumbersAreThoseOfItsSeedAgainAfterReset) {
+  const Model model = named_robot("every_joint", Base::FreeFlyer);
+  const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
+  Disturbances d;
+  d.seed = 9;
+  d.gyro_noise = d.accelerometer_noise = d.gyro_bias_walk = 0.1;
+  ImuSensor sensor(model, "", d);
+  const ImuReading first = sensor.measure(q, rest, 0.01);
+  const ImuReading second = sensor.measure(q, rest, 0.01);
+  EXPECT_NE(first.gyro, second.gyro);
+  sensor.reset();
+  EXPECT_EQ(sensor.measure(q, rest, 0.01).gyro, first.gyro);
+  BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  const AllocationGuard guard;
+  EXPECT_EQ(sensor.measure(q, rest, 0.01).accelerometer, second.accelerometer);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
+  const Model model = named_robot("every_joint", Base::FreeFlyer);
+  expect_words(refusal([&] { ImuSensor(model, "tap", {}); }), {"'tap'", "'tip'"});
+  expect_words(refusal([&] { ImuSensor(model, "world", {}); }), {"fixed to the world"});
+  Disturbances d;
+  d.gyro_noise = -1.0;
+  expect_words(refusal([&] { ImuSensor(model, "", d); }), {"gyro_noise", "-1"});
+}
+
+TEST(Sensing, HasReadingsOfTheUnitWhereThereIsOne) {
+  const Model model = arm7::model(Base::Fixed);
+  const auto plant = make_ideal_plant(model, {});
+  Sensing with(model, {}), without(model, {});
+  with.mount_imu(model, "tool");
+  const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
+  ASSERT_LE(plant->reset(q, rest), Status::NotConverged);
+  EXPECT_FALSE(without.measure(*plant, rest).imu.has_value());
+  const Measurement first = with.measure(*plant, rest);
+  ASSERT_TRUE(first.imu.has_value());
+  EXPECT_NEAR(first.imu->accelerometer.norm(), 9.81, 1e-12);
+  // It falls freely: what is left of gravity is what the joints hold.
+  ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
+  const Measurement second = with.measure(*plant, rest);
+  RigidBody body(model);
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  const Vector3d speed = body.velocity(body.frame("tool"), Reference::centered()).head<3>();
+  EXPECT_NEAR(second.imu->accelerometer.norm(), (speed / plant->dt() - model.gravity).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace burnish::test
