@@ -323,6 +323,10 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "{N} along the normal that count as contact")
           .field("tick_period", &M::tick_period, "{s}")
           .field("update_period", &M::update_period, "{s} between solves, a multiple of the tick")
+          .field("settle", &M::settle,
+                 "{s} before the first plan in which the fallback holds the robot where it is, so "
+                 "that what estimates comes to rest; the schedule begins after it",
+                 range::not_negative)
           .field("timing", &M::timing, "fixed, measured or thread")
           .field("solver_delay", &M::solver_delay,
                  "{s} from a measurement to the use of the plan that starts from it, at most the "

@@ -24,7 +24,8 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       stretch_(zero_),
       pull_(zero_) {
   const auto count = static_cast<Eigen::Index>(actuated_.size());
-  mobility_ = inertia_ = Eigen::MatrixXd::Zero(count, count);
+  mobility_ = inertia_ = square_ = Eigen::MatrixXd::Zero(count, count);
+  scale_ = Eigen::VectorXd::Zero(count);
   fall_ = Eigen::VectorXd::Zero(count);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
 }
@@ -48,27 +49,32 @@ bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
   return true;
 }
 
-/// With a = a_0 + A tau of the closed mechanism, which a robot on its feet is too, the actuated entries move as a body of the inertia
-/// A_aa^-1 does, and -A_aa^-1 a_0 holds them.
+/// With a = a_0 + A tau of the closed mechanism, which a robot on its feet is too, the actuated
+/// entries move as a body of the inertia A_aa^-1 does, and -A_aa^-1 a_0 holds them. Where motors are
+/// more than the degrees of freedom, what they would do against each other is left out: with D of
+/// the diagonal and B = D^-1/2 A_aa D^-1/2 the inverse is D^-1/2 B (B B + e^2)^-1 D^-1/2.
 bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
   if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
   if (free_.forward_derivatives() > Status::NotConverged) return false;
   const auto count = static_cast<Eigen::Index>(actuated_.size());
-  double trace = 0.0;
   for (Eigen::Index i = 0; i < count; ++i) {
     const int k = actuated_[static_cast<std::size_t>(i)];
     fall_[i] = -free_.a()[k];
     for (Eigen::Index j = 0; j < count; ++j)
       mobility_(i, j) = free_.da_dtau()(k, actuated_[static_cast<std::size_t>(j)]);
-    trace += mobility_(i, i);
+    scale_[i] = 1.0 / std::sqrt(std::max(mobility_(i, i), 1e-12));
   }
-  // Motors may be more than the degrees of freedom.
-  mobility_.diagonal().array() += 1e-9 * trace;
-  factor_.compute(mobility_);
+  constexpr double least = 1e-3;  // of B: below it nothing moves
+  mobility_ = scale_.asDiagonal() * mobility_ * scale_.asDiagonal();
+  square_.noalias() = mobility_ * mobility_;
+  square_.diagonal().array() += least * least;
+  factor_.compute(square_);
   if (factor_.info() != Eigen::Success) return false;
-  factor_.solveInPlace(fall_);
-  inertia_.setIdentity();
+  inertia_ = mobility_;
   factor_.solveInPlace(inertia_);
+  inertia_ = scale_.asDiagonal() * inertia_ * scale_.asDiagonal();
+  scale_.noalias() = inertia_ * fall_;
+  fall_ = scale_;
   for (Eigen::Index i = 0; i < count; ++i) {
     const int k = actuated_[static_cast<std::size_t>(i)];
     weight_[k] = fall_[i];

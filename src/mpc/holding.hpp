@@ -44,8 +44,8 @@ class Holding {
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;
   Eigen::MatrixXd mass_;
-  Eigen::MatrixXd mobility_, inertia_;  ///< of the actuated entries alone, of a robot that is closed
-  Eigen::VectorXd fall_;
+  Eigen::MatrixXd mobility_, square_, inertia_;  ///< of the actuated entries alone, of a robot that is closed
+  Eigen::VectorXd fall_, scale_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< nv, nq, nv, nv, nv
   double blind_for_ = 0.0;                                  ///< s without a good measurement

@@ -91,6 +91,8 @@ int checked_ticks_per_update(const MpcSpec& spec) {
         "no remembered_forces");
   if (!spec.normal_world.allFinite() || !(spec.normal_world.norm() > 0.0))
     throw Error("MPC: the normal is not finite or has no length; wanted a direction");
+  if (!(spec.settle >= 0.0) || !std::isfinite(spec.settle))
+    throw Error("MPC: settling for " + number(spec.settle) + " s; wanted a number of at least 0");
   if (!(spec.slowdown > 0.0) || !std::isfinite(spec.slowdown))
     throw Error("MPC: a slowdown of " + number(spec.slowdown) + "; wanted a positive number");
   if (!(spec.solver_delay >= 0.0) ||

@@ -121,7 +121,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.status = Status::Ok;
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
-  if (gate.is_fresh() && !fault.is_set()) see();
+  if (gate.is_fresh() && !fault.is_set() && has_settled()) see();
   const bool controls = !fault.is_set() && solved_;
   if (controls) {
     control();
@@ -133,6 +133,11 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   black_box_.record(gate.now(), schedule.time(), gate.last(), command_, fault);
   ++tick_;
   return command_;
+}
+
+bool MpcController::Impl::has_settled() noexcept {
+  if (gate.is_first()) began_ = gate.now();
+  return gate.now() - began_ >= spec.settle - 0.01 * spec.tick_period;
 }
 
 /// What a good measurement tells, up to a new plan if one is due.

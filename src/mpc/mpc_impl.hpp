@@ -27,6 +27,7 @@ struct MpcController::Impl {
 
  private:
   // The steps of a tick.
+  bool has_settled() noexcept;
   void see() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
@@ -89,6 +90,7 @@ struct MpcController::Impl {
   Eigen::VectorXd x_, u_, v_ahead_, passing_;
   Eigen::VectorXd x_plan_, u_plan_;  ///< where the plan begins; at rest
   long tick_ = 0;
+  double began_ = 0.0;   ///< s, the first measurement
   bool due_ = false;     ///< an update
   bool solved_ = false;  ///< there is a plan
   bool warm_ = false;    ///< the solver's trajectory can be started from

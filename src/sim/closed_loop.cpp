@@ -146,6 +146,7 @@ struct ClosedLoop::Impl {
   int record_every, ticks;
   Actuation actuation;
   Sensing sensing;
+  std::optional<EstimatedBase> estimated;
   RigidBody body;
   int tip;
   std::vector<int> pushed;  ///< frames of the pushes
@@ -172,12 +173,19 @@ ClosedLoop::~ClosedLoop() = default;
 ClosedLoop::ClosedLoop(ClosedLoop&&) noexcept = default;
 ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 
+void ClosedLoop::estimate_base(const BaseEstimatorOptions& estimator,
+                               const FootContactOptions& feet) {
+  impl_->estimated.emplace(impl_->plant->model(), estimator, feet);
+  impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
+}
+
 Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
   const Status status = impl_->plant->reset(q, v);
   if (status > Status::NotConverged) return status;
   impl_->controller->reset();
   impl_->sensing.reset();
   impl_->actuation.reset();
+  if (impl_->estimated) (void)impl_->estimated->reset(impl_->plant->q(), impl_->plant->v());
   impl_->trace.clear();
   impl_->steps = 0;
   if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok)
@@ -189,7 +197,9 @@ Status ClosedLoop::step() noexcept {
   Impl& loop = *impl_;
   const bool ticks = loop.steps % loop.ticks == 0;
   if (ticks) {
-    loop.measurement = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
+    const Measurement& measured =
+        loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
+    loop.measurement = loop.estimated ? loop.estimated->update(measured) : measured;
     loop.command = loop.controller->tick(loop.measurement);
     if (loop.steps == 0 && loop.command.tau.allFinite()) loop.actuation.reset(loop.command.tau);
   }

@@ -60,6 +60,12 @@ Disturbances disturbance_preset(const std::string& name) {
   result.force_noise = 0.3;
   result.support_force_noise = 1.0;
   result.support_moment_noise = 0.1;
+  result.gyro_noise = 1e-4;
+  result.gyro_bias_range = 5e-3;
+  result.gyro_bias_walk = 1e-5;
+  result.accelerometer_noise = 1e-3;
+  result.accelerometer_bias_range = 0.05;
+  result.accelerometer_bias_walk = 1e-4;
   result.force_cutoff = cutoff;
   if (name == "sensors") return result;
   result.mass_scale = 1.05;

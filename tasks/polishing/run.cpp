@@ -9,6 +9,7 @@
 #include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
 #include "pressing/closed_run.hpp"
+#include "pressing/standing_terms.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -31,7 +32,8 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
   if (is_mpc) {
     auto mpc = std::make_unique<MpcController>(make_mpc(task, setting));
     pieces.mpc = mpc.get();
-    pieces.planned_end = setting.track_end + task.retreat_duration;
+    pieces.planned_end = setting.track_end + task.retreat_duration +
+                         (task.standing.stands() ? task.standing.settle : 0.0);
     pieces.controller = std::move(mpc);
   } else {
     const bool is_baseline = spec.controller == ControllerKind::Baseline;
@@ -150,6 +152,7 @@ RunResult run_task(const RunSpec& spec) {
                           .q_start = setting.q_start,
                           .longest = pieces.planned_end + pieces.patience + 1.0,
                           .plant = spec.plant,
+                          .base_estimator = pressing::base_estimator(spec.task.standing),
                           .mpc = pieces.mpc,
                           .plan_step = spec.task.step,
                           .solver_delay = spec.task.solver_delay,

@@ -359,6 +359,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (const ContactSpec& foot : pressing::foot_contacts(task.standing))
     problem.contacts.push_back(foot);
   mpc.supports = task.standing.feet;
+  if (task.standing.stands()) mpc.settle = task.standing.settle;
   mpc.support_sensors = task.standing.stands() && task.standing.force_sensors;
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};

@@ -1,6 +1,9 @@
 // A task in closed loop with a plant, step by step until it is over, and what that leaves.
 #pragma once
 
+#include <optional>
+
+#include "burnish/estimate/base_estimator.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
@@ -17,6 +20,8 @@ struct ClosedRun {
   const Eigen::VectorXd& q_start;  ///< nq, at rest
   double longest;                  ///< s that it may take
   PlantKind plant = PlantKind::Ideal;
+  /// What tells where a floating base is; without, it is known.
+  std::optional<BaseEstimatorOptions> base_estimator = {};
   /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
   /// the plans that are recorded.
   MpcController* mpc = nullptr;

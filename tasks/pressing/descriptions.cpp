@@ -103,6 +103,14 @@ const Description& description_of(const Standing* /*of*/) {
                  "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass", size)
           .field("contact_kd", &S::contact_kd,
                  "{1/s}, damping of the feet's constraint (Baumgarte)", size)
+          .field("estimate", &S::estimate,
+                 "the base is told from an inertial unit, the joints and the feet; false: known")
+          .in_code(
+              "the base is told from an inertial unit, the joints and the feet (BaseEstimator); "
+              "false: known")
+          .field("imu_frame", &S::imu_frame, "of that unit; empty: the base's body")
+          .field("settle", &S::settle,
+                 "{s} that it is held at first, while the estimate of the base settles", size)
           .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments");
   return all;
 }

@@ -45,6 +45,9 @@ void check_standing(const Model& model, const Standing& standing) {
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q) {
   std::vector<SupportSpec> supports;
+  // As far into what gives way as the weight presses them: the robot has been let down already.
+  const double sinks = model.total_mass() * model.gravity.norm() /
+                       (static_cast<double>(standing.feet.size()) * standing.stiffness);
   for (const std::string& foot : standing.feet) {
     SupportSpec support{.frame = foot,
                         .half_x = standing.half_x,
@@ -54,7 +57,7 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
                         .stiffness = standing.stiffness,
                         .damping = standing.damping};
     support.point = frame_placement(model, q, foot).translation();
-    if (!standing.has_soles()) support.point.z() -= standing.radius;
+    support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }
   return supports;
@@ -119,6 +122,25 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
           {.name = "momentum",
            .residual = residual::CentroidalMomentum{},
            .weight = standing.momentum}};
+}
+
+std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
+  if (!standing.stands() || !standing.estimate) return std::nullopt;
+  // Of a good unit, with some room, and feet that stand as long as nothing says that they slip.
+  // The ground gives way under them by tenths of a millimetre.
+  BaseEstimatorOptions options{.imu_frame = standing.imu_frame,
+                               .gyro_noise = 3e-4,
+                               .accelerometer_noise = 5e-3,
+                               .place_noise = 5e-4,
+                               .turn_noise = 2e-3,
+                               .slip_noise = 1e-5,
+                               .sole_turn_noise = 1e-5,
+                               .gate = 1.0 - 1e-12,
+                               .tilt_deviation = 5e-3,
+                               .velocity_deviation = 0.01};
+  for (const std::string& foot : standing.feet)
+    options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
+  return options;
 }
 
 std::vector<Constraint> standing_constraints(const Standing& standing) {

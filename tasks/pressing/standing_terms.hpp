@@ -1,9 +1,11 @@
 // What standing adds to the stages of a task, to its scene and to its plans.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/estimate/base_estimator.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/scene.hpp"
@@ -36,6 +38,9 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
 /// Balance and momentum, 1 being the base's orientation: of every stage and the end.
 std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q_start);
+/// What tells where the base is, of a base that is not known.
+std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
+
 /// Friction and pressure of every foot.
 std::vector<Constraint> standing_constraints(const Standing& standing);
 

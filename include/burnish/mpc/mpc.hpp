@@ -90,6 +90,9 @@ struct MpcSpec {
   bool force_sensor = true;
   double tick_period = 5e-4;    ///< s
   double update_period = 0.01;  ///< s between solves, a multiple of the tick
+  /// s before the first plan in which the fallback holds the robot where it is, so that what
+  /// estimates comes to rest; the schedule begins after it
+  double settle = 0.0;
   PlanTiming timing = PlanTiming::Fixed;
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
   /// The plan is made for the state that the policy in use leads to by then. Where plans are timed

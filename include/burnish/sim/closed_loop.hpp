@@ -7,6 +7,7 @@
 
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/controller.hpp"
+#include "burnish/mpc/estimated_base.hpp"
 #include "burnish/sim/actuation.hpp"
 #include "burnish/sim/plant.hpp"
 #include "burnish/sim/sensing.hpp"
@@ -53,6 +54,11 @@ class ClosedLoop {
   ~ClosedLoop();
   ClosedLoop(ClosedLoop&&) noexcept;
   ClosedLoop& operator=(ClosedLoop&&) noexcept;
+
+  /// From the next reset() on the controller is given an estimate of where the base is, in place of
+  /// the plant's own entries: from a measurement unit, which is mounted where the options say, the
+  /// joints and the feet. It starts where the robot does. Throws Error as EstimatedBase does.
+  void estimate_base(const BaseEstimatorOptions& estimator, const FootContactOptions& feet = {});
 
   /// Puts the plant into a state and everything else to its start. The motors start at the torque
   /// of the controller's first command, as if the robot had been held.

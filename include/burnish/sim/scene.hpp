@@ -60,8 +60,8 @@ struct SupportSpec {
   /// of the plane, out of the material, towards the robot; any length, world
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double friction = 0.7;    ///< Coulomb coefficient
-  double stiffness = 8e5;   ///< N/m, of the whole part
-  double damping = 4e4;      ///< Ns/m, of the whole part
+  double stiffness = 2e6;   ///< N/m, of the whole part
+  double damping = 1e5;      ///< Ns/m, of the whole part
 
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };

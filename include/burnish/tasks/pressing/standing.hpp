@@ -17,8 +17,8 @@ struct Standing {
   double radius = 0.02;  ///< m, of a foot that is a ball
 
   double friction = 0.7;   ///< Coulomb coefficient of the plant's ground
-  double stiffness = 8e5;  ///< N/m, of the plant's ground under each foot
-  double damping = 4e4;    ///< Ns/m, of the plant's ground under each foot
+  double stiffness = 2e6;  ///< N/m, of the plant's ground under each foot
+  double damping = 1e5;    ///< Ns/m, of the plant's ground under each foot
 
   double plan_friction = 0.5;  ///< coefficient that plans keep within
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1
@@ -29,6 +29,10 @@ struct Standing {
   double momentum = 1e-2;  ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
   double contact_kd = 20.0;  ///< 1/s, damping of the feet's constraint (Baumgarte)
 
+  /// the base is told from an inertial unit, the joints and the feet (BaseEstimator); false: known
+  bool estimate = true;
+  std::string imu_frame = {};  ///< of that unit; empty: the base's body
+  double settle = 1.0;  ///< s that it is held at first, while the estimate of the base settles
   bool force_sensors = true;  ///< in the feet, of forces and moments
 
   bool stands() const { return !feet.empty(); }
