@@ -406,7 +406,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.friction_estimate = task.friction_estimate;
   mpc.force_sensor = task.force_sensor;
   mpc.limits = task.limits;
-  mpc.fallback = task.fallback;
+  mpc.fallback = task.standing.stands() ? task.standing.fallback : task.fallback;
   mpc.feedback = task.feedback;
   return mpc;
 }

@@ -109,6 +109,9 @@ const Description& description_of(const Standing* /*of*/) {
               "the base is told from an inertial unit, the joints and the feet (BaseEstimator); "
               "false: known")
           .field("imu_frame", &S::imu_frame, "of that unit; empty: the base's body")
+          .field("fallback", &S::fallback,
+                 "how it is held at first and after a fault, in the place of the task's: a light "
+                 "foot on ground that gives way bears no stiffer one")
           .field("settle", &S::settle,
                  "{s} that it is held at first, while the estimate of the base settles", size)
           .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments");

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "burnish/mpc/mpc.hpp"
+
 namespace burnish {
 
 /// Feet on level ground, where they are in the starting posture. Plans hold them still within the
@@ -32,6 +34,9 @@ struct Standing {
   /// the base is told from an inertial unit, the joints and the feet (BaseEstimator); false: known
   bool estimate = true;
   std::string imu_frame = {};  ///< of that unit; empty: the base's body
+  /// how it is held at first and after a fault, in the place of the task's: a light foot on ground
+  /// that gives way bears no stiffer one
+  Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
   double settle = 1.0;  ///< s that it is held at first, while the estimate of the base settles
   bool force_sensors = true;  ///< in the feet, of forces and moments
 

@@ -1,0 +1,101 @@
+// Whole Talos on its two feet in MuJoCo: it polishes, bears pushes, slow plans and faults.
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
+#include "support/mpc_run.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+namespace {
+
+using testing::expect_words;
+
+/// The shipped task, the path short.
+MpcCase standing_case() {
+  MpcCase wanted;
+  wanted.task = polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing.yaml");
+  wanted.task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos";
+  wanted.task.reach_duration = 0.2;
+  wanted.task.standing.settle = 0.2;
+  wanted.task.polish_duration = 1.0;
+  wanted.task.path.start_up = 0.5;
+  wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
+    return make_plant(PlantKind::Mujoco, model, scene, 5e-4);
+  };
+  return wanted;
+}
+
+bool stands(const Eigen::VectorXd& q_start, const Eigen::VectorXd& q) {
+  return (q.head<3>() - q_start.head<3>()).norm() < 0.1;
+}
+
+class Standing : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
+  }
+};
+
+TEST_F(Standing, polishes_a_board_with_what_its_controller_does_not_know) {
+  MpcRun run(standing_case());
+  ASSERT_LE(run.polish(), Status::NotConverged);
+  EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+  const Metrics metrics = run.metrics();
+  EXPECT_LT(metrics.force_rmse, 0.5);
+  EXPECT_LT(metrics.position_rmse, 1e-3);
+  EXPECT_EQ(run.watched().allocations, 0);
+  EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+}
+
+TEST_F(Standing, keeps_pressing_while_its_torso_is_pushed) {
+  for (const Eigen::Vector3d& force :
+       {Eigen::Vector3d(0.0, 120.0, 0.0), Eigen::Vector3d(-104.0, -60.0, 0.0)}) {
+    MpcCase wanted = standing_case();
+    wanted.task.disturbances.pushes = {{2.0, 0.3, force, "torso_2_link"}};
+    MpcRun run(wanted);
+    ASSERT_LE(run.polish(), Status::NotConverged);
+    EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+    EXPECT_LT(run.metrics().force_rmse, 3.0);
+    EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+  }
+}
+
+TEST_F(Standing, stays_on_its_feet_after_a_fault) {
+  MpcCase wanted = standing_case();
+  wanted.spoil = [](Measurement& m) {
+    if (m.time > 1.6) m.tool_force_world.x() = std::nan("");
+  };
+  MpcRun run(wanted);
+  ASSERT_LE(run.run(3.5), Status::NotConverged);
+  EXPECT_EQ(run.mpc().fault().kind, FaultKind::BadMeasurement);
+  EXPECT_TRUE(run.watched().finite);
+  EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+  EXPECT_LT(run.plant().v().cwiseAbs().maxCoeff(), 0.1);
+}
+
+TEST_F(Standing, gives_up_upright_when_the_surface_is_gone) {
+  MpcCase wanted = standing_case();
+  wanted.task.disturbances.surface_motion = {.drift = -10.0, .start = 1.8};
+  MpcRun run(wanted);
+  ASSERT_LE(run.run(3.5), Status::NotConverged);
+  EXPECT_EQ(run.mpc().fault().kind, FaultKind::ContactLost);
+  EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+}
+
+TEST_F(Standing, is_refused_without_feet_and_on_feet_that_there_are_not) {
+  polishing::Task task = standing_case().task;
+  task.standing.feet = {};
+  expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
+               {"floats free", "standing.feet"});
+  task.standing.feet = {"left_sole_link", "right_sole_lnk"};
+  expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
+               {"right_sole_lnk", "right_sole_link"});
+  task.standing.feet = {"left_sole_link", "right_sole_link"};
+  task.standing.half_y = 0.0;
+  expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }), {"half sides"});
+}
+
+}  // namespace
+}  // namespace burnish::test
