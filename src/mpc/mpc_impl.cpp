@@ -57,6 +57,7 @@ MpcController::Impl::Impl(MpcSpec given)
       watched_(task->watched()),
       readings_(watched_.size()),
       tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+      base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
       v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
@@ -126,6 +127,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   if (!spec.force_sensor) gate.feel(error.feel(gate, command_, horizon.stage_at(schedule.time())));
+  if (base_ >= 0) turn_normal();
   const unsigned happened = task->sense(view);
   look_at_surface();
   error.update(gate, command_, horizon.stage_at(schedule.time()), schedule.time());
@@ -136,6 +138,12 @@ void MpcController::Impl::see() noexcept {
   watch(view);
   policy.take_over(gate.now());
   if (!fault.is_set() && due_) update();
+}
+
+/// With the robot's frame that the surface moves with.
+void MpcController::Impl::turn_normal() noexcept {
+  command_.normal_world = gate.body().placement(base_).linear() * spec.normal_world;
+  error.set_normal(command_.normal_world);
 }
 
 void MpcController::Impl::look_at_surface() noexcept {

@@ -27,6 +27,7 @@ struct MpcController::Impl {
  private:
   // The steps of a tick.
   void see() noexcept;
+  void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
@@ -64,6 +65,7 @@ struct MpcController::Impl {
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< of watched_
   int tool_;                       ///< frame
+  int base_;                       ///< frame that the surface moves with; -1: the world
   Command command_;
   Eigen::VectorXd x_, u_, v_ahead_, passing_;
   long tick_ = 0;

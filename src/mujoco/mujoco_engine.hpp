@@ -23,6 +23,7 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
+  int surface_site;  ///< of the frame that carries the surface; -1: none does
   std::vector<Support> supports;  ///< of the scene, in its order
   bool own_contact;  ///< MujocoContact::Engine
 
