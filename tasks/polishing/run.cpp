@@ -141,7 +141,7 @@ RunResult run_task(const RunSpec& spec) {
   RunResult result;
   result.setting = make_setting(spec.task, spec.robot ? *spec.robot : load_task_robot(spec.task));
   const Setting& setting = result.setting;
-  if (spec.check_reach && spec.task.surface_frame.empty()) {
+  if (spec.check_reach) {
     result.reach = check_reach(spec.task, setting, spec.reach);
     if (!result.reach.ok()) throw Error("the task is out of reach: " + result.reach.text);
   }
