@@ -171,12 +171,14 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                              "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
   const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
   const bool meets = options.contact == MujocoContact::Engine;
-  Frame carrier;
-  carrier.body = -1;
-  if (!surface.frame.empty())
-    carrier = model.frames[static_cast<std::size_t>(model.frame_index(surface.frame))];
-  std::string& holder = carrier.body < 0 ? result.world : result.bodies[carrier.body];
-  holder += "<geom name=\"surface\" " + geom_of(surface, side, carrier.placement) + common +
+  const Frame* const carrier =
+      surface.frame.empty()
+          ? nullptr
+          : &model.frames[static_cast<std::size_t>(model.frame_index(surface.frame))];
+  std::string& holder = carrier == nullptr ? result.world : result.bodies[carrier->body];
+  const Eigen::Isometry3d place =
+      carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
+  holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
             (meets ? " contype=\"2\"" : " contype=\"0\"") +
             (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
   add_supports(model, scene, result);

@@ -282,7 +282,9 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   const SurfaceSpec& surface = plant->scene().surface;
   const double moved = surface.motion.way(plant->time());
   const Eigen::Vector3d p_tool = surface_world.inverse() * p_tool_world;
-  row.put(surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal));
+  const Eigen::Vector3d normal_world =
+      surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
+  row.put(normal_world);
   row.put(command.normal_world);
   row.put(command.friction);
   row.put(plant->in_contact());
@@ -300,8 +302,9 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.clipped_torques));
   if (carrier >= 0) {
     const Eigen::AngleAxisd turn(surface_world.linear());
-    row.put(surface_world.translation());
-    row.put(turn.angle() * turn.axis());
+    const Eigen::Vector3d p_world = surface_world.translation(), turned_world = turn.angle() * turn.axis();
+    row.put(p_world);
+    row.put(turned_world);
   }
   row.put(plant->support_wrenches().reshaped());
 }

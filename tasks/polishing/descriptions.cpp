@@ -194,10 +194,13 @@ Describe<T>& describe_place(Describe<T>& task) {
           "and stiffness.",
           "surface")
       .field("surface_frame", &T::surface_frame,
-             "of the robot, that carries the surface, such as a plate in the other hand; empty: the "
-             "world")
-      .more("normal and point are then in its axes")
+             "of the robot, that carries the surface, such as a plate in the other hand, in whose "
+             "axes normal and point are then; or world")
+      .in_code(
+          "of the robot, that carries the surface, such as a plate in the other hand; empty: the "
+          "world")
       .key("frame")
+      .word("world")
       .field("normal_world", &T::normal_world,
              "[x, y, z] out of the material towards the robot, any length, world", range::direction)
       .in_code("out of the surface, any length; in the axes of the frame that carries it")

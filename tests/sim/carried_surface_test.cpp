@@ -9,6 +9,9 @@
 #include "support/refusal.hpp"
 
 namespace burnish::test {
+using testing::expect_words;
+using testing::refusal;
+
 namespace {
 
 /// The tip 0.2 mm in the plate.
