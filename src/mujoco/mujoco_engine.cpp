@@ -37,7 +37,7 @@ std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::I
     default:  // those that it has not are drawn as their tangent plane
       at.translation() = surface.point;
       at.linear() = Reference::surface_with_normal(surface.normal).rotation;
-      if (!surface.frame.empty()) {  // planes stand still
+      if (!surface.frame.empty()) {               // planes stand still
         constexpr double half_thickness = 0.002;  // m
         at.translation() -= half_thickness * at.linear().col(2);
         return "type=\"box\"" + pose_attributes(place * at) + " size=\"" +
@@ -151,8 +151,8 @@ void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
       in_body.translation() += thickness * in_body.linear().col(2);
       shape = "type=\"box\" size=\"" + numbers(support.half_x, support.half_y, thickness) + "\"";
     }
-    to.bodies[frame.body] += "<geom name=\"" + support_name(i) + "\" " + shape +
-                             pose_attributes(in_body) + meets;
+    to.bodies[frame.body] +=
+        "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + meets;
   }
 }
 
@@ -183,8 +183,8 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
             (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
   add_supports(model, scene, result);
   result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
-                            " size=\"" + numbers(scene.tip.radius) + "\"" + common +
-                            " contype=\"1\" conaffinity=\"2\"/>\n";
+                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
+                             " contype=\"1\" conaffinity=\"2\"/>\n";
   // Room for friction and limits of every entry, for followers, loops and contacts.
   const std::size_t contacts = 8 + 4 * scene.supports.size();
   const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() +

@@ -134,8 +134,8 @@ struct ClosedLoop::Impl {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
-    measurement.support_wrenches.setZero(
-        6, static_cast<Eigen::Index>(driven.scene().supports.size()));
+    measurement.support_wrenches.setZero(6,
+                                         static_cast<Eigen::Index>(driven.scene().supports.size()));
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
     body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step
@@ -157,7 +157,7 @@ struct ClosedLoop::Impl {
   Sensing sensing;
   RigidBody body;
   int tip;
-  int carrier;  ///< frame of the surface; -1: the world
+  int carrier;              ///< frame of the surface; -1: the world
   std::vector<int> pushed;  ///< frames of the pushes
   FrameDerivatives motion;
   Eigen::VectorXd total;
@@ -193,8 +193,8 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
   impl_->steps = 0;
   if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok) {
     impl_->place_surface();
-    impl_->start_R = impl_->surface_world.linear().transpose() *
-                     impl_->body.placement(impl_->tip).linear();
+    impl_->start_R =
+        impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
   }
   return status;
 }
@@ -302,7 +302,8 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.clipped_torques));
   if (carrier >= 0) {
     const Eigen::AngleAxisd turn(surface_world.linear());
-    const Eigen::Vector3d p_world = surface_world.translation(), turned_world = turn.angle() * turn.axis();
+    const Eigen::Vector3d p_world = surface_world.translation(),
+                          turned_world = turn.angle() * turn.axis();
     row.put(p_world);
     row.put(turned_world);
   }

@@ -144,8 +144,8 @@ const Description& description_of(const Waving* /*of*/) {
           .key("turn")
           .field("frequency", &W::frequency, "{Hz}", range::positive)
           .field("start_up", &W::start_up, "{s} until the full way", range::positive)
-          .field("position", &W::position,
-                 "{1/m^2}: the frame's origin to where it shall be", weight)
+          .field("position", &W::position, "{1/m^2}: the frame's origin to where it shall be",
+                 weight)
           .field("rotation", &W::rotation, "{1/rad^2}: the frame's axes to what they shall be",
                  weight);
   return all;
@@ -207,7 +207,8 @@ Describe<T>& describe_place(Describe<T>& task) {
       .key("normal")
       .field("point_world", &T::point_world,
              "[x, y, z] of any point on it, {m}; or under_tool: clearance below the start")
-      .in_code("a point of the surface, m, alike; without it `clearance` under the tool at the start")
+      .in_code(
+          "a point of the surface, m, alike; without it `clearance` under the tool at the start")
       .key("point")
       .word("under_tool")
       .field("extent", &T::extent,

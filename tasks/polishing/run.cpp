@@ -109,8 +109,8 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
   const double last = std::min(end.time, begin + spec.task.polish_duration);
   if (begin < 0.0 || !has_rows(result.trace, begin, last)) return;
   Trace room;
-  result.verdict = verdict_figures(spec.task, result.setting,
-                                   seen_from_surface(result.trace, room), begin, last);
+  result.verdict = verdict_figures(spec.task, result.setting, seen_from_surface(result.trace, room),
+                                   begin, last);
 }
 
 /// `failure`: what the verdict says, empty if nothing.

@@ -47,8 +47,8 @@ std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
   const Signal rotation = Signal::over_time(
       4, [share, start, turn = task.waving.turn_world](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
         const double angle = turn.norm();
-        const Eigen::Vector3d axis = angle > 0.0 ? Eigen::Vector3d(turn / angle)
-                                                 : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+        const Eigen::Vector3d axis =
+            angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
         xyzw = (Eigen::Quaterniond(Eigen::AngleAxisd(share(t) * angle, axis)) *
                 Eigen::Quaterniond(start.linear()))
                    .normalized()
@@ -148,9 +148,8 @@ struct Builder {
     return terms;
   }
   CostTerm place(double normal_weight) const {
-    return pressing::place_cost("position", task.tool, position(),
-                                on_surface(setting.surface_axes), task.weights.position,
-                                normal_weight);
+    return pressing::place_cost("position", task.tool, position(), on_surface(setting.surface_axes),
+                                task.weights.position, normal_weight);
   }
   /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
   /// Where the surface is nobody knows better than the tool that lies on it: a height to go to
@@ -164,9 +163,8 @@ struct Builder {
         });
   }
   CostTerm move(const std::string& name, const Signal& target, const Eigen::Vector3d& n) const {
-    return pressing::normal_speed_cost(name, task.tool, target,
-                                       {Anchor::Tool, carrier(task), axes_of(n)},
-                                       task.weights.approach);
+    return pressing::normal_speed_cost(
+        name, task.tool, target, {Anchor::Tool, carrier(task), axes_of(n)}, task.weights.approach);
   }
   /// Of where the path ends.
   Eigen::Vector3d last_normal() const {
@@ -214,9 +212,10 @@ namespace {
 /// falls off too steeply for a path that is drawn as seen from there.
 void check_path_on(const Setting& setting, const Task& task) {
   if (task.shape.is_flat()) return;
-  if (task.axes == ForceAxes::Local)
-    throw EntryError("axes", "the tool's own, on a " + task.shape.text() +
-                                 "; wanted surface, whose axes follow it");
+  if (task.axes != ForceAxes::Surface)
+    throw EntryError("axes",
+                     std::string(task.axes == ForceAxes::Local ? "the tool's own" : "the world's") +
+                         ", on a " + task.shape.text() + "; wanted surface, whose axes follow it");
   constexpr double steepest = 0.35;  // cosine: 70 degrees
   constexpr int count = 400;
   const Surface surface = surface_of(setting.scene.surface);
@@ -248,8 +247,8 @@ void check_carrier(const Task& task, const Model& model) {
                                           " is none of robot " + in_quotes(model.name) +
                                           did_you_mean(task.surface_frame, frames));
   if (!task.shape.is_flat())
-    throw EntryError("surface.shape", "a " + task.shape.text() +
-                                          " that the robot carries; wanted a plane");
+    throw EntryError("surface.shape",
+                     "a " + task.shape.text() + " that the robot carries; wanted a plane");
 }
 }  // namespace
 
@@ -453,9 +452,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
       build.stage(
           "retreat",
           task.surface_frame.empty()
-              ? std::vector<CostTerm>{build.place(0.0),
-                                      build.move("retreat", build.retreat_speed(),
-                                                 build.last_normal())}
+              ? std::vector<CostTerm>{build.place(0.0), build.move("retreat", build.retreat_speed(),
+                                                                   build.last_normal())}
               // A speed is one in the world; this surface has one of its own.
               : std::vector<CostTerm>{build.place(1.0)},
           false)};
@@ -495,10 +493,10 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
 
 PressingPath pressing_path(const Task& task, const Setting& setting) {
   if (!task.surface_frame.empty())
-    throw EntryError("surface.frame", "controllers without a plan know no surface that the robot "
-                                      "carries, here at " +
-                                          in_quotes(task.surface_frame) +
-                                          "; wanted none, or the controller mpc");
+    throw EntryError("surface.frame",
+                     "controllers without a plan know no surface that the robot "
+                     "carries, here at " +
+                         in_quotes(task.surface_frame) + "; wanted none, or the controller mpc");
   const auto path = std::make_shared<const Path>(task.path);
   PressingPath pressed;
   pressed.tool = task.tool;

@@ -152,6 +152,9 @@ std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
     throw Error("pressing task: touch has " + std::to_string(touch.size()) +
                 " entries for a schedule of " + std::to_string(spec.schedule.size()) + " phases");
   if (!target) throw Error("pressing task: there is no target function");
+  if (surface && !spec.base.empty())
+    throw Error("pressing task: its surface is one of the world, and the specification's moves with " +
+                in_quotes(spec.base) + "; wanted one of the two");
   check_tool_limits(limits);
   return std::make_unique<Pressing>(*this, spec);
 }

@@ -231,7 +231,8 @@ TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carri
   body.frame_derivatives(tool, Reference::centered(), of_tool);
   body.frame_derivatives(plate, Reference::centered(), of_plate);
   const Eigen::Vector3d f(5.0, -20.0, 8.0);
-  const Eigen::Vector3d r = body.placement(tool).translation() - body.placement(plate).translation();
+  const Eigen::Vector3d r =
+      body.placement(tool).translation() - body.placement(plate).translation();
   const Eigen::VectorXd by_tool = of_tool.jacobian.topRows(3).transpose() * f;
   const Eigen::VectorXd by_plate =
       -of_plate.jacobian.transpose() * (Vector6() << f, r.cross(f)).finished();

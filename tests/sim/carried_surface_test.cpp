@@ -26,13 +26,15 @@ SceneSpec plate_under_tip(const Robot& robot, double friction) {
 /// Velocities that let the tip slide on the plate.
 Eigen::VectorXd sliding(const Model& model) {
   Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
-  for (const auto& [joint, rate] :
-       {std::pair("arm_right_1_joint", 0.2), {"arm_right_3_joint", -0.1}, {"arm_left_2_joint", 0.1}})
+  for (const auto& [joint, rate] : {std::pair("arm_right_1_joint", 0.2),
+                                    {"arm_right_3_joint", -0.1},
+                                    {"arm_left_2_joint", 0.1}})
     v[model.joints[static_cast<std::size_t>(model.joint_index(joint))].v_index] = rate;
   return v;
 }
 
-TEST(CarriedSurface, pushes_the_tip_as_it_is_pushed_back_so_that_momentum_is_that_of_gravity_alone) {
+TEST(CarriedSurface,
+     pushes_the_tip_as_it_is_pushed_back_so_that_momentum_is_that_of_gravity_alone) {
   const Robot robot = load_robot("talos:with_plate");
   const Model& model = robot.model;
   const auto plant = make_mujoco_plant(model, plate_under_tip(robot, 0.4), {.dt = 1e-5});
@@ -92,10 +94,9 @@ TEST(CarriedSurface, is_refused_with_a_sentence_where_a_plant_has_none_or_nothin
   SceneSpec scene = plate_under_tip(robot, 0.0);
   expect_words(refusal([&] { make_ideal_plant(robot.model, scene); }),
                {"the ideal plant", "carries", "plate", "MuJoCo"});
-  expect_words(refusal([&] {
-                 make_mujoco_plant(robot.model, scene, {.contact = MujocoContact::Engine});
-               }),
-               {"MuJoCo's own contact", "plate", "exact"});
+  expect_words(
+      refusal([&] { make_mujoco_plant(robot.model, scene, {.contact = MujocoContact::Engine}); }),
+      {"MuJoCo's own contact", "plate", "exact"});
   scene.surface.frame = "plait";
   expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"plait", "plate"});
   scene.surface.frame = "wrist_right_ft_link";

@@ -33,10 +33,10 @@ enum class ForceAxes {
 struct Waving {
   Eigen::Vector3d shift_world = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d turn_world = Eigen::Vector3d::Zero();   ///< rad
-  double frequency = 0.3;  ///< Hz
-  double start_up = 1.0;   ///< s until the full way
-  double position = 1e4;   ///< 1/m^2: the frame's origin to where it shall be
-  double rotation = 1e3;   ///< 1/rad^2: the frame's axes to what they shall be
+  double frequency = 0.3;                                 ///< Hz
+  double start_up = 1.0;                                  ///< s until the full way
+  double position = 1e4;  ///< 1/m^2: the frame's origin to where it shall be
+  double rotation = 1e3;  ///< 1/rad^2: the frame's axes to what they shall be
 };
 
 /// Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error that
@@ -73,7 +73,7 @@ struct Task {
   /// none. So is a named surface's, where the robot has none of that name.
   std::string posture = {};
   PostureLimits search = {};
-  Standing standing = {};  ///< of a robot whose base floats
+  Standing standing = {};     ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip
   /// that the tool presses along, in its frame, any length; without it see pressing_direction()
   std::optional<Eigen::Vector3d> tool_axis = {};
@@ -122,8 +122,9 @@ struct Task {
   double friction_speed = 0.1;
   /// rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances
   double torque_cutoff = 0.0;
-  ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, local (the tool's) or world
-  bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
+  ForceAxes axes =
+      ForceAxes::Surface;  ///< of contact and force: surface, local (the tool's) or world
+  bool feedback = true;    ///< between plans follow their Riccati gains, not just their torques
   ModelErrorOptions model_error = {
       .bandwidth = 120.0, .boost = 6.0, .calm = 0.25, .sliding_bandwidth = 360.0};
   SurfaceEstimateOptions surface_estimate = {};
