@@ -149,7 +149,14 @@ void MpcController::Impl::turn_normal() noexcept {
 void MpcController::Impl::look_at_surface() noexcept {
   const Quadric* const surface = task->surface();
   if (surface == nullptr || !surface->is_finite()) return;
-  const Eigen::Vector3d gradient = surface->gradient(gate.body().placement(tool_).translation());
+  const Eigen::Vector3d p_tool_world = gate.body().placement(tool_).translation();
+  Eigen::Vector3d gradient;
+  if (base_ < 0) {
+    gradient = surface->gradient(p_tool_world);
+  } else {  // it is in the axes of what it moves with
+    const Eigen::Isometry3d base_world = gate.body().placement(base_);
+    gradient = base_world.linear() * surface->gradient(base_world.inverse() * p_tool_world);
+  }
   const double length = gradient.norm();
   if (!(length > 1e-9)) return;  // none there: what was known goes on
   command_.normal_world = gradient / length;

@@ -246,9 +246,6 @@ void check_carrier(const Task& task, const Model& model) {
     throw EntryError("surface.frame", "frame " + in_quotes(task.surface_frame) +
                                           " is none of robot " + in_quotes(model.name) +
                                           did_you_mean(task.surface_frame, frames));
-  if (!task.shape.is_flat())
-    throw EntryError("surface.shape",
-                     "a " + task.shape.text() + " that the robot carries; wanted a plane");
 }
 }  // namespace
 
@@ -377,7 +374,7 @@ TaskPoint task_point(const Task& task, const Setting& setting, const Path& path,
 namespace {
 /// Whether plans are given the surface as it is known at the tool.
 bool follows_surface(const Task& task) {
-  return task.axes == ForceAxes::Surface && task.surface_frame.empty() &&
+  return task.axes == ForceAxes::Surface &&
          (task.surface_estimate.enabled || !task.shape.is_flat());
 }
 

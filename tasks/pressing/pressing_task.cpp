@@ -72,7 +72,7 @@ class Pressing final : public MpcTask {
     const Eigen::Vector3d& force = view.measurement.tool_force_world;
     if (base_ >= 0) {
       base_world_ = view.body.placement(base_);
-      normal_world_ = base_world_.linear() * normal_at_first_;
+      normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);
     }
     mean_.add(force);
     // Where nothing is free, what is due shows the noise.
@@ -81,8 +81,9 @@ class Pressing final : public MpcTask {
     detector_.add(force.dot(normal_world_), in_air);
     if (surface_) {
       const bool slides = phase == Touch::Wanted && detector_.touches();
-      surface_->update(view.body.placement(tool_).translation(), force.dot(normal_world_), slides);
-      normal_world_ = surface_->normal();
+      surface_->update(base_world_.inverse() * view.body.placement(tool_).translation(),
+                       force.dot(normal_world_), slides);
+      normal_world_ = base_world_.linear() * surface_->normal();
       constexpr double deepest = 0.02;  // m
       depth_ = slides ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, deepest)
                       : 0.0;
@@ -108,8 +109,9 @@ class Pressing final : public MpcTask {
   void aim(double time, Command& command) override {
     const TaskTarget target = target_(time);
     command.target_force = target.force;
-    command.p_target_world = base_ < 0 ? target.p_world : base_world_ * target.p_world;
-    if (surface_ && target.force > 0.0) put_on_surface(command.p_target_world);
+    Eigen::Vector3d p = target.p_world;
+    if (surface_ && target.force > 0.0) put_on_surface(p);
+    command.p_target_world = base_ < 0 ? p : base_world_ * p;
   }
 
  private:
@@ -152,9 +154,6 @@ std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
     throw Error("pressing task: touch has " + std::to_string(touch.size()) +
                 " entries for a schedule of " + std::to_string(spec.schedule.size()) + " phases");
   if (!target) throw Error("pressing task: there is no target function");
-  if (surface && !spec.base.empty())
-    throw Error("pressing task: its surface is one of the world, and the specification's moves with " +
-                in_quotes(spec.base) + "; wanted one of the two");
   check_tool_limits(limits);
   return std::make_unique<Pressing>(*this, spec);
 }

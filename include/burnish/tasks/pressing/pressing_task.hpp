@@ -70,7 +70,8 @@ struct TaskTarget {
   double force = 0.0;
 };
 
-/// The surface that a round tip presses on, as the task believes it to be.
+/// The surface that a round tip presses on, as the task believes it to be; in the axes of
+/// MpcSpec::base where there is one.
 struct PressedSurface {
   SurfaceShape shape = {};
   Eigen::Vector3d point_world = Eigen::Vector3d::Zero();    ///< m, of it
