@@ -73,7 +73,7 @@ __all__ = [
     "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions", "ReachProblem",
     "ReachReport",
     "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
-    "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Weights",
+    "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Waving", "Weights",
     "check_reach", "check_task",
     "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
     "make_admittance", "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",

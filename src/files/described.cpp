@@ -84,7 +84,7 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
     case Kind::Word:
       return type.set(at, type.words().value_of(reader.word(type.words().list())));
     case Kind::Text:
-      *static_cast<std::string*>(at) = reader.text();
+      *static_cast<std::string*>(at) = is_word ? std::string() : reader.text();
       return;
     case Kind::Array:
       return is_word ? type.resize_array(at, 0, 1) : read_array(field, type, at, reader);
@@ -180,8 +180,10 @@ void read_described(const Description& description, void* spec, const Reader& re
 std::optional<std::string> entry_text(const Field& field, const void* spec) {
   // What gives access to a value's parts takes it as one that may be written; nothing is.
   void* at = const_cast<void*>(field.in(spec));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  if (field.type->kind == Kind::Text && static_cast<const std::string*>(at)->empty())
-    return std::nullopt;
+  if (field.type->kind == Kind::Text && static_cast<const std::string*>(at)->empty()) {
+    if (field.word.empty()) return std::nullopt;
+    return field.word;
+  }
   return value_text(field, *field.type, at);
 }
 

@@ -306,9 +306,12 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("schedule", &M::schedule)
           .field("task", &M::task, "events of the schedule, what is watched; none: neither")
           .field("tool", &M::tool, "frame that Measurement::tool_force_world acts at")
+          .field("base", &M::base,
+                 "frame that the surface moves with, which the force on the tool pushes back at: of "
+                 "the robot, as a plate in its other hand; empty: the world")
           .field("normal_world", &M::normal_world,
                  "That the tool presses along: of the surface, towards the robot. Friction is "
-                 "across it.")
+                 "across it. In the axes of `base`, with which it turns.")
           .field("supports", &M::supports,
                  "contacts of the problem that the robot stands on, by their names: in every stage, "
                  "and what the fallback and the estimates take to hold always")

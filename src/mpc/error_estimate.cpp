@@ -21,14 +21,12 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
       normal_world_(spec.normal_world),
       normal_at_first_(spec.normal_world),
       contact_threshold_(spec.contact_threshold),
-      observer_(spec.problem.model, spec.tool, spec.model_error, supports_of(spec)),
+      observer_(spec.problem.model, spec.tool, spec.model_error, supports_of(spec), spec.base),
       felt_(spec),
       joint_friction_(spec),
       has_sensor_(spec.force_sensor),
-      contact_force_(spec) {
-  const RigidBody body(spec.problem.model);
-  tool_ = body.frame(spec.tool);
-  body.frame_derivatives(tool_, Reference::centered(), tool_motion_);  // sized here, not in a tick
+      contact_force_(spec),
+      tool_motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
   const std::vector<int> rubbing = contacts_that_rub(spec);
   if (!rubbing.empty()) {
     friction_.emplace(spec.friction_estimate);
@@ -89,7 +87,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
     contact_force_.set_friction(friction());
     // Section IV-C: at the measured torques. What the torque error knows of them counts once.
     total_ += model_error() - torque_offset_;
-    total_.noalias() += tool_motion_.jacobian.topRows(3).transpose() * friction_force_;
+    total_.noalias() += tool_motion_.jacobian().transpose() * friction_force_;
   }
   if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, share);
   (void)contact_force_.force_at(stage, schedule_time, m.q, m.v, total_, force_world_);
@@ -127,10 +125,10 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const bool presses = pressed_ > contact_threshold_;
   // What is larger than the normal force is no friction.
   const double ratio = presses ? asked / std::max(pressed_, friction_force_.norm()) : 0.0;
-  gate.body().frame_derivatives(tool_, Reference::centered(), tool_motion_);
+  tool_motion_.update(gate.body());
   const Eigen::Vector3d known = turned_friction(gate.dt(), bandwidth);
   torque_error_ = model_error();
-  torque_error_.noalias() += ratio * (tool_motion_.jacobian.topRows(3).transpose() * known);
+  torque_error_.noalias() += ratio * (tool_motion_.jacobian().transpose() * known);
 }
 
 /// The mean of the first seconds, and of the last ones from then on.
@@ -150,7 +148,7 @@ Eigen::Vector3d ErrorEstimate::turned_friction(double dt, double bandwidth) noex
   constexpr double least = 0.25;          // of slid_: slower than that nothing is known of friction
   const Eigen::Vector3d& n = normal_world_;
   const double share = -std::expm1(-2.0 * dt / smoothing_);
-  between_ += share * (tool_motion_.jacobian.topRows<3>() * v_ahead_ - between_);
+  between_ += share * (tool_motion_.jacobian() * v_ahead_ - between_);
   v_tool_ += share * (between_ - v_tool_);
   const Eigen::Vector3d will_slide = sliding_direction(v_tool_ - n * n.dot(v_tool_), sliding_speed);
   const double late = until_torques + since_forces + 1.0 / bandwidth;
@@ -166,7 +164,7 @@ Eigen::Vector3d ErrorEstimate::explained_friction(const MeasurementGate& gate,
                                                   const Eigen::Vector3d& across) noexcept {
   if (!friction_) return Eigen::Vector3d::Zero();
   const double force = normal_force(gate.last());
-  const Eigen::Vector3d v = gate.body().velocity(tool_, Reference::centered()).head<3>();
+  const Eigen::Vector3d v = tool_motion_.velocity(gate.body());
   const Eigen::Vector3d v_across = v - normal_world_ * normal_world_.dot(v);
   const Eigen::Vector3d s = sliding_direction(v_across, planned_speed_);
   const double known = friction_->coefficient();

@@ -6,6 +6,7 @@
 #include "mpc/felt_force.hpp"
 #include "mpc/joint_friction.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/tool_motion.hpp"
 
 namespace burnish {
 
@@ -29,6 +30,8 @@ class ErrorEstimate {
     normal_world_ = normal_world;
     contact_force_.set_surface(surface);
   }
+  /// Its normal alone, of length one, of a surface that turns.
+  void set_normal(const Eigen::Vector3d& normal_world) noexcept { normal_world_ = normal_world; }
   /// What the robot carries at a frame, of which torques and forces are told from now on.
   void set_payload(std::string_view frame, const InertiaSpec& payload) {
     (void)observer_.set_payload(frame, payload);
@@ -87,8 +90,7 @@ class ErrorEstimate {
   JointFriction joint_friction_;
   bool has_sensor_;
   ContactForceEstimate contact_force_;
-  int tool_;
-  FrameDerivatives tool_motion_;
+  ToolMotion tool_motion_;
   /// nv, torque that the model believes to act, less that of joint_friction_
   Eigen::VectorXd acted_;
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;

@@ -21,11 +21,10 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 }  // namespace
 
 FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec)),
-      touch_(spec.contact_threshold) {
-  const RigidBody body(spec.problem.model);
-  tool_ = body.frame(spec.tool);
-  body.frame_derivatives(tool_, Reference::centered(), motion_);  // sized here, not in a tick
+    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec),
+                spec.base),
+      touch_(spec.contact_threshold),
+      motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
   air_ = rest_ = model_error_ = Eigen::VectorXd::Zero(spec.problem.model.nv);
 }
 
@@ -48,8 +47,8 @@ void FeltForce::update(const MeasurementGate& gate, const Eigen::VectorXd& acted
     air_ += std::min(1.0, dt / std::clamp(since_, dt + 1e-9, memory)) * (told - air_);
   }
   rest_ = told - air_;
-  gate.body().frame_derivatives(tool_, Reference::centered(), motion_);
-  const auto J = motion_.jacobian.topRows<3>();
+  motion_.update(gate.body());
+  const auto J = motion_.jacobian();
   // A direction that no joint feels gets no force.
   Eigen::Matrix3d normal = J * J.transpose();
   normal.diagonal().array() += 1e-6;  // m^2

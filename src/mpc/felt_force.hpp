@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mpc/measurement_gate.hpp"
+#include "mpc/tool_motion.hpp"
 
 namespace burnish {
 
@@ -28,9 +29,8 @@ class FeltForce {
 
  private:
   TorqueErrorObserver observer_;
-  int tool_;
   double touch_;  ///< N, above which what stands in the air is no model error
-  FrameDerivatives motion_;
+  ToolMotion motion_;
   Eigen::VectorXd air_, rest_, model_error_;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   double since_ = 0.0;  ///< s that were learnt from

@@ -12,14 +12,21 @@ const Signal* one_force(const Residual& given) {
   return force != nullptr && force->target.size() == 1 ? &force->target : nullptr;
 }
 
-/// Of a point of the world that the tool is to come to.
+/// Of a point of what the surface is fixed in that the tool is to come to.
 template <class Residual>
-const Signal* place_of(const Residual& given, const std::string& tool) {
+const Signal* place_of(const Residual& given, const MpcSpec& spec) {
+  const Anchor from = spec.base.empty() ? Anchor(Anchor::World) : Anchor(spec.base);
   const auto* place = std::get_if<residual::FramePosition>(&given);
-  return place != nullptr && place->frame == tool && place->target.size() == 3 &&
-                 place->reference.origin == Anchor(Anchor::World) && !place->reference.quadric
+  return place != nullptr && place->frame == spec.tool && place->target.size() == 3 &&
+                 place->reference.origin == from && !place->reference.quadric
              ? &place->target
              : nullptr;
+}
+
+/// What the surface is fixed in, as contacts name it.
+const std::string& base_of(const MpcSpec& spec) {
+  static const std::string world = "world";
+  return spec.base.empty() ? world : spec.base;
 }
 
 }  // namespace
@@ -29,7 +36,7 @@ std::vector<int> contacts_on_surface(const MpcSpec& spec) {
   const std::vector<ContactSpec>& contacts = spec.problem.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts[c].reference.quadric && contacts[c].tool == spec.tool &&
-        contacts[c].base == "world")
+        contacts[c].base == base_of(spec))
       result.push_back(static_cast<int>(c));
   return result;
 }
@@ -38,7 +45,7 @@ std::vector<int> contacts_that_rub(const MpcSpec& spec) {
   std::vector<int> result;
   const std::vector<ContactSpec>& contacts = spec.problem.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts[c].friction && contacts[c].tool == spec.tool && contacts[c].base == "world")
+    if (contacts[c].friction && contacts[c].tool == spec.tool && contacts[c].base == base_of(spec))
       result.push_back(static_cast<int>(c));
   return result;
 }
@@ -69,7 +76,7 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
     for (const auto& given : terms) {
       if (const Signal* force = one_force(given.residual); force != nullptr && forces != nullptr)
         forces->push_back({term, *force});
-      if (const Signal* place = place_of(given.residual, spec.tool); place != nullptr)
+      if (const Signal* place = place_of(given.residual, spec); place != nullptr)
         places.push_back({term, *place});
       ++term;
     }

@@ -8,6 +8,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "mpc/closed_dynamics.hpp"
+#include "mpc/tool_motion.hpp"
 
 namespace burnish {
 
@@ -107,14 +108,14 @@ class Haste {
 
 struct TorqueErrorObserver::Impl {
   Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given,
-       std::vector<ContactSpec> supports)
+       std::vector<ContactSpec> supports, const std::string& base)
       : options(given),
         is_closed(!model.loops.empty() || !supports.empty()),
         has_loops(!model.loops.empty()),
         dynamics(closed_dynamics(model, supports)),
         free(closed_dynamics(model)),
         body(model),
-        frame(body.frame(tool)),
+        pressed(body, tool, base),
         velocity(Eigen::VectorXd::Zero(model.nv)),
         error(Eigen::VectorXd::Zero(model.nv)),
         total(Eigen::VectorXd::Zero(model.nv)),
@@ -147,7 +148,7 @@ struct TorqueErrorObserver::Impl {
   ContactDynamics dynamics;  ///< with supports and loops
   ContactDynamics free;      ///< with loops alone, where what acts on supports is measured
   RigidBody body;
-  int frame;
+  ToolMotion pressed;
   std::vector<int> feet;
   FrameDerivatives derivatives;
   bool started = false;
@@ -158,10 +159,12 @@ struct TorqueErrorObserver::Impl {
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
                                          const ModelErrorOptions& options,
-                                         std::vector<ContactSpec> supports)
-    : impl_(std::make_unique<Impl>(model, tool, options, std::move(supports))) {
+                                         std::vector<ContactSpec> supports,
+                                         const std::string& base)
+    : impl_(std::make_unique<Impl>(model, tool, options, std::move(supports), base)) {
   // Resized on first use: here, rather than in a tick.
-  impl_->body.frame_derivatives(impl_->frame, Reference::centered(), impl_->derivatives);
+  for (const int foot : impl_->feet)
+    impl_->body.frame_derivatives(foot, Reference::local(), impl_->derivatives);
 }
 TorqueErrorObserver::~TorqueErrorObserver() = default;
 TorqueErrorObserver::TorqueErrorObserver(TorqueErrorObserver&&) noexcept = default;
@@ -201,9 +204,9 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
     return status;
   }
   if (!(dt > 0.0)) return status;
-  d.body.frame_derivatives(d.frame, Reference::centered(), d.derivatives);
+  d.pressed.update(d.body);
   d.total = tau + d.error;
-  d.total.noalias() += d.derivatives.jacobian.topRows(3).transpose() * force_world;
+  d.total.noalias() += d.pressed.jacobian().transpose() * force_world;
   for (Eigen::Index i = 0; i < supports.cols(); ++i) {
     d.body.frame_derivatives(d.feet[static_cast<std::size_t>(i)], Reference::local(),
                              d.derivatives);

@@ -59,6 +59,7 @@ MpcController::Impl::Impl(MpcSpec given)
       watched_(task->watched()),
       readings_(watched_.size()),
       tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+      base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
       v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
@@ -145,6 +146,7 @@ void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   const int stage = horizon.stage_of(schedule.phase());
   if (!spec.force_sensor) gate.feel(error.feel(gate, command_, stage));
+  if (base_ >= 0) turn_normal();
   const unsigned happened = task->sense(view);
   look_at_surface();
   error.update(gate, command_, stage, schedule.time());
@@ -160,10 +162,23 @@ void MpcController::Impl::see() noexcept {
   if (!fault.is_set() && due_ && is_free) update();
 }
 
+/// With the robot's frame that the surface moves with.
+void MpcController::Impl::turn_normal() noexcept {
+  command_.normal_world = gate.body().placement(base_).linear() * spec.normal_world;
+  error.set_normal(command_.normal_world);
+}
+
 void MpcController::Impl::look_at_surface() noexcept {
   const Quadric* const surface = task->surface();
   if (surface == nullptr || !surface->is_finite()) return;
-  const Eigen::Vector3d gradient = surface->gradient(gate.body().placement(tool_).translation());
+  const Eigen::Vector3d p_tool_world = gate.body().placement(tool_).translation();
+  Eigen::Vector3d gradient;
+  if (base_ < 0) {
+    gradient = surface->gradient(p_tool_world);
+  } else {  // it is in the axes of what it moves with
+    const Eigen::Isometry3d base_world = gate.body().placement(base_);
+    gradient = base_world.linear() * surface->gradient(base_world.inverse() * p_tool_world);
+  }
   const double length = gradient.norm();
   if (!(length > 1e-9)) return;  // none there: what was known goes on
   command_.normal_world = gradient / length;

@@ -29,6 +29,7 @@ struct MpcController::Impl {
   // The steps of a tick.
   bool has_settled() noexcept;
   void see() noexcept;
+  void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
   void update() noexcept;
@@ -86,6 +87,7 @@ struct MpcController::Impl {
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< of watched_
   int tool_;                       ///< frame
+  int base_;                       ///< frame that the surface moves with; -1: the world
   Command command_;
   Eigen::VectorXd x_, u_, v_ahead_, passing_;
   Eigen::VectorXd x_plan_, u_plan_;  ///< where the plan begins; at rest

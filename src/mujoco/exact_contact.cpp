@@ -2,39 +2,56 @@
 
 namespace burnish::mujoco {
 
-ExactContact::ExactContact(const SceneSpec& scene, const mjModel& m, int tip_site, int tip_body)
+ExactContact::ExactContact(const SceneSpec& scene, const mjModel& m, int tip_site, int tip_body,
+                           int surface_site)
     : scene_(scene),
       surface_(surface_of(scene.surface)),
       contact_{scene.surface.stiffness, scene.surface.damping, scene.surface.friction},
       site_(tip_site),
       body_(tip_body),
+      surface_site_(surface_site),
       J_(3, m.nv),
+      J_surface_(3, surface_site < 0 ? 0 : m.nv),
       J_by_M_(3, m.nv) {
   J_.setZero();
+  J_surface_.setZero();
   J_by_M_.setZero();
 }
 
 Eigen::Vector3d ExactContact::push(const mjModel& m, mjData& d, double time,
                                    bool touched) noexcept {
+  using Axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
   const double dt = m.opt.timestep;
   const SurfaceMotion& motion = scene_.surface.motion;
   const double moved = motion.way(time);
   const Eigen::Vector3d& along = scene_.surface.normal;
   const Eigen::Vector3d tip_world = Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * site_);
-  // Seen from the surface, which has moved.
-  const Eigen::Vector3d tip = tip_world - moved * along;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // the surface's axes in the world
+  Eigen::Vector3d tip = tip_world;
+  if (surface_site_ >= 0) {
+    R = Axes(d.site_xmat + 9 * surface_site_);
+    tip = R.transpose() *
+          (tip_world - Eigen::Map<const Eigen::Vector3d>(d.site_xpos + 3 * surface_site_));
+  }
+  tip -= moved * along;  // seen from the surface, which has moved
   const SurfaceDistance at = surface_.at(tip);
   const double radius = scene_.tip.radius;
   if (!(at.distance < radius) || !is_over(scene_, tip, touched)) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d point = tip_world - radius * at.normal;
+  const Eigen::Vector3d n = R * at.normal;
+  const Eigen::Vector3d point = tip_world - radius * n;
   mj_jac(&m, &d, J_.data(), nullptr, point.data(), body_);
+  if (surface_site_ >= 0) {
+    mj_jac(&m, &d, J_surface_.data(), nullptr, point.data(), m.site_bodyid[surface_site_]);
+    J_ -= J_surface_;
+  }
   mj_solveM(&m, &d, J_by_M_.data(), J_.data(), 3);
   const Eigen::Map<const Eigen::VectorXd> v(d.qvel, m.nv), a(d.qacc_smooth, m.nv);
   // Joint friction and followers act too: as in the step before, which is near enough for what is
   // left of velocities at the end of this one.
   const Eigen::Map<const Eigen::VectorXd> others(d.qfrc_constraint, m.nv);
-  TipStep step{.dt = dt, .depth = radius - at.distance, .n = at.normal, .v = {}, .A = {}};
-  step.v = J_ * v + dt * (J_ * a + J_by_M_ * others) - (motion.way(time + dt) - moved) / dt * along;
+  TipStep step{.dt = dt, .depth = radius - at.distance, .n = n, .v = {}, .A = {}};
+  step.v = J_ * v + dt * (J_ * a + J_by_M_ * others) -
+           (motion.way(time + dt) - moved) / dt * (R * along);
   step.A = J_by_M_ * J_.transpose();
   const Eigen::Vector3d force = penalty_force(contact_, step);
   Eigen::Map<Eigen::VectorXd>(d.qfrc_applied, m.nv).noalias() += J_.transpose() * force;

@@ -15,8 +15,9 @@ void check(const MujocoPlantOptions& options) {
                [](const std::string& entry) { return "the MuJoCo plant's " + entry; });
 }
 
-/// MuJoCo's geometry of a surface, a square of a plane with this half side.
-std::string geom_of(const SurfaceSpec& surface, double half_side) {
+/// MuJoCo's geometry of a surface, a square of a plane with this half side. `place`: of the
+/// surface's frame in its body.
+std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::Isometry3d& place) {
   using Kind = SurfaceShape::Kind;
   constexpr double half_length = 5.0;  // m, of a capsule that stands for a cylinder
   const SurfaceShape& shape = surface.shape;
@@ -24,7 +25,7 @@ std::string geom_of(const SurfaceSpec& surface, double half_side) {
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
   at.translation() = placed.center();
   at.linear() = placed.axes();
-  const std::string pose = pose_attributes(at) + " size=\"";
+  const std::string pose = pose_attributes(place * at) + " size=\"";
   switch (shape.kind) {
     case Kind::Sphere:
       return "type=\"sphere\"" + pose + numbers(shape.radius) + "\"";
@@ -36,6 +37,12 @@ std::string geom_of(const SurfaceSpec& surface, double half_side) {
     default:  // those that it has not are drawn as their tangent plane
       at.translation() = surface.point;
       at.linear() = Reference::surface_with_normal(surface.normal).rotation;
+      if (!surface.frame.empty()) {               // planes stand still
+        constexpr double half_thickness = 0.002;  // m
+        at.translation() -= half_thickness * at.linear().col(2);
+        return "type=\"box\"" + pose_attributes(place * at) + " size=\"" +
+               numbers(half_side, half_side, half_thickness) + "\"";
+      }
       return "type=\"plane\"" + pose_attributes(at) + " size=\"" +
              numbers(half_side, half_side, 0.01) + "\"";
   }
@@ -44,6 +51,9 @@ std::string geom_of(const SurfaceSpec& surface, double half_side) {
 void check_engine_has(const SurfaceSpec& surface) {
   using Kind = SurfaceShape::Kind;
   const SurfaceShape& shape = surface.shape;
+  if (!surface.frame.empty())
+    throw Error("MuJoCo's own contact has no surface that the robot carries, here at frame " +
+                in_quotes(surface.frame) + "; wanted one in the world, or contact: exact");
   if (!surface.motion.is_at_rest())
     throw Error(
         "MuJoCo's own contact has no surface that moves; wanted one at rest, or contact: "
@@ -141,8 +151,8 @@ void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
       in_body.translation() += thickness * in_body.linear().col(2);
       shape = "type=\"box\" size=\"" + numbers(support.half_x, support.half_y, thickness) + "\"";
     }
-    to.bodies[frame.body] += "<geom name=\"" + support_name(i) + "\" " + shape +
-                             pose_attributes(in_body) + meets;
+    to.bodies[frame.body] +=
+        "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + meets;
   }
 }
 
@@ -161,13 +171,20 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                              "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
   const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
   const bool meets = options.contact == MujocoContact::Engine;
-  result.world = "<geom name=\"surface\" " + geom_of(surface, side) + common +
-                 (meets ? " contype=\"2\"" : " contype=\"0\"") +
-                 (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
+  const Frame* const carrier =
+      surface.frame.empty()
+          ? nullptr
+          : &model.frames[static_cast<std::size_t>(model.frame_index(surface.frame))];
+  std::string& holder = carrier == nullptr ? result.world : result.bodies[carrier->body];
+  const Eigen::Isometry3d place =
+      carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
+  holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
+            (meets ? " contype=\"2\"" : " contype=\"0\"") +
+            (meets ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
   add_supports(model, scene, result);
   result.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
-                            " size=\"" + numbers(scene.tip.radius) + "\"" + common +
-                            " contype=\"1\" conaffinity=\"2\"/>\n";
+                             " size=\"" + numbers(scene.tip.radius) + "\"" + common +
+                             " contype=\"1\" conaffinity=\"2\"/>\n";
   // Room for friction and limits of every entry, for followers, loops and contacts.
   const std::size_t contacts = 8 + 4 * scene.supports.size();
   const auto rows = 4 * static_cast<std::size_t>(model.nv) + model.joints.size() +
@@ -243,6 +260,10 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
       tip_site(
           mj_name2id(m.get(), mjOBJ_SITE, site_name(robot.frame_index(scene.tip.frame)).c_str())),
       tip_body(m->geom_bodyid[tip_geom]),
+      surface_site(scene.surface.frame.empty()
+                       ? -1
+                       : mj_name2id(m.get(), mjOBJ_SITE,
+                                    site_name(robot.frame_index(scene.surface.frame)).c_str())),
       own_contact(options.contact == MujocoContact::Engine) {
   if (own_contact) check_engine_has(scene.surface);
   load_figures(model, *m, *d);

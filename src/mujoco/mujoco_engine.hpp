@@ -23,8 +23,9 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   int tip_geom, surface_geom, tip_site, tip_body;
+  int surface_site;               ///< of the frame that carries the surface; -1: none does
   std::vector<Support> supports;  ///< of the scene, in its order
-  bool own_contact;  ///< MujocoContact::Engine
+  bool own_contact;               ///< MujocoContact::Engine
 
   /// Between mj_fwdPosition() and mj_fwdConstraint(): followers keep to their leaders,
   /// and loops together, to 1e-8 of the acceleration.

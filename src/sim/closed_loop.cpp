@@ -63,6 +63,11 @@ std::vector<TraceColumn> columns_of(const Model& model, const SceneSpec& scene) 
   for (const char* what : {"iterations", "missed_deadline", "tick", "limits_outside", "limits_open",
                            "limits_pushing", "limits_infeasible", "clipped_torques"})
     columns.push_back({what, "-"});
+  if (!scene.surface.frame.empty()) {
+    add_axes(columns, "surface", "m");
+    for (const char* axis : {"rx", "ry", "rz"})
+      columns.push_back({std::string("surface_") + axis + "_world", "rad"});
+  }
   for (const SupportSpec& support : scene.supports) {
     for (const char* axis : {"fx", "fy", "fz"})
       columns.push_back({"support_" + support.frame + "_" + axis, "N"});
@@ -122,13 +127,15 @@ struct ClosedLoop::Impl {
         sensing(driven.model(), disturbances, static_cast<int>(driven.scene().supports.size())),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
+        carrier(driven.scene().surface.frame.empty() ? -1
+                                                     : body.frame(driven.scene().surface.frame)),
         total(Eigen::VectorXd::Zero(driven.model().nv)),
         trace(columns_of(driven.model(), driven.scene()), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
-    measurement.support_wrenches.setZero(
-        6, static_cast<Eigen::Index>(driven.scene().supports.size()));
+    measurement.support_wrenches.setZero(6,
+                                         static_cast<Eigen::Index>(driven.scene().supports.size()));
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
     body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step
@@ -138,6 +145,9 @@ struct ClosedLoop::Impl {
   double* record_state(double* to) noexcept;
   void record_step(double* to, Status status, bool ticked) const noexcept;
   void place_tool() noexcept;
+  void place_surface() noexcept {
+    if (carrier >= 0) surface_world = body.placement(carrier);
+  }
   const Eigen::VectorXd& with_pushes(const Eigen::VectorXd& tau) noexcept;
 
   Plant* plant;
@@ -149,6 +159,7 @@ struct ClosedLoop::Impl {
   std::optional<EstimatedBase> estimated;
   RigidBody body;
   int tip;
+  int carrier;              ///< frame of the surface; -1: the world
   std::vector<int> pushed;  ///< frames of the pushes
   FrameDerivatives motion;
   Eigen::VectorXd total;
@@ -157,7 +168,8 @@ struct ClosedLoop::Impl {
   Measurement measurement;
   Command command;
   Eigen::Vector3d push_world = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d start_R_world = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();  ///< of the tool in the surface's axes
+  Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();  ///< of its frame
   Eigen::Vector3d p_tool_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d turned = Eigen::Vector3d::Zero();  ///< since the start, rad
 };
@@ -188,8 +200,11 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
   if (impl_->estimated) (void)impl_->estimated->reset(impl_->plant->q(), impl_->plant->v());
   impl_->trace.clear();
   impl_->steps = 0;
-  if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok)
-    impl_->start_R_world = impl_->body.placement(impl_->tip).linear();
+  if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok) {
+    impl_->place_surface();
+    impl_->start_R =
+        impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
+  }
   return status;
 }
 
@@ -224,7 +239,9 @@ void ClosedLoop::Impl::place_tool() noexcept {
   if (body.update(plant->q(), plant->v()) != Status::Ok) return;
   const Eigen::Isometry3d placement = body.placement(tip);
   p_tool_world = placement.translation();
-  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(start_R_world.transpose() * placement.linear()));
+  place_surface();
+  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(
+      start_R.transpose() * (surface_world.linear().transpose() * placement.linear())));
   turned = rotation.angle() * rotation.axis();
 }
 
@@ -275,7 +292,10 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(plant->contact_force_world());
   const SurfaceSpec& surface = plant->scene().surface;
   const double moved = surface.motion.way(plant->time());
-  row.put(normal_at(plant->scene(), p_tool_world - moved * surface.normal));
+  const Eigen::Vector3d p_tool = surface_world.inverse() * p_tool_world;
+  const Eigen::Vector3d normal_world =
+      surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
+  row.put(normal_world);
   row.put(command.normal_world);
   row.put(command.friction);
   row.put(plant->in_contact());
@@ -291,6 +311,13 @@ void ClosedLoop::Impl::record_step(double* to, Status status, bool ticked) const
   row.put(static_cast<double>(command.limits_pushing));
   row.put(command.limits_infeasible);
   row.put(static_cast<double>(command.clipped_torques));
+  if (carrier >= 0) {
+    const Eigen::AngleAxisd turn(surface_world.linear());
+    const Eigen::Vector3d p_world = surface_world.translation(),
+                          turned_world = turn.angle() * turn.axis();
+    row.put(p_world);
+    row.put(turned_world);
+  }
   row.put(plant->support_wrenches().reshaped());
 }
 
@@ -298,5 +325,31 @@ const Trace& ClosedLoop::trace() const { return impl_->trace; }
 const Actuation& ClosedLoop::actuation() const { return impl_->actuation; }
 const Measurement& ClosedLoop::measurement() const { return impl_->measurement; }
 const Command& ClosedLoop::command() const { return impl_->command; }
+
+const Trace& seen_from_surface(const Trace& trace, Trace& room) {
+  if (!trace.has("surface_rx_world")) return trace;
+  room = Trace(trace.columns(), trace.rows());
+  const int place = trace.index("surface_x_world"), turn = trace.index("surface_rx_world");
+  std::vector<int> points, directions;
+  for (const char* what : {"tool", "target"})
+    points.push_back(trace.index(std::string(what) + "_x_world"));
+  for (const char* what : {"measured_force", "estimated_force", "push", "tool_force",
+                           "surface_normal", "believed_normal"})
+    directions.push_back(trace.index(std::string(what) + "_x_world"));
+  const auto columns = static_cast<int>(trace.columns().size());
+  for (int i = 0; i < trace.rows(); ++i) {
+    double* const row = room.add_row();
+    for (int c = 0; c < columns; ++c) row[c] = trace.at(i, c);
+    const auto vector = [&](int first) { return Eigen::Map<Eigen::Vector3d>(row + first); };
+    const Eigen::Vector3d origin = vector(place), turned = vector(turn);
+    const double angle = turned.norm();
+    const Eigen::Matrix3d to_surface =
+        angle > 0.0 ? Eigen::AngleAxisd(-angle, turned / angle).toRotationMatrix()
+                    : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    for (const int first : points) vector(first) = to_surface * (vector(first) - origin).eval();
+    for (const int first : directions) vector(first) = (to_surface * vector(first)).eval();
+  }
+  return room;
+}
 
 }  // namespace burnish

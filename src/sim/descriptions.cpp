@@ -155,7 +155,10 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   static const Description all =
       Describe<S>("sim", "SurfaceSpec",
                   "A plane or a curved surface, or what of it stands over a square. All vectors in "
-                  "the world.")
+                  "the axes of `frame`, points from its origin: in the world where there is none.")
+          .field("frame", &S::frame,
+                 "of the robot, that the surface moves with, such as a plate in a hand; empty: it "
+                 "stands still")
           .field("point", &S::point, "any point on it, {m}; of a square, its middle")
           .field("normal", &S::normal,
                  "out of the material, towards the robot; of a curved surface at its point",

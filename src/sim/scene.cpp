@@ -24,6 +24,18 @@ void check_moves(const Model& model, const std::string& frame, const char* whose
                 " is fixed to the world; wanted one that the robot moves");
 }
 
+void check_carried(const Model& model, const SceneSpec& scene) {
+  const std::string& frame = scene.surface.frame;
+  check_moves(model, frame, "the surface's");
+  const auto body = [&](const std::string& name) {
+    return model.frames[static_cast<std::size_t>(model.frame_index(name))].body;
+  };
+  if (body(frame) == body(scene.tip.frame))
+    throw Error("the surface's frame " + in_quotes(frame) + " and the tip's " +
+                in_quotes(scene.tip.frame) + " are on one body; wanted two that move against " +
+                "each other");
+}
+
 void check_support(const Model& model, const SupportSpec& support) {
   check_ranges(description_of(&support), &support, [&](const std::string& entry) {
     return "support " + in_quotes(support.frame) + ": " + entry;
@@ -44,6 +56,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   check_ranges(description_of(&scene.tip), &scene.tip,
                [](const std::string& entry) { return "the tip's " + entry; });
   check_moves(model, scene.tip.frame, "the tip's");
+  if (!surface.frame.empty()) check_carried(model, scene);
   for (const SupportSpec& support : scene.supports) check_support(model, support);
   surface.shape.check("the surface");
   const double bend = surface_of(surface).most_concave();
@@ -61,37 +74,51 @@ SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::Vect
                           const Eigen::Vector3d& normal, SceneSpec scene, double clearance) {
   scene.surface.normal = normal;
   scene = checked_scene(model, scene);
-  const Eigen::Vector3d p_tip_world = frame_placement(model, q, scene.tip.frame).translation();
-  scene.surface.point = p_tip_world - (scene.tip.radius + clearance) * scene.surface.normal;
+  const Eigen::Vector3d p_tip = surface_placement(model, q, scene.surface).inverse() *
+                                frame_placement(model, q, scene.tip.frame).translation();
+  scene.surface.point = p_tip - (scene.tip.radius + clearance) * scene.surface.normal;
   return scene;
+}
+
+Eigen::Isometry3d surface_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                                    const SurfaceSpec& surface) {
+  return surface.frame.empty() ? Eigen::Isometry3d::Identity()
+                               : frame_placement(model, q, surface.frame);
 }
 
 Surface surface_of(const SurfaceSpec& surface) {
   return {surface.shape, surface.point, surface.normal};
 }
 
-Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+SurfaceSpec in_world(SurfaceSpec surface, const Eigen::Isometry3d& placement) {
+  surface.frame.clear();
+  surface.point = placement * surface.point;
+  surface.normal = placement.linear() * surface.normal;
+  return surface;
+}
+
+Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip) {
   if (scene.surface.shape.is_flat()) return scene.surface.normal;
-  return surface_of(scene.surface).at(p_tip_world).normal;
+  return surface_of(scene.surface).at(p_tip).normal;
 }
 
-double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world) {
+double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip) {
   if (!scene.surface.shape.is_flat())
-    return surface_of(scene.surface).at(p_tip_world).distance - scene.tip.radius;
-  return scene.surface.normal.dot(p_tip_world - scene.surface.point) - scene.tip.radius;
+    return surface_of(scene.surface).at(p_tip).distance - scene.tip.radius;
+  return scene.surface.normal.dot(p_tip - scene.surface.point) - scene.tip.radius;
 }
 
-Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p_world) {
+Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p) {
   const Eigen::Matrix3d axes = Reference::surface_with_normal(surface.normal).rotation;
-  return axes.transpose() * (p_world - surface.point);
+  return axes.transpose() * (p - surface.point);
 }
 
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world, bool in_contact) {
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact) {
   const double extent = scene.surface.extent;
   if (std::isinf(extent)) return true;
-  const Eigen::Vector3d p = seen_from_surface(scene.surface, p_tip_world);
-  if (!(std::abs(p.x()) <= extent && std::abs(p.y()) <= extent)) return false;
-  return in_contact || gap(scene, p_tip_world) > -scene.tip.radius;
+  const Eigen::Vector3d seen = seen_from_surface(scene.surface, p_tip);
+  if (!(std::abs(seen.x()) <= extent && std::abs(seen.y()) <= extent)) return false;
+  return in_contact || gap(scene, p_tip) > -scene.tip.radius;
 }
 
 }  // namespace burnish

@@ -24,7 +24,8 @@ const Words& words_of(ForceAxes /*of*/) {
         "the surface's own: x, y along it, z out of it (the paper's centred frame where the "
         "surface "
         "is aligned with the world)"},
-       {"local", "the tool's: its axis that is closest to the normal at the start"}}};
+       {"local", "the tool's: its axis that is closest to the normal at the start"},
+       {"world", "the world's: those of the surface at the start, which stay where they are"}}};
   return all;
 }
 
@@ -129,6 +130,27 @@ const Description& description_of(const Weights* /*of*/) {
   return all;
 }
 
+const Description& description_of(const Waving* /*of*/) {
+  using W = Waving;
+  constexpr Range weight = range::not_negative;
+  static const Description all =
+      Describe<W>("polishing", "Waving",
+                  "How the robot itself moves the frame that carries the surface: from where it "
+                  "starts by shift * s and turn * s (a rotation vector), s = sin(2 pi frequency t) "
+                  "from contact on.")
+          .field("shift_world", &W::shift_world, "[x, y, z] {m}, world")
+          .key("shift")
+          .field("turn_world", &W::turn_world, "[x, y, z] {rad}, world")
+          .key("turn")
+          .field("frequency", &W::frequency, "{Hz}", range::positive)
+          .field("start_up", &W::start_up, "{s} until the full way", range::positive)
+          .field("position", &W::position, "{1/m^2}: the frame's origin to where it shall be",
+                 weight)
+          .field("rotation", &W::rotation, "{1/rad^2}: the frame's axes to what they shall be",
+                 weight);
+  return all;
+}
+
 const Description& description_of(const Verdict* /*of*/) {
   using V = Verdict;
   static const Description all =
@@ -171,13 +193,22 @@ Describe<T>& describe_place(Describe<T>& task) {
           "board_minus_y,\ntilt_45. The controller knows where it is; it knows nothing of friction "
           "and stiffness.",
           "surface")
+      .field("surface_frame", &T::surface_frame,
+             "of the robot, that carries the surface, such as a plate in the other hand, in whose "
+             "axes normal and point are then; or world")
+      .in_code(
+          "of the robot, that carries the surface, such as a plate in the other hand; empty: the "
+          "world")
+      .key("frame")
+      .word("world")
       .field("normal_world", &T::normal_world,
              "[x, y, z] out of the material towards the robot, any length, world", range::direction)
-      .in_code("out of the surface, any length")
+      .in_code("out of the surface, any length; in the axes of the frame that carries it")
       .key("normal")
       .field("point_world", &T::point_world,
              "[x, y, z] of any point on it, {m}; or under_tool: clearance below the start")
-      .in_code("a point of the surface, m; without it `clearance` under the tool at the start")
+      .in_code(
+          "a point of the surface, m, alike; without it `clearance` under the tool at the start")
       .key("point")
       .word("under_tool")
       .field("extent", &T::extent,
@@ -192,6 +223,9 @@ Describe<T>& describe_place(Describe<T>& task) {
              "What the surface is about its point. The path is drawn on it as seen along the "
              "normal there.")
       .in_code("plane, or what the surface is about its point")
+      .field("waving", &T::waving,
+             "How the robot moves the frame that carries the surface, where one does.")
+      .in_code("of that frame")
       .field("search", &T::search, "What a posture that is searched keeps to.")
       .field("standing", &T::standing, "What a robot whose base floats stands on.")
       .field("path", &T::path,
@@ -257,7 +291,7 @@ Describe<T>& describe_controller(Describe<T>& task) {
       .field("force_sensor", &T::force_sensor,
              "false: the force is told from torques, encoders and velocities, against what they "
              "said in the air just before")
-      .field("axes", &T::axes, "of contact and force: surface, or local (the tool's)")
+      .field("axes", &T::axes, "of contact and force: surface, local (the tool's) or world")
       .field(
           "weights", &T::weights,
           "Cost per second of squared error. What counts is how they compare: raise one, and its "

@@ -15,6 +15,7 @@ const Description& description_of(const ForceProfile*);
 const Description& description_of(const PathSpec*);
 const Description& description_of(const PlanarPoint*);
 const Description& description_of(const Weights*);
+const Description& description_of(const Waving*);
 const Description& description_of(const Verdict*);
 const Description& description_of(const Task*);
 

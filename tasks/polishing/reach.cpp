@@ -50,6 +50,8 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
 }  // namespace
 
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options) {
+  // The walk knows surfaces that stand still while the arm moves.
+  if (!task.surface_frame.empty()) return {};
   pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options);
   const Eigen::Vector3d p_above = setting.p_center + task.clearance * setting.scene.surface.normal;
   const bool there = walk.visit_line(setting.p_start, p_above, -task.clearance) &&

@@ -5,6 +5,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/mpc/mpc.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
@@ -98,7 +99,9 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
     metrics.end = std::min(end.time, path_end) - 0.02;
   }
   if (!has_rows(result.trace, metrics.start, metrics.end)) return;
-  result.metrics = measure(result.trace, result.setting.robot.model, metrics);
+  Trace room;
+  result.metrics =
+      measure(seen_from_surface(result.trace, room), result.setting.robot.model, metrics);
 }
 
 /// All of the path that there was, from the ramp's end on.
@@ -107,7 +110,9 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
   const double begin = watch.track_begin();
   const double last = std::min(end.time, begin + spec.task.polish_duration);
   if (begin < 0.0 || !has_rows(result.trace, begin, last)) return;
-  result.verdict = verdict_figures(spec.task, result.setting, result.trace, begin, last);
+  Trace room;
+  result.verdict = verdict_figures(spec.task, result.setting, seen_from_surface(result.trace, room),
+                                   begin, last);
 }
 
 /// `failure`: what the verdict says, empty if nothing.

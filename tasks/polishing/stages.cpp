@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
@@ -22,6 +23,43 @@ namespace {
 /// The columns of the surface's reference.
 Eigen::Matrix3d axes_of(const Eigen::Vector3d& normal) {
   return Reference::surface_with_normal(normal).rotation;
+}
+
+/// What the surface is fixed in.
+Anchor carrier(const Task& task) {
+  return task.surface_frame.empty() ? Anchor(Anchor::World) : Anchor(task.surface_frame);
+}
+
+/// Brings what carries the surface along its motion.
+std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
+  if (task.surface_frame.empty()) return {};
+  const Eigen::Isometry3d start =
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface);
+  const auto share = [waving = task.waving, touch = setting.touch](double time) {
+    const double t = std::max(0.0, time - touch);
+    return pressing::smooth(t / waving.start_up) *
+           std::sin(2.0 * std::numbers::pi * waving.frequency * t);
+  };
+  const Signal place = Signal::over_time(
+      3, [share, start, way = task.waving.shift_world](double t, Eigen::Ref<Eigen::VectorXd> p) {
+        p = start.translation() + share(t) * way;
+      });
+  const Signal rotation = Signal::over_time(
+      4, [share, start, turn = task.waving.turn_world](double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
+        const double angle = turn.norm();
+        const Eigen::Vector3d axis =
+            angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+        xyzw = (Eigen::Quaterniond(Eigen::AngleAxisd(share(t) * angle, axis)) *
+                Eigen::Quaterniond(start.linear()))
+                   .normalized()
+                   .coeffs();
+      });
+  return {{.name = "waving",
+           .residual = residual::FramePosition{task.surface_frame, place},
+           .weight = task.waving.position},
+          {.name = "waving turn",
+           .residual = residual::FrameRotation{task.surface_frame, rotation},
+           .weight = task.waving.rotation}};
 }
 
 struct Builder {
@@ -65,9 +103,18 @@ struct Builder {
       f[0] = task_point(task, setting, *path, t).force;
     });
   }
-  /// Of the tool: that of the start, turned with the normal of where it shall be.
+  /// What places are from and axes are fixed in: the world, or what carries the surface.
+  Reference on_surface(const Eigen::Matrix3d& axes) const {
+    const Anchor of = carrier(task);
+    return {of, of, axes};
+  }
+  /// Of the tool, against what carries the surface: that of the start, turned with the normal of
+  /// where it shall be.
   Signal rotation() const {
-    const Eigen::Matrix3d start = frame_placement(model, setting.q_start, task.tool).linear();
+    const Eigen::Matrix3d start =
+        (surface_placement(model, setting.q_start, setting.scene.surface).inverse() *
+         frame_placement(model, setting.q_start, task.tool))
+            .linear();
     if (task.shape.is_flat()) return Eigen::Quaterniond(start).coeffs();
     return Signal::over_time(4, [task = task, setting = setting, path = path, start](
                                     double t, Eigen::Ref<Eigen::VectorXd> xyzw) {
@@ -92,14 +139,16 @@ struct Builder {
     std::vector<CostTerm> terms{
         {.name = "state", .residual = residual::State{state_target()}, .weights = rows},
         {.name = "rotation",
-         .residual = residual::FrameRotation{task.tool, rotation()},
+         .residual = residual::FrameRotation{task.tool, rotation(),
+                                             on_surface(Eigen::Matrix3d::Identity())},
          .weight = w.rotation}};
+    for (const CostTerm& term : waving_costs(task, setting)) terms.push_back(term);
     for (const CostTerm& term : pressing::standing_costs(model, task.standing, setting.q_start))
       terms.push_back(term);
     return terms;
   }
   CostTerm place(double normal_weight) const {
-    return pressing::place_cost("position", task.tool, position(), setting.surface_axes,
+    return pressing::place_cost("position", task.tool, position(), on_surface(setting.surface_axes),
                                 task.weights.position, normal_weight);
   }
   /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
@@ -114,7 +163,8 @@ struct Builder {
         });
   }
   CostTerm move(const std::string& name, const Signal& target, const Eigen::Vector3d& n) const {
-    return pressing::normal_speed_cost(name, task.tool, target, axes_of(n), task.weights.approach);
+    return pressing::normal_speed_cost(
+        name, task.tool, target, {Anchor::Tool, carrier(task), axes_of(n)}, task.weights.approach);
   }
   /// Of where the path ends.
   Eigen::Vector3d last_normal() const {
@@ -162,9 +212,10 @@ namespace {
 /// falls off too steeply for a path that is drawn as seen from there.
 void check_path_on(const Setting& setting, const Task& task) {
   if (task.shape.is_flat()) return;
-  if (task.axes == ForceAxes::Local)
-    throw EntryError("axes", "the tool's own, on a " + task.shape.text() +
-                                 "; wanted surface, whose axes follow it");
+  if (task.axes != ForceAxes::Surface)
+    throw EntryError("axes",
+                     std::string(task.axes == ForceAxes::Local ? "the tool's own" : "the world's") +
+                         ", on a " + task.shape.text() + "; wanted surface, whose axes follow it");
   constexpr double steepest = 0.35;  // cosine: 70 degrees
   constexpr int count = 400;
   const Surface surface = surface_of(setting.scene.surface);
@@ -186,8 +237,24 @@ void check_path_on(const Setting& setting, const Task& task) {
 }
 }  // namespace
 
+namespace {
+void check_carrier(const Task& task, const Model& model) {
+  if (task.surface_frame.empty()) return;
+  std::vector<std::string> frames;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  if (!model.has_frame(task.surface_frame))
+    throw EntryError("surface.frame", "frame " + in_quotes(task.surface_frame) +
+                                          " is none of robot " + in_quotes(model.name) +
+                                          did_you_mean(task.surface_frame, frames));
+}
+}  // namespace
+
 Setting make_setting(const Task& task, const Robot& robot) {
   const bool searched = searches_posture(task, robot);
+  if (searched && !task.surface_frame.empty())
+    throw EntryError("posture",
+                     "none is searched for a surface that the robot carries; wanted one of the "
+                     "robot's settings");
   return make_setting(
       task, robot, pressing::start_posture(robot, searched ? searched_posture : task.posture, [&] {
         return find_posture(task, robot, posture_options(task)).q;
@@ -196,11 +263,13 @@ Setting make_setting(const Task& task, const Robot& robot) {
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
   pressing::check_standing(robot.model, task.standing);
+  check_carrier(task, robot.model);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
   SceneSpec scene;
   scene.tip = {task.tool, task.tip_radius};
+  scene.surface.frame = task.surface_frame;
   scene.surface.normal = task.normal_world;
   scene.surface.shape = task.shape;
   scene.surface.friction = task.friction;
@@ -215,7 +284,8 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   }
   const Eigen::Vector3d n = s.scene.surface.normal;
   s.surface_axes = axes_of(n);
-  s.p_start = frame_placement(s.robot.model, s.q_start, task.tool).translation();
+  s.p_start = surface_placement(s.robot.model, s.q_start, s.scene.surface).inverse() *
+              frame_placement(s.robot.model, s.q_start, task.tool).translation();
   const double above = gap(s.scene, s.p_start);
   s.p_center = s.p_start - above * n;
   if (above <= 0.0) throw Error("the tool starts " + number(-above) + " m inside the surface");
@@ -310,16 +380,21 @@ bool follows_surface(const Task& task) {
 
 ContactSpec surface_contact(const Task& task, const Setting& setting) {
   ContactSpec contact{.name = "surface", .tool = task.tool, .directions = Directions::z()};
+  if (!task.surface_frame.empty()) contact.base = task.surface_frame;
   contact.reference = Reference::surface(setting.surface_axes);
   if (follows_surface(task))
     contact.reference = Reference::on(surface_of(setting.scene.surface)
                                           .at(setting.p_center)
                                           .quadric(setting.p_center, task.tip_radius),
                                       setting.p_center);
+  const Eigen::Matrix3d axes_world =
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface).linear() *
+      setting.surface_axes;
+  if (task.axes == ForceAxes::World) contact.reference = Reference::centered(axes_world);
   if (task.axes == ForceAxes::Local) {
     const Eigen::Matrix3d R =
         frame_placement(setting.robot.model, setting.q_start, task.tool).linear();
-    contact.reference = Reference::local(R.transpose() * setting.surface_axes);
+    contact.reference = Reference::local(R.transpose() * axes_world);
   }
   if (task.friction_estimate.enabled || task.friction_estimate.coefficient > 0.0)
     contact.friction = SlidingFriction{task.friction_estimate.coefficient, task.friction_speed};
@@ -374,7 +449,11 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
       build.stage("press", {build.place(0.0), press}, true),
       build.stage(
           "retreat",
-          {build.place(0.0), build.move("retreat", build.retreat_speed(), build.last_normal())},
+          task.surface_frame.empty()
+              ? std::vector<CostTerm>{build.place(0.0), build.move("retreat", build.retreat_speed(),
+                                                                   build.last_normal())}
+              // A speed is one in the world; this surface has one of its own.
+              : std::vector<CostTerm>{build.place(1.0)},
           false)};
   problem.terminal = build.everywhere();
   problem.terminal.push_back(build.place(0.0));
@@ -391,6 +470,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
       {.stage = "retreat"}};
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
+  mpc.base = task.surface_frame;
   mpc.normal_world = setting.scene.surface.normal;
   mpc.task = pressing_task(task, setting, path, known);
   mpc.contact_threshold = task.contact_threshold;
@@ -412,6 +492,11 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
 }
 
 PressingPath pressing_path(const Task& task, const Setting& setting) {
+  if (!task.surface_frame.empty())
+    throw EntryError("surface.frame",
+                     "controllers without a plan know no surface that the robot "
+                     "carries, here at " +
+                         in_quotes(task.surface_frame) + "; wanted none, or the controller mpc");
   const auto path = std::make_shared<const Path>(task.path);
   PressingPath pressed;
   pressed.tool = task.tool;

@@ -73,7 +73,8 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   rows.tail(model.nv).setConstant(0.1 * task.posture_weight);
   std::vector<CostTerm> common{
       {.name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows},
-      pressing::place_cost("point", task.tool, setting.p_hold, setting.surface_axes, 1e4, 0.0)};
+      pressing::place_cost("point", task.tool, setting.p_hold,
+                                                     Reference::world(setting.surface_axes), 1e4, 0.0)};
   common.push_back(pressing::torque_cost(pressing::rest_torque(model, setting.q_start), 1e-4));
   std::vector<Constraint> kept = pressing::joint_limits(model, task.constraints, setting.q_start);
   for (Constraint& most : pressing::torque_limits(model, task.constraints))
@@ -85,7 +86,7 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   };
   const auto move = [&](double speed) {
     return pressing::normal_speed_cost("move", task.tool, pressing::normal_twist(speed),
-                                       setting.surface_axes, 1e2);
+                                       Reference::centered(setting.surface_axes), 1e2);
   };
   const Signal force = Signal::over_time(
       1, [task, setting](double t, auto f) { f[0] = force_at(task, setting, t); });

@@ -136,7 +136,7 @@ const Description& description_of(const TaskTarget* /*of*/) {
       Describe<T>("pressing", "TaskTarget",
                   "What the task asks of the tool at a time of the schedule, for the record. What "
                   "the controller aims at is what the costs of the problem say.")
-          .field("p_world", &T::p_world, "{m}")
+          .field("p_world", &T::p_world, "{m}; in the axes of MpcSpec::base where there is one")
           .field("force", &T::force,
                  "{N}, along the normal; 0: no contact wanted, and no friction is reckoned with");
   return all;

@@ -32,6 +32,7 @@ class Pressing final : public MpcTask {
         normal_world_(spec.normal_world),
         normal_at_first_(spec.normal_world),
         tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+        base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
         detector_(spec.contact_threshold, pressing::samples_of(touch_window, spec.tick_period)),
         mean_(pressing::samples_of(task.limits.force_window, spec.tick_period)),
         free_space_(task.limits, spec.contact_threshold),
@@ -69,6 +70,10 @@ class Pressing final : public MpcTask {
 
   unsigned sense(const TaskView& view) noexcept override {
     const Eigen::Vector3d& force = view.measurement.tool_force_world;
+    if (base_ >= 0) {
+      base_world_ = view.body.placement(base_);
+      normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);
+    }
     mean_.add(force);
     // Where nothing is free, what is due shows the noise.
     const Touch phase = phase_of(view);
@@ -76,8 +81,9 @@ class Pressing final : public MpcTask {
     detector_.add(force.dot(normal_world_), in_air);
     if (surface_) {
       const bool slides = phase == Touch::Wanted && detector_.touches();
-      surface_->update(view.body.placement(tool_).translation(), force.dot(normal_world_), slides);
-      normal_world_ = surface_->normal();
+      surface_->update(base_world_.inverse() * view.body.placement(tool_).translation(),
+                       force.dot(normal_world_), slides);
+      normal_world_ = base_world_.linear() * surface_->normal();
       constexpr double deepest = 0.02;  // m
       depth_ = slides ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, deepest)
                       : 0.0;
@@ -90,8 +96,9 @@ class Pressing final : public MpcTask {
     out[0] = {view.body.velocity(tool_, Reference::centered()).head<3>().norm(),
               limits_.tool_speed};
     out[1] = free_space_.look(phase, view.dt, mean_.value().dot(normal_world_), mean_, detector_);
+    const Eigen::Vector3d p_tool_world = view.body.placement(tool_).translation();
     approach_.look(view.schedule.waits(), view.dt,
-                   view.body.placement(tool_).translation().dot(normal_world_));
+                   (p_tool_world - base_world_.translation()).dot(normal_world_));
     out[2] = approach_.travel();
     out[3] = approach_.lateness();
     out[4] = {mean_.value().norm(), limits_.force};
@@ -102,8 +109,9 @@ class Pressing final : public MpcTask {
   void aim(double time, Command& command) override {
     const TaskTarget target = target_(time);
     command.target_force = target.force;
-    command.p_target_world = target.p_world;
-    if (surface_ && target.force > 0.0) put_on_surface(command.p_target_world);
+    Eigen::Vector3d p = target.p_world;
+    if (surface_ && target.force > 0.0) put_on_surface(p);
+    command.p_target_world = base_ < 0 ? p : base_world_ * p;
   }
 
  private:
@@ -130,6 +138,8 @@ class Pressing final : public MpcTask {
   std::optional<SurfaceEstimator> surface_;
   double depth_ = 0.0;  ///< m, that the surface is pressed in under the tool
   int tool_;
+  int base_;  ///< frame that the surface moves with; -1: the world
+  Eigen::Isometry3d base_world_ = Eigen::Isometry3d::Identity();  ///< its placement
   ContactDetector detector_;
   pressing::MeanForce mean_;
   pressing::FreeSpaceWatch free_space_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "burnish/report/svg_plot.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "pressing/record.hpp"
 #include "report/moving_mean.hpp"
 #include "report/trace_curves.hpp"
@@ -26,7 +27,8 @@ Curve thinned(Curve curve) {
 }
 
 PlotSpec force_plot(const PlottedRun& run) {
-  const Trace& trace = run.run.trace;
+  Trace room;
+  const Trace& trace = seen_from_surface(run.run.trace, room);
   const Eigen::Vector3d n = run.surface_axes.col(2);
   const Eigen::VectorXd time = trace.column("time"), force = along(trace, "tool_force", n);
   const Eigen::VectorXd target = trace.column("target_force");
@@ -64,7 +66,8 @@ PlotSpec force_plot(const PlottedRun& run) {
 }
 
 PlotSpec path_plot(const PlottedRun& run) {
-  const Trace& trace = run.run.trace;
+  Trace room;
+  const Trace& trace = seen_from_surface(run.run.trace, room);
   const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
   PlotSpec plot{.title = "Path of the tool in the surface, " + run.name, .columns = 2};
   plot.panel_width = 560;

@@ -98,17 +98,17 @@ CostTerm torque_cost(const Eigen::VectorXd& rest, double weight) {
 }
 
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,
-                    const Eigen::Matrix3d& surface_axes, double weight, double normal_weight) {
+                    const Reference& on_surface, double weight, double normal_weight) {
   return {.name = name,
-          .residual = residual::FramePosition{tool, position, Reference::world(surface_axes)},
+          .residual = residual::FramePosition{tool, position, on_surface},
           .weight = weight,
           .weights = Eigen::Vector3d(1.0, 1.0, normal_weight)};
 }
 
 CostTerm normal_speed_cost(const std::string& name, const std::string& tool, const Signal& target,
-                           const Eigen::Matrix3d& surface_axes, double weight) {
+                           const Reference& on_surface, double weight) {
   return {.name = name,
-          .residual = residual::FrameVelocity{tool, Reference::centered(surface_axes), target},
+          .residual = residual::FrameVelocity{tool, on_surface, target},
           .weight = weight,
           .weights = normal_twist(1.0)};
 }

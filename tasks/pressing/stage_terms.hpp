@@ -38,13 +38,14 @@ Eigen::VectorXd torque_limit(const Model& model, const PlanLimits& limits);
 Constraint force_limit(const Signal& force, double least, double scale, const PlanLimits& limits);
 /// Torques to `rest`.
 CostTerm torque_cost(const Eigen::VectorXd& rest, double weight);
-/// Of the tool's position, m in the world, along the surface and with a weight of its own along the
-/// normal, the third of the axes.
+/// Of the tool's position, m from the reference's origin, along the surface and with a weight of
+/// its own along the normal, the third of the reference's axes.
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,
-                    const Eigen::Matrix3d& surface_axes, double weight, double normal_weight);
-/// Of the tool's speed along the normal; `target`: the twist, of which that entry counts.
+                    const Reference& on_surface, double weight, double normal_weight);
+/// Of the tool's speed in the world along the normal, the third of the reference's axes, at the
+/// tool; `target`: the twist, of which that entry counts.
 CostTerm normal_speed_cost(const std::string& name, const std::string& tool, const Signal& target,
-                           const Eigen::Matrix3d& surface_axes, double weight);
+                           const Reference& on_surface, double weight);
 Eigen::VectorXd normal_twist(double speed);  ///< 6, m/s
 /// Of the force along the normal of the contact "surface".
 CostTerm force_cost(const Signal& force, double weight);

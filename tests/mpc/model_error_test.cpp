@@ -13,6 +13,7 @@
 #include "support/allocation_guard.hpp"
 #include "support/pressing_arm.hpp"
 #include "support/refusal.hpp"
+#include "support/robots.hpp"
 
 namespace burnish {
 namespace {
@@ -215,6 +216,40 @@ TEST(TorqueErrorObserver, starts_anew_after_a_reset) {
                                   Eigen::Vector3d::Zero(), 1e-3),
             Status::Ok);
   EXPECT_EQ(robot.observer.torque_error(), Eigen::VectorXd::Zero(model.nv).eval());
+}
+
+/// At rest tau = g - (J_tool - J_plate)^T f, both at the tool.
+TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carries) {
+  if (!test::has_robot_files) GTEST_SKIP() << "needs robots in files";
+  const Model model = test::named_robot("talos:two_arms");
+  RigidBody body(model);
+  const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(model.nq, -0.6, 0.5);
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(body.update(q, v), Status::Ok);
+  const int tool = body.frame("tool"), plate = body.frame("plate");
+  FrameDerivatives of_tool, of_plate;
+  body.frame_derivatives(tool, Reference::centered(), of_tool);
+  body.frame_derivatives(plate, Reference::centered(), of_plate);
+  const Eigen::Vector3d f(5.0, -20.0, 8.0);
+  const Eigen::Vector3d r =
+      body.placement(tool).translation() - body.placement(plate).translation();
+  const Eigen::VectorXd by_tool = of_tool.jacobian.topRows(3).transpose() * f;
+  const Eigen::VectorXd by_plate =
+      -of_plate.jacobian.transpose() * (Vector6() << f, r.cross(f)).finished();
+  ASSERT_GT(by_plate.norm(), 1.0);
+  const Eigen::VectorXd tau = body.gravity_torque() - by_tool - by_plate;
+  const ModelErrorOptions options{.bandwidth = 50.0};
+  TorqueErrorObserver knows(model, "tool", options, {}, "plate"), alone(model, "tool", options);
+  const AllocationGuard guard;
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(knows.update(q, v, tau, f, 1e-3), Status::Ok);
+    ASSERT_EQ(alone.update(q, v, tau, f, 1e-3), Status::Ok);
+  }
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_LT(knows.torque_error().norm(), 1e-9);
+  EXPECT_LT((alone.torque_error() - by_plate).norm(), 1e-3);
+  expect_words(refusal([&] { TorqueErrorObserver(model, "tool", options, {}, "plait"); }),
+               {"plait", "plate"});
 }
 
 TEST(TorqueErrorObserver, allocates_nothing) {

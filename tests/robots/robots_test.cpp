@@ -24,6 +24,8 @@ void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.nam
 const std::vector<Expected> robots{
     {"talos", 6 + 30, 94.00319, "half_sitting", {"tool", "left_sole_link", "right_sole_link"}},
     {"talos:right_arm", 6, 45.38333, "table", {"tool"}},
+    {"talos:two_arms", 16, 46.38333, "two_arms", {"tool", "plate"}},
+    {"talos:with_plate", 6 + 30, 95.00319, "standing_two_arms", {"tool", "plate"}},
     {"talos:fixed", 30, 78.64035, "half_sitting", {"tool", "left_sole_link", "right_sole_link"}},
     {"arm7", 7, 16.0, "ready", {"tool", "flange"}},
     {"arm7:six", 6, 16.0, "ready", {"tool", "flange"}},

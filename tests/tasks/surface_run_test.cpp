@@ -128,6 +128,9 @@ TEST(SurfaceRun, WhatDoesNotFitIsRefusedBeforeAnythingMoves) {
   refused({.kind = Kind::Sphere, .radius = 0.4},
           {"axes: the tool's own, on a sphere", "wanted surface"},
           [](Task& task) { task.axes = ForceAxes::Local; });
+  refused({.kind = Kind::Sphere, .radius = 0.4},
+          {"axes: the world's, on a sphere", "wanted surface"},
+          [](Task& task) { task.axes = ForceAxes::World; });
   refused({.kind = Kind::Cylinder, .radius = 0.015, .hollow = true},
           {"0.02 m does not fit into the hollow cylinder of radius 0.015 m"},
           [](Task& task) { task.path.radius = 0.001; });

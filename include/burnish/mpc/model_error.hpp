@@ -63,9 +63,11 @@ class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet
   /// that a robot stands on; of the torque error the part that loops carry moves nothing and is not
-  /// known, nor is what supports carry unless their wrenches are measured. Throws Error for an unknown frame and options out of range.
+  /// known, nor is what supports carry unless their wrenches are measured. `base`: frame of the robot
+  /// that the force pushes back at, where the tool is; empty: the world bears it. Throws Error for
+  /// an unknown frame and options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
-                      std::vector<ContactSpec> supports = {});
+                      std::vector<ContactSpec> supports = {}, const std::string& base = {});
   ~TorqueErrorObserver();
   TorqueErrorObserver(TorqueErrorObserver&&) noexcept;
   TorqueErrorObserver& operator=(TorqueErrorObserver&&) noexcept;

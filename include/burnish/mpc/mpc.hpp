@@ -75,7 +75,11 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   MakeTask task = {};         ///< events of the schedule, what is watched; none: neither
   std::string tool = "tool";  ///< frame that Measurement::tool_force_world acts at
-  /// That the tool presses along: of the surface, towards the robot. Friction is across it.
+  /// frame that the surface moves with, which the force on the tool pushes back at: of the robot, as
+  /// a plate in its other hand; empty: the world
+  std::string base = {};
+  /// That the tool presses along: of the surface, towards the robot. Friction is across it. In the
+  /// axes of `base`, with which it turns.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   double contact_threshold = 2.0;  ///< N along the normal that count as contact
   /// Contacts of the problem that the robot stands on, by their names: in every stage, and what the

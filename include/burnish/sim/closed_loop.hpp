@@ -30,7 +30,8 @@ struct ClosedLoopOptions {
 /// Columns, `<joint>` standing for a name of Model::v_name (of q_name for q):
 ///     time [s], phase [-], status [-]                  of Command
 ///     tool_x|y|z_world [m], tool_rx|ry|rz_start [rad]  true placement of the tip's frame; its
-///                                                      rotation since reset(), in its axes then
+///                                                      rotation since reset(), in its axes
+///                                                      then, against what carries the surface
 ///     target_x|y|z_world [m], target_force [N]         what the controller aims at
 ///     measured_force_x|y|z_world [N], estimated_force_x|y|z_world [N], push_x|y|z_world [N]
 ///     q_<joint>, measured_q_<joint>, v_<joint>, measured_v_<joint>
@@ -42,6 +43,9 @@ struct ClosedLoopOptions {
 ///     in_contact [-], plant_status [-], limited_joints [-], held_command [-]
 ///     solve_time [s], iterations [-], missed_deadline [-]
 ///     tick [-]                                         1 where the controller ticked
+///     surface_x|y|z_world [m], surface_rx|ry|rz_world [rad]
+///                                                      where the robot carries the surface: true
+///                                                      place and rotation vector of its frame
 ///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
 ///                                                      on the scene's supports, in their axes
 class ClosedLoop {
@@ -77,5 +81,10 @@ class ClosedLoop {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The trace as one sees it who moves with the surface: what its columns say of tool, target,
+/// forces and normals in the axes of the frame that carries it, places from its origin. Put into
+/// `room`; where the surface stands in the world it is the trace itself.
+const Trace& seen_from_surface(const Trace& trace, Trace& room);
 
 }  // namespace burnish

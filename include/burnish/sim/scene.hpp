@@ -1,7 +1,7 @@
 // What the tool meets: a surface of some shape, position and orientation, and a round tip.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <limits>
 #include <string>
 #include <vector>
@@ -24,8 +24,11 @@ struct SurfaceMotion {
   double way(double time) const noexcept;
 };
 
-/// A plane or a curved surface, or what of it stands over a square. All vectors in the world.
+/// A plane or a curved surface, or what of it stands over a square. All vectors in the axes of
+/// `frame`, points from its origin: in the world where there is none.
 struct SurfaceSpec {
+  /// of the robot, that the surface moves with, such as a plate in a hand; empty: it stands still
+  std::string frame = {};
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< any point on it, m; of a square, its middle
   /// out of the material, towards the robot; of a curved surface at its point
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
@@ -74,32 +77,42 @@ struct SceneSpec {
 
 /// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
 /// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,
-/// a shape that is none or that the tip does not fit into, an unknown frame of the tip or of a
-/// support, one that does not move, and a sole with one side.
+/// a shape that is none or that the tip does not fit into, an unknown frame of the tip, the surface
+/// or a support, one that does not move, a surface on the body of the tip, and a sole with one
+/// side.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
 /// The scene with its surface put under the tip at the configuration q (nq): `clearance` m between
-/// tip and surface along `normal` (world, any length). Throws Error as checked_scene() does.
+/// tip and surface along `normal` (in the axes of the surface, any length). Throws Error as
+/// checked_scene() does.
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                           const Eigen::Vector3d& normal, SceneSpec scene = {},
                           double clearance = 0.0);
 
-/// The surface in its place.
+/// The surface in its place, in the axes of its frame.
 Surface surface_of(const SurfaceSpec& surface);
 
+/// Of the surface's frame in the world at the configuration q (nq); the identity where it has none.
+/// What follows takes the tip as that frame sees it.
+Eigen::Isometry3d surface_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                                    const SurfaceSpec& surface);
+
+/// A surface that the robot carries as it stands in the world while its frame is there.
+SurfaceSpec in_world(SurfaceSpec surface, const Eigen::Isometry3d& placement);
+
 /// Distance from the tip to the surface, m; negative inside. The position of the tip's frame is in
-/// the world, the scene's normal of length one.
-double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
-/// The surface's normal at the tip, of length one. No allocation.
-Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world);
+/// the axes of the surface's, the scene's normal of length one.
+double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
+/// The surface's normal at the tip, of length one, in the same axes. No allocation.
+Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
 
 /// Where a point is, seen from the surface, m: along the two sides of its square from its middle,
 /// and above it. The scene's normal has length one. No allocation.
-Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p_world);
+Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p);
 
 /// Whether a tip there can touch the surface: its centre is above the square, or was while it
 /// touched and has sunk since (`in_contact`), however deep into what is soft. Always, where the
 /// plane has no end. No allocation.
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip_world, bool in_contact);
+bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact);
 
 }  // namespace burnish

@@ -34,7 +34,9 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PolishJob& job,
 }
 
 void add_path(RunPage& page, const Task& task, const Setting& setting) {
-  page.path_origin_world = setting.p_center;
+  page.path_origin_world =
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface) *
+      setting.p_center;
   const Path path(task.path);
   constexpr int most_points = 4000;
   const int points = std::clamp(static_cast<int>(task.polish_duration / 0.01), 2, most_points);
@@ -71,7 +73,12 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
     page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};
     if (std::isfinite(task.limits.deadline)) page.solver->deadline_ms = 1e3 * task.limits.deadline;
   }
-  pressing::add_run(page, result, result.setting.scene, task.disturbances, record_every);
+  SceneSpec scene = result.setting.scene;  // what the robot carries is drawn where it starts
+  if (!scene.surface.frame.empty())
+    scene.surface = in_world(
+        scene.surface,
+        surface_placement(result.setting.robot.model, result.setting.q_start, scene.surface));
+  pressing::add_run(page, result, scene, task.disturbances, record_every);
   return page;
 }
 

@@ -8,7 +8,9 @@
 
 namespace burnish::polishing {
 
-/// The task with everything resolved: robot, start, surface, path in the world, phases.
+/// The task with everything resolved: robot, start, surface, path in the world, phases. Of a
+/// surface that the robot carries (Task::surface_frame) what is in the world is in the axes of that
+/// frame.
 struct Setting {
   Robot robot;
   Eigen::VectorXd q_start;       ///< nq

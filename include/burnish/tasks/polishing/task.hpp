@@ -25,6 +25,18 @@ enum class ForceAxes {
   Surface,  ///< the surface's own: x, y along it, z out of it (the paper's centred frame where the
             ///< surface is aligned with the world)
   Local,    ///< the tool's: its axis that is closest to the normal at the start
+  World,    ///< the world's: those of the surface at the start, which stay where they are
+};
+
+/// How the robot itself moves the frame that carries the surface: from where it starts by shift * s
+/// and turn * s (a rotation vector), s = sin(2 pi frequency t) from contact on.
+struct Waving {
+  Eigen::Vector3d shift_world = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d turn_world = Eigen::Vector3d::Zero();   ///< rad
+  double frequency = 0.3;                                 ///< Hz
+  double start_up = 1.0;                                  ///< s until the full way
+  double position = 1e4;  ///< 1/m^2: the frame's origin to where it shall be
+  double rotation = 1e3;  ///< 1/rad^2: the frame's axes to what they shall be
 };
 
 /// Cost weights, per second of horizon. Each is (what it buys): doubling it halves the error that
@@ -61,14 +73,18 @@ struct Task {
   /// none. So is a named surface's, where the robot has none of that name.
   std::string posture = {};
   PostureLimits search = {};
-  Standing standing = {};  ///< of a robot whose base floats
+  Standing standing = {};     ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip
   /// that the tool presses along, in its frame, any length; without it see pressing_direction()
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< m
 
-  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
-  /// a point of the surface, m; without it `clearance` under the tool at the start
+  /// of the robot, that carries the surface, such as a plate in the other hand; empty: the world
+  std::string surface_frame = {};
+  Waving waving = {};  ///< of that frame
+  /// out of the surface, any length; in the axes of the frame that carries it
+  Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
+  /// a point of the surface, m, alike; without it `clearance` under the tool at the start
   std::optional<Eigen::Vector3d> point_world = {};
   SurfaceShape shape = {};  ///< plane, or what the surface is about that point
   /// m that there is surface beyond the path, on all four sides of a square about the path's
@@ -110,8 +126,9 @@ struct Task {
   double friction_speed = 0.1;
   /// rad/s, torque lag that plans know of; 0: none; the plant's is in disturbances
   double torque_cutoff = 0.0;
-  ForceAxes axes = ForceAxes::Surface;  ///< of contact and force: surface, or local (the tool's)
-  bool feedback = true;  ///< between plans follow their Riccati gains, not just their torques
+  ForceAxes axes =
+      ForceAxes::Surface;  ///< of contact and force: surface, local (the tool's) or world
+  bool feedback = true;    ///< between plans follow their Riccati gains, not just their torques
   ModelErrorOptions model_error = {
       .bandwidth = 120.0, .boost = 6.0, .calm = 0.25, .sliding_bandwidth = 360.0};
   SurfaceEstimateOptions surface_estimate = {};

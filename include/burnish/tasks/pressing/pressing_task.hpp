@@ -64,12 +64,14 @@ struct PlanLimits {
 /// the costs of the problem say; this is for the record, and for friction, which goes with the
 /// force.
 struct TaskTarget {
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< m
+  /// m; in the axes of MpcSpec::base where there is one
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   /// N, along the normal; 0: no contact wanted, and no friction is reckoned with
   double force = 0.0;
 };
 
-/// The surface that a round tip presses on, as the task believes it to be.
+/// The surface that a round tip presses on, as the task believes it to be; in the axes of
+/// MpcSpec::base where there is one.
 struct PressedSurface {
   SurfaceShape shape = {};
   Eigen::Vector3d point_world = Eigen::Vector3d::Zero();    ///< m, of it

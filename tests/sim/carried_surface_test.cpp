@@ -1,0 +1,161 @@
+// A surface that the robot carries itself: what it pushes, what is refused, how a run is seen.
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/mujoco/mujoco_plant.hpp"
+#include "burnish/robots/robot.hpp"
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
+#include "support/refusal.hpp"
+
+namespace burnish::test {
+using testing::expect_words;
+using testing::refusal;
+
+namespace {
+
+/// The tip 0.2 mm in the plate.
+SceneSpec plate_under_tip(const Robot& robot, double friction) {
+  SceneSpec scene;
+  scene.surface.frame = "plate";
+  scene.surface.friction = friction;
+  return scene_under_tip(robot.model, robot.reference_configuration(), {0.0, 0.0, 1.0}, scene,
+                         -2e-4);
+}
+
+/// Velocities that let the tip slide on the plate.
+Eigen::VectorXd sliding(const Model& model) {
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
+  for (const auto& [joint, rate] : {std::pair("arm_right_1_joint", 0.2),
+                                    {"arm_right_3_joint", -0.1},
+                                    {"arm_left_2_joint", 0.1}})
+    v[model.joints[static_cast<std::size_t>(model.joint_index(joint))].v_index] = rate;
+  return v;
+}
+
+TEST(CarriedSurface,
+     pushes_the_tip_as_it_is_pushed_back_so_that_momentum_is_that_of_gravity_alone) {
+  const Robot robot = load_robot("talos:with_plate");
+  const Model& model = robot.model;
+  const auto plant = make_mujoco_plant(model, plate_under_tip(robot, 0.4), {.dt = 1e-5});
+  RigidBody body(model);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(plant->reset(robot.reference_configuration(), sliding(model)), Status::Ok);
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  const Vector6 before = body.momentum();
+  const Eigen::Vector3d weight = body.mass() * model.gravity;
+  const Eigen::Vector3d com = body.com();
+  const Eigen::Vector3d n = body.placement(body.frame("plate")).linear().col(2);
+  ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+  const Eigen::Vector3d force = plant->contact_force_world();
+  EXPECT_GT(force.dot(n), 10.0);
+  EXPECT_GT((force - n.dot(force) * n).norm(), 1.0);  // it rubs
+  ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+  Vector6 expected;
+  expected << weight, com.cross(weight);
+  const Vector6 rate = (body.momentum() - before) / plant->dt();
+  // What is left is the step's: of the force at the tip it would be hundreds of times that.
+  EXPECT_LE((rate - expected).norm(), 0.02 * force.norm()) << (rate - expected).transpose();
+}
+
+/// A hand that is too heavy to move: what it carries is as good as the world's.
+TEST(CarriedSurface, pushes_as_one_in_the_world_where_its_frame_stands_still) {
+  Robot robot = load_robot("talos:two_arms");
+  for (const Joint& joint : robot.model.joints)
+    if (joint.name.rfind("arm_right", 0) != 0) robot.model.armature[joint.v_index] = 1e9;
+  const Eigen::VectorXd q = robot.reference_configuration();
+  SceneSpec carried = plate_under_tip(robot, 0.3);
+  carried.surface.motion = {.amplitude = 1e-4, .frequency = 5.0};
+  SceneSpec standing = carried;
+  standing.surface = in_world(carried.surface, surface_placement(robot.model, q, carried.surface));
+  const auto one = make_mujoco_plant(robot.model, carried);
+  const auto other = make_mujoco_plant(robot.model, standing);
+  Eigen::VectorXd v = sliding(robot.model);
+  v[robot.model.joints[static_cast<std::size_t>(robot.model.joint_index("arm_left_2_joint"))]
+        .v_index] = 0.0;
+  ASSERT_EQ(one->reset(q, v), Status::Ok);
+  ASSERT_EQ(other->reset(q, v), Status::Ok);
+  RigidBody body(robot.model);
+  double largest = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(body.update(one->q(), one->v()), Status::Ok);
+    const Eigen::VectorXd tau = body.gravity_torque();
+    ASSERT_EQ(one->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(other->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_LE((one->contact_force_world() - other->contact_force_world()).norm(), 1e-4) << i;
+    largest = std::max(largest, one->contact_force_world().norm());
+  }
+  EXPECT_GT(largest, 5.0);
+  EXPECT_LE((one->q() - other->q()).norm(), 1e-7);
+}
+
+TEST(CarriedSurface, is_refused_with_a_sentence_where_a_plant_has_none_or_nothing_can_move) {
+  const Robot robot = load_robot("talos:two_arms");
+  SceneSpec scene = plate_under_tip(robot, 0.0);
+  expect_words(refusal([&] { make_ideal_plant(robot.model, scene); }),
+               {"the ideal plant", "carries", "plate", "MuJoCo"});
+  expect_words(
+      refusal([&] { make_mujoco_plant(robot.model, scene, {.contact = MujocoContact::Engine}); }),
+      {"MuJoCo's own contact", "plate", "exact"});
+  scene.surface.frame = "plait";
+  expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"plait", "plate"});
+  scene.surface.frame = "wrist_right_ft_link";
+  expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"one body", "tool"});
+}
+
+/// Holds nothing, aims at a point of the plate.
+class Aim final : public Controller {
+ public:
+  explicit Aim(const Model& model) : body_(model), plate_(body_.frame("plate")) {
+    command_.tau = Eigen::VectorXd::Zero(model.nv);
+  }
+  int nv() const override { return static_cast<int>(command_.tau.size()); }
+  void reset() noexcept override {}
+  const Command& tick(const Measurement& m) noexcept override {
+    (void)body_.update(m.q, m.v);
+    command_.p_target_world = body_.placement(plate_) * Eigen::Vector3d(0.01, 0.02, 0.03);
+    return command_;
+  }
+
+ private:
+  RigidBody body_;
+  int plate_;
+  Command command_;
+};
+
+TEST(CarriedSurface, a_run_is_seen_from_it_as_if_it_stood_still) {
+  const Robot robot = load_robot("talos:two_arms");
+  const auto plant = make_mujoco_plant(robot.model, plate_under_tip(robot, 0.0));
+  Aim controller(robot.model);
+  ClosedLoop loop(*plant, controller, {}, {.control_period = plant->dt(), .max_duration = 0.3});
+  ASSERT_EQ(loop.reset(robot.reference_configuration(), sliding(robot.model)), Status::Ok);
+  ASSERT_EQ(loop.run(0.3), Status::Ok);  // limp, it falls
+  Trace room;
+  const Trace& seen = seen_from_surface(loop.trace(), room);
+  RigidBody body(robot.model);
+  const int last = seen.rows() - 1;
+  for (const int row : {0, last}) {
+    const auto at = [&](const char* what) {
+      const int column = seen.index(what);
+      return Eigen::Vector3d(seen.at(row, column), seen.at(row, column + 1),
+                             seen.at(row, column + 2));
+    };
+    Eigen::VectorXd q(robot.model.nq);
+    for (int k = 0; k < robot.model.nq; ++k)
+      q[k] = seen.at(row, seen.index("q_" + robot.model.q_name(k)));
+    ASSERT_EQ(body.update(q, Eigen::VectorXd::Zero(robot.model.nv)), Status::Ok);
+    const Eigen::Isometry3d plate = body.placement(body.frame("plate"));
+    const Eigen::Vector3d tool = body.placement(body.frame("tool")).translation();
+    EXPECT_LE((at("tool_x_world") - plate.inverse() * tool).norm(), 1e-9);
+    EXPECT_LE((at("target_x_world") - Eigen::Vector3d(0.01, 0.02, 0.03)).norm(), 1e-9);
+    EXPECT_LE((at("surface_normal_x_world") - Eigen::Vector3d::UnitZ()).norm(), 1e-9);
+    EXPECT_LE((at("surface_x_world") - plate.translation()).norm(), 1e-12);
+  }
+  // It did move.
+  EXPECT_GT(std::abs(seen.at(last, seen.index("surface_z_world")) -
+                     seen.at(0, seen.index("surface_z_world"))),
+            0.01);
+}
+
+}  // namespace
+}  // namespace burnish::test
