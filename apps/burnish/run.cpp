@@ -9,6 +9,8 @@
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
 #include "progress_bar.hpp"
+#include "push_wall/descriptions.hpp"
+#include "push_wall/record.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
 #include "robot_arguments.hpp"
@@ -90,14 +92,21 @@ int run_as(const RunArguments& a) {
   return result.done ? exit_ok : exit_failed;
 }
 
-/// All tasks that a file may name.
+bool says_task(const std::string& file, const std::string& name) {
+  const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
+  return task && task->is(name);
+}
+
+/// All tasks that a file may name; one that names none of them is refused as the last.
 int run(const RunArguments& arguments) {
+  if (says_task(arguments.file, "push_wall"))
+    return run_as<push_wall::Task, push_wall::RunSpec, push_wall::RunName>(arguments);
   return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
 }
 
 /// What is run.
 void add_run_task_options(CLI::App* command, RunArguments& a) {
-  command->add_option("TASK", a.file, "Task file that says `task: press_hold`")
+  command->add_option("TASK", a.file, "Task file that says `task: press_hold` or another")
       ->type_name("")
       ->required();
   command
