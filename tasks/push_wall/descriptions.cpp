@@ -70,7 +70,7 @@ const Description& description_of(const Lean* /*of*/) {
           .field("give", &L::give,
                  "{N} that the mean of both hands over 0.1 s may be below the target", positive)
           .field("slip", &L::slip,
-                 "{m} that a hand or foot may have moved since it made contact", positive)
+                 "{m} that a hand or foot may have slid", positive)
           .field("share", &L::share, "of the force then, that is held afterwards", range::share)
           .field("hold_duration", &L::hold_duration, "{s} that this is held", positive);
   return all;
@@ -151,7 +151,7 @@ Describe<T>& describe_rest(Describe<T>& task) {
           "limits")
       .field("force_limit", &T::force_limit, "{N} of a hand, mean over 5 ms", limit)
       .key("force")
-      .field("slip", &T::slip, "{m} that a hand or foot may be off where it made contact", limit)
+      .field("slip", &T::slip, "{m} that a hand or foot may have slid", limit)
       .field("sink", &T::sink, "{m} that the centre of mass may be below where it starts", limit)
       .field("late_contact", &T::late_contact, "{s} that contact may come late", limit)
       .field("contact_lost", &T::contact_lost,

@@ -35,7 +35,7 @@ void each_push_figure(const See& see) {
                   "lean of the centre of mass", 1},
       &P::lean);
   see(FigureEntry{"hand_slip", metre,
-                  "farthest that a hand was off where it was as the ramp began, along the wall",
+                  "farthest that a hand slid along the wall since the ramp began; rolling is none",
                   "slip of a hand", 2},
       &P::hand_slip);
   see(FigureEntry{"foot_slip", metre,

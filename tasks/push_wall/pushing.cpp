@@ -16,6 +16,14 @@ constexpr unsigned contact_event = 1U, limit_event = 2U;  // bits
 
 }  // namespace
 
+Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
+                     const Eigen::Vector3d& normal, double radius) noexcept {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * contact.linear().transpose()));
+  const Eigen::Vector3d rolled = radius * (turn.angle() * turn.axis()).cross(normal);
+  const Eigen::Vector3d off = now.translation() - contact.translation() - rolled;
+  return off - normal * normal.dot(off);
+}
+
 Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
                  std::shared_ptr<LeanState> lean)
     : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()) {
@@ -38,10 +46,7 @@ std::vector<WatchedQuantity> Pushing::watched() const {
 }
 
 void Pushing::reset() noexcept {
-  for (std::size_t h = 0; h < 2; ++h) {
-    hands_[h] = {.frame = hands_[h].frame};
-    hands_[h].p_contact = setting_.p_hands[h];
-  }
+  for (Hand& hand : hands_) hand = {.frame = hand.frame};
   behind_ = infeasible_ = late_ = 0.0;
   lean_->reached = -1.0;
   lean_->limit = 0;
@@ -71,7 +76,7 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
     });
     late_ = view.schedule.waits() ? late_ + view.dt : 0.0;
     if (!both) return 0;
-    for (Hand& hand : hands_) hand.p_contact = view.body.placement(hand.frame).translation();
+    for (Hand& hand : hands_) hand.contact = view.body.placement(hand.frame);
     return contact_event;
   }
   late_ = 0.0;
@@ -103,8 +108,9 @@ double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept 
   double most = 0.0;
   for (int h = 0; h < 2; ++h) {
     const Hand& hand = hands_[static_cast<std::size_t>(h)];
-    const Eigen::Vector3d off = body.placement(hand.frame).translation() - hand.p_contact;
-    const double slip = (setting_.wall_axes.leftCols<2>().transpose() * off).norm();
+    const double slip = slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2),
+                             task_.tip_radius)
+                            .norm();
     if (slip > most) worst = h;
     most = std::max(most, slip);
   }
@@ -140,7 +146,7 @@ void Pushing::watch(const TaskView& view, std::span<Reading> out) noexcept {
 }
 
 void Pushing::aim(double time, Command& command) {
-  command.p_target_world = setting_.p_hands[1];
+  command.p_target_world = setting_.p_hands.col(1);
   command.target_force = force_at(task_, setting_, *lean_, time);
 }
 

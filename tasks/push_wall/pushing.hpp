@@ -14,6 +14,11 @@ enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
 /// s in which the force comes down from the largest one to the share that is held.
 inline constexpr double back_duration = 0.5;
 
+/// m, along the wall: how far a ball of this radius at a frame's origin has slid from where it made
+/// contact. What it has rolled, r theta x n with theta its turn and n the normal, is no sliding.
+Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
+                     const Eigen::Vector3d& normal, double radius) noexcept;
+
 /// Its events are "contact", both hands above the threshold, and "limit", see Limit.
 class Pushing final : public MpcTask {
  public:
@@ -32,7 +37,7 @@ class Pushing final : public MpcTask {
     int frame = -1;
     double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
     double without = 0.0;             ///< s without force
-    Eigen::Vector3d p_contact = Eigen::Vector3d::Zero();  ///< m, world
+    Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
   };
   void feel(const TaskView& view) noexcept;
   double slip_of_hands(const RigidBody& body, int& worst) const noexcept;

@@ -53,7 +53,7 @@ RunPage make_run_page(const RunName& run, const RunResult& result, int record_ev
       page.metrics.push_back(page_metric({entry, entry.name, entry.meaning, *result.push.*member}));
     });
   page.phase_names = phase_names();
-  page.path_origin_world = setting.p_hands[1];
+  page.path_origin_world = setting.p_hands.col(1);
   page.path_u = page.path_w = Eigen::VectorXd::Zero(2);
   pressing::add_run(page, result, setting.scene, task.disturbances, record_every);
   page.solver = PageSolver{.period_ms = 1e3 / task.update_rate};
@@ -74,7 +74,7 @@ std::vector<std::string> write_run(const RunName& run, const RunResult& result,
                                      .run = result,
                                      .model = setting.robot.model,
                                      .surface_axes = setting.wall_axes,
-                                     .origin_world = setting.p_hands[1],
+                                     .origin_world = setting.p_hands.col(1),
                                      .phase = hold,
                                      .phase_title = "while it holds",
                                      .update_period = 1.0 / run.spec.task.update_rate,

@@ -48,7 +48,7 @@ class Replay {
     const Eigen::Vector3d f = wrench_force(task_.hands[hand], row);
     return (body_.placement(hands_[hand]).linear() * f).dot(setting_.wall_axes.col(2));
   }
-  Eigen::Vector3d hand(std::size_t h) const { return body_.placement(hands_[h]).translation(); }
+  Eigen::Isometry3d hand(std::size_t h) const { return body_.placement(hands_[h]); }
   Eigen::Vector3d foot(std::size_t i) const { return body_.placement(feet_[i]).translation(); }
   Eigen::Vector3d com() const { return body_.com(); }
   /// Of half its sides, how far the pressure is off the middle of a sole.
@@ -106,7 +106,7 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
   std::array<Eigen::VectorXd, 2> forces;
   for (Eigen::VectorXd& force : forces) force = Eigen::VectorXd::Zero(time.size());
   Replay at(task, result);
-  std::array<Eigen::Vector3d, 2> p_contact = result.setting.p_hands;
+  std::array<Eigen::Isometry3d, 2> contact;
   std::vector<Eigen::Vector3d> start;
   const Eigen::Vector3d n = result.setting.wall_axes.col(2);
   bool pushes = false;
@@ -121,9 +121,10 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
     const bool now = in >= ramp && in <= release;
     for (std::size_t h = 0; h < 2; ++h) {
       forces[h][row] = at.force(h, row);
-      if (now && !pushes) p_contact[h] = at.hand(h);
-      const Eigen::Vector3d off = at.hand(h) - p_contact[h];
-      if (now) figures.hand_slip = std::max(figures.hand_slip, (off - n * n.dot(off)).norm());
+      if (now && !pushes) contact[h] = at.hand(h);
+      if (now)
+        figures.hand_slip = std::max(
+            figures.hand_slip, slid(contact[h], at.hand(h), n, task.tip_radius).norm());
     }
     pushes = now;
     figures.lean = std::max(figures.lean, (result.setting.com - at.com()).dot(n));

@@ -8,6 +8,7 @@
 namespace burnish::push_wall {
 
 const Description& description_of(const PushFigures*);
+const Description& description_of(const Setting*);
 const Description& description_of(const RunSpec*);
 
 }  // namespace burnish::push_wall

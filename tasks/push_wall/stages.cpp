@@ -1,5 +1,6 @@
 // The task as stages over time, with the wall, the hands and the feet in their places.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/entry_error.hpp"
@@ -19,7 +20,7 @@ using Shared = std::shared_ptr<LeanState>;
 /// Both hands, each with its name and number.
 template <class See>
 void each_hand(const Task& task, const See& see) {
-  for (std::size_t h = 0; h < 2; ++h) see(task.hands[h], h);
+  for (int h = 0; h < 2; ++h) see(task.hands[static_cast<std::size_t>(h)], h);
 }
 
 struct Builder {
@@ -70,10 +71,10 @@ struct Builder {
     }
     return terms;
   }
-  CostTerm place(const std::string& hand, std::size_t h, double along_normal) const {
+  CostTerm place(const std::string& hand, int h, double along_normal) const {
     const Eigen::Vector3d start = frame_placement(model, setting.q_start, hand).translation();
     return pressing::place_cost("place of " + hand, hand,
-                                Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands[h]),
+                                Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)),
                                 setting.wall_axes, task.weights.position, along_normal);
   }
   CostTerm move(const std::string& hand, const Signal& speed) const {
@@ -121,7 +122,7 @@ struct Builder {
   }
   std::vector<Stage> stages() const {
     std::vector<Stage> all{stage("stand"), stage("approach"), stage("push"), stage("retreat")};
-    each_hand(task, [&](const std::string& hand, std::size_t h) {
+    each_hand(task, [&](const std::string& hand, int h) {
       all[0].costs.push_back(place(hand, h, 1.0));
       all[1].costs.push_back(place(hand, h, 0.0));
       all[1].costs.push_back(move(hand, pressing::normal_twist(-task.approach_speed)));
@@ -148,10 +149,10 @@ void check_hands(const Model& model, const Task& task) {
 void place_wall(const Task& task, Setting& s) {
   constexpr double most = 0.05;  // m that one hand may have farther to go
   const Eigen::Vector3d n = s.wall_axes.col(2);
-  std::array<double, 2> height;
-  each_hand(task, [&](const std::string& hand, std::size_t h) {
-    s.p_hands[h] = frame_placement(s.robot.model, s.q_start, hand).translation();
-    height[h] = s.p_hands[h].dot(n);
+  Eigen::Vector2d height;
+  each_hand(task, [&](const std::string& hand, int h) {
+    s.p_hands.col(h) = frame_placement(s.robot.model, s.q_start, hand).translation();
+    height[h] = s.p_hands.col(h).dot(n);
   });
   if (std::abs(height[0] - height[1]) > most)
     throw EntryError("posture", "hand " + in_quotes(task.hands[height[0] > height[1] ? 0 : 1]) +
@@ -159,7 +160,7 @@ void place_wall(const Task& task, Setting& s) {
                                     " m farther to the wall than the other; wanted at most " +
                                     number(most) + " m, another start or another wall.normal");
   const double level = std::min(height[0], height[1]) - task.clearance;
-  for (std::size_t h = 0; h < 2; ++h) s.p_hands[h] += (level - height[h]) * n;
+  for (std::size_t h = 0; h < 2; ++h) s.p_hands.col(h) += (level - height[h]) * n;
 }
 
 /// Feet on the ground, hands on the wall.
@@ -168,13 +169,13 @@ SceneSpec make_scene(const Task& task, const Setting& s) {
   const Eigen::Vector3d n = s.wall_axes.col(2);
   SceneSpec scene;
   scene.tip = {task.hands[1], smaller * task.tip_radius};
-  scene.surface.point = 0.5 * (s.p_hands[0] + s.p_hands[1]) - task.tip_radius * n;
+  scene.surface.point = s.p_hands.rowwise().mean() - task.tip_radius * n;
   scene.surface.normal = n;
   scene.surface.friction = task.wall.friction;
   scene.surface.stiffness = task.wall.stiffness;
   scene.surface.damping = task.wall.damping;
   scene.supports = pressing::supports_at(s.robot.model, task.standing, s.q_start);
-  each_hand(task, [&](const std::string& hand, std::size_t) {
+  each_hand(task, [&](const std::string& hand, int) {
     scene.supports.push_back({.frame = hand,
                               .radius = task.tip_radius,
                               .point = scene.surface.point,
@@ -192,7 +193,7 @@ SceneSpec make_scene(const Task& task, const Setting& s) {
 Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   const Eigen::Vector3d below(s.com.x(), s.com.y(), ground);
   Eigen::Vector3d m = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : s.p_hands) m += (p - below).cross(s.wall_axes.col(2));
+  for (int h = 0; h < 2; ++h) m += (s.p_hands.col(h) - below).cross(s.wall_axes.col(2));
   return {-m.y() / weight, m.x() / weight, 0.0};
 }
 

@@ -2,7 +2,6 @@
 // hands along the wall's normal, holds that, and leans to the largest force that it can hold.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -46,7 +45,7 @@ struct Lean {
   double rate = 10.0;       ///< N/s, of each hand
   double force_max = 200.0; ///< N of each hand, where it ends at the latest
   double give = 5.0;        ///< N that the mean of both hands over 0.1 s may be below the target
-  double slip = 3e-3;       ///< m that a hand or foot may have moved since it made contact
+  double slip = 3e-3;       ///< m that a hand or foot may have slid
   double share = 0.9;       ///< of the force then, that is held afterwards
   double hold_duration = 2.0;  ///< s that this is held
 };
@@ -72,7 +71,7 @@ struct Task {
   double tip_radius = 0.02;  ///< m, of those balls
 
   Wall wall = {};
-  Standing standing = {.feet = {"left_sole_link", "right_sole_link"}, .balance = 100.0};
+  Standing standing = {.feet = {"left_sole_link", "right_sole_link"}};
 
   double clearance = 0.02;        ///< m between hands and wall at the start
   double settle_duration = 0.5;   ///< s of standing before
@@ -81,7 +80,7 @@ struct Task {
   double ramp_duration = 1.5;     ///< s from touch_force to force
   double hold_duration = 3.0;     ///< s that the force is held
   Lean lean = {};
-  double release_duration = 1.5;  ///< s back to touch_force
+  double release_duration = 3.0;  ///< s back to touch_force
   double retreat_duration = 1.0;  ///< s off the wall, by the clearance
 
   double tick_rate = 1000.0;    ///< Hz, of torque commands
@@ -96,7 +95,7 @@ struct Task {
   PlanLimits constraints = {};
 
   double force_limit = 400.0;  ///< N of a hand, mean over 5 ms
-  double slip = 0.02;          ///< m that a hand or foot may be off where it made contact
+  double slip = 0.02;          ///< m that a hand or foot may have slid
   double sink = 0.15;          ///< m that the centre of mass may be below where it starts
   double late_contact = 3.0;   ///< s that contact may come late
   double contact_lost = 0.3;   ///< s that a hand may be without force while it is to press
@@ -130,7 +129,7 @@ struct Setting {
   /// wall, and its tip a smaller ball in the second hand that never touches it.
   SceneSpec scene;
   Eigen::Matrix3d wall_axes;               ///< columns: two tangents and the normal, world
-  std::array<Eigen::Vector3d, 2> p_hands;  ///< of the hands in contact, m, world
+  Eigen::Matrix<double, 3, 2> p_hands;     ///< of the hands in contact, m, world; columns
   Eigen::Vector3d com;                     ///< centre of mass at the start, m, world
   /// m/N, world, level: how far the centre of mass goes per N of each hand so that the pressure
   /// under the feet stays where it is
@@ -178,7 +177,7 @@ struct PushFigures {
   double largest_rmse = 0.0;   ///< N, of the worse hand off the target then
   double lean_force = 0.0;     ///< N of each hand, target where the search ended
   double lean = 0.0;         ///< m, that the centre of mass went to the wall, largest
-  double hand_slip = 0.0;    ///< m, farthest that a hand was off where it made contact
+  double hand_slip = 0.0;    ///< m, farthest that a hand slid along the wall; rolling is none
   double foot_slip = 0.0;    ///< m, farthest that a foot was off its start, along the ground
   double sole_share = 0.0;   ///< largest share of half a sole's side off its middle, of pressure
 };
