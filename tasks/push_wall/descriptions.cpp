@@ -26,6 +26,10 @@ const Description& description_of(const Weights* /*of*/) {
                  not_negative)
           .field("approach", &W::approach,
                  "{s^2/m^2}: speed along the normal to that of approach and retreat", not_negative)
+          .field("inclination", &W::inclination,
+                 "{1/rad^2}: hands to their axis along the normal at the start; what tilts costs "
+                 "torque of the wrists",
+                 not_negative)
           .field("posture", &W::posture,
                  "{1/rad^2}: joints to the start; more keeps the body from leaning", not_negative)
           .field("velocity", &W::velocity, "{s^2/rad^2}: joint speeds", not_negative)

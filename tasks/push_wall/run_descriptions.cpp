@@ -41,6 +41,9 @@ const Description& description_of(const Setting* /*of*/) {
                  "m/N, world, level: how far the centre of mass goes per N of each hand so that "
                  "the pressure under the feet stays where it is")
           .required()
+          .field("room", &S::room,
+                 "{m} that the pressure lies before the middle of the feet at the start, on the "
+                 "side of the wall")
           .field("touch", &S::touch, "{s} of the schedule")
           .field("ramp_end", &S::ramp_end, "{s} of the schedule")
           .field("hold_end", &S::hold_end, "{s} of the schedule")

@@ -23,6 +23,18 @@ void each_hand(const Task& task, const See& see) {
   for (int h = 0; h < 2; ++h) see(task.hands[static_cast<std::size_t>(h)], h);
 }
 
+/// m, world: where the centre of mass is to be while each hand pushes with a force, N. The pressure
+/// goes back to the middle of the feet first, and then the body leans so that it stays there; what
+/// is between is rounded over a centimetre.
+Eigen::Vector3d com_at(const Setting& setting, double force) {
+  constexpr double round = 0.01;  // m
+  const double length = setting.com_per_force.norm();
+  if (!(length > 0.0)) return setting.com;
+  const double way = force * length - setting.room;
+  const double lean = 0.5 * (way + std::hypot(way, round));
+  return setting.com + lean / length * setting.com_per_force;
+}
+
 struct Builder {
   const Task& task;
   const Setting& setting;
@@ -39,7 +51,7 @@ struct Builder {
   Signal com() const {
     return Signal::over_time(
         3, [task = task, setting = setting, lean = lean](double t, Eigen::Ref<Eigen::VectorXd> p) {
-          p = setting.com + force_at(task, setting, *lean, t) * setting.com_per_force;
+          p = com_at(setting, force_at(task, setting, *lean, t));
         });
   }
   Signal hand_force() const {
@@ -69,6 +81,14 @@ struct Builder {
       if (term.name == "balance") term.residual = residual::CenterOfMass{com()};
       terms.push_back(std::move(term));
     }
+    each_hand(task, [&](const std::string& hand, int) {
+      const Eigen::Matrix3d R = frame_placement(model, setting.q_start, hand).linear();
+      terms.push_back(
+          {.name = "inclination of " + hand,
+           .residual = residual::FrameInclination{hand, Reference::world(setting.wall_axes),
+                                                  R.transpose() * setting.wall_axes.col(2)},
+           .weight = w.inclination});
+    });
     return terms;
   }
   CostTerm place(const std::string& hand, int h, double along_normal) const {
@@ -197,6 +217,14 @@ Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
   return {-m.y() / weight, m.x() / weight, 0.0};
 }
 
+/// See Setting::room.
+double room_of(const Setting& s, std::size_t feet) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < feet; ++i)
+    middle += s.scene.supports[i].point / static_cast<double>(feet);
+  return std::max(0.0, (s.com - middle).dot(s.com_per_force.normalized()));
+}
+
 }  // namespace
 
 std::string name_of(Limit limit) {
@@ -235,6 +263,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
   s.com = body.com();
   s.com_per_force = com_per_force(s, body.mass() * robot.model.gravity.norm(),
                                   s.scene.supports.front().point.z());
+  s.room = room_of(s, task.standing.feet.size());
   s.touch = task.settle_duration + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
   s.hold_end = s.ramp_end + task.hold_duration;

@@ -24,6 +24,7 @@ struct Weights {
   double friction = 1e-2; ///< 1/N^2: of each hand along the wall to none
   double position = 1e4;  ///< 1/m^2: hands to their places along the wall, while they do not hold
   double approach = 1e3;  ///< s^2/m^2: speed along the normal to that of approach and retreat
+  double inclination = 10.0;  ///< 1/rad^2: hands to their axis along the normal at the start
   double posture = 0.1;   ///< 1/rad^2: joints to the start; more keeps the body from leaning
   double velocity = 5.0;  ///< s^2/rad^2: joint speeds
   double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
@@ -80,7 +81,7 @@ struct Task {
   double ramp_duration = 1.5;     ///< s from touch_force to force
   double hold_duration = 3.0;     ///< s that the force is held
   Lean lean = {};
-  double release_duration = 3.0;  ///< s back to touch_force
+  double release_duration = 5.0;  ///< s back to touch_force
   double retreat_duration = 1.0;  ///< s off the wall, by the clearance
 
   double tick_rate = 1000.0;    ///< Hz, of torque commands
@@ -134,6 +135,9 @@ struct Setting {
   /// m/N, world, level: how far the centre of mass goes per N of each hand so that the pressure
   /// under the feet stays where it is
   Eigen::Vector3d com_per_force;
+  /// m that the pressure lies before the middle of the feet at the start, on the side of the wall:
+  /// so far it may go back before the robot leans
+  double room = 0.0;
   double touch = 0.0, ramp_end = 0.0, hold_end = 0.0, lean_end = 0.0, top_end = 0.0,
          release_end = 0.0;  ///< s of the schedule
 };
