@@ -115,7 +115,8 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
       if (row == 0) start.push_back(at.foot(i));
       figures.foot_slip =
           std::max(figures.foot_slip, (at.foot(i) - start[i]).head<2>().norm());
-      figures.sole_share = std::max(figures.sole_share, at.sole_share(i, row));
+      if (phase[row] >= 1.0)  // once it stands
+        figures.sole_share = std::max(figures.sole_share, at.sole_share(i, row));
     }
     const auto in = static_cast<int>(phase[row]);
     const bool now = in >= ramp && in <= release;

@@ -46,7 +46,7 @@ struct Lean {
   double rate = 10.0;       ///< N/s, of each hand
   double force_max = 200.0; ///< N of each hand, where it ends at the latest
   double give = 5.0;        ///< N that the mean of both hands over 0.1 s may be below the target
-  double slip = 3e-3;       ///< m that a hand or foot may have slid
+  double slip = 0.01;       ///< m that a hand or foot may have slid
   double share = 0.9;       ///< of the force then, that is held afterwards
   double hold_duration = 2.0;  ///< s that this is held
 };
@@ -72,7 +72,7 @@ struct Task {
   double tip_radius = 0.02;  ///< m, of those balls
 
   Wall wall = {};
-  Standing standing = {.feet = {"left_sole_link", "right_sole_link"}};
+  Standing standing = {.feet = {"left_sole_link", "right_sole_link"}, .balance = 1e4};
 
   double clearance = 0.02;        ///< m between hands and wall at the start
   double settle_duration = 0.5;   ///< s of standing before
@@ -96,7 +96,7 @@ struct Task {
   PlanLimits constraints = {};
 
   double force_limit = 400.0;  ///< N of a hand, mean over 5 ms
-  double slip = 0.02;          ///< m that a hand or foot may have slid
+  double slip = 0.03;          ///< m that a hand or foot may have slid
   double sink = 0.15;          ///< m that the centre of mass may be below where it starts
   double late_contact = 3.0;   ///< s that contact may come late
   double contact_lost = 0.3;   ///< s that a hand may be without force while it is to press
