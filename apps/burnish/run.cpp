@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "command.hpp"
@@ -92,14 +93,15 @@ int run_as(const RunArguments& a) {
   return result.done ? exit_ok : exit_failed;
 }
 
-bool says_task(const std::string& file, const std::string& name) {
-  const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
-  return task && task->is(name);
-}
-
-/// All tasks that a file may name; one that names none of them is refused as the last.
+/// All tasks that a file may name; one that names no task is refused as the first of them.
 int run(const RunArguments& arguments) {
-  if (says_task(arguments.file, "push_wall"))
+  const std::vector<std::string> names{"press_hold", "push_wall"};
+  const std::string& file = arguments.file;
+  const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
+  if (task && !task->is(names[0]) && !task->is(names[1]))
+    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + names[0] +
+                 " or " + names[1] + did_you_mean(task->node().text, names));
+  if (task && task->is("push_wall"))
     return run_as<push_wall::Task, push_wall::RunSpec, push_wall::RunName>(arguments);
   return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
 }

@@ -93,6 +93,15 @@ TEST(PushWall, starts_with_both_hands_before_the_wall) {
   EXPECT_EQ(s.scene.supports.size(), 4U);
 }
 
+TEST(PushWall, hands_that_hold_in_some_stages_only_are_to_be_measured) {
+  const Task task = talos_task();
+  MpcSpec mpc = make_mpc(task, make_setting(task));
+  EXPECT_EQ(refusal([&] { MpcController fits(mpc); }), "");
+  mpc.support_sensors = false;
+  expect_words(refusal([&] { MpcController wrong(mpc); }),
+               {"stage 'stand' does without support 'left_tool'", "support_sensors"});
+}
+
 TEST(PushWall, rolling_is_no_sliding) {
   const double r = 0.02, angle = 0.3;
   const Eigen::Vector3d n = -Eigen::Vector3d::UnitX(), axis = Eigen::Vector3d::UnitY();
