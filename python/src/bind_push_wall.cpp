@@ -18,8 +18,8 @@ using PushSetting = push_wall::Setting;
 
 py::tuple push_state(const PushRun& run) {
   const auto& r = run.result;
-  return py::make_tuple(run.spec, state_of(r), r.setting, r.done, r.push,
-                        static_cast<int>(r.limit), r.limited_by);
+  return py::make_tuple(run.spec, state_of(r), r.setting, r.done, r.push, static_cast<int>(r.limit),
+                        r.limited_by);
 }
 
 PushRun push_run_of(const py::tuple& state) {
@@ -40,8 +40,7 @@ void bind_push_result(py::module_& m) {
   bind_task_run(of, "One sentence: what it pushed with, or what came in between.");
   add_result(of, "setting", &push_wall::RunResult::setting,
              "Setting: the task with everything resolved; a copy.");
-  add_result(of, "done", &push_wall::RunResult::done,
-             "Whether the end was reached without fault.");
+  add_result(of, "done", &push_wall::RunResult::done, "Whether the end was reached without fault.");
   add_result(of, "push", &push_wall::RunResult::push,
              "PushFigures; None where the hold did not come to its end.");
   add_result(of, "limit", &push_wall::RunResult::limit,
@@ -93,7 +92,8 @@ void bind_push_wall(py::module_& m) {
   m.def(
       "push_make_setting", [](const PushTask& task) { return make_setting(task); }, py::arg("task"),
       py::call_guard<py::gil_scoped_release>(),
-      "Setting of a task. Raises Error for a robot, posture, hand or foot that there is not, and for "
+      "Setting of a task. Raises Error for a robot, posture, hand or foot that there is not, and "
+      "for "
       "hands of which one has much farther to go than the other.");
   m.def(
       "push_refuse_out_of_reach",
@@ -112,7 +112,8 @@ void bind_push_wall(py::module_& m) {
       "MpcController of the task, for a loop of your own. Its schedule's phases are PHASES.");
   m.def(
       "push_phase_names", [] { return push_wall::phase_names(); },
-      "Of the schedule, as the numbers of a trace: settle, approach, ramp, hold, lean, top, release, "
+      "Of the schedule, as the numbers of a trace: settle, approach, ramp, hold, lean, top, "
+      "release, "
       "retreat.");
   m.def(
       "push_run_task",

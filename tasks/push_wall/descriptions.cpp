@@ -54,8 +54,7 @@ const Description& description_of(const Wall* /*of*/) {
           .field("friction", &W::friction, "Coulomb coefficient of the plant", not_negative)
           .field("stiffness", &W::stiffness, "{N/m}, of the plant, under each hand", positive)
           .field("damping", &W::damping, "{Ns/m}, of the plant, under each hand", positive)
-          .field("plan_friction", &W::plan_friction, "coefficient that plans keep within",
-                 positive)
+          .field("plan_friction", &W::plan_friction, "coefficient that plans keep within", positive)
           .field("contact_kd", &W::contact_kd,
                  "{1/s}, damping of the hands' constraint (Baumgarte)", not_negative);
   return all;
@@ -73,8 +72,7 @@ const Description& description_of(const Lean* /*of*/) {
                  positive)
           .field("give", &L::give,
                  "{N} that the mean of both hands over 0.1 s may be below the target", positive)
-          .field("slip", &L::slip,
-                 "{m} that a hand or foot may have slid", positive)
+          .field("slip", &L::slip, "{m} that a hand or foot may have slid", positive)
           .field("share", &L::share, "of the force then, that is held afterwards", range::share)
           .field("hold_duration", &L::hold_duration, "{s} that this is held", positive);
   return all;
@@ -125,8 +123,7 @@ Describe<T>& describe_phases(Describe<T>& task) {
       .field("retreat_duration", &T::retreat_duration, "{s} off the wall, by the clearance",
              positive)
       .group("")
-      .field("lean", &T::lean,
-             "How the largest force is looked for, and when the search is over.");
+      .field("lean", &T::lean, "How the largest force is looked for, and when the search is over.");
 }
 
 Describe<T>& describe_controller(Describe<T>& task) {

@@ -24,8 +24,7 @@ void each_push_figure(const See& see) {
                   "mean of the weaker hand while the largest force is held", "largest force held",
                   1},
       &P::largest_force);
-  see(FigureEntry{"largest_rmse", newton,
-                  "root mean square error of the worse hand's force then",
+  see(FigureEntry{"largest_rmse", newton, "root mean square error of the worse hand's force then",
                   "force error at the largest, rms"},
       &P::largest_rmse);
   see(FigureEntry{"lean_force", newton, "of each hand, asked for where the search ended",
@@ -38,8 +37,8 @@ void each_push_figure(const See& see) {
                   "farthest that a hand slid along the wall since the ramp began; rolling is none",
                   "slip of a hand", 2},
       &P::hand_slip);
-  see(FigureEntry{"foot_slip", metre,
-                  "farthest that a foot was off its start, along the ground", "slip of a foot", 2},
+  see(FigureEntry{"foot_slip", metre, "farthest that a foot was off its start, along the ground",
+                  "slip of a foot", 2},
       &P::foot_slip);
   see(FigureEntry{"sole_share", share,
                   "largest way of the pressure off a sole's middle, of half its side",

@@ -108,9 +108,9 @@ double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept 
   double most = 0.0;
   for (int h = 0; h < 2; ++h) {
     const Hand& hand = hands_[static_cast<std::size_t>(h)];
-    const double slip = slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2),
-                             task_.tip_radius)
-                            .norm();
+    const double slip =
+        slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius)
+            .norm();
     if (slip > most) worst = h;
     most = std::max(most, slip);
   }

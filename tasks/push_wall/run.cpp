@@ -81,8 +81,8 @@ ForceError force_error(const Eigen::VectorXd& force, const Eigen::VectorXd& targ
                        int end) {
   const Eigen::Index size = end - begin;
   const Eigen::VectorXd error = force.segment(begin, size) - target.segment(begin, size);
-  return {std::sqrt(error.squaredNorm() / static_cast<double>(size)),
-          error.cwiseAbs().maxCoeff(), force.segment(begin, size).mean()};
+  return {std::sqrt(error.squaredNorm() / static_cast<double>(size)), error.cwiseAbs().maxCoeff(),
+          force.segment(begin, size).mean()};
 }
 
 /// Rows from a while after the start of a phase to just before the start of another.
@@ -113,8 +113,7 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
   for (int row = 0; row < static_cast<int>(time.size()) && at.go_to(row); ++row) {
     for (std::size_t i = 0; i < task.standing.feet.size(); ++i) {
       if (row == 0) start.push_back(at.foot(i));
-      figures.foot_slip =
-          std::max(figures.foot_slip, (at.foot(i) - start[i]).head<2>().norm());
+      figures.foot_slip = std::max(figures.foot_slip, (at.foot(i) - start[i]).head<2>().norm());
       if (phase[row] >= 1.0)  // once it stands
         figures.sole_share = std::max(figures.sole_share, at.sole_share(i, row));
     }
@@ -124,8 +123,8 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
       forces[h][row] = at.force(h, row);
       if (now && !pushes) contact[h] = at.hand(h);
       if (now)
-        figures.hand_slip = std::max(
-            figures.hand_slip, slid(contact[h], at.hand(h), n, task.tip_radius).norm());
+        figures.hand_slip =
+            std::max(figures.hand_slip, slid(contact[h], at.hand(h), n, task.tip_radius).norm());
     }
     pushes = now;
     figures.lean = std::max(figures.lean, (result.setting.com - at.com()).dot(n));
@@ -163,12 +162,18 @@ void measure_push(const Task& task, const LeanState& lean_state, RunResult& resu
 std::string because(const Task& task, const RunResult& result) {
   const std::string by = result.limited_by.empty() ? "" : " (" + result.limited_by + ")";
   switch (result.limit) {
-    case Limit::None: return "nothing";
-    case Limit::Most: return "lean.force_max of " + number(task.lean.force_max) + " N";
-    case Limit::Give: return "hands that fell behind" + by;
-    case Limit::Plan: return "limits that plans could not keep" + by;
-    case Limit::Hand: return "a hand that slipped" + by;
-    case Limit::Foot: return "a foot that slipped" + by;
+    case Limit::None:
+      return "nothing";
+    case Limit::Most:
+      return "lean.force_max of " + number(task.lean.force_max) + " N";
+    case Limit::Give:
+      return "hands that fell behind" + by;
+    case Limit::Plan:
+      return "limits that plans could not keep" + by;
+    case Limit::Hand:
+      return "a hand that slipped" + by;
+    case Limit::Foot:
+      return "a foot that slipped" + by;
   }
   return "";
 }

@@ -1,8 +1,8 @@
 // What runs of the task are specified by, and what they give.
 #pragma once
 
-#include "push_wall/descriptions.hpp"
 #include "pressing/run_descriptions.hpp"
+#include "push_wall/descriptions.hpp"
 #include "sim/descriptions.hpp"
 
 namespace burnish::push_wall {

@@ -93,9 +93,10 @@ struct Builder {
   }
   CostTerm place(const std::string& hand, int h, double along_normal) const {
     const Eigen::Vector3d start = frame_placement(model, setting.q_start, hand).translation();
-    return pressing::place_cost("place of " + hand, hand,
-                                Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)),
-                                setting.wall_axes, task.weights.position, along_normal);
+    return pressing::place_cost(
+        "place of " + hand, hand,
+        Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)), setting.wall_axes,
+        task.weights.position, along_normal);
   }
   CostTerm move(const std::string& hand, const Signal& speed) const {
     return pressing::normal_speed_cost("speed of " + hand, hand, speed, setting.wall_axes,
@@ -104,8 +105,8 @@ struct Builder {
   CostTerm press(const std::string& hand) const {
     return {.name = "force of " + hand,
             .residual = residual::ContactForce{hand, {}, hand_force()},
-            .weights = Eigen::Vector3d(task.weights.friction, task.weights.friction,
-                                       task.weights.force)};
+            .weights =
+                Eigen::Vector3d(task.weights.friction, task.weights.friction, task.weights.force)};
   }
   /// Friction, and a band about the force where there is one.
   void keep_hand(const std::string& hand, std::vector<Constraint>& rows) const {

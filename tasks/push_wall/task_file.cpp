@@ -12,15 +12,15 @@ namespace {
 
 void check_forces(const Task& task) {
   if (task.touch_force > task.force)
-    refuse("phases.touch_force", "it is " + number(task.touch_force) + " N, more than the force of " +
-                                     number(task.force) + " N; wanted at most that");
+    refuse("phases.touch_force", "it is " + number(task.touch_force) +
+                                     " N, more than the force of " + number(task.force) +
+                                     " N; wanted at most that");
   if (task.lean.force_max <= task.force)
     refuse("lean.force_max", "it is " + number(task.lean.force_max) + " N and the force " +
                                  number(task.force) + " N; wanted more than that");
   if (task.force_limit <= task.lean.force_max)
-    refuse("limits.force", "it is " + number(task.force_limit) +
-                               " N and lean.force_max reaches " + number(task.lean.force_max) +
-                               " N; wanted more than that");
+    refuse("limits.force", "it is " + number(task.force_limit) + " N and lean.force_max reaches " +
+                               number(task.lean.force_max) + " N; wanted more than that");
 }
 
 void check_times(const Task& task) {
@@ -42,10 +42,9 @@ void check_times(const Task& task) {
                                          number(task.tick_rate) +
                                          " Hz; wanted a whole number of ticks per update");
   if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
-    refuse("controller.solver_delay", "it is " + number(task.solver_delay) +
-                                          " s; wanted at most the " +
-                                          number(1.0 / task.update_rate) +
-                                          " s between two updates");
+    refuse("controller.solver_delay",
+           "it is " + number(task.solver_delay) + " s; wanted at most the " +
+               number(1.0 / task.update_rate) + " s between two updates");
   if (task.step * task.knots > task.horizon + 1e-9)
     refuse("controller.knots", number(task.knots) + " knots of " + number(task.step) +
                                    " s at least are longer than the horizon of " +

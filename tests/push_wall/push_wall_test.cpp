@@ -71,10 +71,8 @@ TEST(PushWall, leans_so_that_the_pressure_stays_where_it_is) {
   ASSERT_EQ(body.update(s.q_start, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const double F = 60.0;
   const Eigen::Vector3d below(s.com.x(), s.com.y(), s.scene.supports[0].point.z());
-  Eigen::Vector3d moment =
-      (s.com + F * s.com_per_force - below).cross(body.mass() * model.gravity);
-  for (int h = 0; h < 2; ++h)
-    moment += (s.p_hands.col(h) - below).cross(F * s.wall_axes.col(2));
+  Eigen::Vector3d moment = (s.com + F * s.com_per_force - below).cross(body.mass() * model.gravity);
+  for (int h = 0; h < 2; ++h) moment += (s.p_hands.col(h) - below).cross(F * s.wall_axes.col(2));
   EXPECT_LT(moment.head<2>().norm(), 1e-9 * F);
   EXPECT_GT(-s.com_per_force.dot(s.wall_axes.col(2)), 1e-3) << "to the wall";
 }

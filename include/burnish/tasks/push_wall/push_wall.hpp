@@ -20,22 +20,22 @@ namespace burnish::push_wall {
 
 /// Cost weights, per second of horizon.
 struct Weights {
-  double force = 1.0;     ///< 1/N^2: of each hand along the normal to its target
-  double friction = 1e-2; ///< 1/N^2: of each hand along the wall to none
-  double position = 1e4;  ///< 1/m^2: hands to their places along the wall, while they do not hold
-  double approach = 1e3;  ///< s^2/m^2: speed along the normal to that of approach and retreat
+  double force = 1.0;      ///< 1/N^2: of each hand along the normal to its target
+  double friction = 1e-2;  ///< 1/N^2: of each hand along the wall to none
+  double position = 1e4;   ///< 1/m^2: hands to their places along the wall, while they do not hold
+  double approach = 1e3;   ///< s^2/m^2: speed along the normal to that of approach and retreat
   double inclination = 10.0;  ///< 1/rad^2: hands to their axis along the normal at the start
-  double posture = 0.1;   ///< 1/rad^2: joints to the start; more keeps the body from leaning
-  double velocity = 5.0;  ///< s^2/rad^2: joint speeds
-  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
+  double posture = 0.1;       ///< 1/rad^2: joints to the start; more keeps the body from leaning
+  double velocity = 5.0;      ///< s^2/rad^2: joint speeds
+  double torque = 1e-4;       ///< 1/Nm^2: torques to those that hold the start
   double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
 /// The wall, a plane before the hands, and what plans keep of it.
 struct Wall {
   Eigen::Vector3d normal_world = -Eigen::Vector3d::UnitX();  ///< out of the wall, any length
-  double friction = 0.5;       ///< Coulomb coefficient of the plant
-  double stiffness = 1e5;      ///< N/m, of the plant, under each hand
+  double friction = 0.5;                                     ///< Coulomb coefficient of the plant
+  double stiffness = 1e5;                                    ///< N/m, of the plant, under each hand
   double damping = 2e3;        ///< Ns/m, of the plant, under each hand
   double plan_friction = 0.2;  ///< coefficient that plans keep within
   double contact_kd = 40.0;    ///< 1/s, damping of the hands' constraint (Baumgarte)
@@ -43,22 +43,22 @@ struct Wall {
 
 /// How the largest force is looked for, and when the search is over; see Limit.
 struct Lean {
-  double rate = 10.0;       ///< N/s, of each hand
-  double force_max = 200.0; ///< N of each hand, where it ends at the latest
-  double give = 5.0;        ///< N that the mean of both hands over 0.1 s may be below the target
-  double slip = 0.01;       ///< m that a hand or foot may have slid
-  double share = 0.9;       ///< of the force then, that is held afterwards
+  double rate = 10.0;          ///< N/s, of each hand
+  double force_max = 200.0;    ///< N of each hand, where it ends at the latest
+  double give = 5.0;           ///< N that the mean of both hands over 0.1 s may be below the target
+  double slip = 0.01;          ///< m that a hand or foot may have slid
+  double share = 0.9;          ///< of the force then, that is held afterwards
   double hold_duration = 2.0;  ///< s that this is held
 };
 
 /// What ended the search for the largest force.
 enum class Limit {
-  None,   ///< nothing: the search did not end
-  Most,   ///< Lean::force_max was reached
-  Give,   ///< plans gave way: the hands fell behind the target
-  Plan,   ///< plans could not keep all their limits
-  Hand,   ///< a hand slipped
-  Foot,   ///< a foot slipped
+  None,  ///< nothing: the search did not end
+  Most,  ///< Lean::force_max was reached
+  Give,  ///< plans gave way: the hands fell behind the target
+  Plan,  ///< plans could not keep all their limits
+  Hand,  ///< a hand slipped
+  Foot,  ///< a foot slipped
 };
 std::string name_of(Limit limit);
 
@@ -74,12 +74,12 @@ struct Task {
   Wall wall = {};
   Standing standing = {.feet = {"left_sole_link", "right_sole_link"}, .balance = 1e4};
 
-  double clearance = 0.02;        ///< m between hands and wall at the start
-  double settle_duration = 0.5;   ///< s of standing before
-  double approach_speed = 0.04;   ///< m/s towards the wall
-  double touch_force = 5.0;       ///< N of each hand, at once where both have contact
-  double ramp_duration = 1.5;     ///< s from touch_force to force
-  double hold_duration = 3.0;     ///< s that the force is held
+  double clearance = 0.02;       ///< m between hands and wall at the start
+  double settle_duration = 0.5;  ///< s of standing before
+  double approach_speed = 0.04;  ///< m/s towards the wall
+  double touch_force = 5.0;      ///< N of each hand, at once where both have contact
+  double ramp_duration = 1.5;    ///< s from touch_force to force
+  double hold_duration = 3.0;    ///< s that the force is held
   Lean lean = {};
   double release_duration = 5.0;  ///< s back to touch_force
   double retreat_duration = 1.0;  ///< s off the wall, by the clearance
@@ -95,11 +95,11 @@ struct Task {
 
   PlanLimits constraints = {};
 
-  double force_limit = 400.0;  ///< N of a hand, mean over 5 ms
-  double slip = 0.03;          ///< m that a hand or foot may have slid
-  double sink = 0.15;          ///< m that the centre of mass may be below where it starts
-  double late_contact = 3.0;   ///< s that contact may come late
-  double contact_lost = 0.3;   ///< s that a hand may be without force while it is to press
+  double force_limit = 400.0;      ///< N of a hand, mean over 5 ms
+  double slip = 0.03;              ///< m that a hand or foot may have slid
+  double sink = 0.15;              ///< m that the centre of mass may be below where it starts
+  double late_contact = 3.0;       ///< s that contact may come late
+  double contact_lost = 0.3;       ///< s that a hand may be without force while it is to press
   double contact_threshold = 2.0;  ///< N, mean over 10 ms, that count as contact of a hand
   SafetyLimits limits = {};
 
@@ -129,9 +129,9 @@ struct Setting {
   /// As the controller knows it: feet and hands are its supports, in this order; its surface is the
   /// wall, and its tip a smaller ball in the second hand that never touches it.
   SceneSpec scene;
-  Eigen::Matrix3d wall_axes;               ///< columns: two tangents and the normal, world
-  Eigen::Matrix<double, 3, 2> p_hands;     ///< of the hands in contact, m, world; columns
-  Eigen::Vector3d com;                     ///< centre of mass at the start, m, world
+  Eigen::Matrix3d wall_axes;            ///< columns: two tangents and the normal, world
+  Eigen::Matrix<double, 3, 2> p_hands;  ///< of the hands in contact, m, world; columns
+  Eigen::Vector3d com;                  ///< centre of mass at the start, m, world
   /// m/N, world, level: how far the centre of mass goes per N of each hand so that the pressure
   /// under the feet stays where it is
   Eigen::Vector3d com_per_force;
@@ -155,9 +155,9 @@ void refuse_out_of_reach(const Task& task, const Setting& setting);
 /// How far the search for the largest force has come: what plans are told by the task as it
 /// watches. Of one controller at a time.
 struct LeanState {
-  std::atomic<double> reached{-1.0};         ///< N of each hand; negative: not ended
-  std::atomic<int> limit{0};                 ///< a Limit
-  std::atomic<int> where{-1};                ///< which hand or foot slipped
+  std::atomic<double> reached{-1.0};  ///< N of each hand; negative: not ended
+  std::atomic<int> limit{0};          ///< a Limit
+  std::atomic<int> where{-1};         ///< which hand or foot slipped
 };
 /// N that each hand is to press with at a time of the schedule, s.
 double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time);
@@ -167,28 +167,28 @@ struct RunSpec {
   Task task;
   std::optional<Setting> setting = {};  ///< of the task, where there is one already
   PlantKind plant = PlantKind::Mujoco;  ///< the ideal plant has no feet to stand on
-  bool check_reach = true;  ///< before anything moves; a problem is then an Error
-  double plan_rate = 20.0;  ///< Hz, at which plans are recorded; 0: none
+  bool check_reach = true;              ///< before anything moves; a problem is then an Error
+  double plan_rate = 20.0;              ///< Hz, at which plans are recorded; 0: none
   RunProgress progress = {};
 };
 
 /// Of the plant's true forces and places. Forces are means over 10 ms.
 struct PushFigures {
-  double force_rmse = 0.0;   ///< N, of the worse hand, from 0.3 s after the ramp to the hold's end
-  double force_peak = 0.0;   ///< N, largest error of either hand then
-  double force_mean = 0.0;   ///< N, of both hands then
+  double force_rmse = 0.0;  ///< N, of the worse hand, from 0.3 s after the ramp to the hold's end
+  double force_peak = 0.0;  ///< N, largest error of either hand then
+  double force_mean = 0.0;  ///< N, of both hands then
   double largest_force = 0.0;  ///< N, of the weaker hand, mean while the largest force is held
   double largest_rmse = 0.0;   ///< N, of the worse hand off the target then
   double lean_force = 0.0;     ///< N of each hand, target where the search ended
-  double lean = 0.0;         ///< m, that the centre of mass went to the wall, largest
-  double hand_slip = 0.0;    ///< m, farthest that a hand slid along the wall; rolling is none
-  double foot_slip = 0.0;    ///< m, farthest that a foot was off its start, along the ground
-  double sole_share = 0.0;   ///< largest share of half a sole's side off its middle, of pressure
+  double lean = 0.0;           ///< m, that the centre of mass went to the wall, largest
+  double hand_slip = 0.0;      ///< m, farthest that a hand slid along the wall; rolling is none
+  double foot_slip = 0.0;      ///< m, farthest that a foot was off its start, along the ground
+  double sole_share = 0.0;     ///< largest share of half a sole's side off its middle, of pressure
 };
 
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;  ///< to the end without fault
+  bool done = false;                ///< to the end without fault
   std::optional<PushFigures> push;  ///< none where the hold did not come to its end
   Limit limit = Limit::None;        ///< that ended the search for the largest force
   std::string limited_by = {};      ///< the limits that plans kept nearest then, or who slipped
