@@ -24,10 +24,12 @@ struct Weights {
   double friction = 1e-2;  ///< 1/N^2: of each hand along the wall to none
   double position = 1e4;   ///< 1/m^2: hands to their places along the wall, while they do not hold
   double approach = 1e3;   ///< s^2/m^2: speed along the normal to that of approach and retreat
-  double inclination = 10.0;  ///< 1/rad^2: hands to their axis along the normal at the start
-  double posture = 0.1;       ///< 1/rad^2: joints to the start; more keeps the body from leaning
-  double velocity = 5.0;      ///< s^2/rad^2: joint speeds
-  double torque = 1e-4;       ///< 1/Nm^2: torques to those that hold the start
+  /// 1/rad^2: hands to their axis along the normal at the start; what tilts costs torque of the
+  /// wrists
+  double inclination = 10.0;
+  double posture = 0.1;   ///< 1/rad^2: joints to the start; more keeps the body from leaning
+  double velocity = 5.0;  ///< s^2/rad^2: joint speeds
+  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
   double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
@@ -64,7 +66,7 @@ std::string name_of(Limit limit);
 
 struct Task {
   std::string robot = "talos";  ///< a robot's name, folder or settings file, with :variant
-  /// where it starts, of the robot's settings; empty: the robot's default
+  /// where it starts, of the robot's settings. Empty: the robot's default.
   std::string posture = {};
   double force = 50.0;  ///< N, that each hand presses with
   /// two frames, whose origins are the centres of balls
@@ -135,8 +137,7 @@ struct Setting {
   /// m/N, world, level: how far the centre of mass goes per N of each hand so that the pressure
   /// under the feet stays where it is
   Eigen::Vector3d com_per_force;
-  /// m that the pressure lies before the middle of the feet at the start, on the side of the wall:
-  /// so far it may go back before the robot leans
+  /// m that the pressure lies before the middle of the feet at the start, on the side of the wall
   double room = 0.0;
   double touch = 0.0, ramp_end = 0.0, hold_end = 0.0, lean_end = 0.0, top_end = 0.0,
          release_end = 0.0;  ///< s of the schedule
@@ -174,16 +175,18 @@ struct RunSpec {
 
 /// Of the plant's true forces and places. Forces are means over 10 ms.
 struct PushFigures {
-  double force_rmse = 0.0;  ///< N, of the worse hand, from 0.3 s after the ramp to the hold's end
-  double force_peak = 0.0;  ///< N, largest error of either hand then
-  double force_mean = 0.0;  ///< N, of both hands then
-  double largest_force = 0.0;  ///< N, of the weaker hand, mean while the largest force is held
-  double largest_rmse = 0.0;   ///< N, of the worse hand off the target then
-  double lean_force = 0.0;     ///< N of each hand, target where the search ended
-  double lean = 0.0;           ///< m, that the centre of mass went to the wall, largest
-  double hand_slip = 0.0;      ///< m, farthest that a hand slid along the wall; rolling is none
-  double foot_slip = 0.0;      ///< m, farthest that a foot was off its start, along the ground
-  double sole_share = 0.0;     ///< largest share of half a sole's side off its middle, of pressure
+  /// N, root mean square error of the worse hand's force (mean over 10 ms) while held
+  double force_rmse = 0.0;
+  double force_peak = 0.0;     ///< N, largest error of either hand's force then
+  double force_mean = 0.0;     ///< N, mean force of both hands then
+  double largest_force = 0.0;  ///< N, mean of the weaker hand while the largest force is held
+  double largest_rmse = 0.0;   ///< N, root mean square error of the worse hand's force then
+  double lean_force = 0.0;     ///< N, of each hand, asked for where the search ended
+  double lean = 0.0;           ///< m, farthest that the centre of mass went to the wall
+  /// m, farthest that a hand slid along the wall since the ramp began; rolling is none
+  double hand_slip = 0.0;
+  double foot_slip = 0.0;   ///< m, farthest that a foot was off its start, along the ground
+  double sole_share = 0.0;  ///< largest way of the pressure off a sole's middle, of half its side
 };
 
 struct RunResult : TaskRun {
