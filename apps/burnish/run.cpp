@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "command.hpp"
@@ -9,6 +10,8 @@
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
 #include "progress_bar.hpp"
+#include "push_wall/descriptions.hpp"
+#include "push_wall/record.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
 #include "robot_arguments.hpp"
@@ -90,14 +93,22 @@ int run_as(const RunArguments& a) {
   return result.done ? exit_ok : exit_failed;
 }
 
-/// All tasks that a file may name.
+/// All tasks that a file may name; one that names no task is refused as the first of them.
 int run(const RunArguments& arguments) {
+  const std::vector<std::string> names{"press_hold", "push_wall"};
+  const std::string& file = arguments.file;
+  const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
+  if (task && !task->is(names[0]) && !task->is(names[1]))
+    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + names[0] +
+                 " or " + names[1] + did_you_mean(task->node().text, names));
+  if (task && task->is("push_wall"))
+    return run_as<push_wall::Task, push_wall::RunSpec, push_wall::RunName>(arguments);
   return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
 }
 
 /// What is run.
 void add_run_task_options(CLI::App* command, RunArguments& a) {
-  command->add_option("TASK", a.file, "Task file that says `task: press_hold`")
+  command->add_option("TASK", a.file, "Task file that says `task: press_hold` or another")
       ->type_name("")
       ->required();
   command
@@ -163,13 +174,15 @@ void add_run(CLI::App& app, int& exit_code) {
   command->footer(
       "Examples:\n"
       "  burnish run tasks/press_hold/arm7.yaml\n"
+      "  burnish run tasks/push_wall/talos.yaml --set force=30\n"
       "  burnish run my_task.yaml --plant ideal --out /tmp/my_run\n"
       "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
       "      --set posture=search --set 'aside={my_joint: 0.5}'\n"
       "\n"
       "The file names its task: `task: press_hold` presses at a point and holds the force while "
       "the\n"
-      "rest of the arm moves aside. Leaves trace.csv, metrics.json, task.yaml, run.html, run.json "
+      "rest of the arm moves aside; `task: push_wall` pushes with both hands against a wall. "
+      "Leaves trace.csv, metrics.json, task.yaml, run.html, run.json "
       "and\n"
       "after a fault fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run "
       "and "

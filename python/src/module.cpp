@@ -24,6 +24,7 @@ PYBIND11_MODULE(_core, module) {
   bind_report(module);
   bind_polishing(module);
   bind_press_hold(module);
+  bind_push_wall(module);
 }
 
 }  // namespace burnish::python

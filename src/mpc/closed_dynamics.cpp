@@ -6,17 +6,38 @@
 
 namespace burnish {
 
+namespace {
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_held_always(const ProblemSpec& problem, const std::string& contact) {
+  return std::all_of(problem.stages.begin(), problem.stages.end(),
+                     [&](const Stage& stage) { return has(stage.contacts, contact); });
+}
+
+}  // namespace
+
 std::vector<ContactSpec> supports_of(const MpcSpec& spec) {
   std::vector<ContactSpec> result;
   for (const ContactSpec& contact : spec.problem.contacts)
-    if (std::find(spec.supports.begin(), spec.supports.end(), contact.name) != spec.supports.end())
+    if (has(spec.supports, contact.name) && is_held_always(spec.problem, contact.name))
       result.push_back(contact);
   return result;
 }
 
+std::vector<std::string> measured_frames(const MpcSpec& spec) {
+  std::vector<std::string> frames;
+  if (!spec.support_sensors) return frames;
+  for (const std::string& support : spec.supports)
+    for (const ContactSpec& contact : spec.problem.contacts)
+      if (contact.name == support) frames.push_back(contact.tool);
+  return frames;
+}
+
 bool carries(const MpcSpec& spec, const ContactSpec& contact) {
-  return is_loop(spec.problem.model, contact) ||
-         std::find(spec.supports.begin(), spec.supports.end(), contact.name) != spec.supports.end();
+  return is_loop(spec.problem.model, contact) || has(spec.supports, contact.name);
 }
 
 ContactDynamics closed_dynamics(const Model& model, std::vector<ContactSpec> supports) {

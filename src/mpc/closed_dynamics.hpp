@@ -7,8 +7,12 @@
 
 namespace burnish {
 
-/// Contacts that the robot stands on (MpcSpec::supports), as the problem has them.
+/// Contacts that the robot stands on always: those of MpcSpec::supports that every stage has, as
+/// the problem has them.
 std::vector<ContactSpec> supports_of(const MpcSpec& spec);
+/// Frames of all of MpcSpec::supports, in the order of Measurement::support_wrenches; none where
+/// these are not measured.
+std::vector<std::string> measured_frames(const MpcSpec& spec);
 /// Whether a contact is one that the robot stands on, or holds a loop of it.
 bool carries(const MpcSpec& spec, const ContactSpec& contact);
 

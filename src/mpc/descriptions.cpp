@@ -313,11 +313,13 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "That the tool presses along: of the surface, towards the robot. Friction is "
                  "across it. In the axes of `base`, with which it turns.")
           .field("supports", &M::supports,
-                 "contacts of the problem that the robot stands on, by their names: in every stage, "
-                 "and what the fallback and the estimates take to hold always")
+                 "Contacts of the problem that the robot stands on or leans against, by their "
+                 "names. Those of every stage are what the fallback and the estimates take to hold "
+                 "always: a base that floats free wants some. Those of some stages, such as hands "
+                 "on a wall, want support_sensors.")
           .field("support_sensors", &M::support_sensors,
-                 "Measurement.support_wrenches are measured: then the torque error is known of all "
-                 "joints, of those on supports too")
+                 "Measurement.support_wrenches are measured, in the order of `supports`: then the "
+                 "torque error is known of all joints, of those on supports too")
           .field("force_sensor", &M::force_sensor,
                  "Measurement.tool_force_world is measured; else the force at the tool is what "
                  "torques, positions and velocities say beyond what they said in the air just "

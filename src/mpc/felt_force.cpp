@@ -22,7 +22,7 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 
 FeltForce::FeltForce(const MpcSpec& spec)
     : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec),
-                spec.base),
+                {}, spec.base),
       touch_(spec.contact_threshold),
       motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
   air_ = rest_ = model_error_ = Eigen::VectorXd::Zero(spec.problem.model.nv);

@@ -14,7 +14,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       actuated_(std::move(actuated)),
       effort_(spec.problem.model.effort_limit),
       tree_(spec.problem.model),
-      is_closed_(!spec.problem.model.loops.empty() || !spec.supports.empty()),
+      is_closed_(!spec.problem.model.loops.empty() || !supports_of(spec).empty()),
       free_(closed_dynamics(spec.problem.model, supports_of(spec))),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),

@@ -108,7 +108,8 @@ class Haste {
 
 struct TorqueErrorObserver::Impl {
   Impl(const Model& model, const std::string& tool, const ModelErrorOptions& given,
-       std::vector<ContactSpec> supports, const std::string& base)
+       const std::vector<ContactSpec>& supports, const std::vector<std::string>& measured,
+       const std::string& base)
       : options(given),
         is_closed(!model.loops.empty() || !supports.empty()),
         has_loops(!model.loops.empty()),
@@ -130,7 +131,7 @@ struct TorqueErrorObserver::Impl {
       throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
     if (!(given.limit > 0.0))
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
-    for (const ContactSpec& support : supports) feet.push_back(body.frame(support.tool));
+    for (const std::string& at : measured) sensors.push_back(body.frame(at));
   }
 
   ModelErrorOptions options;
@@ -149,7 +150,7 @@ struct TorqueErrorObserver::Impl {
   ContactDynamics free;      ///< with loops alone, where what acts on supports is measured
   RigidBody body;
   ToolMotion pressed;
-  std::vector<int> feet;
+  std::vector<int> sensors;  ///< frames that wrenches are measured at
   FrameDerivatives derivatives;
   bool started = false;
   Eigen::VectorXd velocity, error, total, innovation, change;
@@ -159,11 +160,12 @@ struct TorqueErrorObserver::Impl {
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
                                          const ModelErrorOptions& options,
-                                         std::vector<ContactSpec> supports,
+                                         const std::vector<ContactSpec>& supports,
+                                         const std::vector<std::string>& measured,
                                          const std::string& base)
-    : impl_(std::make_unique<Impl>(model, tool, options, std::move(supports), base)) {
+    : impl_(std::make_unique<Impl>(model, tool, options, supports, measured, base)) {
   // Resized on first use: here, rather than in a tick.
-  for (const int foot : impl_->feet)
+  for (const int foot : impl_->sensors)
     impl_->body.frame_derivatives(foot, Reference::local(), impl_->derivatives);
 }
 TorqueErrorObserver::~TorqueErrorObserver() = default;
@@ -191,7 +193,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   Impl& d = *impl_;
   const bool is_measured = supports.cols() > 0;
   if (tau.size() != d.total.size()) return Status::WrongSize;
-  if (is_measured && supports.cols() != static_cast<Eigen::Index>(d.feet.size()))
+  if (is_measured && supports.cols() != static_cast<Eigen::Index>(d.sensors.size()))
     return Status::WrongSize;
   if (!tau.allFinite() || !force_world.allFinite() || !std::isfinite(dt) || !supports.allFinite())
     return Status::NotFinite;
@@ -208,7 +210,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   d.total = tau + d.error;
   d.total.noalias() += d.pressed.jacobian().transpose() * force_world;
   for (Eigen::Index i = 0; i < supports.cols(); ++i) {
-    d.body.frame_derivatives(d.feet[static_cast<std::size_t>(i)], Reference::local(),
+    d.body.frame_derivatives(d.sensors[static_cast<std::size_t>(i)], Reference::local(),
                              d.derivatives);
     d.total.noalias() += d.derivatives.jacobian.transpose() * supports.col(i);
   }

@@ -48,7 +48,7 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
                 " s; wanted longer than the tick of " + number(tick_period) + " s");
 }
 
-/// Every stage holds what the robot stands on.
+/// What the robot stands on is held in every stage, or else measured.
 void check_supports(const MpcSpec& spec) {
   const ProblemSpec& problem = spec.problem;
   std::vector<std::string> names;
@@ -58,9 +58,11 @@ void check_supports(const MpcSpec& spec) {
       throw Error("MPC: support " + in_quotes(support) + " is no contact of the problem" +
                   did_you_mean(support, names));
     for (const Stage& stage : problem.stages)
-      if (std::find(stage.contacts.begin(), stage.contacts.end(), support) == stage.contacts.end())
+      if (!spec.support_sensors &&
+          std::find(stage.contacts.begin(), stage.contacts.end(), support) == stage.contacts.end())
         throw Error("MPC: stage " + in_quotes(stage.name) + " does without support " +
-                    in_quotes(support) + "; wanted supports in every stage");
+                    in_quotes(support) +
+                    "; wanted supports in every stage, or support_sensors that measure them");
   }
 }
 

@@ -5,6 +5,7 @@
 #include "fuzz/readers.hpp"
 #include "polishing/descriptions.hpp"
 #include "press_hold/descriptions.hpp"
+#include "push_wall/descriptions.hpp"
 
 namespace burnish::fuzz {
 namespace {
@@ -39,6 +40,8 @@ void read(const std::string& text) {
   const auto task = document::Reader::parse(text, "nowhere/input.yaml").find("task");
   if (task && task->is("press_hold"))
     read_as<press_hold::Task>(text);
+  else if (task && task->is("push_wall"))
+    read_as<push_wall::Task>(text);
   else
     read_as<polishing::Task>(text);
 }

@@ -239,7 +239,7 @@ TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carri
   ASSERT_GT(by_plate.norm(), 1.0);
   const Eigen::VectorXd tau = body.gravity_torque() - by_tool - by_plate;
   const ModelErrorOptions options{.bandwidth = 50.0};
-  TorqueErrorObserver knows(model, "tool", options, {}, "plate"), alone(model, "tool", options);
+  TorqueErrorObserver knows(model, "tool", options, {}, {}, "plate"), alone(model, "tool", options);
   const AllocationGuard guard;
   for (int i = 0; i < 1000; ++i) {
     ASSERT_EQ(knows.update(q, v, tau, f, 1e-3), Status::Ok);

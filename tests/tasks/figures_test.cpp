@@ -11,6 +11,7 @@
 
 #include "polishing/experiments/run_figures.hpp"
 #include "press_hold/figures.hpp"
+#include "push_wall/figures.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {
@@ -30,6 +31,7 @@ void each_figure(const See& see) {
   each_tick_figure(under("ticks."));
   each_verdict_figure(under("verdict."));
   press_hold::each_hold_figure(under("hold."));
+  push_wall::each_push_figure(under("push."));
 }
 
 /// As the docs have it.

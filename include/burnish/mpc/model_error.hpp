@@ -63,11 +63,13 @@ class TorqueErrorObserver {
  public:
   /// `tool`: frame that the force acts at. `supports`: contacts that always hold, such as the feet
   /// that a robot stands on; of the torque error the part that loops carry moves nothing and is not
-  /// known, nor is what supports carry unless their wrenches are measured. `base`: frame of the robot
-  /// that the force pushes back at, where the tool is; empty: the world bears it. Throws Error for
-  /// an unknown frame and options out of range.
+  /// known, nor is what supports carry unless their wrenches are measured. `measured`: frames that
+  /// update() is given wrenches at, of supports and of what else the robot leans on. `base`: frame
+  /// of the robot that the force pushes back at, where the tool is; empty: the world bears it.
+  /// Throws Error for an unknown frame and options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
-                      std::vector<ContactSpec> supports = {}, const std::string& base = {});
+                      const std::vector<ContactSpec>& supports = {},
+                      const std::vector<std::string>& measured = {}, const std::string& base = {});
   ~TorqueErrorObserver();
   TorqueErrorObserver(TorqueErrorObserver&&) noexcept;
   TorqueErrorObserver& operator=(TorqueErrorObserver&&) noexcept;
@@ -82,7 +84,8 @@ class TorqueErrorObserver {
                 const Eigen::Vector3d& force_world, double dt) noexcept {
     return update(q, v, tau, force_world, dt, Wrenches(6, 0));
   }
-  /// The same with what acts on the supports, measured: Measurement::support_wrenches.
+  /// The same with what acts at the measured frames, in their order:
+  /// Measurement::support_wrenches.
   using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt, const Wrenches& supports) noexcept;

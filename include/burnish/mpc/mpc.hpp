@@ -82,11 +82,12 @@ struct MpcSpec {
   /// axes of `base`, with which it turns.
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
   double contact_threshold = 2.0;  ///< N along the normal that count as contact
-  /// Contacts of the problem that the robot stands on, by their names: in every stage, and what the
-  /// fallback and the estimates take to hold always. A base that floats free wants some.
+  /// Contacts of the problem that the robot stands on or leans against, by their names. Those of
+  /// every stage are what the fallback and the estimates take to hold always: a base that floats
+  /// free wants some. Those of some stages, such as hands on a wall, want support_sensors.
   std::vector<std::string> supports = {};
-  /// Measurement.support_wrenches are measured: then the torque error is known of all joints, of
-  /// those on supports too
+  /// Measurement.support_wrenches are measured, in the order of `supports`: then the torque error is
+  /// known of all joints, of those on supports too
   bool support_sensors = false;
   /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
   /// positions and velocities say beyond what they said in the air just before, which wants

@@ -1,0 +1,77 @@
+"""The task of pushing with both hands against a wall, and its runs.
+
+    from burnish import push_wall
+    result = push_wall.run("tasks/push_wall/talos.yaml", force=40.0)
+    print(result.push.force_rmse, result.push.largest_force, result.limit)
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Callable, Optional, Sequence, Union
+
+from ._core import PushResult as RunResult
+from ._core import push_check_task as check_task
+from ._core import push_make_controller as make_controller
+from ._core import push_make_setting as make_setting
+from ._core import push_override_task as override_task
+from ._core import push_phase_names as phase_names
+from ._core import push_read_task as read_task
+from ._core import push_refuse_out_of_reach as refuse_out_of_reach
+from ._core import push_run_task as run_task
+from ._core import push_task_text as task_text
+from ._core import push_task_units as task_units
+from .model import Robot
+from .mpc import ModelErrorOptions, SafetyLimits
+from .pressing import PlanLimits, PlantKind, Standing
+from .sim import Disturbances, SceneSpec
+
+__all__ = [
+    "Lean", "Limit", "PushFigures", "RunResult", "RunSpec", "Setting", "Task", "Wall", "Weights",
+    "check_task", "make_controller", "make_setting", "make_task", "override_task", "phase_names",
+    "read_task", "refuse_out_of_reach", "run", "run_task", "task_text", "task_units",
+]
+
+
+# Described classes stand here (scripts/describe).
+
+
+def make_task(
+    where: Union[str, Path, Task, None] = None,
+    *,
+    overrides: Sequence[str] = (),
+    **entries: Any,
+) -> Task:
+    """A task: from a file, a copy of another, or the defaults.
+
+    overrides: as override_task() takes them, "lean.rate=5". entries: of Task, such as
+    force=40 or hands=["left_tool", "tool"]. Raises Error for what does not fit together."""
+    if where is None:
+        task = Task()
+    else:
+        task = where.replace() if isinstance(where, Task) else read_task(where)
+    for name, value in entries.items():
+        setattr(task, name, value)
+    task = override_task(task, overrides)
+    check_task(task)
+    return task
+
+
+def run(
+    where: Union[str, Path, Task, None] = None,
+    *,
+    plant: Union[str, PlantKind, None] = None,
+    overrides: Sequence[str] = (),
+    check_reach: bool = True,
+    progress: Optional[Callable[[float, float], Optional[bool]]] = None,
+    **entries: Any,
+) -> RunResult:
+    """run_task() of make_task(). plant: "mujoco", which alone has feet to stand on.
+
+        push_wall.run("my_task.yaml", overrides=["disturbances=sensors"])
+    """
+    task = make_task(where, overrides=overrides, **entries)
+    spec = RunSpec(task=task, check_reach=check_reach, progress=progress)
+    if plant is not None:
+        spec.plant = plant  # type: ignore[assignment]  # names are taken for members
+    return run_task(spec)

@@ -1,0 +1,153 @@
+#include "push_wall/pushing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/dynamics/placement.hpp"
+
+namespace burnish::push_wall {
+namespace {
+
+void follow(double& mean, double value, double dt, double over) noexcept {
+  mean += -std::expm1(-dt / over) * (value - mean);
+}
+
+constexpr unsigned contact_event = 1U, limit_event = 2U;  // bits
+
+}  // namespace
+
+Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
+                     const Eigen::Vector3d& normal, double radius) noexcept {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * contact.linear().transpose()));
+  const Eigen::Vector3d rolled = radius * (turn.angle() * turn.axis()).cross(normal);
+  const Eigen::Vector3d off = now.translation() - contact.translation() - rolled;
+  return off - normal * normal.dot(off);
+}
+
+Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
+                 std::shared_ptr<LeanState> lean)
+    : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()) {
+  const RigidBody body(spec.problem.model);
+  for (std::size_t h = 0; h < 2; ++h) hands_[h].frame = body.frame(task.hands[h]);
+  for (const std::string& foot : task.standing.feet) {
+    feet_.push_back(body.frame(foot));
+    p_feet_.push_back(frame_placement(spec.problem.model, setting.q_start, foot).translation());
+  }
+  Pushing::reset();
+}
+
+std::vector<WatchedQuantity> Pushing::watched() const {
+  return {{"force of a hand", "N", FaultKind::ForceLimit},
+          {"time without force", "s", FaultKind::ContactLost},
+          {"lateness of contact", "s", FaultKind::ContactLate},
+          {"slip of a hand", "m"},
+          {"slip of a foot", "m"},
+          {"way down of the centre of mass", "m"}};
+}
+
+void Pushing::reset() noexcept {
+  for (Hand& hand : hands_) hand = {.frame = hand.frame};
+  behind_ = infeasible_ = late_ = 0.0;
+  lean_->reached = -1.0;
+  lean_->limit = 0;
+  lean_->where = -1;
+}
+
+void Pushing::feel(const TaskView& view) noexcept {
+  const auto& wrenches = view.measurement.support_wrenches;
+  const auto first = static_cast<Eigen::Index>(feet_.size());
+  if (wrenches.cols() != first + 2) return;
+  for (int h = 0; h < 2; ++h) {
+    Hand& hand = hands_[static_cast<std::size_t>(h)];
+    const Eigen::Vector3d f_world =
+        view.body.placement(hand.frame).linear() * wrenches.col(first + h).head<3>();
+    const double force = f_world.dot(setting_.wall_axes.col(2));
+    follow(hand.quick, force, view.dt, 5e-3);
+    follow(hand.touch, force, view.dt, 10e-3);
+  }
+}
+
+unsigned Pushing::sense(const TaskView& view) noexcept {
+  feel(view);
+  const int phase = view.schedule.phase();
+  if (phase == approach) {
+    const bool both = std::all_of(hands_.begin(), hands_.end(), [&](const Hand& hand) {
+      return hand.touch > task_.contact_threshold;
+    });
+    late_ = view.schedule.waits() ? late_ + view.dt : 0.0;
+    if (!both) return 0;
+    for (Hand& hand : hands_) hand.contact = view.body.placement(hand.frame);
+    return contact_event;
+  }
+  late_ = 0.0;
+  if (phase != lean) return 0;
+  int where = -1;
+  const Limit found = look(view, where);
+  if (found == Limit::None) return 0;
+  lean_->where = where;
+  lean_->limit = static_cast<int>(found);
+  lean_->reached = force_at(task_, setting_, *lean_, view.schedule.time());
+  return limit_event;
+}
+
+/// What ends the search now.
+Limit Pushing::look(const TaskView& view, int& where) noexcept {
+  constexpr double patience = 0.05;  // s of plans that cannot keep their limits
+  const double wanted = force_at(task_, setting_, *lean_, view.schedule.time());
+  follow(behind_, wanted - 0.5 * (hands_[0].touch + hands_[1].touch), view.dt, 0.1);
+  infeasible_ = view.command.limits_infeasible ? infeasible_ + view.dt : 0.0;
+  if (slip_of_hands(view.body, where) > task_.lean.slip) return Limit::Hand;
+  if (slip_of_feet(view.body, where) > task_.lean.slip) return Limit::Foot;
+  where = -1;
+  if (infeasible_ > patience) return Limit::Plan;
+  if (behind_ > task_.lean.give) return Limit::Give;
+  return view.schedule.waits() ? Limit::Most : Limit::None;
+}
+
+double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept {
+  double most = 0.0;
+  for (int h = 0; h < 2; ++h) {
+    const Hand& hand = hands_[static_cast<std::size_t>(h)];
+    const double slip =
+        slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius)
+            .norm();
+    if (slip > most) worst = h;
+    most = std::max(most, slip);
+  }
+  return most;
+}
+
+double Pushing::slip_of_feet(const RigidBody& body, int& worst) const noexcept {
+  double most = 0.0;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector3d off = body.placement(feet_[i]).translation() - p_feet_[i];
+    if (off.head<2>().norm() > most) worst = static_cast<int>(i);
+    most = std::max(most, off.head<2>().norm());
+  }
+  return most;
+}
+
+void Pushing::watch(const TaskView& view, std::span<Reading> out) noexcept {
+  const int phase = view.schedule.phase();
+  const bool pushes = phase >= ramp && phase <= release;
+  double without = 0.0;
+  for (Hand& hand : hands_) {
+    const bool lost = pushes && hand.touch < 0.5 * task_.contact_threshold;
+    hand.without = lost ? hand.without + view.dt : 0.0;
+    without = std::max(without, hand.without);
+  }
+  int worst = -1;
+  out[0] = {std::max(hands_[0].quick, hands_[1].quick), task_.force_limit};
+  out[1] = {without, task_.contact_lost};
+  out[2] = {late_, task_.late_contact};
+  out[3] = {pushes ? slip_of_hands(view.body, worst) : 0.0, task_.slip};
+  out[4] = {slip_of_feet(view.body, worst), task_.slip};
+  out[5] = {least_ - view.body.com().z(), task_.sink};
+}
+
+void Pushing::aim(double time, Command& command) {
+  command.p_target_world = setting_.p_hands.col(1);
+  command.target_force = force_at(task_, setting_, *lean_, time);
+}
+
+}  // namespace burnish::push_wall

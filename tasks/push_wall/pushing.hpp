@@ -1,0 +1,59 @@
+// What the task watches while it is controlled: contact of both hands, and when the search for the
+// largest force is over.
+#pragma once
+
+#include <array>
+
+#include "burnish/tasks/push_wall/push_wall.hpp"
+
+namespace burnish::push_wall {
+
+/// Of the schedule, as phase_names() counts them.
+enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
+
+/// s in which the force comes down from the largest one to the share that is held.
+inline constexpr double back_duration = 0.5;
+
+/// m, along the wall: how far a ball of this radius at a frame's origin has slid from where it made
+/// contact. What it has rolled, r theta x n with theta its turn and n the normal, is no sliding.
+Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
+                     const Eigen::Vector3d& normal, double radius) noexcept;
+
+/// Its events are "contact", both hands above the threshold, and "limit", see Limit.
+class Pushing final : public MpcTask {
+ public:
+  Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
+          std::shared_ptr<LeanState> lean);
+
+  std::vector<std::string> events() const override { return {"contact", "limit"}; }
+  std::vector<WatchedQuantity> watched() const override;
+  void reset() noexcept override;
+  unsigned sense(const TaskView& view) noexcept override;
+  void watch(const TaskView& view, std::span<Reading> out) noexcept override;
+  void aim(double time, Command& command) override;
+
+ private:
+  struct Hand {
+    int frame = -1;
+    double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
+    double without = 0.0;             ///< s without force
+    Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
+  };
+  void feel(const TaskView& view) noexcept;
+  double slip_of_hands(const RigidBody& body, int& worst) const noexcept;
+  double slip_of_feet(const RigidBody& body, int& worst) const noexcept;
+  Limit look(const TaskView& view, int& where) noexcept;
+
+  Task task_;
+  Setting setting_;
+  std::shared_ptr<LeanState> lean_;
+  std::array<Hand, 2> hands_;
+  std::vector<int> feet_;  ///< frames
+  std::vector<Eigen::Vector3d> p_feet_;
+  double least_ = 0.0;       ///< m, height of the centre of mass at the start
+  double behind_ = 0.0;      ///< N, mean over 0.1 s
+  double infeasible_ = 0.0;  ///< s that plans could not keep their limits
+  double late_ = 0.0;        ///< s that contact is late
+};
+
+}  // namespace burnish::push_wall

@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "pressing/closed_run.hpp"
+#include "push_wall/limits_near.hpp"
+#include "push_wall/pushing.hpp"
+#include "report/moving_mean.hpp"
+
+namespace burnish::push_wall {
+namespace {
+
+/// First row of a phase or of a later one.
+int first_row(const Trace& trace, int phase) {
+  const Trace::Column phases = trace.column("phase");
+  return static_cast<int>(
+      std::find_if(phases.begin(), phases.end(), [&](double now) { return now >= phase; }) -
+      phases.begin());
+}
+
+/// True places and forces of hands and feet, row by row of a trace.
+class Replay {
+ public:
+  Replay(const Task& task, const RunResult& result)
+      : task_(task),
+        setting_(result.setting),
+        trace_(result.trace),
+        model_(result.setting.robot.model),
+        body_(model_),
+        q_(model_.nq),
+        first_q_(trace_.index("q_" + model_.q_name(0))) {
+    for (const std::string& hand : task.hands) hands_.push_back(body_.frame(hand));
+    for (const std::string& foot : task.standing.feet) feet_.push_back(body_.frame(foot));
+  }
+  bool go_to(int row) {
+    for (int k = 0; k < model_.nq; ++k) q_[k] = trace_.at(row, first_q_ + k);
+    return body_.update(q_, Eigen::VectorXd::Zero(model_.nv)) <= Status::NotConverged;
+  }
+  Eigen::Vector3d wrench_force(const std::string& frame, int row) const {
+    const int at = trace_.index("support_" + frame + "_fx");
+    return {trace_.at(row, at), trace_.at(row, at + 1), trace_.at(row, at + 2)};
+  }
+  /// N along the normal, of a hand.
+  double force(std::size_t hand, int row) const {
+    const Eigen::Vector3d f = wrench_force(task_.hands[hand], row);
+    return (body_.placement(hands_[hand]).linear() * f).dot(setting_.wall_axes.col(2));
+  }
+  Eigen::Isometry3d hand(std::size_t h) const { return body_.placement(hands_[h]); }
+  Eigen::Vector3d foot(std::size_t i) const { return body_.placement(feet_[i]).translation(); }
+  Eigen::Vector3d com() const { return body_.com(); }
+  /// Of half its sides, how far the pressure is off the middle of a sole.
+  double sole_share(std::size_t foot, int row) const {
+    const std::string name = "support_" + task_.standing.feet[foot];
+    const double load = trace_.at(row, trace_.index(name + "_fz"));
+    if (!task_.standing.has_soles() || !(load > task_.standing.least_load)) return 0.0;
+    const double mx = trace_.at(row, trace_.index(name + "_mx"));
+    const double my = trace_.at(row, trace_.index(name + "_my"));
+    return std::max(std::abs(my) / load / task_.standing.half_x,
+                    std::abs(mx) / load / task_.standing.half_y);
+  }
+
+ private:
+  const Task& task_;
+  const Setting& setting_;
+  const Trace& trace_;
+  const Model& model_;
+  RigidBody body_;
+  Eigen::VectorXd q_;
+  int first_q_;
+  std::vector<int> hands_, feet_;
+};
+
+/// Errors of one hand over rows, and its mean.
+struct ForceError {
+  double rmse = 0.0, peak = 0.0, mean = 0.0;
+};
+ForceError force_error(const Eigen::VectorXd& force, const Eigen::VectorXd& target, int begin,
+                       int end) {
+  const Eigen::Index size = end - begin;
+  const Eigen::VectorXd error = force.segment(begin, size) - target.segment(begin, size);
+  return {std::sqrt(error.squaredNorm() / static_cast<double>(size)), error.cwiseAbs().maxCoeff(),
+          force.segment(begin, size).mean()};
+}
+
+/// Rows from a while after the start of a phase to just before the start of another.
+std::pair<int, int> window(const Trace& trace, int from, double after, int until) {
+  const Trace::Column time = trace.column("time");
+  int begin = first_row(trace, from);
+  const int rows = static_cast<int>(time.size());
+  if (begin >= rows) return {0, 0};
+  const double start = time[begin] + after;
+  while (begin < rows && time[begin] < start) ++begin;
+  int end = std::min(first_row(trace, until), rows);
+  while (end > begin && time[end - 1] > time[std::min(first_row(trace, until), rows - 1)] - 0.02)
+    --end;
+  return {begin, end};
+}
+
+/// N along the normal of both hands, means over 10 ms; and the places on the way.
+std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushFigures& figures) {
+  const Trace& trace = result.trace;
+  const Trace::Column phase = trace.column("phase"), time = trace.column("time");
+  std::array<Eigen::VectorXd, 2> forces;
+  for (Eigen::VectorXd& force : forces) force = Eigen::VectorXd::Zero(time.size());
+  Replay at(task, result);
+  std::array<Eigen::Isometry3d, 2> contact;
+  std::vector<Eigen::Vector3d> start;
+  const Eigen::Vector3d n = result.setting.wall_axes.col(2);
+  bool pushes = false;
+  for (int row = 0; row < static_cast<int>(time.size()) && at.go_to(row); ++row) {
+    for (std::size_t i = 0; i < task.standing.feet.size(); ++i) {
+      if (row == 0) start.push_back(at.foot(i));
+      figures.foot_slip = std::max(figures.foot_slip, (at.foot(i) - start[i]).head<2>().norm());
+      if (phase[row] >= 1.0)  // once it stands
+        figures.sole_share = std::max(figures.sole_share, at.sole_share(i, row));
+    }
+    const auto in = static_cast<int>(phase[row]);
+    const bool now = in >= ramp && in <= release;
+    for (std::size_t h = 0; h < 2; ++h) {
+      forces[h][row] = at.force(h, row);
+      if (now && !pushes) contact[h] = at.hand(h);
+      if (now)
+        figures.hand_slip =
+            std::max(figures.hand_slip, slid(contact[h], at.hand(h), n, task.tip_radius).norm());
+    }
+    pushes = now;
+    figures.lean = std::max(figures.lean, (result.setting.com - at.com()).dot(n));
+  }
+  const double dt = time.size() > 1 ? time[1] - time[0] : 1.0;
+  for (Eigen::VectorXd& force : forces)
+    force = moving_mean(force, std::max(1, static_cast<int>(std::lround(0.01 / dt))));
+  return forces;
+}
+
+void measure_push(const Task& task, const LeanState& lean_state, RunResult& result) {
+  constexpr double settling = 0.3;  // s after the ramp
+  const Trace& trace = result.trace;
+  const auto [begin, end] = window(trace, hold, settling, lean);
+  if (end - begin < 2) return;
+  PushFigures figures;
+  const std::array<Eigen::VectorXd, 2> forces = replay(task, result, figures);
+  const Eigen::VectorXd target = trace.column("target_force");
+  const auto [top_begin, top_end] = window(trace, top, back_duration + settling, release);
+  figures.largest_force = top_end - top_begin > 1 ? 1e9 : 0.0;
+  for (const Eigen::VectorXd& force : forces) {
+    const ForceError held = force_error(force, target, begin, end);
+    figures.force_rmse = std::max(figures.force_rmse, held.rmse);
+    figures.force_peak = std::max(figures.force_peak, held.peak);
+    figures.force_mean += 0.5 * held.mean;
+    if (top_end - top_begin < 2) continue;
+    const ForceError largest = force_error(force, target, top_begin, top_end);
+    figures.largest_force = std::min(figures.largest_force, largest.mean);
+    figures.largest_rmse = std::max(figures.largest_rmse, largest.rmse);
+  }
+  figures.lean_force = std::max(0.0, lean_state.reached.load());
+  result.push = figures;
+}
+
+std::string because(const Task& task, const RunResult& result) {
+  const std::string by = result.limited_by.empty() ? "" : " (" + result.limited_by + ")";
+  switch (result.limit) {
+    case Limit::None:
+      return "nothing";
+    case Limit::Most:
+      return "lean.force_max of " + number(task.lean.force_max) + " N";
+    case Limit::Give:
+      return "hands that fell behind" + by;
+    case Limit::Plan:
+      return "limits that plans could not keep" + by;
+    case Limit::Hand:
+      return "a hand that slipped" + by;
+    case Limit::Foot:
+      return "a foot that slipped" + by;
+  }
+  return "";
+}
+
+std::string outcome_of(const Task& task, const RunResult& result, const pressing::RunEnd& end) {
+  const std::string& phase = phase_names()[static_cast<std::size_t>(end.phase)];
+  if (const std::string trouble = pressing::trouble_of(result, end, phase); !trouble.empty())
+    return trouble;
+  if (!result.push)
+    return "the push was not held to the end: the run ended at " + number(end.time) +
+           " s, in phase " + phase;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "pushed: %.2f N rms off %.0f N of each hand; %.1f N held, after %.1f N ended by ",
+                result.push->force_rmse, task.force, result.push->largest_force,
+                result.push->lean_force);
+  return text + because(task, result);
+}
+
+/// Where the plant has the wall: what disturbances do to the surface they do to it.
+SceneSpec with_true_wall(const Task& task, const SceneSpec& known) {
+  SceneSpec scene = known;
+  const SurfaceSpec wall = plant_scene(known, task.disturbances).surface;
+  for (std::size_t i = task.standing.feet.size(); i < scene.supports.size(); ++i) {
+    scene.supports[i].point = wall.point;
+    scene.supports[i].normal = wall.normal;
+    scene.supports[i].friction = wall.friction;
+  }
+  return scene;
+}
+
+}  // namespace
+
+RunResult run_task(const RunSpec& spec) {
+  const Task& task = spec.task;
+  check_task(task);
+  RunResult result;
+  result.setting = spec.setting ? *spec.setting : make_setting(task);
+  const Setting& setting = result.setting;
+  if (spec.check_reach) refuse_out_of_reach(task, setting);
+  const auto lean_state = std::make_shared<LeanState>();
+  MpcSpec mpc_spec = make_mpc(task, setting, lean_state);
+  const ProblemSpec problem = mpc_spec.problem;
+  MpcController mpc(std::move(mpc_spec));
+  const SceneSpec scene = with_true_wall(task, setting.scene);
+  const double end = setting.release_end + task.retreat_duration;
+  const double longest = end + pressing::patience(task.late_contact);
+  pressing::ClosedRun run{.controller = mpc,
+                          .period = 1.0 / task.tick_rate,
+                          .model = setting.robot.model,
+                          .scene = scene,
+                          .disturbances = task.disturbances,
+                          .q_start = setting.q_start,
+                          .longest = longest,
+                          .plant = spec.plant,
+                          .mpc = &mpc,
+                          .plan_step = task.step,
+                          .solver_delay = task.solver_delay,
+                          .plan_rate = spec.plan_rate};
+  std::optional<PlanAt> last;
+  run.goes_on = [&](double now, const Command&) {
+    if (!last && lean_state->limit != 0) last = plan_now(mpc);
+    return mpc.schedule().time() < end && now < longest;
+  };
+  run.end = [end] { return end; };
+  run.progress = spec.progress;
+  const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
+  result.limit = static_cast<Limit>(lean_state->limit.load());
+  const int where = lean_state->where;
+  if (result.limit == Limit::Hand) result.limited_by = task.hands[static_cast<std::size_t>(where)];
+  if (result.limit == Limit::Foot)
+    result.limited_by = task.standing.feet[static_cast<std::size_t>(where)];
+  if (last && where < 0 && result.limit != Limit::Most)
+    result.limited_by = limits_near(problem, *last);
+  measure_push(task, *lean_state, result);
+  result.outcome = outcome_of(task, result, ended);
+  result.done = result.plant_status <= Status::NotConverged &&
+                result.fault.kind == FaultKind::None && !result.interrupted &&
+                result.push.has_value() && mpc.schedule().time() >= end;
+  return result;
+}
+
+}  // namespace burnish::push_wall

@@ -1,0 +1,364 @@
+// The task as stages over time, with the wall, the hands and the feet in their places.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/stage_terms.hpp"
+#include "pressing/standing_terms.hpp"
+#include "push_wall/pushing.hpp"
+
+namespace burnish::push_wall {
+namespace {
+
+using Shared = std::shared_ptr<LeanState>;
+
+/// Both hands, each with its name and number.
+template <class See>
+void each_hand(const Task& task, const See& see) {
+  for (int h = 0; h < 2; ++h) see(task.hands[static_cast<std::size_t>(h)], h);
+}
+
+/// m, world: where the centre of mass is to be while each hand pushes with a force, N. The pressure
+/// goes back to the middle of the feet first, and then the body leans so that it stays there; what
+/// is between is rounded over a centimetre.
+Eigen::Vector3d com_at(const Setting& setting, double force) {
+  constexpr double round = 0.01;  // m
+  const double length = setting.com_per_force.norm();
+  if (!(length > 0.0)) return setting.com;
+  const double way = force * length - setting.room;
+  const double lean = 0.5 * (way + std::hypot(way, round));
+  return setting.com + lean / length * setting.com_per_force;
+}
+
+struct Builder {
+  const Task& task;
+  const Setting& setting;
+  const Model& model;
+  Shared lean;
+
+  Eigen::VectorXd state_target() const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv);
+    x.head(model.nq) = setting.q_start;
+    return x;
+  }
+  /// Where the centre of mass is to be: the more the hands push, the nearer to the wall, so that
+  /// the pressure under the feet stays where it is.
+  Signal com() const {
+    return Signal::over_time(
+        3, [task = task, setting = setting, lean = lean](double t, Eigen::Ref<Eigen::VectorXd> p) {
+          p = com_at(setting, force_at(task, setting, *lean, t));
+        });
+  }
+  Signal hand_force() const {
+    return Signal::over_time(
+        3, [task = task, setting = setting, lean = lean](double t, Eigen::Ref<Eigen::VectorXd> f) {
+          f.setZero();
+          f[2] = force_at(task, setting, *lean, t);
+        });
+  }
+  Signal retreat_speed() const {
+    return Signal::over_time(
+        6, [task = task, begin = setting.release_end](double t, Eigen::Ref<Eigen::VectorXd> v) {
+          v.setZero();
+          const double T = task.retreat_duration;
+          v[2] = task.clearance / T * pressing::smooth_rate((t - begin) / T);
+        });
+  }
+  std::vector<CostTerm> everywhere() const {
+    const Weights& w = task.weights;
+    Eigen::VectorXd rows = Eigen::VectorXd::Constant(2 * model.nv, w.posture);
+    rows.tail(model.nv).setConstant(w.velocity);
+    rows.head<3>().setZero();  // where the base is, balance says
+    rows.segment<3>(3).setConstant(task.standing.base);
+    std::vector<CostTerm> terms{
+        {.name = "state", .residual = residual::State{state_target()}, .weights = rows}};
+    for (CostTerm term : pressing::standing_costs(model, task.standing, setting.q_start)) {
+      if (term.name == "balance") term.residual = residual::CenterOfMass{com()};
+      terms.push_back(std::move(term));
+    }
+    each_hand(task, [&](const std::string& hand, int) {
+      const Eigen::Matrix3d R = frame_placement(model, setting.q_start, hand).linear();
+      terms.push_back(
+          {.name = "inclination of " + hand,
+           .residual = residual::FrameInclination{hand, Reference::world(setting.wall_axes),
+                                                  R.transpose() * setting.wall_axes.col(2)},
+           .weight = w.inclination});
+    });
+    return terms;
+  }
+  CostTerm place(const std::string& hand, int h, double along_normal) const {
+    const Eigen::Vector3d start = frame_placement(model, setting.q_start, hand).translation();
+    return pressing::place_cost(
+        "place of " + hand, hand,
+        Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)), setting.wall_axes,
+        task.weights.position, along_normal);
+  }
+  CostTerm move(const std::string& hand, const Signal& speed) const {
+    return pressing::normal_speed_cost("speed of " + hand, hand, speed, setting.wall_axes,
+                                       task.weights.approach);
+  }
+  CostTerm press(const std::string& hand) const {
+    return {.name = "force of " + hand,
+            .residual = residual::ContactForce{hand, {}, hand_force()},
+            .weights =
+                Eigen::Vector3d(task.weights.friction, task.weights.friction, task.weights.force)};
+  }
+  /// Friction, and a band about the force where there is one.
+  void keep_hand(const std::string& hand, std::vector<Constraint>& rows) const {
+    rows.push_back({.name = "friction of " + hand,
+                    .residual = residual::FrictionCone{hand, task.wall.plan_friction}});
+    const double band = task.constraints.force_band;
+    if (!std::isfinite(band)) return;
+    constexpr double free = std::numeric_limits<double>::infinity();
+    rows.push_back({.name = "force band of " + hand,
+                    .residual = residual::ContactForce{hand, {}, hand_force()},
+                    .lower = Eigen::Vector3d(-free, -free, -band),
+                    .upper = Eigen::Vector3d(free, free, band),
+                    .scale = Eigen::Vector3d::Constant(task.force)});
+  }
+  Eigen::VectorXd rest_control() const {
+    RigidBody body(model);
+    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+      throw Error("the starting posture cannot be evaluated");
+    std::vector<SupportSpec> feet = setting.scene.supports;
+    feet.resize(task.standing.feet.size());
+    return pressing::torque_on_supports(model, body, feet, body.gravity_torque())
+        .tail(model.nv - 6);
+  }
+  Stage stage(const std::string& name) const {
+    Stage result{.name = name, .contacts = task.standing.feet, .costs = everywhere()};
+    result.step = task.step;
+    result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
+    result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
+    for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
+      result.constraints.push_back(rows);
+    for (const Constraint& rows : pressing::standing_constraints(task.standing))
+      result.constraints.push_back(rows);
+    return result;
+  }
+  std::vector<Stage> stages() const {
+    std::vector<Stage> all{stage("stand"), stage("approach"), stage("push"), stage("retreat")};
+    each_hand(task, [&](const std::string& hand, int h) {
+      all[0].costs.push_back(place(hand, h, 1.0));
+      all[1].costs.push_back(place(hand, h, 0.0));
+      all[1].costs.push_back(move(hand, pressing::normal_twist(-task.approach_speed)));
+      all[2].contacts.push_back(hand);
+      all[2].costs.push_back(press(hand));
+      keep_hand(hand, all[2].constraints);
+      all[3].costs.push_back(place(hand, h, 0.0));
+      all[3].costs.push_back(move(hand, retreat_speed()));
+    });
+    return all;
+  }
+};
+
+void check_hands(const Model& model, const Task& task) {
+  std::vector<std::string> frames;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  for (const std::string& hand : task.hands)
+    if (!model.has_frame(hand))
+      throw EntryError("hands", "frame " + in_quotes(hand) + " is none of robot " +
+                                    in_quotes(model.name) + did_you_mean(hand, frames));
+}
+
+/// The wall before the nearer hand, and where both come to it.
+void place_wall(const Task& task, Setting& s) {
+  constexpr double most = 0.05;  // m that one hand may have farther to go
+  const Eigen::Vector3d n = s.wall_axes.col(2);
+  Eigen::Vector2d height;
+  each_hand(task, [&](const std::string& hand, int h) {
+    s.p_hands.col(h) = frame_placement(s.robot.model, s.q_start, hand).translation();
+    height[h] = s.p_hands.col(h).dot(n);
+  });
+  if (std::abs(height[0] - height[1]) > most)
+    throw EntryError("posture", "hand " + in_quotes(task.hands[height[0] > height[1] ? 0 : 1]) +
+                                    " has " + number(std::abs(height[0] - height[1])) +
+                                    " m farther to the wall than the other; wanted at most " +
+                                    number(most) + " m, another start or another wall.normal");
+  const double level = std::min(height[0], height[1]) - task.clearance;
+  for (std::size_t h = 0; h < 2; ++h) s.p_hands.col(h) += (level - height[h]) * n;
+}
+
+/// Feet on the ground, hands on the wall.
+SceneSpec make_scene(const Task& task, const Setting& s) {
+  constexpr double smaller = 0.5;  // of the tip, so that the surface itself is never touched
+  const Eigen::Vector3d n = s.wall_axes.col(2);
+  SceneSpec scene;
+  scene.tip = {task.hands[1], smaller * task.tip_radius};
+  scene.surface.point = s.p_hands.rowwise().mean() - task.tip_radius * n;
+  scene.surface.normal = n;
+  scene.surface.friction = task.wall.friction;
+  scene.surface.stiffness = task.wall.stiffness;
+  scene.surface.damping = task.wall.damping;
+  scene.supports = pressing::supports_at(s.robot.model, task.standing, s.q_start);
+  each_hand(task, [&](const std::string& hand, int) {
+    scene.supports.push_back({.frame = hand,
+                              .radius = task.tip_radius,
+                              .point = scene.surface.point,
+                              .normal = n,
+                              .friction = task.wall.friction,
+                              .stiffness = task.wall.stiffness,
+                              .damping = task.wall.damping});
+  });
+  return checked_scene(s.robot.model, scene);
+}
+
+/// With the hands' forces F n at r_i from the ground below the centre of mass, whose weight is W:
+/// the moment about there, sum r_i x n F + d x (-W z), has no level part for
+///   d = F (m_y, m_x) -> d_x = -m_y / W, d_y = m_x / W,  m = sum r_i x n.
+Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
+  const Eigen::Vector3d below(s.com.x(), s.com.y(), ground);
+  Eigen::Vector3d m = Eigen::Vector3d::Zero();
+  for (int h = 0; h < 2; ++h) m += (s.p_hands.col(h) - below).cross(s.wall_axes.col(2));
+  return {-m.y() / weight, m.x() / weight, 0.0};
+}
+
+/// See Setting::room.
+double room_of(const Setting& s, std::size_t feet) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < feet; ++i)
+    middle += s.scene.supports[i].point / static_cast<double>(feet);
+  return std::max(0.0, (s.com - middle).dot(s.com_per_force.normalized()));
+}
+
+}  // namespace
+
+std::string name_of(Limit limit) {
+  static const std::array<const char*, 6> names{"none", "most", "give", "plan", "hand", "foot"};
+  return names[static_cast<std::size_t>(limit)];
+}
+
+const std::vector<std::string>& phase_names() {
+  static const std::vector<std::string> names{"settle", "approach", "ramp",    "hold",
+                                              "lean",   "top",      "release", "retreat"};
+  return names;
+}
+
+Robot load_task_robot(const Task& task) {
+  RobotOverrides overrides;
+  overrides.base = Base::FreeFlyer;
+  return about("robot", [&] { return load_robot(task.robot, overrides); });
+}
+
+Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
+
+Setting make_setting(const Task& task, const Robot& robot) {
+  check_hands(robot.model, task);
+  pressing::check_standing(robot.model, task.standing);
+  Setting s;
+  s.robot = robot;
+  s.q_start = pressing::start_posture(robot, task.posture, []() -> Eigen::VectorXd {
+    throw Error("the robot has no default posture; wanted one of its settings");
+  });
+  s.wall_axes = Reference::surface_with_normal(task.wall.normal_world.normalized()).rotation;
+  place_wall(task, s);
+  s.scene = make_scene(task, s);
+  RigidBody body(robot.model);
+  if (body.update(s.q_start, Eigen::VectorXd::Zero(robot.model.nv)) > Status::NotConverged)
+    throw EntryError("posture", "it cannot be evaluated");
+  s.com = body.com();
+  s.com_per_force = com_per_force(s, body.mass() * robot.model.gravity.norm(),
+                                  s.scene.supports.front().point.z());
+  s.room = room_of(s, task.standing.feet.size());
+  s.touch = task.settle_duration + task.clearance / task.approach_speed;
+  s.ramp_end = s.touch + task.ramp_duration;
+  s.hold_end = s.ramp_end + task.hold_duration;
+  s.lean_end = s.hold_end + (task.lean.force_max - task.force) / task.lean.rate;
+  s.top_end = s.lean_end + back_duration + task.lean.hold_duration;
+  s.release_end = s.top_end + task.release_duration;
+  return s;
+}
+
+void refuse_out_of_reach(const Task& task, const Setting& setting) {
+  const Model& model = setting.robot.model;
+  RigidBody body(model);
+  if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged) return;
+  Eigen::VectorXd needed = body.gravity_torque();
+  FrameDerivatives at;
+  for (const std::string& hand : task.hands) {
+    body.frame_derivatives(body.frame(hand), Reference::centered(), at);
+    needed -= task.force * (at.jacobian.topRows<3>().transpose() * setting.wall_axes.col(2));
+  }
+  std::vector<SupportSpec> feet = setting.scene.supports;
+  feet.resize(task.standing.feet.size());
+  const Eigen::VectorXd torque = pressing::torque_on_supports(model, body, feet, needed);
+  const Eigen::VectorXd most = pressing::torque_limit(model, task.constraints);
+  for (int k = 6; k < model.nv; ++k)
+    if (std::abs(torque[k]) > most[k])
+      throw EntryError("force", "pushing with " + number(task.force) + " N at the start takes " +
+                                    number(std::abs(torque[k])) + " Nm of " +
+                                    in_quotes(model.v_name(k)) + ", which has " + number(most[k]) +
+                                    " Nm; wanted less force or another posture");
+}
+
+double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time) {
+  if (time < setting.touch || time >= setting.release_end) return 0.0;
+  const double reached = lean.reached;
+  const double largest = reached < 0.0 ? task.lean.force_max : reached;
+  const auto between = [](double from, double to, double share) {
+    return from + (to - from) * pressing::smooth(share);
+  };
+  if (time < setting.hold_end)
+    return between(task.touch_force, task.force, (time - setting.touch) / task.ramp_duration);
+  if (time < setting.lean_end)
+    return std::min(task.force + task.lean.rate * (time - setting.hold_end), largest);
+  const double held = task.lean.share * largest;
+  if (time < setting.top_end)
+    return between(largest, held, (time - setting.lean_end) / back_duration);
+  return between(held, task.touch_force, (time - setting.top_end) / task.release_duration);
+}
+
+MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
+  if (!lean) lean = std::make_shared<LeanState>();
+  const Model& model = setting.robot.model;
+  const Builder build{task, setting, model, lean};
+  MpcSpec mpc;
+  mpc.problem.model = model;
+  mpc.problem.contacts = pressing::foot_contacts(task.standing);
+  for (const std::string& hand : task.hands) {
+    ContactSpec contact{.name = hand, .tool = hand, .directions = Directions::linear()};
+    contact.reference = Reference::surface(setting.wall_axes);
+    mpc.problem.contacts.push_back(contact.with_gains(0.0, task.wall.contact_kd));
+  }
+  mpc.supports = task.standing.feet;
+  mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
+  mpc.support_sensors = true;
+  mpc.problem.initial_state = build.state_target();
+  mpc.problem.stages = build.stages();
+  mpc.problem.terminal = build.everywhere();
+  for (CostTerm& term : mpc.problem.terminal) term.weight *= task.weights.terminal;
+  mpc.problem.terminal_constraints =
+      pressing::joint_limits(model, task.constraints, setting.q_start);
+  mpc.problem.horizon = {
+      {.stage = "stand", .knots = task.knots, .step = task.step, .duration = task.horizon}};
+  mpc.schedule = {
+      {.stage = "stand", .duration = task.settle_duration},
+      {.stage = "approach", .duration = setting.touch - task.settle_duration, .until = "contact"},
+      {.stage = "push", .duration = task.ramp_duration},
+      {.stage = "push", .duration = task.hold_duration},
+      {.stage = "push", .duration = setting.lean_end - setting.hold_end, .until = "limit"},
+      {.stage = "push", .duration = setting.top_end - setting.lean_end},
+      {.stage = "push", .duration = task.release_duration},
+      {.stage = "retreat"}};
+  for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
+  mpc.task = [task, setting, lean](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
+    return std::make_unique<Pushing>(spec, task, setting, lean);
+  };
+  mpc.tool = task.hands[1];
+  mpc.normal_world = setting.wall_axes.col(2);
+  mpc.contact_threshold = task.contact_threshold;
+  mpc.tick_period = 1.0 / task.tick_rate;
+  mpc.update_period = 1.0 / task.update_rate;
+  mpc.solver_delay = task.solver_delay;
+  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
+  mpc.model_error = task.model_error;
+  mpc.limits = task.limits;
+  return mpc;
+}
+
+}  // namespace burnish::push_wall

@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "push_wall/descriptions.hpp"
+
+namespace burnish::push_wall {
+namespace {
+
+[[noreturn]] void refuse(const std::string& entry, const std::string& sentence) {
+  throw EntryError(entry, sentence);
+}
+
+void check_forces(const Task& task) {
+  if (task.touch_force > task.force)
+    refuse("phases.touch_force", "it is " + number(task.touch_force) +
+                                     " N, more than the force of " + number(task.force) +
+                                     " N; wanted at most that");
+  if (task.lean.force_max <= task.force)
+    refuse("lean.force_max", "it is " + number(task.lean.force_max) + " N and the force " +
+                                 number(task.force) + " N; wanted more than that");
+  if (task.force_limit <= task.lean.force_max)
+    refuse("limits.force", "it is " + number(task.force_limit) + " N and lean.force_max reaches " +
+                               number(task.lean.force_max) + " N; wanted more than that");
+}
+
+void check_times(const Task& task) {
+  constexpr double longest = 1e4;  // s
+  for (const auto& [entry, time] :
+       {std::pair("phases.settle_duration", task.settle_duration),
+        {"phases.clearance", task.clearance / task.approach_speed},
+        {"phases.ramp_duration", task.ramp_duration},
+        {"phases.hold_duration", task.hold_duration},
+        {"lean.rate", (task.lean.force_max - task.force) / task.lean.rate},
+        {"lean.hold_duration", task.lean.hold_duration},
+        {"phases.release_duration", task.release_duration},
+        {"phases.retreat_duration", task.retreat_duration}})
+    if (!(time <= longest))
+      refuse(entry, "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
+  const double ticks = task.tick_rate / task.update_rate;
+  if (!(ticks >= 1.0 - 1e-9) || std::abs(ticks - std::round(ticks)) > 1e-6)
+    refuse("controller.update_rate", "it is " + number(task.update_rate) + " Hz and tick_rate " +
+                                         number(task.tick_rate) +
+                                         " Hz; wanted a whole number of ticks per update");
+  if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
+    refuse("controller.solver_delay",
+           "it is " + number(task.solver_delay) + " s; wanted at most the " +
+               number(1.0 / task.update_rate) + " s between two updates");
+  if (task.step * task.knots > task.horizon + 1e-9)
+    refuse("controller.knots", number(task.knots) + " knots of " + number(task.step) +
+                                   " s at least are longer than the horizon of " +
+                                   number(task.horizon) + " s; wanted fewer");
+}
+
+}  // namespace
+
+Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return parse_task(read_text(file, "YAML file"), file.string(), overrides);
+}
+
+Task parse_task(const std::string& text, const std::string& name,
+                const std::vector<std::string>& overrides) {
+  const files::Said<Task> said = files::parse_said<Task>(text, name, overrides);
+  files::placed(said.texts, [&] { check_task(said.spec); });
+  return said.spec;
+}
+
+void override_task(Task& task, const std::vector<std::string>& overrides) {
+  files::Said<Task> said{.spec = task};
+  files::change(said, overrides);
+  task = said.spec;
+}
+
+std::string task_text(const Task& task) { return file_of(&task).text(&task); }
+
+void check_task(const Task& task) {
+  check_ranges(description_of(&task), &task,
+               [](const std::string& entry) { return "the task: " + entry; });
+  if (task.hands.size() != 2 || task.hands[0] == task.hands[1])
+    refuse("hands", "there are " + std::to_string(task.hands.size()) +
+                        (task.hands.size() == 2 ? " of one name" : "") +
+                        "; wanted two frames that are not the same");
+  if (!task.standing.force_sensors)
+    refuse("standing.force_sensors",
+           "it is false; wanted true: what hands and feet press with is to be measured");
+  for (const auto& [entry, share] :
+       {std::pair("lean.share", task.lean.share), {"standing.plan_sole", task.standing.plan_sole}})
+    if (!(share > 0.0)) refuse(entry, "it is " + number(share) + "; wanted more than 0");
+  check_forces(task);
+  check_times(task);
+}
+
+}  // namespace burnish::push_wall
