@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/report/plan_record.hpp"
+#include "burnish/report/standing_figures.hpp"
 #include "burnish/sim/plant.hpp"
 
 namespace burnish {
@@ -48,6 +50,7 @@ struct TaskRun {
   double first_tick = 0.0;   ///< s of wall clock
   double wall_time = 0.0;    ///< s, of the simulation
   std::string outcome;       ///< one sentence
+  std::optional<StandingFigures> standing;  ///< of a robot that stands
 };
 
 }  // namespace burnish
