@@ -55,6 +55,18 @@ TEST(StandingFigures, OfPressureAreTheDistanceFromTheNearestEdge) {
   EXPECT_NEAR(aside.pressure_margin.value_or(1.0), -0.01, 1e-12);
 }
 
+TEST(StandingFigures, OfForcesBeginWhenTheGroundHasTakenTheRobot) {
+  const StandingFigures f = figures_of([](int row, const StandingTrace::Set& set) {
+    if (row > 0) return;
+    set("support_left_fz", 30.0);
+    set("support_left_fx", 24.0);
+    set("support_left_my", -3.0);
+  });
+  EXPECT_EQ(f.friction_used, 0.0);
+  EXPECT_EQ(f.least_load, 100.0);
+  EXPECT_NEAR(f.pressure_margin.value_or(0.0), 0.05, 1e-12);
+}
+
 TEST(StandingFigures, OfBallsHaveNoCentreOfPressure) {
   const StandingFigures f = figures_of({}, 0.02);
   EXPECT_FALSE(f.pressure_margin.has_value());
@@ -152,7 +164,7 @@ TEST(StandingFigures, AreAColumnPerRun) {
   const std::string table = standing_table({{"first", figures}, {"second", figures}});
   EXPECT_NE(table.find("standing.slip"), std::string::npos);
   EXPECT_NE(table.find("2.000"), std::string::npos);
-  EXPECT_NE(table.find("standing.pressure_margin  mm          -       -"), std::string::npos)
+  EXPECT_NE(table.find("standing.pressure_margin  mm       -       -\n"), std::string::npos)
       << table;
 }
 

@@ -52,7 +52,7 @@ class StandingTrace {
 
   /// Its columns beside those of a tool.
   std::vector<TraceColumn> columns() const {
-    std::vector<TraceColumn> columns;
+    std::vector<TraceColumn> columns{{"time", "s"}};
     for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "-"});
     for (int k = 0; k < model.nv; ++k) columns.push_back({"v_" + model.v_name(k), "-"});
     for (const SupportSpec& support : supports)
@@ -68,6 +68,7 @@ class StandingTrace {
       const Set set = [&](const std::string& column, double value) {
         values[trace.index(column)] = value;
       };
+      set("time", 0.1 * row);
       set("q_" + model.q_name(2), 0.5);
       set("q_" + model.q_name(6), 1.0);
       for (const SupportSpec& support : supports) set("support_" + support.frame + "_fz", 100.0);

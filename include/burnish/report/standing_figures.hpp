@@ -10,7 +10,8 @@
 
 namespace burnish {
 
-/// All of the run, from the plant's true forces and positions, SI units.
+/// All of the run, from the plant's true forces and positions, SI units; of forces all but its first
+/// 50 ms, in which the ground takes the robot.
 struct StandingFigures {
   /// largest share of its friction cone that a foot used, |f_t| / (mu f_n), while it bore 20 N
   double friction_used = 0.0;
