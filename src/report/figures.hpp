@@ -166,10 +166,12 @@ void each_standing_figure(const See& see) {
                   "largest share of its friction cone that a foot used while it bore 20 N",
                   "friction of the feet used", 1},
       &S::friction_used);
-  see(FigureEntry{"pressure_margin", metre,
-                  "least distance of a foot's centre of pressure from the edge of its sole while it "
-                  "bore 20 N",
-                  "pressure to the sole's edge", 1},
+  see(
+      FigureEntry{
+          "pressure_margin", metre,
+          "least distance of a foot's centre of pressure from the edge of its sole while it "
+          "bore 20 N",
+          "pressure to the sole's edge", 1},
       &S::pressure_margin);
   see(FigureEntry{"least_load", newton, "least normal force on a foot", "least load of a foot", 1},
       &S::least_load);

@@ -179,10 +179,15 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
       column += 3;
     }
   }
-  const char* const names[standing_columns] = {
-      "com_x",      "com_y",      "com_z",
-      "momentum_x", "momentum_y", "momentum_z",
-      "angular_momentum_x", "angular_momentum_y", "angular_momentum_z"};
+  const char* const names[standing_columns] = {"com_x",
+                                               "com_y",
+                                               "com_z",
+                                               "momentum_x",
+                                               "momentum_y",
+                                               "momentum_z",
+                                               "angular_momentum_x",
+                                               "angular_momentum_y",
+                                               "angular_momentum_z"};
   const char* const units[] = {"m", "kg m/s", "kg m^2/s"};
   for (Eigen::Index k = 0; k < standing_columns; ++k)
     fill.add_chosen(names[k], units[k / 3], values.col(k));

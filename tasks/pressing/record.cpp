@@ -50,7 +50,8 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
   for (Push& push : page.pushes)
     if (push.frame.empty()) push.frame = scene.tip.frame;
   if (run.standing)
-    for (PageMetric& figure : page_metrics(*run.standing)) page.metrics.push_back(std::move(figure));
+    for (PageMetric& figure : page_metrics(*run.standing))
+      page.metrics.push_back(std::move(figure));
   if (!run.plans.time.empty()) page.plans = run.plans;
   add_trace(page, run.trace, record_every);
 }

@@ -10,13 +10,12 @@
 
 namespace burnish {
 
-/// All of the run, from the plant's true forces and positions, SI units; of forces all but its first
-/// 50 ms, in which the ground takes the robot.
+/// All of the run, from the plant's true forces and positions, SI units; of forces all but its
+/// first 50 ms, in which the ground takes the robot.
 struct StandingFigures {
-  /// largest share of its friction cone that a foot used, |f_t| / (mu f_n), while it bore 20 N
+  /// largest share of its friction cone that a foot used while it bore 20 N
   double friction_used = 0.0;
-  /// m, least distance of a foot's centre of pressure from the edge of its sole, while it bore 20 N;
-  /// none without soles
+  /// m, least distance of a foot's centre of pressure from the edge of its sole while it bore 20 N
   std::optional<double> pressure_margin;
   double least_load = 0.0;  ///< N, least normal force on a foot
   /// m, farthest that a foot, with a sole a corner of it, came along the ground from where it was

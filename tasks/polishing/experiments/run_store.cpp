@@ -197,8 +197,7 @@ RunFigures read_result(const fs::path& result, const fs::path& times) {
   run.p_center = numbers_in(map["p_center"]);
   read_figures(map["figures"], run, run_table);
   if (map.has("metrics")) read_figures(map["metrics"], run.metrics.emplace(), metric_table);
-  if (map.has("standing"))
-    read_figures(map["standing"], run.standing.emplace(), standing_of_run);
+  if (map.has("standing")) read_figures(map["standing"], run.standing.emplace(), standing_of_run);
   if (map.has("curves")) run.curves = curves_in(map["curves"]);
   if (map.has("measured")) run.measured = measured_in(map["measured"]);
   const Reader measured = Reader::load(times);

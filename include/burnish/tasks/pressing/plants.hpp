@@ -44,12 +44,12 @@ struct TaskRun {
   Trace trace;  ///< of every plant step, every nth beyond 100 s; see ClosedLoop
   PlanRecord plans;
   Status plant_status = Status::Ok;
-  FaultReport fault;         ///< of the MPC; FaultKind::None without
-  bool interrupted = false;  ///< by the progress function
-  TickTimes ticks;           ///< after the first, which solves to its end
-  double first_tick = 0.0;   ///< s of wall clock
-  double wall_time = 0.0;    ///< s, of the simulation
-  std::string outcome;       ///< one sentence
+  FaultReport fault;                        ///< of the MPC; FaultKind::None without
+  bool interrupted = false;                 ///< by the progress function
+  TickTimes ticks;                          ///< after the first, which solves to its end
+  double first_tick = 0.0;                  ///< s of wall clock
+  double wall_time = 0.0;                   ///< s, of the simulation
+  std::string outcome;                      ///< one sentence
   std::optional<StandingFigures> standing;  ///< of a robot that stands
 };
 
