@@ -120,7 +120,7 @@ class BalanceMarks {
   private readonly below = dot(0.011, 'mass');
   private readonly plumb = new Line('mass', 2, [0.02, 0.014], true);
   private readonly pressure = dot(0.013, 'pressure');
-  private readonly polygon = new Line('polygon', 2.5);
+  private readonly polygon = new Line('polygon', 2.5, undefined, true);
 
   constructor() {
     const { mass, below, plumb, pressure, polygon } = this;
