@@ -266,6 +266,10 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
+  std::vector<NamedStanding> stood;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].standing) stood.push_back({jobs[i].name, *results[i].standing});
+  if (!stood.empty()) fmt::print("\n{}", standing_table(stood));
   if (arguments.time) print_times(jobs, results);
   if (!arguments.talks() || !outcomes.unwritten.empty()) return;
   fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());

@@ -5,11 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from . import _core
-from ._core import measure, metrics_table, plot_palette, svg_plot, write_svg_plot
+from ._core import (
+    measure,
+    measure_standing,
+    metrics_table,
+    plot_palette,
+    svg_plot,
+    write_svg_plot,
+)
 from ._spec import Spec
 
 __all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec", "SolverFigures",
-           "measure", "metrics_table", "plot_palette", "svg_plot", "write_svg_plot"]
+           "StandingFigures", "measure", "measure_standing", "metrics_table", "plot_palette", "svg_plot", "write_svg_plot"]
 
 
 # Described classes stand here (scripts/describe).

@@ -14,6 +14,11 @@ void bind_report(py::module_& m) {
       py::call_guard<py::gil_scoped_release>(),
       "How well a run polished, from a trace of ClosedLoop. Raises Error for a missing column, a "
       "zero normal, and a window without rows.");
+  m.def("measure_standing", &measure_standing, py::arg("trace"), py::arg("model"),
+        py::arg("supports"), py::call_guard<py::gil_scoped_release>(),
+        "How a robot stood (StandingFigures), from a trace of ClosedLoop; model and supports "
+        "(SupportSpec) as the plant has them. Raises Error for a missing column, a trace without "
+        "rows or whose first one is no state, no supports, and supports that do not fit.");
   m.def("metrics_table", &metrics_table, py::arg("runs"),
         "One line per figure, under its name in files, and a column per run (NamedMetrics): N, mm, "
         "degrees, ms, %.");

@@ -91,7 +91,8 @@ py::object progress_of(const py::object& spec, const char* what, const char* mod
 
 py::tuple state_of(const TaskRun& run) {
   return py::make_tuple(run.trace, arrays_of(run.plans), run.plant_status, run.fault,
-                        run.interrupted, run.ticks, run.first_tick, run.wall_time, run.outcome);
+                        run.interrupted, run.ticks, run.first_tick, run.wall_time, run.outcome,
+                        run.standing);
 }
 
 void set_state(TaskRun& run, const py::tuple& state) {
@@ -110,6 +111,7 @@ void set_state(TaskRun& run, const py::tuple& state) {
   take(run.first_tick);
   take(run.wall_time);
   take(run.outcome);
+  take(run.standing);
 }
 
 }  // namespace burnish::python

@@ -72,6 +72,8 @@ void bind_task_run(py::class_<Run>& of, const char* outcome) {
              "FaultReport of the MPC; its kind is NONE without a fault.");
   add_result(of, "interrupted", &TaskRun::interrupted,
              "Whether the progress function ended the run.");
+  add_result(of, "standing", &TaskRun::standing,
+             "StandingFigures of a robot that stands, or None.");
   add_result(of, "ticks", &TaskRun::ticks,
              "TickTimes of the controller after its first tick, which solves to its end.");
   add_result(of, "first_tick", &TaskRun::first_tick, "s of wall clock.");

@@ -95,7 +95,8 @@ def documented(spec):
 
 
 def test_figures_have_the_names_units_and_meanings_of_the_table():
-    specs = {"": report.Metrics, "solver": report.SolverFigures, "ticks": polishing.TickTimes,
+    specs = {"": report.Metrics, "solver": report.SolverFigures,
+             "standing": report.StandingFigures, "ticks": polishing.TickTimes,
              "verdict": polishing.VerdictFigures, "hold": press_hold.HoldFigures}
     texts = {group: documented(spec) for group, spec in specs.items()}
     table = (DOCS / "polishing.md").read_text().split("<!-- figures -->")[1]

@@ -108,6 +108,27 @@ void add_scene(Json& json, const RunPage& run) {
   json["path_origin"] = numbers_json(run.path_origin_world);
 }
 
+/// What a robot stands on and what pushes it, where there is any.
+void add_supports(Json& json, const RunPage& run) {
+  if (!run.supports.empty())
+    json["supports"] = list_json(run.supports, [](const SupportSpec& support) {
+      return Json{{"frame", support.frame},
+                  {"half_x", number_json(support.half_x)},
+                  {"half_y", number_json(support.half_y)},
+                  {"radius", number_json(support.radius)},
+                  {"point", numbers_json(support.point)},
+                  {"normal", numbers_json(support.normal.normalized())},
+                  {"friction", number_json(support.friction)}};
+    });
+  if (!run.pushes.empty())
+    json["pushes"] = list_json(run.pushes, [](const Push& push) {
+      return Json{{"frame", push.frame},
+                  {"start", number_json(push.start)},
+                  {"duration", number_json(push.duration)},
+                  {"force", numbers_json(push.force_world)}};
+    });
+}
+
 void add_series(Json& json, const RunPage& run) {
   const auto column_json = [](const PageColumn& column) {
     return Json{{"name", column.name}, {"unit", column.unit}, {"data", floats_json(column.values)}};
@@ -208,6 +229,7 @@ std::string run_page_json(const RunPage& run) {
   add_metrics(json, run);
   json["robot"] = robot_json(run.robot);
   add_scene(json, run);
+  add_supports(json, run);
   add_series(json, run);
   json["limits"] = limits_json(run.robot.model);
   json["phases"] = list_json(run.phases, [](const PagePhase& phase) {

@@ -30,6 +30,20 @@ const Description& description_of(const Metrics* /*of*/) {
   return all;
 }
 
+const Description& description_of(const StandingFigures* /*of*/) {
+  static const Description all = [] {
+    Describe<StandingFigures> figures("report", "StandingFigures",
+                                      "How a robot stood: all of the run, from the plant's true "
+                                      "forces and positions; of forces all "
+                                      "but its first 50 ms, in which the ground takes the robot.");
+    each_standing_figure([&](const FigureEntry& entry, auto member) {
+      figures.field(entry.name, member, described_as(entry).c_str());
+    });
+    return figures.result();
+  }();
+  return all;
+}
+
 const Description& description_of(const MetricsSpec* /*of*/) {
   using M = MetricsSpec;
   static const Description all =

@@ -3,12 +3,14 @@
 
 #include "base/description.hpp"
 #include "burnish/report/metrics.hpp"
+#include "burnish/report/standing_figures.hpp"
 #include "burnish/report/svg_plot.hpp"
 
 namespace burnish {
 
 const Description& description_of(const SolverFigures*);
 const Description& description_of(const Metrics*);
+const Description& description_of(const StandingFigures*);
 const Description& description_of(const MetricsSpec*);
 const Description& description_of(const NamedMetrics*);
 const Description& description_of(const Curve*);

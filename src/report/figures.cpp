@@ -142,4 +142,30 @@ std::vector<PageMetric> page_metrics(const std::optional<Metrics>& metrics) {
   return result;
 }
 
+std::vector<PageMetric> page_metrics(const StandingFigures& figures) {
+  std::vector<PageMetric> result;
+  each_standing_figure([&](const FigureEntry& entry, auto member) {
+    result.push_back(page_metric({entry, std::string("standing.") + entry.name, entry.meaning,
+                                  figure_value(figures.*member)}));
+  });
+  return result;
+}
+
+std::string standing_table(const std::vector<NamedStanding>& runs) {
+  if (runs.empty()) return "";
+  std::vector<std::vector<std::string>> columns{{"figure"}, {""}};
+  each_standing_figure([&](const FigureEntry& entry, auto) {
+    columns[0].push_back(std::string("standing.") + entry.name);
+    columns[1].emplace_back(entry.unit.shown);
+  });
+  for (const NamedStanding& run : runs) {
+    columns.push_back({run.name});
+    each_standing_figure([&](const FigureEntry& entry, auto member) {
+      columns.back().push_back(
+          shown({entry, entry.name, entry.meaning, figure_value(run.figures.*member)}));
+    });
+  }
+  return side_by_side(columns, 2);
+}
+
 }  // namespace burnish

@@ -10,6 +10,7 @@
 
 #include "base/degrees.hpp"
 #include "burnish/report/metrics.hpp"
+#include "burnish/report/standing_figures.hpp"
 #include "report/run_page.hpp"
 
 namespace burnish {
@@ -156,6 +157,39 @@ void each_solver_figure(const See& see) {
       &S::clipped);
 }
 
+/// The same of how a robot stood; their full names have "standing." in front.
+template <class See>
+void each_standing_figure(const See& see) {
+  using S = StandingFigures;
+  using namespace figure_units;
+  see(FigureEntry{"friction_used", share,
+                  "largest share of its friction cone that a foot used while it bore 20 N",
+                  "friction of the feet used", 1},
+      &S::friction_used);
+  see(
+      FigureEntry{
+          "pressure_margin", metre,
+          "least distance of a foot's centre of pressure from the edge of its sole while it "
+          "bore 20 N",
+          "pressure to the sole's edge", 1},
+      &S::pressure_margin);
+  see(FigureEntry{"least_load", newton, "least normal force on a foot", "least load of a foot", 1},
+      &S::least_load);
+  see(FigureEntry{"slip", metre,
+                  "farthest that a foot, with a sole a corner of it, came along the ground from "
+                  "where it was at first",
+                  "slip of a foot", 2},
+      &S::slip);
+  see(FigureEntry{"base_tilt", angle,
+                  "largest angle between the vertical and what was vertical in the base at first",
+                  "base tilted", 2},
+      &S::base_tilt);
+  see(FigureEntry{"com_moved", metre,
+                  "farthest that the centre of mass came from where it was at first",
+                  "centre of mass moved", 1},
+      &S::com_moved);
+}
+
 /// A figure as a number: NaN where there is none.
 template <class Value>
 double figure_value(const Value& value) {
@@ -176,6 +210,14 @@ struct ShownFigure {
 };
 /// Those that have a label; all of them, with no values, without metrics.
 std::vector<ShownFigure> shown_figures(const std::optional<Metrics>& metrics);
+/// How a robot stood, as the page has it: those that have a label.
+std::vector<PageMetric> page_metrics(const StandingFigures& figures);
+struct NamedStanding {
+  std::string name;
+  StandingFigures figures;
+};
+/// A line per figure and a column per run, as metrics_table() has them; empty without runs.
+std::string standing_table(const std::vector<NamedStanding>& runs);
 /// As the page has it.
 PageMetric page_metric(const ShownFigure& figure);
 

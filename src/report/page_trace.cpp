@@ -1,8 +1,10 @@
 // From the trace of a run to the columns of its page.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "burnish/mpc/controller.hpp"
+#include "report/foot_rows.hpp"
 #include "report/moving_mean.hpp"
 #include "report/run_page.hpp"
 #include "report/trace_curves.hpp"
@@ -12,6 +14,8 @@ namespace {
 
 /// Columns beside those of joints, and signals with envelopes beside torques.
 constexpr int plain_columns = 30, plain_envelopes = 7;
+/// Of a robot that stands, beside the columns of its supports.
+constexpr int standing_columns = 9;
 constexpr double mean_over = 0.010;  // s, of the force's mean
 
 /// Every `stride`th row and the last.
@@ -30,8 +34,13 @@ class PageFiller {
 
   Eigen::VectorXd chosen(const Eigen::VectorXd& all) const { return all(rows_); }
   void add(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
-    page_.columns.push_back({name, unit, chosen(all)});
+    add_chosen(name, unit, chosen(all));
   }
+  /// Of the page's rows alone.
+  void add_chosen(const std::string& name, const char* unit, const Eigen::VectorXd& values) {
+    page_.columns.push_back({name, unit, values});
+  }
+  const std::vector<int>& rows() const { return rows_; }
   /// With its extremes between the rows.
   void add_with_envelope(const std::string& name, const char* unit, const Eigen::VectorXd& all) {
     add(name, unit, all);
@@ -141,6 +150,59 @@ void add_joints(PageFiller& fill, const Model& model, const Trace& trace) {
     fill.copy("tau_command_" + model.v_name(k), "tau_command_" + model.v_name(k));
 }
 
+/// What carries a robot that stands, and how its mass moves.
+void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
+  if (page.supports.empty()) return;
+  StateRows states(trace, page.plant_model.value_or(page.robot.model));
+  const RigidBody& body = states.body();
+  std::vector<FootRows> feet;
+  for (const SupportSpec& support : page.supports) feet.emplace_back(trace, body, support);
+  const std::vector<int>& rows = fill.rows();
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  // What there is no state for, and what says nothing of a foot that bears nothing, is NaN.
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Index columns = standing_columns + 3 * static_cast<Eigen::Index>(feet.size());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(count, columns, none);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int row = rows[static_cast<std::size_t>(i)];
+    if (states.look(row) > Status::NotConverged) break;
+    values.row(i).head<standing_columns>() << body.com().transpose(),
+        body.centroidal_momentum().transpose();
+    Eigen::Index column = standing_columns;
+    for (const FootRows& foot : feet) {
+      const FootLoad load = foot.load(row, foot.placement(body));
+      values(i, column) = load.normal;
+      if (load.normal >= least_bearing) {
+        values(i, column + 1) = foot.friction_used(load);
+        if (foot.support().is_sole()) values(i, column + 2) = foot.margin(load);
+      }
+      column += 3;
+    }
+  }
+  const char* const names[standing_columns] = {"com_x",
+                                               "com_y",
+                                               "com_z",
+                                               "momentum_x",
+                                               "momentum_y",
+                                               "momentum_z",
+                                               "angular_momentum_x",
+                                               "angular_momentum_y",
+                                               "angular_momentum_z"};
+  const char* const units[] = {"m", "kg m/s", "kg m^2/s"};
+  for (Eigen::Index k = 0; k < standing_columns; ++k)
+    fill.add_chosen(names[k], units[k / 3], values.col(k));
+  Eigen::Index column = standing_columns;
+  for (const SupportSpec& support : page.supports) {
+    const std::string name = "support_" + support.frame + "_";
+    for (const char* entry : {"fx", "fy", "fz", "mx", "my", "mz"})
+      fill.copy(name + entry, name + entry);
+    fill.add_chosen(name + "load", "N", values.col(column));
+    fill.add_chosen(name + "friction_used", "-", values.col(column + 1));
+    if (support.is_sole()) fill.add_chosen(name + "pressure_margin", "m", values.col(column + 2));
+    column += 3;
+  }
+}
+
 /// What became of limits, where plans came to any.
 void add_limits(PageFiller& fill, const Trace& trace) {
   const char* const names[] = {"limits_pushing", "limits_outside", "limits_infeasible",
@@ -204,7 +266,11 @@ void add_solver(PageSolver& solver, const Trace& trace, int most) {
 }  // namespace
 
 int page_stride(const Trace& trace, const Model& model, int record_every, const PageSize& size) {
-  const int columns = plain_columns + model.nq + 3 * model.nv + 2 * (plain_envelopes + model.nv);
+  int columns = plain_columns + model.nq + 3 * model.nv + 2 * (plain_envelopes + model.nv);
+  const auto of_supports =
+      std::count_if(trace.columns().begin(), trace.columns().end(),
+                    [](const TraceColumn& column) { return column.name.starts_with("support_"); });
+  if (of_supports > 0) columns += standing_columns + static_cast<int>(3 * of_supports / 2);
   constexpr double bytes_per_entry = 4.0 * 4.0 / 3.0;
   const double rows = std::clamp(size.most_megabytes * 1e6 / (columns * bytes_per_entry), 100.0,
                                  static_cast<double>(std::max(100, size.most_rows)));
@@ -227,6 +293,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_motion(fill, page, trace);
   add_normals(fill, page, trace);
   add_joints(fill, model, trace);
+  add_standing(fill, page, trace);
   add_limits(fill, trace);
   page.phases = phases_of(trace, page.phase_names);
   PageSolver solver = page.solver.value_or(PageSolver{});

@@ -16,6 +16,8 @@
 #include "burnish/model/model.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/report/plan_record.hpp"
+#include "burnish/sim/disturbances.hpp"
+#include "burnish/sim/scene.hpp"
 
 namespace burnish {
 
@@ -120,6 +122,10 @@ struct RunPage {
   std::vector<std::string> phase_names = {};  ///< of the numbers in a trace; none: the numbers
   std::optional<PageSolver> solver = {};
   std::optional<PlanRecord> plans = {};
+  /// whose momenta are shown, as the plant has it; none: the robot's
+  std::optional<Model> plant_model = {};
+  std::vector<SupportSpec> supports = {};  ///< that it stands on, as the plant has them
+  std::vector<Push> pushes = {};           ///< of which each has its frame
 };
 
 /// How large a page may become.
@@ -145,7 +151,9 @@ int page_stride(const Trace& trace, const Model& model, int record_every,
 /// Fills time, columns, envelopes, phases, duration and the solver's entries from a trace of
 /// ClosedLoop. Forces are taken along the surface's true axes, the path along its axes as the
 /// controller knows them. Robot, surface and path_origin_world have to be there. Throws Error for
-/// a column that is missing.
+/// a column that is missing. Of a robot that stands the supports have to be there too, and columns
+/// of their wrenches, of its centre of mass and of its momentum about that come along; where the
+/// plant failed and left no state, they are NaN.
 void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size = {});
 
 /// The figures of a run with what they mean; all of them, with no value, without metrics.

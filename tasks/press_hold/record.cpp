@@ -24,6 +24,7 @@ Json run_json(const RunName& run, const RunResult& result) {
             {"hold", nullptr},
             {"ticks", pressing::ticks_json(result)},
             {"wall_time_s", result.wall_time}};
+  if (result.standing) json["standing"] = pressing::standing_json(result);
   if (result.hold)
     each_hold_figure([&](const FigureEntry& entry, auto member) {
       json["hold"][entry.key()] = figure_json(*result.hold.*member);

@@ -91,8 +91,9 @@ void advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanRec
 
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   const double dt = plant_step(run.period);
-  const auto plant = make_plant(run.plant, plant_model(run.model, run.disturbances),
-                                plant_scene(run.scene, run.disturbances), dt);
+  const Model model = plant_model(run.model, run.disturbances);
+  const SceneSpec scene = plant_scene(run.scene, run.disturbances);
+  const auto plant = make_plant(run.plant, model, scene, dt);
   std::optional<PlanRecorder> plans;
   if (run.mpc != nullptr)
     plans.emplace(*run.mpc, run.plan_step, run.solver_delay,
@@ -112,6 +113,8 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   if (run.mpc != nullptr) result.fault = run.mpc->fault();
   if (plans) result.plans = plans->take();
   result.trace = loop.trace();
+  if (!scene.supports.empty() && result.trace.rows() > 0)
+    result.standing = measure_standing(result.trace, model, scene.supports);
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), run.period);
   return {plant->time(), loop.command().phase};

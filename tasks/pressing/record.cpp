@@ -15,6 +15,15 @@ Json ticks_json(const TaskRun& run) {
   return json;
 }
 
+Json standing_json(const TaskRun& run) {
+  if (!run.standing) return nullptr;
+  Json json;
+  each_standing_figure([&](const FigureEntry& entry, auto member) {
+    json[entry.key()] = figure_json(*run.standing.*member);
+  });
+  return json;
+}
+
 std::vector<std::string> run_file_names() {
   return {"trace.csv", "metrics.json", "task.yaml", "fault.txt", "last_second.csv", "run.json",
           "run.html",  "run.mcap",     "force.svg", "path.svg",  "torques.svg",     "solver.svg"};
@@ -24,7 +33,8 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
              const Disturbances& disturbances, int record_every) {
   page.outcome = run.outcome;
   page.fault = page_fault(run.fault);
-  const SurfaceSpec plant = plant_scene(scene, disturbances).surface;
+  const SceneSpec plant_has = plant_scene(scene, disturbances);
+  const SurfaceSpec& plant = plant_has.surface;
   page.tool_frame = scene.tip.frame;
   page.tip_radius = scene.tip.radius;
   page.surface = {.point = scene.surface.point,
@@ -34,6 +44,14 @@ void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
                   .friction = plant.friction,
                   .extent = plant.extent};
   if (!plant.shape.is_flat()) add_curved_surface(page, surface_of(plant));
+  page.supports = plant_has.supports;
+  if (!page.supports.empty()) page.plant_model = plant_model(page.robot.model, disturbances);
+  page.pushes = disturbances.pushes;
+  for (Push& push : page.pushes)
+    if (push.frame.empty()) push.frame = scene.tip.frame;
+  if (run.standing)
+    for (PageMetric& figure : page_metrics(*run.standing))
+      page.metrics.push_back(std::move(figure));
   if (!run.plans.time.empty()) page.plans = run.plans;
   add_trace(page, run.trace, record_every);
 }

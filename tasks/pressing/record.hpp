@@ -8,6 +8,8 @@
 namespace burnish::pressing {
 
 nlohmann::ordered_json ticks_json(const TaskRun& run);
+/// Null of a robot that does not stand.
+nlohmann::ordered_json standing_json(const TaskRun& run);
 
 /// All files that write_run_files() may write of such a run.
 std::vector<std::string> run_file_names();

@@ -5,6 +5,7 @@
 #include "record/page_data.hpp"
 #include "record/page_json.hpp"
 #include "support/refusal.hpp"
+#include "support/standing_trace.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -194,6 +195,104 @@ TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
     }
   }
   EXPECT_TRUE(Json::parse(run_page_json(page_of_run()))["surface"]["patch"].is_null());
+}
+
+/// The rows of a run of a robot that stands, with a tool's columns from those of page_trace().
+void fill_that_stands(RunPage& page, const StandingTrace& standing,
+                      const StandingTrace::Change& change) {
+  const Trace feet = standing.trace(change), tool = page_trace(page_model(), feet.rows());
+  std::vector<TraceColumn> columns = feet.columns();
+  for (const TraceColumn& column : tool.columns())
+    if (!feet.has(column.name)) columns.push_back(column);
+  for (int k = 0; k < standing.model.nv; ++k)
+    for (const char* what : {"tau_applied_", "tau_command_"})
+      columns.push_back({what + standing.model.v_name(k), "Nm"});
+  Trace trace(columns, feet.rows());
+  for (int row = 0; row < feet.rows(); ++row) {
+    double* const values = trace.add_row();
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const Trace& of = feet.has(columns[c].name) ? feet : tool;
+      if (of.has(columns[c].name)) values[c] = of.at(row, of.index(columns[c].name));
+    }
+  }
+  page.robot.model = standing.model;
+  page.supports = standing.supports;
+  add_trace(page, trace, 1);
+}
+RunPage page_that_stands(const StandingTrace& standing, const StandingTrace::Change& change) {
+  RunPage page = page_of_run();
+  fill_that_stands(page, standing, change);
+  return page;
+}
+
+TEST(RunPage, ARobotThatStandsHasItsFeetAndItsMomentum) {
+  const StandingTrace standing;
+  RunPage page = page_that_stands(standing, [](int row, const StandingTrace::Set& set) {
+    set("support_left_fx", 40.0);
+    set("support_left_my", -2.0);
+    if (row == 3) set("support_right_fz", 10.0);
+    if (row == 4) set("v_root_joint.vx", 0.5);
+    if (row == 4) set("v_root_joint.wz", 0.25);
+  });
+  page.pushes = {{.start = 1.0, .duration = 0.2, .force_world = {0.0, 9.0, 0.0}, .frame = "body"}};
+  const Json run = Json::parse(run_page_json(page));
+  ASSERT_EQ(run["supports"].size(), 2U);
+  EXPECT_EQ(run["supports"][0],
+            Json::parse(R"({"frame": "left", "half_x": 0.1, "half_y": 0.05, "radius": 0.02,
+                            "point": [0, 0, 0], "normal": [0, 0, 1], "friction": 0.8})"));
+  EXPECT_EQ(run["pushes"], Json::parse(R"([{"frame": "body", "start": 1, "duration": 0.2,
+                                           "force": [0, 9, 0]}])"));
+  const auto value = [&](const std::string& name, std::size_t row) {
+    return floats_of(named(run["series"]["columns"], name)["data"]).at(row);
+  };
+  EXPECT_FLOAT_EQ(value("support_left_fx", 2), 40.0F);
+  EXPECT_FLOAT_EQ(value("support_left_load", 2), 100.0F);
+  EXPECT_FLOAT_EQ(value("support_left_friction_used", 2), 0.5F);
+  EXPECT_NEAR(value("support_left_pressure_margin", 2), 0.05, 1e-7);  // half_y, the nearer edge
+  EXPECT_FLOAT_EQ(value("support_right_load", 3), 10.0F);
+  EXPECT_TRUE(std::isnan(value("support_right_friction_used", 3)));
+  EXPECT_TRUE(std::isnan(value("support_right_pressure_margin", 3)));
+  EXPECT_FLOAT_EQ(value("com_z", 2), 0.5F);
+  EXPECT_FLOAT_EQ(value("momentum_x", 4), 10.0F);
+  EXPECT_FLOAT_EQ(value("angular_momentum_z", 4), 0.25F);
+  EXPECT_FLOAT_EQ(value("momentum_x", 2), 0.0F);
+  EXPECT_EQ(named(run["series"]["columns"], "angular_momentum_z")["unit"], "kg m^2/s");
+}
+
+TEST(RunPage, MomentumIsThatOfThePlant) {
+  const StandingTrace standing;
+  const auto moves = [](int, const StandingTrace::Set& set) { set("v_root_joint.vx", 0.5); };
+  Disturbances heavier;
+  heavier.mass_scale = 2.0;
+  for (const bool known : {true, false}) {
+    RunPage page = page_of_run();
+    if (!known) page.plant_model = plant_model(standing.model, heavier);
+    fill_that_stands(page, standing, moves);
+    for (const PageColumn& column : page.columns)
+      if (column.name == "momentum_x") {
+        EXPECT_DOUBLE_EQ(column.values[2], known ? 10.0 : 20.0);
+      }
+    EXPECT_TRUE(has_column(page, "momentum_x"));
+  }
+}
+
+TEST(RunPage, WhereThePlantFailedNothingIsKnown) {
+  const StandingTrace standing;
+  const RunPage page = page_that_stands(standing, [](int row, const StandingTrace::Set& set) {
+    if (row >= 4) set("q_root_joint.x", std::nan(""));
+  });
+  for (const PageColumn& column : page.columns)
+    if (column.name == "com_x" || column.name == "support_left_load") {
+      EXPECT_FALSE(std::isnan(column.values[3])) << column.name;
+      EXPECT_TRUE(std::isnan(column.values[4])) << column.name;
+    }
+}
+
+TEST(RunPage, ARobotThatIsFixedHasNoFeet) {
+  const Json run = Json::parse(run_page_json(page_of_run()));
+  EXPECT_FALSE(run.contains("supports"));
+  EXPECT_FALSE(run.contains("pushes"));
+  EXPECT_FALSE(has_column(page_of_run(), "com_x"));
 }
 
 TEST(RunPage, AMeasurementThatIsMissingIsAGap) {

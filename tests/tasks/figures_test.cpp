@@ -27,6 +27,7 @@ void each_figure(const See& see) {
   };
   each_metric(under(""));
   each_solver_figure(under("solver."));
+  each_standing_figure(under("standing."));
   each_run_figure(under(""));
   each_tick_figure(under("ticks."));
   each_verdict_figure(under("verdict."));
@@ -65,6 +66,10 @@ TEST(Figures, AreAskedForByTheirNames) {
   run.metrics->position_rmse = 1e-3;
   run.largest_command = 0.5;
   run.ticks.p99 = 2e-4;
+  EXPECT_TRUE(std::isnan(run["standing.slip"])) << "the robot does not stand";
+  run.standing = StandingFigures{.slip = 3e-3};
+  EXPECT_EQ(run["standing.slip"], 3e-3);
+  EXPECT_TRUE(std::isnan(run["standing.pressure_margin"])) << "no soles";
   EXPECT_EQ(run["force_rmse"], 0.25);
   EXPECT_EQ(run["largest_command"], 0.5);
   EXPECT_EQ(run["ticks.p99"], 2e-4);

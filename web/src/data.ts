@@ -126,6 +126,28 @@ export interface Surface {
   patch?: { side: number; points: Numbers } | null;
 }
 
+/** What a robot stands on, as the plant has it: a sole about a frame's origin, in its x and y, or a ball. */
+export interface Support {
+  frame: string;
+  /** m, half the sides of a sole; 0 of a ball */
+  half_x: number;
+  half_y: number;
+  /** m, of a ball */
+  radius: number;
+  /** of the ground: any point of it, and out of it, of length one */
+  point: Vec3;
+  normal: Vec3;
+  friction: number;
+}
+
+/** A force on the robot for a while, at a frame's origin, world axes. */
+export interface Push {
+  frame: string;
+  start: number;
+  duration: number;
+  force: Vec3;
+}
+
 export interface Run {
   name: string;
   created: string;
@@ -153,6 +175,9 @@ export interface Run {
   costs: { time: Numbers; terms: { name: string; value: Numbers }[] } | null;
   horizon: Horizon | null;
   window: [number, number] | null;
+  /** none of a robot that is fixed, and in pages of before */
+  supports?: Support[];
+  pushes?: Push[];
 }
 
 export interface Page {

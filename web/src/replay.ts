@@ -31,11 +31,16 @@ import {
 import { forward, framePlacement, interpolate } from './kinematics';
 import { Arrow, Line, Triad } from './marks';
 import { drawnSolids, ghostMaterial, RobotModel } from './robot_model';
+import { StandingScene } from './standing_scene';
+import { isLevel } from './supports';
 import { colour, onTheme } from './theme';
 import type { View3D } from './view3d';
 
 export const layers = [
   'forces',
+  'feet',
+  'balance',
+  'pushes',
   'normals',
   'triad',
   'path',
@@ -48,6 +53,8 @@ export type Layer = (typeof layers)[number];
 /** Whether a run has anything to draw of a layer. Two normals say something where they may differ. */
 export function hasLayer(run: Run, layer: Layer): boolean {
   if (layer === 'horizon') return run.horizon !== null;
+  if (layer === 'feet' || layer === 'balance') return (run.supports ?? []).length > 0;
+  if (layer === 'pushes') return (run.pushes ?? []).length > 0;
   if (layer !== 'normals') return true;
   const { surface } = run;
   const moves = ['surface_normal_x', 'believed_normal_x'].some((name) => column(run, name));
@@ -127,6 +134,7 @@ export class RunScene {
     true: new Arrow(0.003, 'true', 0.85),
     believed: new Arrow(0.003, 'estimated', 0.85),
   };
+  private readonly standing: StandingScene;
   private readonly ring = new Group();
   private readonly held: Mesh;
   private readonly open: Mesh;
@@ -162,6 +170,7 @@ export class RunScene {
     this.trail = trailOf(run, 4, 'trail');
     this.triad = this.surfaceTriad();
     [this.held, this.open] = this.contactRings();
+    this.standing = new StandingScene(run);
     this.drawPlate();
     this.assemble();
   }
@@ -309,6 +318,9 @@ export class RunScene {
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
     this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
     this.parts.normals.visible = this.has('normals');
+    this.parts.feet.add(this.standing.feet);
+    this.parts.balance.add(this.standing.balance);
+    this.parts.pushes.add(this.standing.pushes);
     this.parts.horizon.add(this.ghost.group, this.ghostLine.object);
     this.group.add(this.robot.group, this.ball, this.ring, ...Object.values(this.parts));
   }
@@ -332,6 +344,7 @@ export class RunScene {
       const at = (r: number): number[] => this.columns!.map((c) => c[r]!);
       this.robot.setPosture(interpolate(run.robot, at(row), at(next), s));
     }
+    this.standing.update(t, this.robot.placements);
     const tool = toolAt(run, row).lerp(toolAt(run, next), s);
     if (Number.isFinite(tool.x)) this.ball.position.copy(tool);
     this.updateContact(t, tool);
@@ -462,6 +475,8 @@ export class RunScene {
     const middle = new Vector3(base[0], base[1], base[2]).lerp(p, 0.66);
     const distance = new Vector3(base[0], base[1], base[2]).distanceTo(p);
     const above = this.normal.clone().add(new Vector3(-0.001, 0, 0.0005));
+    const feet = (this.run.supports ?? []).filter(isLevel).map(({ point }) => vector(point));
+    if (feet.length > 0) return this.standingViews(feet, from, above);
     return [
       { name: 'Robot', target: middle, from, radius: Math.max(0.62 * distance + 0.34, 0.5) },
       {
@@ -472,6 +487,43 @@ export class RunScene {
       },
       { name: 'Along n', target: p, from: above, radius: this.extent + 0.07 },
       { name: 'Side', target: middle, from: side, radius: 0.62 * distance + 0.35 },
+    ];
+  }
+
+  /** Of a robot that stands all is seen, from head to feet; `from`, `above`: as without feet. */
+  private standingViews(
+    feet: Vector3[],
+    from: Vector3,
+    above: Vector3,
+  ): ReturnType<RunScene['viewpoints']> {
+    const p = this.contactPoint;
+    const middle = feet
+      .reduce((sum, foot) => sum.add(foot), new Vector3())
+      .divideScalar(feet.length);
+    const spread = Math.max(0.2, ...feet.map((foot) => foot.distanceTo(middle)));
+    const height = Math.max(...this.robot.placements.map(([, , z]) => z), p.z) - middle.z;
+    const body = middle.clone().add(new Vector3(0, 0, 0.52 * height));
+    const ahead = new Vector3(p.x - middle.x, p.y - middle.y, 0).normalize();
+    const side = new Vector3(-ahead.y, ahead.x, 0.12);
+    return [
+      { name: 'Robot', target: body, from, radius: 0.68 * height },
+      {
+        name: 'Contact',
+        target: p.clone().addScaledVector(this.normal, 0.03),
+        from: from.clone().addScaledVector(this.normal, 0.3),
+        radius: this.extent + 0.13,
+      },
+      { name: 'Along n', target: p, from: above, radius: this.extent + 0.07 },
+      {
+        name: 'Feet',
+        target: middle.clone().add(new Vector3(0, 0, 0.12)),
+        from: ahead
+          .clone()
+          .multiplyScalar(0.75)
+          .add(new Vector3(-ahead.y, ahead.x, 0.85)),
+        radius: 1.9 * spread + 0.15,
+      },
+      { name: 'Side', target: body, from: side, radius: 0.68 * height },
     ];
   }
 }

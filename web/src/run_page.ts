@@ -16,6 +16,8 @@ import {
   shortJoint,
 } from './plot_specs';
 import { forceScale, hasLayer, layers, OtherTool, RunScene, type Layer } from './replay';
+import { standingSpecs } from './standing_specs';
+import { groundHeight, weightScale } from './supports';
 import { runColour, toggleTheme } from './theme';
 import { TimePlot } from './time_plot';
 import { timeline } from './timeline';
@@ -49,6 +51,7 @@ const keys: { title: string; keys: Keys }[] = [
       ['W A S D, Q E', 'turn, zoom, where the view has the focus'],
       ['V', 'next viewpoint'],
       ['F, N, H', 'forces, normals, predicted horizon on and off'],
+      ['G, B', 'feet on the ground and their forces, balance on and off'],
     ],
   },
   {
@@ -61,7 +64,10 @@ const keys: { title: string; keys: Keys }[] = [
 ];
 
 const layerNames: Record<Layer, string> = {
-  forces: 'Forces',
+  forces: 'Forces at the tool',
+  feet: 'Feet, their forces and friction cones',
+  balance: 'Centre of mass, support polygon',
+  pushes: 'Pushes',
   normals: 'Normals, true and believed',
   triad: 'Axes of the surface',
   path: 'Path asked for',
@@ -135,6 +141,7 @@ class Stage {
       h('span', {}, `10 cm = ${this.newtons} N`),
       h('span', {}, 'surface on tool'),
     );
+    const standing = this.state.runs.find((run) => (run.supports ?? []).length > 0);
     return h(
       'div',
       { class: 'stage' },
@@ -143,9 +150,33 @@ class Stage {
         'div',
         { class: 'hud top-left' },
         this.runChoice(),
-        h('div', { class: 'readings' }, this.forces, this.contact, scale),
+        h(
+          'div',
+          { class: 'readings' },
+          this.forces,
+          this.contact,
+          scale,
+          standing && this.standingKey(standing),
+        ),
       ),
       h('div', { class: 'hud top-right' }, views, show),
+    );
+  }
+
+  /** What the marks of a robot that stands are. */
+  private standingKey(run: Run): HTMLElement {
+    const entry = (tint: string, text: string): HTMLElement => {
+      const mark = h('span', { class: 'dot' });
+      mark.style.background = `var(--${tint})`;
+      return h('span', {}, mark, text);
+    };
+    return h(
+      'div',
+      { class: 'standing-key' },
+      h('span', {}, `10 cm = ${weightScale(run)} N, ground on feet`),
+      entry('support', 'force and friction cone'),
+      entry('pressure', 'centre of pressure of all'),
+      entry('mass', 'centre of mass'),
     );
   }
 
@@ -170,6 +201,7 @@ class Stage {
     const before = this.state.runs[this.selected]!;
     this.selected = index;
     this.view.scene.add(this.scene.group);
+    this.view.setFloor(groundHeight(this.state.runs[index]!));
     const here = this.scene.contactPoint;
     this.others.forEach((other, i) => {
       const p = this.state.runs[i]!.path_origin;
@@ -257,6 +289,11 @@ function plots(state: PageState, path: PathPlot): { element: HTMLElement; names:
   if (!path.empty) add('path', path.element);
   addAll(contactSpecs(runs));
 
+  const standing = standingSpecs(runs);
+  if (standing.length > 0)
+    element.append(h('div', { class: 'divider' }, h('h2', {}, 'Feet and balance')));
+  addAll(standing);
+
   const joints = runs[0]!.robot.moving;
   const choice = h(
     'select',
@@ -329,6 +366,8 @@ function listenToKeys(state: PageState, stage: Stage, help: HTMLDialogElement): 
       f: () => stage.toggle('forces'),
       n: () => stage.toggle('normals'),
       h: () => stage.toggle('horizon'),
+      g: () => stage.toggle('feet'),
+      b: () => stage.toggle('balance'),
       t: toggleTheme,
       '?': () => help.showModal(),
     };

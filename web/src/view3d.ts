@@ -64,6 +64,10 @@ export class View3D {
   private readonly fill = new DirectionalLight(0xffffff, 0.5);
   private readonly sky = new HemisphereLight(0xffffff, 0xb9b2a8, 1.5);
   private readonly grid = floorGrid();
+  private readonly shadow = new Mesh(
+    new PlaneGeometry(8, 8),
+    new ShadowMaterial({ opacity: 0.22 }),
+  );
   private dirty = true;
   private visible = true;
   private flight: { from: Vector3[]; to: Vector3[]; start: number } | null = null;
@@ -122,12 +126,11 @@ export class View3D {
     });
     this.fill.position.set(-2.5, 2, 2);
     this.sky.position.set(0, 0, 1);
-    const shadow = new Mesh(new PlaneGeometry(8, 8), new ShadowMaterial({ opacity: 0.22 }));
-    shadow.receiveShadow = true;
-    shadow.position.z = -0.001;
-    shadow.renderOrder = -1;
+    this.shadow.receiveShadow = true;
+    this.shadow.renderOrder = -1;
+    this.setFloor(0);
     this.key.target.position.set(0.1, -0.1, 0.7);
-    this.scene.add(this.key, this.key.target, this.fill, this.sky, this.grid, shadow);
+    this.scene.add(this.key, this.key.target, this.fill, this.sky, this.grid, this.shadow);
   }
 
   private dress(): void {
@@ -136,6 +139,13 @@ export class View3D {
     this.grid.material.uniforms.strength!.value = dark ? 0.9 : 0.8;
     this.key.intensity = dark ? 1.7 : 2.1;
     this.sky.intensity = dark ? 1.1 : 1.5;
+    this.invalidate();
+  }
+
+  /** The height of the ground, m. */
+  setFloor(z: number): void {
+    this.grid.position.z = z;
+    this.shadow.position.z = z - 0.001;
     this.invalidate();
   }
 

@@ -1,9 +1,12 @@
 // node test/page.test.mjs PAGE.html [TRACE.csv] [COMPARISON.html] [CURVED.html]
 // Opens pages from disk in a browser without a screen and uses them as a person would.
 // A page of a robot (burnish show ROBOT --html) is recognised and checked for what it has.
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { drawn, launch, open, ready } from './browser.mjs';
 import { differing, pixels } from './pixels.mjs';
+import { withFeet } from './standing_page.mjs';
 
 const [pageFile, traceFile, comparisonFile, curvedFile] = process.argv.slice(2);
 if (!pageFile) {
@@ -336,6 +339,44 @@ async function checkCurved(browser, file) {
   await context.close();
 }
 
+/** A robot that stands: its feet, its balance and a push are drawn, and have their plots. */
+async function checkStanding(browser) {
+  const folder = mkdtempSync(join(tmpdir(), 'burnish-page-'));
+  const file = join(folder, 'standing.html');
+  writeFileSync(file, withFeet(readFileSync(pageFile, 'utf8')));
+  console.log(`${pageFile}, on two feet`);
+  const { context, page, errors } = await open(browser, file);
+  await ready(page);
+  const names = await api(page, 'return b.plots');
+  const wanted = ['foot_load', 'foot_friction', 'foot_pressure', 'com', 'momentum'];
+  const missing = [...wanted, 'angular_momentum'].filter((name) => !names.includes(name));
+  check('its plots are there', missing.length === 0, missing.join(' '));
+  const feet = await page.locator('[data-plot=foot_load] .legend .key').count();
+  check('each foot has a curve', feet === 2, `${feet} curves`);
+  await api(page, 'b.setTime(0.2)');
+  const whole = await picture(page);
+  for (const [key, what] of [
+    ['g', 'feet and their forces'],
+    ['b', 'balance'],
+  ]) {
+    await page.keyboard.press(key);
+    const changed = differing(whole, await picture(page));
+    check(`${what} are drawn`, changed > 1e-5, `${(100 * changed).toFixed(3)} %`);
+    await page.keyboard.press(key);
+  }
+  check('both come back', differing(whole, await picture(page)) < 1e-4);
+  await api(page, 'b.setTime(0.7)');
+  const pushed = await picture(page);
+  await page.locator('.layers summary').click();
+  await page.getByLabel('Pushes', { exact: true }).uncheck();
+  await page.locator('.layers summary').click();
+  const push = differing(pushed, await picture(page));
+  check('a push is drawn while it acts', push > 1e-5, `${(100 * push).toFixed(3)} %`);
+  check('no error on a page of a robot that stands', errors.length === 0, errors.join('; '));
+  await context.close();
+  rmSync(folder, { recursive: true });
+}
+
 async function checkPage(browser) {
   console.log(pageFile);
   const { context, page, errors, requests } = await open(browser, pageFile);
@@ -351,7 +392,9 @@ async function checkPage(browser) {
     await checkHeader(page);
   }
   check('no error while it is used', errors.length === 0, errors.join('; '));
+  const runs = await api(page, 'return b.runs');
   await context.close();
+  if (runs === 1) await checkStanding(browser);
   await checkPhone(browser, pageFile);
   await checkDark(browser, pageFile);
 }

@@ -14,6 +14,7 @@ async function load(entry) {
 }
 const data = await load('src/data.ts');
 const kinematics = await load('src/kinematics.ts');
+const supports = await load('src/supports.ts');
 
 const near = (a, b, tolerance = 1e-12) => {
   assert.equal(a.length, b.length);
@@ -182,4 +183,86 @@ test('normals are those of the axes unless they have columns', () => {
   const run = { surface: { axes, true_axes: [0, 1, 0, 0, 0, 1, 1, 0, 0] }, columns };
   near(data.normalAt(run, 'surface', 1), [1, 0, 0]);
   near(data.normalAt(run, 'believed', 1), [0.6, 0, 0.8]);
+});
+
+const foot = { frame: 'foot', half_x: 0.1, half_y: 0.05, radius: 0.02, friction: 0.7 };
+const level = { ...foot, point: [0, 0, 0.3], normal: [0, 0, 1] };
+const wrench = (values) =>
+  new Map(
+    ['fx', 'fy', 'fz', 'mx', 'my', 'mz'].map((name, k) => [
+      `support_foot_${name}`,
+      { data: [values[k]] },
+    ]),
+  );
+
+test('the force of a sole acts at its centre of pressure, in the axes of the world', () => {
+  // Turned a quarter about the vertical: the sole's x is the world's y.
+  const placed = [1, 2, 0.3, 0, 0, half, half];
+  const run = { columns: wrench([10, 0, 100, -2, -5, 0.1]) };
+  const load = supports.footLoad(run, level, placed, 0);
+  near(load.force, [0, 10, 100]);
+  near(load.point, [1 + 0.02, 2 + 0.05, 0.3]);
+  near([load.normal], [100]);
+  near(supports.corners(level, placed)[2], [1 - 0.05, 2 + 0.1, 0.3]);
+});
+
+test('a ball is pressed where it is the lowest', () => {
+  const ball = { ...level, half_x: 0, half_y: 0, normal: [0, 0.6, 0.8] };
+  const placed = [1, 2, 0.3, 0, 0, 0, 1];
+  const load = supports.footLoad({ columns: wrench([0, 6, 8, 0, 0, 0]) }, ball, placed, 0);
+  near(load.point, [1, 2 - 0.012, 0.3 - 0.016]);
+  near([load.normal], [10]);
+  near(supports.corners(ball, placed)[0], load.point);
+  assert.ok(!supports.isLevel(ball) && supports.isLevel(level));
+});
+
+test('a run of before has no loads, and stands at the height of the floor', () => {
+  const load = supports.footLoad({ columns: new Map() }, level, [0, 0, 0, 0, 0, 0, 1], 0);
+  assert.ok(Number.isNaN(load.normal));
+  assert.equal(supports.pressureOfAll([load]), null);
+  assert.equal(supports.groundHeight({}), 0);
+  assert.equal(supports.groundHeight({ supports: [level] }), 0.3);
+});
+
+test('the pressure of all feet is weighed by what they bear', () => {
+  const loads = [
+    { normal: 300, point: [0, 0.1, 0] },
+    { normal: 100, point: [0.2, -0.1, 0] },
+    { normal: -5, point: [9, 9, 9] },
+  ];
+  near(supports.pressureOfAll(loads), [0.05, 0.05, 0]);
+  assert.equal(supports.pressureOfAll([{ normal: 1, point: [0, 0, 0] }]), null);
+});
+
+test('a hull goes around the outermost points, counterclockwise', () => {
+  const square = [
+    [0, 0, 1],
+    [1, 1, 1],
+    [0.5, 0.5, 1],
+    [1, 0, 1],
+    [0.5, 0, 1],
+    [0, 1, 1],
+  ];
+  assert.deepEqual(supports.hull(square), [
+    [0, 0, 1],
+    [1, 0, 1],
+    [1, 1, 1],
+    [0, 1, 1],
+  ]);
+  assert.equal(supports.hull(square.slice(0, 2)).length, 2);
+  assert.equal(supports.hull([]).length, 0);
+});
+
+test('a push acts from its start on, and not at its end', () => {
+  const push = { frame: 'foot', start: 1, duration: 0.5, force: [0, 9, 0] };
+  assert.deepEqual(
+    [0.9, 1, 1.4, 1.5].map((t) => supports.pushesAt([push], t).length),
+    [0, 1, 1, 0],
+  );
+});
+
+test('ten centimetres of arrow are a round part of the weight', () => {
+  const of = (total_mass) =>
+    supports.weightScale({ robot: { total_mass, gravity: [0, 0, -9.81] } });
+  assert.deepEqual([90, 30, 12, 0].map(of), [200, 50, 20, 100]);
 });

@@ -74,6 +74,10 @@ void each_value(const RunFigures& run, const See& see) {
     see(std::string("solver.") + entry.name, entry,
         metrics.solver ? figure_value(*metrics.solver.*member) : none);
   });
+  each_standing_figure([&](const FigureEntry& entry, auto member) {
+    see(std::string("standing.") + entry.name, entry,
+        run.standing ? figure_value(*run.standing.*member) : none);
+  });
   each_tick_figure([&](const FigureEntry& entry, auto member) {
     see(std::string("ticks.") + entry.name, entry, figure_value(run.ticks.*member));
   });
@@ -137,6 +141,7 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   f.q_start = result.setting.q_start;
   f.p_center = result.setting.p_center;
   f.ticks = result.ticks;
+  f.standing = result.standing;
   f.metrics = result.metrics;
   if (!result.metrics) return f;
   if (task.force_profile.is_constant())

@@ -24,8 +24,9 @@ struct RunFigures {
   bool polished = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
-  bool finite = true;                   ///< no NaN or infinity in the trace
-  std::optional<Metrics> metrics = {};  ///< over the path; none where it was not reached
+  bool finite = true;                            ///< no NaN or infinity in the trace
+  std::optional<Metrics> metrics = {};           ///< over the path; none where it was not reached
+  std::optional<StandingFigures> standing = {};  ///< of a robot that stands
   TickTimes ticks = {};
   // See each_run_figure(); NaN where there is none.
   double force_error_mean = none, tool_to_normal = none;
@@ -37,8 +38,8 @@ struct RunFigures {
   double computing = 0.0;                              ///< s of a core
   std::string kernels = {};                            ///< see instruction_set()
 
-  /// A figure by its full name, in its unit: of Metrics, the solver, the ticks, each_run_figure();
-  /// NaN where there is none. Throws Error for a name that there is not.
+  /// A figure by its full name, in its unit: of Metrics, the solver, standing, the ticks,
+  /// each_run_figure(); NaN where there is none. Throws Error for a name that there is not.
   double operator[](const std::string& figure) const;
 };
 

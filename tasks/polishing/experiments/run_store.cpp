@@ -71,6 +71,7 @@ void read_into(const Reader& value, std::optional<double>& to) {
 
 const auto metric_table = [](const auto& see) { each_metric(see); };
 const auto solver_table = [](const auto& see) { each_solver_figure(see); };
+const auto standing_of_run = [](const auto& see) { each_standing_figure(see); };
 const auto tick_table = [](const auto& see) { each_tick_figure(see); };
 const auto run_table = [](const auto& see) { each_run_figure(see); };
 
@@ -163,6 +164,7 @@ Node result_node(const RunFigures& run) {
   put(map, "p_center", numbers_node(run.p_center));
   put(map, "figures", figures_node(run, run_table));
   if (run.metrics) put(map, "metrics", figures_node(*run.metrics, metric_table));
+  if (run.standing) put(map, "standing", figures_node(*run.standing, standing_of_run));
   if (run.curves) put(map, "curves", curves_node(*run.curves));
   if (!run.measured.empty()) put(map, "measured", measured_node(run.measured));
   return map;
@@ -195,6 +197,7 @@ RunFigures read_result(const fs::path& result, const fs::path& times) {
   run.p_center = numbers_in(map["p_center"]);
   read_figures(map["figures"], run, run_table);
   if (map.has("metrics")) read_figures(map["metrics"], run.metrics.emplace(), metric_table);
+  if (map.has("standing")) read_figures(map["standing"], run.standing.emplace(), standing_of_run);
   if (map.has("curves")) run.curves = curves_in(map["curves"]);
   if (map.has("measured")) run.measured = measured_in(map["measured"]);
   const Reader measured = Reader::load(times);

@@ -36,6 +36,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
             {"fault", fault_json(result.fault)}};
   json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);
   json["metrics"] = result.metrics ? metrics_json(*result.metrics) : Json(nullptr);
+  if (result.standing) json["standing"] = pressing::standing_json(result);
   json["ticks"] = pressing::ticks_json(result);
   json["reach"] = {{"points", result.reach.points},
                    {"path_length_m", result.reach.path_length},

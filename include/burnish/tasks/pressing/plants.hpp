@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "burnish/base/trace.hpp"
 #include "burnish/mpc/fault.hpp"
 #include "burnish/report/plan_record.hpp"
+#include "burnish/report/standing_figures.hpp"
 #include "burnish/sim/plant.hpp"
 
 namespace burnish {
@@ -42,12 +44,13 @@ struct TaskRun {
   Trace trace;  ///< of every plant step, every nth beyond 100 s; see ClosedLoop
   PlanRecord plans;
   Status plant_status = Status::Ok;
-  FaultReport fault;         ///< of the MPC; FaultKind::None without
-  bool interrupted = false;  ///< by the progress function
-  TickTimes ticks;           ///< after the first, which solves to its end
-  double first_tick = 0.0;   ///< s of wall clock
-  double wall_time = 0.0;    ///< s, of the simulation
-  std::string outcome;       ///< one sentence
+  FaultReport fault;                        ///< of the MPC; FaultKind::None without
+  bool interrupted = false;                 ///< by the progress function
+  TickTimes ticks;                          ///< after the first, which solves to its end
+  double first_tick = 0.0;                  ///< s of wall clock
+  double wall_time = 0.0;                   ///< s, of the simulation
+  std::string outcome;                      ///< one sentence
+  std::optional<StandingFigures> standing;  ///< of a robot that stands
 };
 
 }  // namespace burnish

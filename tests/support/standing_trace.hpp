@@ -1,0 +1,84 @@
+// A robot that stands on two feet in a made-up run: a floating base with a foot on either side.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "burnish/base/trace.hpp"
+#include "burnish/model/model.hpp"
+#include "burnish/sim/scene.hpp"
+
+namespace burnish::testing {
+
+/// 20 kg at half a metre; feet 15 cm to the left and right of it on the ground, each of which bears
+/// 100 N, in every row of a trace that rests.
+class StandingTrace {
+ public:
+  using Set = std::function<void(const std::string& column, double value)>;
+  /// Called for every row after what rests is there.
+  using Change = std::function<void(int row, const Set& set)>;
+
+  /// radius: m, of feet that are balls; 0: soles of 20 by 10 cm.
+  explicit StandingTrace(double radius = 0.0) {
+    TreeSpec tree;
+    tree.name = "biped";
+    LinkSpec body{"body", {}, {}}, left{"left", {}, {}}, right{"right", {}, {}};
+    body.inertia.mass = 20.0;
+    body.inertia.inertia_at_com = Eigen::Matrix3d::Identity();
+    tree.links = {body, left, right};
+    for (const double side : {1.0, -1.0}) {
+      JointSpec foot;
+      foot.name = side > 0.0 ? "left_ankle" : "right_ankle";
+      foot.type = JointType::Fixed;
+      foot.parent_link = "body";
+      foot.child_link = side > 0.0 ? "left" : "right";
+      foot.placement.translation() = Eigen::Vector3d(0.0, 0.15 * side, -0.5);
+      tree.joints.push_back(foot);
+    }
+    ModelOptions options;
+    options.base = Base::FreeFlyer;
+    model = build_model(tree, options);
+    for (const char* frame : {"left", "right"}) {
+      SupportSpec support{.frame = frame, .friction = 0.8};
+      support.half_x = radius > 0.0 ? 0.0 : 0.1;
+      support.half_y = radius > 0.0 ? 0.0 : 0.05;
+      support.radius = radius > 0.0 ? radius : 0.02;
+      support.point.z() = -radius;
+      supports.push_back(support);
+    }
+  }
+
+  /// Its columns beside those of a tool.
+  std::vector<TraceColumn> columns() const {
+    std::vector<TraceColumn> columns{{"time", "s"}};
+    for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "-"});
+    for (int k = 0; k < model.nv; ++k) columns.push_back({"v_" + model.v_name(k), "-"});
+    for (const SupportSpec& support : supports)
+      for (const char* entry : {"fx", "fy", "fz", "mx", "my", "mz"})
+        columns.push_back({"support_" + support.frame + "_" + entry, "N"});
+    return columns;
+  }
+
+  Trace trace(const Change& change = {}) const {
+    Trace trace(columns(), 10);
+    for (int row = 0; row < 10; ++row) {
+      double* const values = trace.add_row();
+      const Set set = [&](const std::string& column, double value) {
+        values[trace.index(column)] = value;
+      };
+      set("time", 0.1 * row);
+      set("q_" + model.q_name(2), 0.5);
+      set("q_" + model.q_name(6), 1.0);
+      for (const SupportSpec& support : supports) set("support_" + support.frame + "_fz", 100.0);
+      if (change) change(row, set);
+    }
+    return trace;
+  }
+
+  Model model;
+  std::vector<SupportSpec> supports;
+};
+
+}  // namespace burnish::testing
