@@ -46,7 +46,7 @@ struct Wall {
 /// How the largest force is looked for, and when the search is over; see Limit.
 struct Lean {
   double rate = 10.0;          ///< N/s, of each hand
-  double force_max = 200.0;    ///< N of each hand, where it ends at the latest
+  double force_max = 150.0;    ///< N of each hand, where it ends at the latest
   double give = 5.0;           ///< N that the mean of both hands over 0.1 s may be below the target
   double slip = 0.01;          ///< m that a hand or foot may have slid
   double share = 0.9;          ///< of the force then, that is held afterwards
