@@ -95,11 +95,12 @@ struct Builder {
     const Eigen::Vector3d start = frame_placement(model, setting.q_start, hand).translation();
     return pressing::place_cost(
         "place of " + hand, hand,
-        Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)), setting.wall_axes,
-        task.weights.position, along_normal);
+        Eigen::VectorXd(along_normal > 0.0 ? start : setting.p_hands.col(h)),
+        Reference::world(setting.wall_axes), task.weights.position, along_normal);
   }
   CostTerm move(const std::string& hand, const Signal& speed) const {
-    return pressing::normal_speed_cost("speed of " + hand, hand, speed, setting.wall_axes,
+    return pressing::normal_speed_cost("speed of " + hand, hand, speed,
+                                       Reference::centered(setting.wall_axes),
                                        task.weights.approach);
   }
   CostTerm press(const std::string& hand) const {
