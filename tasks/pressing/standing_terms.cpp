@@ -127,14 +127,15 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   if (!standing.stands() || !standing.estimate) return std::nullopt;
   // Of a good unit, with some room, and feet that stand as long as nothing says that they slip.
-  // The ground gives way under them by tenths of a millimetre.
+  // The ground gives way under them by tenths of a millimetre: soles tilt as the load moves, and
+  // turn on the spot more than they slide, so that yaw is to be held by where the feet stand.
   BaseEstimatorOptions options{.imu_frame = standing.imu_frame,
                                .gyro_noise = 3e-4,
                                .accelerometer_noise = 5e-3,
                                .place_noise = 5e-4,
                                .turn_noise = 2e-3,
                                .slip_noise = 1e-5,
-                               .sole_turn_noise = 1e-5,
+                               .sole_turn_noise = 3e-3,
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};

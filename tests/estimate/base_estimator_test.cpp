@@ -488,6 +488,51 @@ TEST(BaseEstimator, AFootThatSlipsIsLeftOutAndTakenBack) {
   EXPECT_GT(without, 0.02);  // half of the foot's way
 }
 
+/// Soles on ground that gives way: they tilt by 2 mrad as the load comes, and turn about the
+/// vertical by 0.3 mrad/s, each about its middle, which stays; as those of a simulated robot did.
+RobotMotion pivoting_motion(const OnFeet& robot, double duration, double dt) {
+  std::vector<FootOverTime> feet;
+  for (const FootSpec& foot : robot.options.feet) {
+    const Pose at = frame_pose(robot, foot.frame);
+    feet.push_back({foot.frame, true,
+                    [at](double t) {
+                      const double tilt = 2e-3 * -std::expm1(-t * t / 0.1);
+                      return Pose{exp3({tilt, 0.3 * tilt, -0.3e-3 * t}) * at.R, at.p};
+                    },
+                    [](double) { return true; }});
+  }
+  return robot_motion(robot.model, robot.q, swaying(base_of(robot.q), 0.1), feet, duration, dt);
+}
+
+TEST(BaseEstimator, SolesThatPivotInPlaceTakeNoYawAlong) {
+  OnFeet robot = humanoid_on_soles();
+  BaseEstimatorOptions& o = robot.options;
+  o.place_noise = 5e-4;
+  o.turn_noise = 2e-3;
+  o.slip_noise = 1e-5;
+  const RobotMotion motion = pivoting_motion(robot, 6.0, 0.004);
+  const auto error = [&](double sole_turn_noise) -> VectorXd {
+    o.sole_turn_noise = sole_turn_noise;
+    BaseEstimator estimator(robot.model, o);
+    EXPECT_EQ(estimator.reset(motion.q[0], motion.v[0]), Status::Ok);
+    for (std::size_t i = 1; i < motion.q.size(); ++i) {
+      EXPECT_EQ(estimator.update(motion.imu[i], motion.q[i], motion.v[i], 3U, motion.dt),
+                Status::Ok);
+      EXPECT_EQ(estimator.feet_that_count(), 3U) << i;
+    }
+    const Pose truth = base_of(motion.q.back()), told = base_of(estimator.q());
+    VectorXd e(6);
+    e << log3(truth.R * told.R.transpose()), truth.p - told.p;
+    return e;
+  };
+  // Where soles may turn, yaw is held by where the two stand; where they may not, it goes along.
+  const VectorXd free = error(3e-3), fixed = error(1e-5);
+  EXPECT_LT(std::abs(free[2]), 1e-4);
+  EXPECT_LT(free.head<2>().norm(), 2e-4);
+  EXPECT_LT(free.tail<3>().norm(), 3e-4);
+  EXPECT_GT(std::abs(fixed[2]), 5e-4);
+}
+
 TEST(BaseEstimator, FeetThatAreAllLostAreFoundAgain) {
   // The base is set off by a blow that no sensor of the estimator's saw.
   OnFeet robot = humanoid_on_soles();
