@@ -54,9 +54,10 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "{rad/s} that friction along the surface is followed at, of kind torque; 0: the "
                  "bandwidth",
                  range::not_negative)
-          .field("fading", &M::fading,
-                 "{s} that plans take a torque error to last that has come just now, as a push does",
-                 range::positive_or_infinite)
+          .field(
+              "fading", &M::fading,
+              "{s} that plans take a torque error to last that has come just now, as a push does",
+              range::positive_or_infinite)
           .more("what has been there for some seconds lasts; infinite: all of it does")
           .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
           .field(
@@ -198,10 +199,11 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("v", &M::v, "nv")
           .field("imu", &M::imu, "of the robot's inertial measurement unit, if it has one")
           .field("tau", &M::tau, "nv, of the torque sensors between motor and link, Nm or N")
-          .field("support_wrenches", &M::support_wrenches,
-                 "of the sensors in what the robot stands on: force and moment of the ground on each "
-                 "support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
-                 "supports, or empty: not measured")
+          .field(
+              "support_wrenches", &M::support_wrenches,
+              "of the sensors in what the robot stands on: force and moment of the ground on each "
+              "support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
+              "supports, or empty: not measured")
           .field("tool_force_world", &M::tool_force_world,
                  "Of the force sensor: the surface's force on the tool, N, world axes.");
   return all;
@@ -306,9 +308,10 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("schedule", &M::schedule)
           .field("task", &M::task, "events of the schedule, what is watched; none: neither")
           .field("tool", &M::tool, "frame that Measurement::tool_force_world acts at")
-          .field("base", &M::base,
-                 "frame that the surface moves with, which the force on the tool pushes back at: of "
-                 "the robot, as a plate in its other hand; empty: the world")
+          .field(
+              "base", &M::base,
+              "frame that the surface moves with, which the force on the tool pushes back at: of "
+              "the robot, as a plate in its other hand; empty: the world")
           .field("normal_world", &M::normal_world,
                  "That the tool presses along: of the surface, towards the robot. Friction is "
                  "across it. In the axes of `base`, with which it turns.")

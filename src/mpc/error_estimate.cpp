@@ -75,10 +75,9 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
-    const Status seen = has_sensor_
-                            ? observer_.update(m.q, m.v, acted_, m.tool_force_world, gate.dt(),
-                                               m.support_wrenches)
-                            : Status::Ok;
+    const Status seen = has_sensor_ ? observer_.update(m.q, m.v, acted_, m.tool_force_world,
+                                                       gate.dt(), m.support_wrenches)
+                                    : Status::Ok;
     if (seen <= Status::NotConverged) {
       torque_offset_ += share * (m.tau - acted_ - torque_offset_);
       joint_friction_.learn(model_error(), observed_at(), gate.dt());

@@ -21,8 +21,8 @@ ModelErrorOptions steady(ModelErrorOptions options) {
 }  // namespace
 
 FeltForce::FeltForce(const MpcSpec& spec)
-    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec),
-                {}, spec.base),
+    : observer_(spec.problem.model, spec.tool, steady(spec.model_error), supports_of(spec), {},
+                spec.base),
       touch_(spec.contact_threshold),
       motion_(RigidBody(spec.problem.model), spec.tool, spec.base) {
   air_ = rest_ = model_error_ = Eigen::VectorXd::Zero(spec.problem.model.nv);

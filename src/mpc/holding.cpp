@@ -50,9 +50,9 @@ bool Holding::weigh_freely(const Eigen::VectorXd& q) noexcept {
 }
 
 /// With a = a_0 + A tau of the closed mechanism, which a robot on its feet is too, the actuated
-/// entries move as a body of the inertia A_aa^-1 does, and -A_aa^-1 a_0 holds them. Where motors are
-/// more than the degrees of freedom, what they would do against each other is left out: with D of
-/// the diagonal and B = D^-1/2 A_aa D^-1/2 the inverse is D^-1/2 B (B B + e^2)^-1 D^-1/2.
+/// entries move as a body of the inertia A_aa^-1 does, and -A_aa^-1 a_0 holds them. Where motors
+/// are more than the degrees of freedom, what they would do against each other is left out: with D
+/// of the diagonal and B = D^-1/2 A_aa D^-1/2 the inverse is D^-1/2 B (B B + e^2)^-1 D^-1/2.
 bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
   if (free_.forward(q, zero_, zero_) > Status::NotConverged) return false;
   if (free_.forward_derivatives() > Status::NotConverged) return false;

@@ -44,7 +44,8 @@ class Holding {
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;
   Eigen::MatrixXd mass_;
-  Eigen::MatrixXd mobility_, square_, inertia_;  ///< of the actuated entries alone, of a robot that is closed
+  Eigen::MatrixXd mobility_, square_,
+      inertia_;  ///< of the actuated entries alone, of a robot that is closed
   Eigen::VectorXd fall_, scale_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd zero_, q_hold_, error_, stretch_, pull_;  ///< nv, nq, nv, nv, nv

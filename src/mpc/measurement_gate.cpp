@@ -60,8 +60,8 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   const double gap = started_ ? m.time - last_.time : 0.0;
   const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() &&
                       (!has_force_ || m.tool_force_world.allFinite()) &&
-                      (supports_ == 0 || (m.support_wrenches.cols() == supports_ &&
-                                          m.support_wrenches.allFinite()));
+                      (supports_ == 0 ||
+                       (m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite()));
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
     bridge(latch, FaultKind::BadMeasurement, limits_.bad);

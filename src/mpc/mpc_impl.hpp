@@ -74,9 +74,9 @@ struct MpcController::Impl {
     std::exception_ptr thrown = {};
   };
   Making making_;
-  Policy in_use_;  ///< as it was when the plan was begun
-  double expected_;         ///< s that a plan takes, about
-  double busy_until_ = 0.0; ///< s, of measured timing
+  Policy in_use_;            ///< as it was when the plan was begun
+  double expected_;          ///< s that a plan takes, about
+  double busy_until_ = 0.0;  ///< s, of measured timing
   bool is_making_ = false;
   std::optional<Quadric> surface_;
   double depth_ = 0.0;
@@ -92,11 +92,11 @@ struct MpcController::Impl {
   Eigen::VectorXd x_, u_, v_ahead_, passing_;
   Eigen::VectorXd x_plan_, u_plan_;  ///< where the plan begins; at rest
   long tick_ = 0;
-  double began_ = 0.0;   ///< s, the first measurement
-  bool due_ = false;     ///< an update
-  bool solved_ = false;  ///< there is a plan
-  bool warm_ = false;    ///< the solver's trajectory can be started from
-  bool jumped_ = false;  ///< the schedule's clock, since the last plan
+  double began_ = 0.0;                       ///< s, the first measurement
+  bool due_ = false;                         ///< an update
+  bool solved_ = false;                      ///< there is a plan
+  bool warm_ = false;                        ///< the solver's trajectory can be started from
+  bool jumped_ = false;                      ///< the schedule's clock, since the last plan
   std::unique_ptr<BackgroundWork> planner_;  ///< of timing by a thread; the last: it ends first
 };
 

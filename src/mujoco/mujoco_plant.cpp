@@ -27,8 +27,7 @@ class MujocoPlant final : public Plant {
  public:
   MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
       : engine_(model, scene, options),
-        exact_(engine_.scene, *engine_.m, engine_.tip_site, engine_.tip_body,
-               engine_.surface_site),
+        exact_(engine_.scene, *engine_.m, engine_.tip_site, engine_.tip_body, engine_.surface_site),
         is_exact_(options.contact == MujocoContact::Exact),
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),

@@ -115,10 +115,10 @@ struct CompiledProblem {
   ContactSolver contact_solver;
   std::optional<TorqueModel> torque_model;
   std::optional<PassiveJoints> passive;
-  std::vector<double> torque_bias;    ///< nv, Nm (N): acts beside the actuators
+  std::vector<double> torque_bias;     ///< nv, Nm (N): acts beside the actuators
   std::vector<double> passing_torque;  ///< nv, Nm (N): likewise, of which KnotTime::passing is left
-  std::vector<CompiledStage> stages;  ///< the terminal one last
-  int largest_rows = 0;               ///< of a term
+  std::vector<CompiledStage> stages;   ///< the terminal one last
+  int largest_rows = 0;                ///< of a term
   int largest_jacobian = 0;
   int largest_targets = 0;  ///< of a stage
   int largest_terms = 0;

@@ -78,7 +78,7 @@ struct Problem::Impl {
   std::vector<int> stage_of;                  ///< per knot, N + 1
   std::vector<double> times;                  ///< per knot, s
   std::vector<double> own_steps;              ///< per knot, s; 0: its stage's
-  double fading = 0.0;  ///< s, of the torque that passes; 0: there is none
+  double fading = 0.0;                        ///< s, of the torque that passes; 0: there is none
   std::vector<ocp::KnotTime<double>> timing;  ///< per knot, without its time
   std::vector<double> targets;                ///< per knot, largest_targets each
   std::vector<KnotRange> ranges;

@@ -212,8 +212,7 @@ Status ClosedLoop::step() noexcept {
   Impl& loop = *impl_;
   const bool ticks = loop.steps % loop.ticks == 0;
   if (ticks) {
-    const Measurement& measured =
-        loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
+    const Measurement& measured = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
     loop.measurement = loop.estimated ? loop.estimated->update(measured) : measured;
     loop.command = loop.controller->tick(loop.measurement);
     if (loop.steps == 0 && loop.command.tau.allFinite()) loop.actuation.reset(loop.command.tau);

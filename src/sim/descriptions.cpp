@@ -4,7 +4,8 @@ namespace burnish {
 
 const Description& description_of(const Push* /*of*/) {
   static const Description all =
-      Describe<Push>("sim", "Push", "A force on the tool, or on another frame of the robot, for a while.")
+      Describe<Push>("sim", "Push",
+                     "A force on the tool, or on another frame of the robot, for a while.")
           .field("start", &Push::start, "{s}")
           .field("duration", &Push::duration, "{s}", range::not_negative)
           .field("force_world", &Push::force_world, "{N}, world axes, at the frame's origin")
@@ -143,9 +144,10 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "Coulomb coefficient in place of the surface's, or none", size)
           .in_code("Coulomb coefficient in place of the scene's")
           .word("none")
-          .field("pushes", &D::pushes,
-                 "on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, world, "
-                 "frame: name}, ...]")
+          .field(
+              "pushes", &D::pushes,
+              "on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, world, "
+              "frame: name}, ...]")
           .in_code("on the robot");
   return all;
 }
@@ -195,11 +197,12 @@ const Description& description_of(const ToolTipSpec* /*of*/) {
 const Description& description_of(const SupportSpec* /*of*/) {
   using S = SupportSpec;
   static const Description all =
-      Describe<S>("sim", "SupportSpec",
-                  "A part of the robot that stands on a plane of its own, or leans against it, with "
-                  "nothing to hold it there but what it presses with: a sole, which is a rectangle "
-                  "about the origin of a frame in that frame's x and y, or without sides a ball "
-                  "about the origin.")
+      Describe<S>(
+          "sim", "SupportSpec",
+          "A part of the robot that stands on a plane of its own, or leans against it, with "
+          "nothing to hold it there but what it presses with: a sole, which is a rectangle "
+          "about the origin of a frame in that frame's x and y, or without sides a ball "
+          "about the origin.")
           .field("frame", &S::frame, "")
           .field("half_x", &S::half_x, "{m}, half the side of a sole along x; 0: a ball",
                  range::not_negative)
@@ -217,7 +220,8 @@ const Description& description_of(const SupportSpec* /*of*/) {
 
 const Description& description_of(const SceneSpec* /*of*/) {
   static const Description all =
-      Describe<SceneSpec>("sim", "SceneSpec", "What the tool meets, a surface and a round tip, and what the robot "
+      Describe<SceneSpec>("sim", "SceneSpec",
+                          "What the tool meets, a surface and a round tip, and what the robot "
                           "stands on.")
           .field("surface", &SceneSpec::surface, "")
           .field("tip", &SceneSpec::tip, "")

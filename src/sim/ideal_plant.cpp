@@ -31,7 +31,8 @@ void check(const IdealPlantOptions& options) {
 void check_surface(const SceneSpec& scene) {
   if (!scene.surface.frame.empty())
     throw Error("the ideal plant has no surface that the robot carries, here at frame " +
-                in_quotes(scene.surface.frame) + "; wanted one in the world, or MuJoCo as the plant");
+                in_quotes(scene.surface.frame) +
+                "; wanted one in the world, or MuJoCo as the plant");
   if (!scene.surface.motion.is_at_rest())
     throw Error(
         "the ideal plant's surface moves; it knows surfaces at rest alone: wanted one, or "

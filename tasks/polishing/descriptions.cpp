@@ -269,9 +269,10 @@ Describe<T>& describe_controller(Describe<T>& task) {
              range::from(0))
       .field("update_rate", &T::update_rate, "{Hz}, of new plans; divides the tick rate", positive)
       .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands", positive)
-      .field("timing", &T::timing,
-             "fixed: plans are used solver_delay after their measurement; measured: the time that "
-             "each takes passes, in simulations too; thread: they are made in a thread of their own")
+      .field(
+          "timing", &T::timing,
+          "fixed: plans are used solver_delay after their measurement; measured: the time that "
+          "each takes passes, in simulations too; thread: they are made in a thread of their own")
       .field("solver_delay", &T::solver_delay,
              "{s} from a measurement to the use of the plan made from it", range::not_negative)
       .field("slowdown", &T::slowdown, "of measured timing: a machine by this factor slower",

@@ -74,7 +74,7 @@ std::vector<Stage> stages(const Task& task, const Setting& setting) {
   std::vector<CostTerm> common{
       {.name = "posture", .residual = residual::State{posture(task, setting)}, .weights = rows},
       pressing::place_cost("point", task.tool, setting.p_hold,
-                                                     Reference::world(setting.surface_axes), 1e4, 0.0)};
+                           Reference::world(setting.surface_axes), 1e4, 0.0)};
   common.push_back(pressing::torque_cost(pressing::rest_torque(model, setting.q_start), 1e-4));
   std::vector<Constraint> kept = pressing::joint_limits(model, task.constraints, setting.q_start);
   for (Constraint& most : pressing::torque_limits(model, task.constraints))

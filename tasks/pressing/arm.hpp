@@ -9,8 +9,8 @@
 namespace burnish::pressing {
 
 /// Of a URDF file, which has no settings, only the joints that carry the tool move: the others are
-/// held at zero. One that stands moves all of them, and its base. Throws EntryError: "robot" as load_robot() refuses it, "tool.frame" for a frame
-/// that the robot has not.
+/// held at zero. One that stands moves all of them, and its base. Throws EntryError: "robot" as
+/// load_robot() refuses it, "tool.frame" for a frame that the robot has not.
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands = false);
 
 /// Throws EntryError, "robot", where the base floats free.

@@ -309,10 +309,10 @@ class ReachWalk::Impl {
   bool torques_fit(const ReachStop& stop, double force) {
     evaluate(q_);
     const Eigen::Vector3d normal = surface_.at(stop.p_world).normal;
-    const Eigen::VectorXd tau = torque_on_supports(
-        model_, body_, scene_.supports,
-        Eigen::VectorXd(body_.gravity_torque()) -
-            derivatives_.jacobian.topRows(3).transpose() * (force * normal));
+    const Eigen::VectorXd tau =
+        torque_on_supports(model_, body_, scene_.supports,
+                           Eigen::VectorXd(body_.gravity_torque()) -
+                               derivatives_.jacobian.topRows(3).transpose() * (force * normal));
     if (force > 0.0) look_at_felt_force(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];

@@ -26,10 +26,11 @@ void check_standing(const Model& model, const Standing& standing) {
     throw EntryError("standing.feet", "robot " + in_quotes(model.name) +
                                           " has a fixed base; wanted none, or a robot that floats");
   if (floats && !standing.stands())
-    throw EntryError("robot", "the base of robot " + in_quotes(model.name) +
-                                  " floats free, and nothing holds it while it presses; wanted "
-                                  "standing.feet, the frames that it stands on, or a fixed base, as "
-                                  "a variant of its settings may have");
+    throw EntryError("robot",
+                     "the base of robot " + in_quotes(model.name) +
+                         " floats free, and nothing holds it while it presses; wanted "
+                         "standing.feet, the frames that it stands on, or a fixed base, as "
+                         "a variant of its settings may have");
   std::vector<std::string> frames;
   for (const Frame& frame : model.frames) frames.push_back(frame.name);
   for (const std::string& foot : standing.feet)
@@ -107,7 +108,8 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
   A.rightCols(J.rows()) = J.transpose();
   const Eigen::VectorXd solution = least_squares(A, needed);
   Eigen::VectorXd torque = Eigen::VectorXd::Zero(model.nv);
-  for (Eigen::Index i = 0; i < motors; ++i) torque[driven[static_cast<std::size_t>(i)]] = solution[i];
+  for (Eigen::Index i = 0; i < motors; ++i)
+    torque[driven[static_cast<std::size_t>(i)]] = solution[i];
   return torque;
 }
 
@@ -149,19 +151,19 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
   for (const std::string& foot : standing.feet) {
     rows.push_back({.name = "friction of " + foot,
                     .residual = residual::FrictionCone{foot, standing.plan_friction}});
-    Eigen::VectorXd least = Eigen::VectorXd::Constant(
-        standing.has_soles() ? 6 : 3, -std::numeric_limits<double>::infinity());
+    Eigen::VectorXd least = Eigen::VectorXd::Constant(standing.has_soles() ? 6 : 3,
+                                                      -std::numeric_limits<double>::infinity());
     least[2] = standing.least_load;
     rows.push_back({.name = "load of " + foot,
                     .residual = residual::ContactForce{foot},
                     .lower = least,
                     .scale = Eigen::VectorXd::Constant(least.size(), 100.0)});
     if (!standing.has_soles()) continue;
-    rows.push_back({.name = "pressure of " + foot,
-                    .residual = residual::CenterOfPressure{
-                        foot, standing.plan_sole * standing.half_x,
-                        standing.plan_sole * standing.half_y,
-                        standing.plan_friction * std::hypot(standing.half_x, standing.half_y) / 3.0}});
+    rows.push_back(
+        {.name = "pressure of " + foot,
+         .residual = residual::CenterOfPressure{
+             foot, standing.plan_sole * standing.half_x, standing.plan_sole * standing.half_y,
+             standing.plan_friction * std::hypot(standing.half_x, standing.half_y) / 3.0}});
   }
   return rows;
 }

@@ -24,8 +24,8 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
 /// One contact per foot, called as its frame: soles hold everything, balls their place.
 std::vector<ContactSpec> foot_contacts(const Standing& standing);
 
-/// Jacobian of what supports hold at the state of `body`, in world axes at their frames: 6 rows of a
-/// sole, 3 of a ball.
+/// Jacobian of what supports hold at the state of `body`, in world axes at their frames: 6 rows of
+/// a sole, 3 of a ball.
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
                                  const std::vector<SupportSpec>& supports);
 

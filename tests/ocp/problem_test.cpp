@@ -249,6 +249,26 @@ TEST(Bias, ActsBesideTheActuators) {
   EXPECT_LT(relative_error(problem.acceleration(0, at.x, at.u), wanted), 1e-12);
 }
 
+TEST(Bias, PassesByTheTimesOfTheKnots) {
+  const Model model = arm.robot.model();
+  Problem problem(moving_spec(arm, model));
+  std::mt19937_64 generator(11);
+  const OcpState at = random_ocp_state(problem, generator);
+  const Eigen::VectorXd lasting = random_vector(model.nv, 2.0, generator);
+  const Eigen::VectorXd passing = random_vector(model.nv, 2.0, generator);
+  const double fading = 0.03;
+  double since = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_EQ(problem.set_torque_bias(lasting + std::exp(-since / fading) * passing), Status::Ok);
+    const Eigen::VectorXd wanted = problem.acceleration(k, at.x, at.u);
+    ASSERT_EQ(problem.set_torque_bias(lasting, passing, fading), Status::Ok);
+    EXPECT_LT(relative_error(problem.acceleration(k, at.x, at.u), wanted), 1e-12) << k;
+    since += problem.step_of(k);
+  }
+  EXPECT_EQ(problem.set_torque_bias(lasting, passing, 0.0), Status::NotFinite);
+  EXPECT_EQ(problem.set_torque_bias(lasting, passing.head(1), fading), Status::WrongSize);
+}
+
 TEST(NotFinite, NamesItsTermAndKnot) {
   const Model model = arm.robot.model();
   for (const std::optional<Penalty>& penalty :

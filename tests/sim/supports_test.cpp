@@ -35,8 +35,8 @@ struct Stands {
 
 class Supports : public ::testing::TestWithParam<Stands> {};
 
-/// Between two states dt apart: d(momentum)/dt about the world's origin is what supports and gravity
-/// do there.
+/// Between two states dt apart: d(momentum)/dt about the world's origin is what supports and
+/// gravity do there.
 TEST_P(Supports, push_as_the_momentum_of_the_robot_changes) {
   const Robot robot = load_robot(GetParam().robot);
   const Model& model = robot.model;
@@ -74,7 +74,12 @@ INSTANTIATE_TEST_SUITE_P(
     robots, Supports,
     ::testing::Values(
         Stands{"talos", "tool", {"left_sole_link", "right_sole_link"}, 0.1, 0.06, 0.02},
-        Stands{"quadruped", "fl_hip_link", {"fl_foot", "fr_foot", "rl_foot", "rr_foot"}, 0.0, 0.0, 0.018}),
+        Stands{"quadruped",
+               "fl_hip_link",
+               {"fl_foot", "fr_foot", "rl_foot", "rr_foot"},
+               0.0,
+               0.0,
+               0.018}),
     [](const auto& test) { return std::string(test.param.robot); });
 
 }  // namespace

@@ -29,7 +29,7 @@ const ocp::CompiledStage& stage_of(const ocp::CompiledProblem& problem, const Oc
 }
 
 void set_step(ocp::StageDynamics<Dual>& dynamics, const ocp::KnotTime<double>& when) {
-  dynamics.set_step(Dual(when.per_second), Dual(when.pace));
+  dynamics.set_step(Dual(when.per_second), Dual(when.pace), Dual(when.passing));
 }
 
 /// Derivatives by all of z of what `evaluate` makes of (x, u).

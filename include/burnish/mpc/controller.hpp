@@ -19,8 +19,8 @@ struct Measurement {
   Eigen::VectorXd tau;  ///< nv, of the torque sensors between motor and link, Nm or N
   /// Of the force sensor: the surface's force on the tool, N, world axes.
   Eigen::Vector3d tool_force_world = Eigen::Vector3d::Zero();
-  /// Of the sensors in what the robot stands on: force and moment of the ground on each support, N
-  /// and Nm, at the origin of its frame, in the frame's axes; 6 x supports, or empty: not measured.
+  /// of the sensors in what the robot stands on: force and moment of the ground on each support, N
+  /// and Nm, at the origin of its frame, in the frame's axes; 6 x supports, or empty: not measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
 };
 

@@ -75,8 +75,8 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   MakeTask task = {};         ///< events of the schedule, what is watched; none: neither
   std::string tool = "tool";  ///< frame that Measurement::tool_force_world acts at
-  /// frame that the surface moves with, which the force on the tool pushes back at: of the robot, as
-  /// a plate in its other hand; empty: the world
+  /// frame that the surface moves with, which the force on the tool pushes back at: of the robot,
+  /// as a plate in its other hand; empty: the world
   std::string base = {};
   /// That the tool presses along: of the surface, towards the robot. Friction is across it. In the
   /// axes of `base`, with which it turns.
@@ -86,8 +86,8 @@ struct MpcSpec {
   /// every stage are what the fallback and the estimates take to hold always: a base that floats
   /// free wants some. Those of some stages, such as hands on a wall, want support_sensors.
   std::vector<std::string> supports = {};
-  /// Measurement.support_wrenches are measured, in the order of `supports`: then the torque error is
-  /// known of all joints, of those on supports too
+  /// Measurement.support_wrenches are measured, in the order of `supports`: then the torque error
+  /// is known of all joints, of those on supports too
   bool support_sensors = false;
   /// Measurement.tool_force_world is measured; else the force at the tool is what torques,
   /// positions and velocities say beyond what they said in the air just before, which wants
@@ -98,10 +98,9 @@ struct MpcSpec {
   /// s before the first plan in which the fallback holds the robot where it is, so that what
   /// estimates comes to rest; the schedule begins after it
   double settle = 0.0;
-  PlanTiming timing = PlanTiming::Fixed;
+  PlanTiming timing = PlanTiming::Fixed;  ///< fixed, measured or thread
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
-  /// The plan is made for the state that the policy in use leads to by then. Where plans are timed
-  /// otherwise: what is expected of the first ones; of others it is what they took.
+  /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;
   double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
   DdpOptions solver = {

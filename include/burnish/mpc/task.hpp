@@ -112,8 +112,9 @@ class MpcTask {
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
   /// The surface that the tool is on or comes to, as known after sense(): a function of the tool's
   /// point in the world, zero where it touches. Contacts at MpcSpec::tool that hold the world
-  /// (MpcSpec::base, in whose axes the function then is) and whose references follow a surface (Reference::on) are given it along the whole horizon, and
-  /// its normal at the tool is the controller's from then on. Null: those of the specification.
+  /// (MpcSpec::base, in whose axes the function then is) and whose references follow a surface
+  /// (Reference::on) are given it along the whole horizon, and its normal at the tool is the
+  /// controller's from then on. Null: those of the specification.
   virtual const Quadric* surface() const noexcept { return nullptr; }
   /// How far that gives way under the tool, m, at least 0. Costs that bring the tool to a point of
   /// the world, made for a surface that stands, bring it there across the normal of this one.

@@ -85,7 +85,8 @@ class Problem final : public ShootingProblem {
   Status set_torque_bias(const ConstVectorRef& torque);
   /// The same, with another torque beside it that is there at the first knot and passes:
   /// exp(-t / fading) of it is left t s later, by the times that the knots have now; `fading`: s.
-  Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing, double fading);
+  Status set_torque_bias(const ConstVectorRef& torque, const ConstVectorRef& passing,
+                         double fading);
 
   /// Where a state that does not move needs no control but this: nu entries of least norm that with
   /// the contacts of a stage hold x at rest, together with the forces; `residual` of the rest, Nm.

@@ -23,8 +23,8 @@ struct Push {
 };
 /// What a plant carries at one of its frames and its controller does not know: a ball.
 struct UnknownPayload {
-  std::string frame = "tool";
-  double mass = 0.0;  ///< kg
+  std::string frame = "tool";  ///< that it is fixed to
+  double mass = 0.0;           ///< kg
   /// m, its centre, in the frame's axes
   Eigen::Vector3d com = Eigen::Vector3d::Zero();
   double radius = 0.05;     ///< m
@@ -64,9 +64,9 @@ struct Disturbances {
   double velocity_noise = 0.0;  ///< rad/s, deviation
   /// velocities from measured positions; in place of the true ones
   bool finite_difference_velocity = false;
-  double velocity_cutoff = 0.0;  ///< rad/s, low-pass on those; 0: none
-  double force_noise = 0.0;      ///< N, deviation per axis of the force sensor
-  double force_cutoff = 0.0;     ///< rad/s, low-pass behind the noise; 0: none
+  double velocity_cutoff = 0.0;       ///< rad/s, low-pass on those; 0: none
+  double force_noise = 0.0;           ///< N, deviation per axis of the force sensor
+  double force_cutoff = 0.0;          ///< rad/s, low-pass behind the noise; 0: none
   double support_force_noise = 0.0;   ///< N, deviation per axis of the sensors in supports
   double support_moment_noise = 0.0;  ///< Nm, likewise; both behind force_cutoff
 

@@ -57,14 +57,14 @@ struct ToolTipSpec {
 /// that frame's x and y, or without sides a ball about the origin.
 struct SupportSpec {
   std::string frame = {};
-  double half_x = 0.0, half_y = 0.0;  ///< m, half the sides of a sole; both 0: a ball
-  double radius = 0.02;               ///< m, of a ball
+  double half_x = 0.0, half_y = 0.0;                ///< m, half the sides of a sole; both 0: a ball
+  double radius = 0.02;                             ///< m, of a ball
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the plane, m, world
   /// of the plane, out of the material, towards the robot; any length, world
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.7;    ///< Coulomb coefficient
-  double stiffness = 2e6;   ///< N/m, of the whole part
-  double damping = 1e5;      ///< Ns/m, of the whole part
+  double friction = 0.7;   ///< Coulomb coefficient
+  double stiffness = 2e6;  ///< N/m, of the whole part
+  double damping = 1e5;    ///< Ns/m, of the whole part
 
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };

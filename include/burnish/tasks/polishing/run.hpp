@@ -28,8 +28,7 @@ struct RunSpec {
   ControllerKind controller = ControllerKind::Mpc;
   /// MuJoCo where this build has it
   PlantKind plant = has_mujoco() ? PlantKind::Mujoco : PlantKind::Ideal;
-  /// before anything moves; a problem is then an Error. Not of a surface that the robot carries.
-  bool check_reach = true;
+  bool check_reach = true;  ///< before anything moves; a problem is then an Error
   ReachOptions reach = {};
   /// Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none
   double plan_rate = 20.0;

@@ -31,8 +31,8 @@ enum class ForceAxes {
 /// How the robot itself moves the frame that carries the surface: from where it starts by shift * s
 /// and turn * s (a rotation vector), s = sin(2 pi frequency t) from contact on.
 struct Waving {
-  Eigen::Vector3d shift_world = Eigen::Vector3d::Zero();  ///< m
-  Eigen::Vector3d turn_world = Eigen::Vector3d::Zero();   ///< rad
+  Eigen::Vector3d shift_world = Eigen::Vector3d::Zero();  ///< [x, y, z] m, world
+  Eigen::Vector3d turn_world = Eigen::Vector3d::Zero();   ///< [x, y, z] rad, world
   double frequency = 0.3;                                 ///< Hz
   double start_up = 1.0;                                  ///< s until the full way
   double position = 1e4;  ///< 1/m^2: the frame's origin to where it shall be
@@ -119,7 +119,7 @@ struct Task {
   PlanTiming timing = PlanTiming::Fixed;
   double solver_delay = 0.0;  ///< s from a measurement to the use of the plan made from it
   double slowdown = 1.0;      ///< of measured timing: a machine by this factor slower
-  int iterations = 1;           ///< of the solver, per plan
+  int iterations = 1;         ///< of the solver, per plan
   StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
   double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
   /// m/s of sliding below which the friction of plans fades: their steps bear no less

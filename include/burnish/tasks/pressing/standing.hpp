@@ -14,9 +14,10 @@ namespace burnish {
 struct Standing {
   /// frames of the feet; none: the base is fixed
   std::vector<std::string> feet = {};
-  double half_x = 0.1;   ///< m, half the sides of a sole, about its frame's origin; 0: a ball
-  double half_y = 0.065;  ///< m
-  double radius = 0.02;  ///< m, of a foot that is a ball
+  /// m, half the side of a sole along x of its frame, about its origin; 0: a ball
+  double half_x = 0.1;
+  double half_y = 0.065;  ///< m, along y
+  double radius = 0.02;   ///< m, of a foot that is a ball
 
   double friction = 0.7;   ///< Coulomb coefficient of the plant's ground
   double stiffness = 2e6;  ///< N/m, of the plant's ground under each foot
@@ -26,9 +27,9 @@ struct Standing {
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1
   double plan_sole = 0.95;
   double least_load = 40.0;  ///< N that plans keep on each foot
-  double balance = 1e3;    ///< 1/m^2: centre of mass to where it starts
-  double base = 100.0;     ///< 1/rad^2: base to its orientation at the start
-  double momentum = 1e-2;  ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
+  double balance = 1e3;      ///< 1/m^2: centre of mass to where it starts
+  double base = 100.0;       ///< 1/rad^2: base to its orientation at the start
+  double momentum = 1e-2;    ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
   double contact_kd = 20.0;  ///< 1/s, damping of the feet's constraint (Baumgarte)
 
   /// the base is told from an inertial unit, the joints and the feet (BaseEstimator); false: known
