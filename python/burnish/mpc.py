@@ -21,7 +21,7 @@ from .solver import DdpOptions, LimitOptions, StepUpdate
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "FrictionEstimateOptions", "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
-    "MpcSpec", "SafetyLimits", "Schedule", "SchedulePhase", "TorqueErrorObserver",
+    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "Standing", "TorqueErrorObserver",
 ]
 
 

@@ -46,7 +46,7 @@ from ._core import (
 from ._spec import Spec
 from .contact import SurfaceShape
 from .model import Robot
-from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, SafetyLimits
+from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits, Standing
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,

@@ -248,7 +248,7 @@ TEST(TorqueErrorObserver, knows_that_a_force_pushes_back_at_what_the_robot_carri
   EXPECT_EQ(guard.count(), 0);
   EXPECT_LT(knows.torque_error().norm(), 1e-9);
   EXPECT_LT((alone.torque_error() - by_plate).norm(), 1e-3);
-  expect_words(refusal([&] { TorqueErrorObserver(model, "tool", options, {}, "plait"); }),
+  expect_words(refusal([&] { TorqueErrorObserver(model, "tool", options, {}, {}, "plait"); }),
                {"plait", "plate"});
 }
 

@@ -67,7 +67,8 @@ TEST(Figures, AreAskedForByTheirNames) {
   run.largest_command = 0.5;
   run.ticks.p99 = 2e-4;
   EXPECT_TRUE(std::isnan(run["standing.slip"])) << "the robot does not stand";
-  run.standing = StandingFigures{.slip = 3e-3};
+  run.standing = StandingFigures();
+  run.standing->slip = 3e-3;
   EXPECT_EQ(run["standing.slip"], 3e-3);
   EXPECT_TRUE(std::isnan(run["standing.pressure_margin"])) << "no soles";
   EXPECT_EQ(run["force_rmse"], 0.25);
