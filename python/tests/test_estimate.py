@@ -43,7 +43,7 @@ def test_what_cannot_be_used_is_raised():
 
 def test_feet_stand_by_their_force():
     model, _ = standing()
-    contacts = burnish.FootContacts(model, 2)
+    contacts = burnish.FootContacts(model, 2, burnish.FootContactOptions(force_noise=0.1))
     weight = 9.81 * model.total_mass
     for _ in range(100):
         contacts.update([weight, 0.0], 1e-3)

@@ -197,15 +197,15 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("time", &M::time, "{s}")
           .field("q", &M::q, "nq")
           .field("v", &M::v, "nv")
-          .field("imu", &M::imu, "of the robot's inertial measurement unit, if it has one")
           .field("tau", &M::tau, "nv, of the torque sensors between motor and link, Nm or N")
+          .field("tool_force_world", &M::tool_force_world,
+                 "Of the force sensor: the surface's force on the tool, N, world axes.")
+          .field("imu", &M::imu, "of the robot's inertial measurement unit, if it has one")
           .field(
               "support_wrenches", &M::support_wrenches,
               "of the sensors in what the robot stands on: force and moment of the ground on each "
               "support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
-              "supports, or empty: not measured")
-          .field("tool_force_world", &M::tool_force_world,
-                 "Of the force sensor: the surface's force on the tool, N, world axes.");
+              "supports, or empty: not measured");
   return all;
 }
 

@@ -58,7 +58,7 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
 /// Which feet stand.
 Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
   if (measured.support_wrenches.cols() > 0) {
-    if (measured.support_wrenches.cols() < normal_forces.size()) return Status::WrongSize;
+    if (measured.support_wrenches.cols() != normal_forces.size()) return Status::WrongSize;
     for (int k = 0; k < estimator.feet(); ++k)
       normal_forces[k] =
           up.dot(estimator.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());

@@ -10,7 +10,9 @@ const Description& description_of(const Push* /*of*/) {
           .field("duration", &Push::duration, "{s}", range::not_negative)
           .field("force_world", &Push::force_world, "{N}, world axes, at the frame's origin")
           .key("force")
-          .field("frame", &Push::frame, "that it acts at; empty: the tip's");
+          .field("frame", &Push::frame, "that it acts at; tip: the tip's")
+          .in_code("that it acts at; empty: the tip's")
+          .word("tip");
   return all;
 }
 

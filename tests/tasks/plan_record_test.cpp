@@ -124,7 +124,7 @@ TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
     moved = std::max(moved, std::abs(static_cast<double>(got.plans.q[i]) -
                                      static_cast<double>(got.plans.q[i % 6])));
   }
-  EXPECT_GT(moved, 0.02);
+  EXPECT_GT(moved, 0.01);
 }
 
 }  // namespace

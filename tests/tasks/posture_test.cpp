@@ -231,7 +231,7 @@ TEST(Posture, ABaseThatFloatsFreeIsRefused) {
   Task task = task_for_arm7("tool");
   task.robot = "arm7:floating";
   expect_words(refusal([&] { make_setting(task); }),
-               {"the base of robot 'arm7' floats free", "wanted a fixed base"});
+               {"the base of robot 'arm7' floats free", "a fixed base"});
 }
 
 TEST(Posture, APointOutOfReachIsRefusedAsSuch) {

@@ -11,7 +11,7 @@
 namespace burnish {
 
 /// Which feet stand is told by their sensors, where a measurement has any
-/// (Measurement::support_wrenches, of which the first columns are the estimator's feet, in their
+/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their
 /// order), and
 /// by joint torques through the dynamics (FootForces) where not; the base then by BaseEstimator.
 /// Ticks allocate nothing and throw nothing.
