@@ -196,7 +196,7 @@ export class StandingScene {
       support,
       marks: new FootMarks(support, perNewton),
     }));
-    this.feet.add(...this.marks.map(({ marks }) => marks.group));
+    for (const { marks } of this.marks) this.feet.add(marks.group); // add() of nothing is an error
     this.balanceMarks = this.marks.length > 0 ? new BalanceMarks() : null;
     if (this.balanceMarks) this.balance.add(this.balanceMarks.group);
     this.pushMarks = new PushMarks(run, perNewton);
