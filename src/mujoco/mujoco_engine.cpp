@@ -142,14 +142,14 @@ void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
     Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
     at.translation() = support.point;
     at.linear() = Reference::surface_with_normal(support.normal).rotation;
-    to.world += "<geom name=\"" + support_name(i) + "_plane\" type=\"plane\" size=\"1 1 0.01\"" +
+    to.world += "<geom name=\"" + support_name(i) + R"(_plane" type="plane" size="1 1 0.01")" +
                 pose_attributes(at) + meets;
     const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(support.frame))];
     Eigen::Isometry3d in_body = frame.placement;
-    std::string shape = "type=\"sphere\" size=\"" + numbers(support.radius) + "\"";
+    std::string shape = R"(type="sphere" size=")" + numbers(support.radius) + "\"";
     if (support.is_sole()) {
       in_body.translation() += thickness * in_body.linear().col(2);
-      shape = "type=\"box\" size=\"" + numbers(support.half_x, support.half_y, thickness) + "\"";
+      shape = R"(type="box" size=")" + numbers(support.half_x, support.half_y, thickness) + "\"";
     }
     to.bodies[frame.body] +=
         "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + meets;

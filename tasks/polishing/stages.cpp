@@ -420,6 +420,27 @@ PressingTask pressing_task(const Task& task, const Setting& setting,
 }
 }  // namespace
 
+namespace {
+/// How the controller works, whatever it aims at.
+void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
+  mpc.contact_threshold = task.contact_threshold;
+  mpc.tick_period = 1.0 / task.tick_rate;
+  mpc.update_period = 1.0 / task.update_rate;
+  mpc.timing = task.timing;
+  mpc.solver_delay = task.solver_delay;
+  mpc.slowdown = task.slowdown;
+  mpc.solver.update = task.solver;
+  mpc.solver.max_iterations = task.iterations;
+  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
+  mpc.model_error = task.model_error;
+  mpc.friction_estimate = task.friction_estimate;
+  mpc.force_sensor = task.force_sensor;
+  mpc.limits = task.limits;
+  mpc.fallback = task.standing.stands() ? task.standing.fallback : task.fallback;
+  mpc.feedback = task.feedback;
+}
+}  // namespace
+
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
@@ -473,21 +494,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.base = task.surface_frame;
   mpc.normal_world = setting.scene.surface.normal;
   mpc.task = pressing_task(task, setting, path, known);
-  mpc.contact_threshold = task.contact_threshold;
-  mpc.tick_period = 1.0 / task.tick_rate;
-  mpc.update_period = 1.0 / task.update_rate;
-  mpc.timing = task.timing;
-  mpc.solver_delay = task.solver_delay;
-  mpc.slowdown = task.slowdown;
-  mpc.solver.update = task.solver;
-  mpc.solver.max_iterations = task.iterations;
-  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
-  mpc.model_error = task.model_error;
-  mpc.friction_estimate = task.friction_estimate;
-  mpc.force_sensor = task.force_sensor;
-  mpc.limits = task.limits;
-  mpc.fallback = task.standing.stands() ? task.standing.fallback : task.fallback;
-  mpc.feedback = task.feedback;
+  set_controller(task, model, mpc);
   return mpc;
 }
 
