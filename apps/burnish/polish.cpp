@@ -14,6 +14,7 @@
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
+#include "report/figures.hpp"
 #include "robot_arguments.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
@@ -28,7 +29,7 @@ using polishing::PolishJob;
 using polishing::RunResult;
 
 struct PolishArguments {
-  std::string file, robot, tool, controller = "both", plant, disturbances, out, write_task;
+  std::string file, robot, tool, controller, plant, disturbances, out, write_task;
   std::vector<std::string> surfaces, overrides;
   std::vector<int> seeds;
   std::optional<double> duration;
@@ -59,10 +60,13 @@ files::Said<polishing::Task> make_task(const PolishArguments& arguments,
   return said;
 }
 
-std::vector<ControllerKind> controllers_of(const PolishArguments& arguments) {
+/// Unless said, the first two, or the only one that can do the task.
+std::vector<ControllerKind> controllers_of(const PolishArguments& arguments,
+                                           const polishing::Task& task) {
   constexpr auto mpc = ControllerKind::Mpc, baseline = ControllerKind::Baseline,
                  admittance = ControllerKind::Admittance;
-  if (arguments.controller == "both") return {mpc, baseline};
+  if (arguments.controller.empty() && !polishing::wants_plans(task).empty()) return {mpc};
+  if (arguments.controller.empty() || arguments.controller == "both") return {mpc, baseline};
   if (arguments.controller == "all") return {mpc, baseline, admittance};
   for (const ControllerKind kind : {mpc, baseline})
     if (arguments.controller == name_of(kind)) return {kind};
@@ -110,7 +114,7 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
     if (seeds.empty()) seeds = {static_cast<int>(task.disturbances.seed)};
     for (const int seed : seeds) {
       task.disturbances.seed = static_cast<std::uint64_t>(seed);
-      for (const ControllerKind controller : controllers_of(arguments)) {
+      for (const ControllerKind controller : controllers_of(arguments, task)) {
         PolishJob job;
         job.place = surface.empty() ? fs::path(arguments.file).stem().string() : surface;
         job.name = job.place + "_" + name_of(controller);
@@ -348,7 +352,7 @@ void add_task_options(CLI::App& command, PolishArguments& a) {
       .add_option(
           "--controller", a.controller,
           "Controller: mpc, baseline (impedance), admittance, both of the first two, or all "
-          "[both]")
+          "[both, or mpc where a robot stands or carries the surface]")
       ->type_name("NAME")
       ->check(CLI::IsMember({"mpc", "baseline", "admittance", "both", "all"}));
   command

@@ -275,6 +275,26 @@ void bind_look_up(py::class_<Model>& model) {
            "Whether there is a frame of that name.");
 }
 
+void bind_names(py::class_<Model>& model) {
+  model
+      .def_property_readonly(
+          "v_names",
+          [](const Model& self) {
+            std::vector<std::string> names;
+            for (int k = 0; k < self.nv; ++k) names.push_back(self.v_name(k));
+            return names;
+          },
+          "Names of the entries of v.")
+      .def_property_readonly(
+          "q_names",
+          [](const Model& self) {
+            std::vector<std::string> names;
+            for (int k = 0; k < self.nq; ++k) names.push_back(self.q_name(k));
+            return names;
+          },
+          "Names of the entries of q.");
+}
+
 }  // namespace
 
 void bind_model(py::module_& m) {
@@ -304,23 +324,8 @@ void bind_model(py::module_& m) {
                     "What is odd about the description but computes, one sentence each.")
       .def_readonly("notes", &Model::notes,
                     "What the description holds that dynamics does not need, one sentence each.")
-      .def_property_readonly(
-          "v_names",
-          [](const Model& self) {
-            std::vector<std::string> names;
-            for (int k = 0; k < self.nv; ++k) names.push_back(self.v_name(k));
-            return names;
-          },
-          "Names of the entries of v.")
-      .def_property_readonly(
-          "q_names",
-          [](const Model& self) {
-            std::vector<std::string> names;
-            for (int k = 0; k < self.nq; ++k) names.push_back(self.q_name(k));
-            return names;
-          },
-          "Names of the entries of q.")
       .def_property_readonly("total_mass", &Model::total_mass, "Of all moving bodies, kg.");
+  bind_names(model);
   bind_look_up(model);
   bind_vectors(model);
   model

@@ -74,9 +74,10 @@ struct MpcController::Impl {
     std::exception_ptr thrown = {};
   };
   Making making_;
-  Policy in_use_;            ///< as it was when the plan was begun
-  double expected_;          ///< s that a plan takes, about
-  double busy_until_ = 0.0;  ///< s, of measured timing
+  Policy in_use_;    ///< as it was when the plan was begun
+  double expected_;  ///< s that a plan takes, about
+  /// s, of measured timing
+  double busy_until_ = -std::numeric_limits<double>::infinity();
   bool is_making_ = false;
   std::optional<Quadric> surface_;
   double depth_ = 0.0;

@@ -498,12 +498,19 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   return mpc;
 }
 
-PressingPath pressing_path(const Task& task, const Setting& setting) {
+std::string wants_plans(const Task& task) {
   if (!task.surface_frame.empty())
-    throw EntryError("surface.frame",
-                     "controllers without a plan know no surface that the robot "
-                     "carries, here at " +
-                         in_quotes(task.surface_frame) + "; wanted none, or the controller mpc");
+    return "surface.frame: controllers without a plan know no surface that the robot carries, here "
+           "at " +
+           in_quotes(task.surface_frame) + "; wanted none, or the controller mpc";
+  if (task.standing.stands())
+    return "standing.feet: controllers without a plan keep no balance; wanted a fixed base without "
+           "feet, or the controller mpc";
+  return {};
+}
+
+PressingPath pressing_path(const Task& task, const Setting& setting) {
+  if (const std::string refusal = wants_plans(task); !refusal.empty()) throw Error(refusal);
   const auto path = std::make_shared<const Path>(task.path);
   PressingPath pressed;
   pressed.tool = task.tool;

@@ -1,7 +1,9 @@
 // Model predictive control in closed loop on the ideal plant: what it reaches, repeats, bears.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "support/mpc_run.hpp"
 #include "support/refusal.hpp"
@@ -120,6 +122,57 @@ TEST(MpcController, uses_a_plan_as_late_as_it_says) {
     gain = run.mpc().feedback().gain;
   }
   EXPECT_EQ(changed, std::vector<int>{10});
+}
+
+int plans_of(MpcRun& run) {
+  return static_cast<int>((run.loop().trace().column("solve_time").array() > 0.0).count());
+}
+
+TEST(MpcController, lets_pass_the_time_that_plans_took) {
+  MpcCase quick;
+  quick.task.timing = PlanTiming::Measured;
+  quick.task.slowdown = 1e-6;
+  MpcRun run(quick);
+  ASSERT_EQ(run.polish_and_retreat(), Status::Ok);
+  expect_no_fault(run);
+  EXPECT_LT(run.metrics().force_rmse, 1.0);
+
+  MpcCase stuck = quick;
+  stuck.task.slowdown = 1e9;  // the second plan is never done
+  MpcRun waits(stuck);
+  ASSERT_EQ(waits.run(0.1), Status::Ok);
+  EXPECT_EQ(plans_of(waits), 2);
+  expect_no_fault(waits);
+}
+
+TEST(MpcController, makes_plans_in_a_thread_while_it_ticks) {
+  MpcCase wanted;
+  wanted.task.timing = PlanTiming::Thread;
+  wanted.task.tick_rate = 1000.0;
+  // As on a robot: in real time, or somewhat slower.
+  wanted.spoil = [](Measurement&) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+  MpcRun run(wanted);
+  ASSERT_EQ(run.run(0.3), Status::Ok);
+  expect_no_fault(run);
+  EXPECT_GE(plans_of(run), 3);
+  EXPECT_EQ(run.watched().allocations, 0);
+  EXPECT_TRUE(run.watched().finite);
+  run.reset();  // while a plan may be in the making
+  ASSERT_EQ(run.run(0.05), Status::Ok);
+  expect_no_fault(run);
+}
+
+TEST(MpcController, holds_the_robot_until_it_has_settled) {
+  MpcCase wanted;
+  wanted.change = [](MpcSpec& spec) { spec.settle = 0.1; };
+  MpcRun run(wanted);
+  ASSERT_EQ(run.run(0.09), Status::Ok);
+  EXPECT_EQ(plans_of(run), 0);
+  EXPECT_EQ(run.mpc().schedule().time(), 0.0);
+  EXPECT_LT((run.plant().q() - run.setting().q_start).norm(), 1e-6);
+  ASSERT_EQ(run.run(0.05), Status::Ok);
+  EXPECT_GT(plans_of(run), 0);
+  EXPECT_NEAR(run.mpc().schedule().time(), 0.04, 2e-3);
 }
 
 TEST(MpcController, predicts_the_state_that_a_delayed_plan_starts_from) {

@@ -89,6 +89,8 @@ TEST_F(Standing, is_refused_without_feet_and_on_feet_that_there_are_not) {
   task.standing.feet = {};
   expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
                {"floats free", "standing.feet"});
+  EXPECT_EQ(polishing::wants_plans(task), "");
+  EXPECT_NE(polishing::wants_plans(standing_case().task), "");
   task.standing.feet = {"left_sole_link", "right_sole_lnk"};
   expect_words(testing::refusal([&] { (void)polishing::make_setting(task); }),
                {"right_sole_lnk", "right_sole_link"});

@@ -11,8 +11,7 @@
 namespace burnish {
 
 /// Which feet stand is told by their sensors, where a measurement has any
-/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their
-/// order), and
+/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order), and
 /// by joint torques through the dynamics (FootForces) where not; the base then by BaseEstimator.
 /// Ticks allocate nothing and throw nothing.
 class EstimatedBase {

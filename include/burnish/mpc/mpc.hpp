@@ -168,9 +168,10 @@ class MpcController final : public Controller {
 
   /// What the robot carries at a frame from the next tick on, in the frame's axes, in the place of
   /// what that frame's body carried before: plans, estimates and the fallback all have it, and
-  /// reset() keeps it. Between ticks; allocates nothing. Returns Ok, or NotFinite or NotPhysical as
-  /// check_inertia() does, which changes nothing. Throws Error with the nearest known name for a
-  /// frame that there is not, and for one that is fixed to the world.
+  /// reset() keeps it. Between ticks; allocates nothing; waits for a plan that a thread makes.
+  /// Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws
+  /// Error with the nearest known name for a frame that there is not, and for one that is fixed to
+  /// the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Its kind is None until there is one. reset() clears it.
@@ -186,7 +187,8 @@ class MpcController final : public Controller {
   double force_error() const;  ///< N, estimated (ModelErrorKind::Force)
   const Schedule& schedule() const;
   const Problem& problem() const;
-  /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet.
+  /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet. This and
+  /// what follows is not to be asked while a thread makes the next plan (PlanTiming::Thread).
   MatrixView plan() const;
   /// What solved that plan last: its trajectory, gains and value function.
   const DdpSolver& solver() const;

@@ -45,6 +45,9 @@ TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& 
 /// Without a preview of the force (ForceProfile::preview) plans take it from a clock that
 /// controllers made of one specification share: make a specification for each.
 MpcSpec make_mpc(const Task& task, const Setting& setting);
+/// What controllers without a plan cannot do, a sentence: stand, or press on what the robot carries
+/// itself; empty: they can try.
+std::string wants_plans(const Task& task);
 /// What controllers without a plan are told of the task. They have no reach: from their start they
 /// go down to the surface.
 PressingPath pressing_path(const Task& task, const Setting& setting);
