@@ -256,13 +256,12 @@ BURNISH_INLINE EntryRates<S> rates_anywhere(
   return {at_point(r.dq, state.origin), at_point(r.dv, state.origin)};
 }
 
-/// Subtracts the held rows of a motion, each times its gain and a pace, from out[row * stride].
+/// Subtracts the held rows of a motion, each times its gain, from out[row * stride].
 template <class S>
 BURNISH_INLINE void subtract_rows(const CompiledContact& contact, const ContactState<S>& state,
-                                  const Motion<S>& m, const Vector6& gain, const S& pace, S* out,
-                                  int stride) {
+                                  const Motion<S>& m, const S* gain, S* out, int stride) {
   for (const int d : contact.directions) {
-    *out -= (pace * S(gain[d])) * component(state.axes, m, d);
+    *out -= gain[d] * component(state.axes, m, d);
     out += stride;
   }
 }
@@ -274,6 +273,11 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
                               int stride) {
   const AtTool<S> there{at_point(state.nu, state.p), at_point(at.alpha, state.p)};
   const ContactSpec& spec = contact.spec;
+  S kd[6], kp[6];  // at the state's pace, of the held directions
+  for (const int d : contact.directions) {
+    kd[d] = state.pace * S(spec.kd[d]);
+    if (contact.proportional) kp[d] = state.pace * state.pace * S(spec.kp[d]);
+  }
   LogCoefficients<S> log{S(0.0), S(0.0), S(0.0)};
   if (contact.proportional) log = log_coefficients(state.rotation_angle);
   for (const ContactSupport& entry : contact.influences) {
@@ -290,13 +294,12 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
     }
     if (contact.damped) {
       const Motion<S> nu_q = at_point(m.dnu_dq + cross(m.xi, state.nu), state.origin);
-      subtract_rows(contact, state, nu_q, spec.kd, state.pace, out_q, stride);
-      subtract_rows(contact, state, at_point(m.relative, state.origin), spec.kd, state.pace, out_v,
-                    stride);
+      subtract_rows(contact, state, nu_q, kd, out_q, stride);
+      subtract_rows(contact, state, at_point(m.relative, state.origin), kd, out_v, stride);
     }
     if (contact.proportional)
-      subtract_rows(contact, state, error_derivative(contact, state, log, m), spec.kp,
-                    state.pace * state.pace, out_q, stride);
+      subtract_rows(contact, state, error_derivative(contact, state, log, m), kp, out_q,
+                    stride);
   }
 }
 

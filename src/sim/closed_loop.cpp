@@ -185,9 +185,9 @@ ClosedLoop::~ClosedLoop() = default;
 ClosedLoop::ClosedLoop(ClosedLoop&&) noexcept = default;
 ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 
-void ClosedLoop::estimate_base(const BaseEstimatorOptions& estimator,
+void ClosedLoop::estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
                                const FootContactOptions& feet) {
-  impl_->estimated.emplace(impl_->plant->model(), estimator, feet);
+  impl_->estimated.emplace(known, estimator, feet);
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
 }
 

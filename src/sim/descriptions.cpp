@@ -203,8 +203,8 @@ const Description& description_of(const SupportSpec* /*of*/) {
           "sim", "SupportSpec",
           "A part of the robot that stands on a plane of its own, or leans against it, with "
           "nothing to hold it there but what it presses with: a sole, which is a rectangle "
-          "about the origin of a frame in that frame's x and y, or without sides a ball "
-          "about the origin.")
+          "about the origin of a frame in that frame's x and y, with z away from the "
+          "plane, or without sides a ball about the origin.")
           .field("frame", &S::frame, "")
           .field("half_x", &S::half_x, "{m}, half the side of a sole along x; 0: a ball",
                  range::not_negative)

@@ -255,6 +255,13 @@ Setting make_setting(const Task& task, const Robot& robot) {
     throw EntryError("posture",
                      "none is searched for a surface that the robot carries; wanted one of the "
                      "robot's settings");
+  if (searched && task.standing.stands()) {
+    if (task.posture == searched_posture)
+      throw EntryError("posture",
+                       "none is searched for a robot that stands; wanted one of the robot's "
+                       "settings, with the tool before the surface");
+    return make_setting(task, robot, robot.reference_configuration());  // it has no other
+  }
   return make_setting(
       task, robot, pressing::start_posture(robot, searched ? searched_posture : task.posture, [&] {
         return find_posture(task, robot, posture_options(task)).q;

@@ -49,9 +49,13 @@ bool is_of_loop(const Model& model, const std::string& frame) {
 
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   RobotOverrides overrides;
-  if (stands) overrides.base = Base::FreeFlyer;
   if (!stands) overrides.carrying = tool;
   Robot loaded = about("robot", [&] { return load_robot(robot, overrides); });
+  // A description may have a floating base of its own, as those in MJCF do.
+  if (stands && loaded.model.joints.front().kind != JointKind::FreeFlyer) {
+    overrides.base = Base::FreeFlyer;
+    loaded = about("robot", [&] { return load_robot(robot, overrides); });
+  }
   if (!loaded.model.has_frame(tool)) refuse_tool(tool, loaded.model);
   return loaded;
 }

@@ -316,7 +316,9 @@ class ReachWalk::Impl {
     if (force > 0.0) look_at_felt_force(normal);
     for (int k = 0; k < model_.nv; ++k) {
       const double limit = model_.effort_limit[k];
-      if (!std::isfinite(limit)) continue;
+      const Joint& joint =
+          model_.joints[static_cast<std::size_t>(model_.joint_of_v[static_cast<std::size_t>(k)])];
+      if (!std::isfinite(limit) || joint.kind == JointKind::FreeFlyer) continue;
       const double share = std::abs(tau[k]) / limit;
       if (share > report_.torque_share) {
         report_.torque_share = share;

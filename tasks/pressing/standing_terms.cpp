@@ -57,7 +57,16 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
                         .friction = standing.friction,
                         .stiffness = standing.stiffness,
                         .damping = standing.damping};
-    support.point = frame_placement(model, q, foot).translation();
+    const Eigen::Isometry3d at = frame_placement(model, q, foot);
+    support.point = at.translation();
+    constexpr double upright = 0.98;  // cosine: 11 degrees
+    if (standing.has_soles() && !(at.linear()(2, 2) > upright))
+      throw EntryError("standing.feet",
+                       "the z axis of " + in_quotes(foot) + " points along [" +
+                           number(at.linear()(0, 2)) + ", " + number(at.linear()(1, 2)) + ", " +
+                           number(at.linear()(2, 2)) +
+                           "] at the start; wanted a frame whose z is up, with the sole in its x "
+                           "and y, as frames: of robot.yaml can add");
     support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }

@@ -17,7 +17,8 @@ namespace burnish::pressing {
 /// for a floating base without feet, naming what the robot has.
 void check_standing(const Model& model, const Standing& standing);
 
-/// The feet on the ground where they are at q (nq).
+/// The feet on the ground where they are at q (nq). Throws EntryError for a sole whose z axis does
+/// not point up there.
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q);
 

@@ -61,8 +61,10 @@ class ClosedLoop {
 
   /// From the next reset() on the controller is given an estimate of where the base is, in place of
   /// the plant's own entries: from a measurement unit, which is mounted where the options say, the
-  /// joints and the feet. It starts where the robot does. Throws Error as EstimatedBase does.
-  void estimate_base(const BaseEstimatorOptions& estimator, const FootContactOptions& feet = {});
+  /// joints and the feet. It starts where the robot does. `known`: the robot as the controller
+  /// knows it. Throws Error as EstimatedBase does.
+  void estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
+                     const FootContactOptions& feet = {});
 
   /// Puts the plant into a state and everything else to its start. The motors start at the torque
   /// of the controller's first command, as if the robot had been held.

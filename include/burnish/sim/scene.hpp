@@ -54,7 +54,7 @@ struct ToolTipSpec {
 
 /// A part of the robot that stands on a plane of its own, or leans against it, with nothing to hold
 /// it there but what it presses with: a sole, which is a rectangle about the origin of a frame in
-/// that frame's x and y, or without sides a ball about the origin.
+/// that frame's x and y, with z away from the plane, or without sides a ball about the origin.
 struct SupportSpec {
   std::string frame = {};
   double half_x = 0.0, half_y = 0.0;                ///< m, half the sides of a sole; both 0: a ball
