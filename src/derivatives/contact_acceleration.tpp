@@ -298,8 +298,7 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
       subtract_rows(contact, state, at_point(m.relative, state.origin), kd, out_v, stride);
     }
     if (contact.proportional)
-      subtract_rows(contact, state, error_derivative(contact, state, log, m), kp, out_q,
-                    stride);
+      subtract_rows(contact, state, error_derivative(contact, state, log, m), kp, out_q, stride);
   }
 }
 

@@ -144,6 +144,7 @@ XMLElement& Source::make(const XMLElement& beside, const char* name) {
                           " elements are copied; at most that many are supported");
   XMLElement* made = file_of(beside).document->NewElement(name);
   const void* original = beside.GetUserData() == nullptr ? &beside : beside.GetUserData();
+  // tinyxml2 only keeps it. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   made->SetUserData(const_cast<void*>(original));
   return *made;
 }

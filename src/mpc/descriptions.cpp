@@ -294,6 +294,7 @@ const Description& description_of(const LinearFeedback* /*of*/) {
   return all;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const MpcSpec* /*of*/) {
   using M = MpcSpec;
   static const Description all =

@@ -1,6 +1,7 @@
 #include "mpc/horizon.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burnish {
 
@@ -148,7 +149,7 @@ void Horizon::begin_at_phases(double schedule_time) noexcept {
   for (int phase = 1; phase < static_cast<int>(schedule_.phases().size()); ++phase) {
     const double begin = schedule_.start_of(phase), ahead = begin - schedule_time;
     const double place = given_.place(ahead);
-    const int k = static_cast<int>(place + 0.5);
+    const int k = static_cast<int>(std::lround(place));
     if (k <= last || k >= N) continue;
     if (ahead - times_.after(k - 1) < shortest * given_.step(k - 1)) continue;
     times_.move(k, ahead);
@@ -213,7 +214,7 @@ void Horizon::shift_limits(DdpSolver& solver, double schedule_time) noexcept {
     return;
   }
   for (int k = 0; k < N; ++k)
-    nearest_[static_cast<std::size_t>(k)] = static_cast<int>(where(k, elapsed) + 0.5);
+    nearest_[static_cast<std::size_t>(k)] = static_cast<int>(std::lround(where(k, elapsed)));
   solver.shift_limits(nearest_);
 }
 
