@@ -1,4 +1,4 @@
-# --tidy        clang-tidy on the sources that the last 30 commits reach, in build-tidy/; --tidy --whole
+# --tidy        clang-tidy on the sources that the last 15 commits change, in build-tidy/; --tidy --whole
 #               on all of them
 
 run_tidy() {
