@@ -257,6 +257,7 @@ Describe<T>& describe_phases(Describe<T>& task) {
 }
 
 /// How: the controller, and what it does not know.
+// NOLINTNEXTLINE(readability-function-size): a table
 Describe<T>& describe_controller(Describe<T>& task) {
   constexpr Range positive = range::positive;
   task.group("The optimal control problem that is solved again and again, and the loop around it.",
