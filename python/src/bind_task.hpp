@@ -2,6 +2,7 @@
 // and controller, its runs. What is the same of all tasks is here; each says its own.
 #pragma once
 
+#include "files/described_file.hpp"
 #include "loop_parts.hpp"
 #include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 
 import burnish
 
-from .. import _core
+from .. import _core, press_hold, push_wall
 from ._dask import Job, Limit, Result, hand_over
 from ._results import CampaignError, Listed
 
@@ -31,8 +31,7 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
 
 
 # By the names in their files: the module, and its figures' section of metrics.json.
-NAMED_TASKS: Dict[str, Tuple[Any, str]] = {"press_hold": (burnish.press_hold, "hold"),
-                                           "push_wall": (burnish.push_wall, "push")}
+NAMED_TASKS: Dict[str, Tuple[Any, str]] = {"press_hold": (press_hold, "hold"), "push_wall": (push_wall, "push")}
 
 
 @dataclass
