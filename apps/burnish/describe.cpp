@@ -5,9 +5,9 @@
 
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "named_tasks.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "press_hold/descriptions.hpp"
 
 namespace burnish::app {
 namespace {
@@ -37,6 +37,17 @@ Words task_key_words() {
   return words;
 }
 
+/// Of all tasks that a file may name, each once.
+Words named_task_key_words() {
+  Words words;
+  each_named_task([&](const auto& named) {
+    for (std::string& word : task_key_words<typename std::decay_t<decltype(named)>::Task>())
+      if (std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(std::move(word));
+  });
+  return words;
+}
+
 /// The words between the braces of "NAME:{mpc,baseline,both}".
 Words choices_in(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
@@ -51,7 +62,7 @@ void find_offer(const std::string& type, OptionText& text) {
       {"PRESET", [] { return polishing::disturbance_presets(); }},
       {"EXPERIMENT", experiment_names},
       {"KEY=VALUE", task_key_words<polishing::Task>},
-      {"PATH=VALUE", task_key_words<press_hold::Task>},
+      {"PATH=VALUE", named_task_key_words},
       {"SHELL", [] { return completion_shells(); }}};
   static const std::map<std::string, Offer> others{
       {"ROBOT", Offer::Robots}, {"DIR", Offer::Folders},   {"FILE", Offer::Files},

@@ -2,15 +2,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <functional>
+
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "command.hpp"
-#include "press_hold/descriptions.hpp"
+#include "named_tasks.hpp"
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
 #include "progress_bar.hpp"
-#include "push_wall/descriptions.hpp"
 #include "push_wall/record.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -47,11 +48,13 @@ std::string command_of(const RunArguments& a, PlantKind plant) {
   return text + (a.unchecked ? " --unchecked" : "");
 }
 
-/// A task: the functions that are found by its type and, in its namespace, RunSpec and RunName.
-template <class Task, class RunSpec, class RunName>
+/// A task of the table: the functions are found by its types.
+template <class Named>
 int run_as(const RunArguments& a) {
-  const auto said = files::read_said<Task>(a.file, changes_of(a));
-  RunName run{.name = std::filesystem::path(a.file).stem().string(), .spec = {.task = said.spec}};
+  using RunSpec = typename Named::RunSpec;
+  const auto said = files::read_said<typename Named::Task>(a.file, changes_of(a));
+  pressing::NamedRun<RunSpec> run{.name = std::filesystem::path(a.file).stem().string(),
+                                  .spec = {.task = said.spec}};
   RunSpec& spec = run.spec;
   if (!a.plant.empty()) spec.plant = a.plant == "ideal" ? PlantKind::Ideal : PlantKind::Mujoco;
   spec.check_reach = !a.unchecked;
@@ -82,28 +85,43 @@ int run_as(const RunArguments& a) {
   const auto result = run_task(spec);
   if (bar) fmt::print(stderr, "\r\033[K");
   PageWriter pages(!a.no_page, a.mcap);
-  const auto names = write_run(run, result, {.record_every = a.record_every, .plots = a.plots},
-                               folder.path(), pages);
+  const pressing::RecordedRun record = recorded(run, result);
+  const auto names =
+      write_run(record, {.record_every = a.record_every, .plots = a.plots}, folder.path(), pages);
   folder.finish();
   if (a.json)
-    fmt::print("{}\n", json_text(run_json(run, result)));
+    fmt::print("{}\n", json_text(run_json(record)));
   else if (talks || !result.done)
     fmt::print("{}: {}\n", run.name, result.outcome);
   if (talks) fmt::print("  {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   return result.done ? exit_ok : exit_failed;
 }
 
-/// All tasks that a file may name; one that names no task is refused as the first of them.
+/// A file that names no task is refused as one of the first of the table.
 int run(const RunArguments& arguments) {
-  const std::vector<std::string> names{"press_hold", "push_wall"};
   const std::string& file = arguments.file;
   const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
-  if (task && !task->is(names[0]) && !task->is(names[1]))
-    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " + names[0] +
-                 " or " + names[1] + did_you_mean(task->node().text, names));
-  if (task && task->is("push_wall"))
-    return run_as<push_wall::Task, push_wall::RunSpec, push_wall::RunName>(arguments);
-  return run_as<press_hold::Task, press_hold::RunSpec, press_hold::RunName>(arguments);
+  std::optional<int> code;
+  std::function<int()> first;
+  each_named_task([&](const auto& named) {
+    using Named = std::decay_t<decltype(named)>;
+    if (!first) first = [&] { return run_as<Named>(arguments); };
+    if (task && !code && task->is(named.name)) code = run_as<Named>(arguments);
+  });
+  if (task && !code)
+    task->refuse("it is " + in_quotes(task->node().text) + ", another task; wanted " +
+                 fmt::format("{}", fmt::join(task_names(), " or ")) +
+                 did_you_mean(task->node().text, task_names()));
+  return code ? *code : first();
+}
+
+/// "`task: press_hold` presses ...; `task: ...".
+std::string what_tasks_do() {
+  std::string text;
+  each_named_task([&](const auto& named) {
+    text += fmt::format("{}`task: {}` {}", text.empty() ? "" : ";\n", named.name, named.does);
+  });
+  return text;
 }
 
 /// What is run.
@@ -179,11 +197,9 @@ void add_run(CLI::App& app, int& exit_code) {
       "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
       "      --set posture=search --set 'aside={my_joint: 0.5}'\n"
       "\n"
-      "The file names its task: `task: press_hold` presses at a point and holds the force while "
-      "the\n"
-      "rest of the arm moves aside; `task: push_wall` pushes with both hands against a wall. "
-      "Leaves trace.csv, metrics.json, task.yaml, run.html, run.json "
-      "and\n"
+      "The file names its task:\n" +
+      what_tasks_do() +
+      ".\n\nLeaves trace.csv, metrics.json, task.yaml, run.html, run.json and\n"
       "after a fault fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run "
       "and "
       "writes what\nthere is. docs/tasks.md explains it; burnish polish is for polishing.\n"

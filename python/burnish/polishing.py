@@ -45,6 +45,7 @@ from ._core import (
 )
 from ._spec import Spec
 from .contact import SurfaceShape
+from ._task import with_changes
 from .model import Robot
 from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits, Standing
 from .pressing import (
@@ -165,11 +166,7 @@ def make_task(
         task.disturbances = disturbances
     if seed is not None:
         task.disturbances = task.disturbances.replace(seed=seed)
-    for name, value in entries.items():
-        setattr(task, name, value)
-    task = override_task(task, overrides)
-    check_task(task)
-    return task
+    return with_changes(task, entries, overrides, override_task, check_task)
 
 
 def run(

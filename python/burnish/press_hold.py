@@ -21,6 +21,7 @@ from ._core import hold_read_task as read_task
 from ._core import hold_run_task as run_task
 from ._core import hold_task_text as task_text
 from ._core import hold_task_units as task_units
+from ._task import with_changes
 from .model import Robot
 from .mpc import SafetyLimits
 from .pressing import PlanLimits, PlantKind, PostureLimits, ToolLimits
@@ -50,11 +51,7 @@ def make_task(
         task = Task()
     else:
         task = where.replace() if isinstance(where, Task) else read_task(where)
-    for name, value in entries.items():
-        setattr(task, name, value)
-    task = override_task(task, overrides)
-    check_task(task)
-    return task
+    return with_changes(task, entries, overrides, override_task, check_task)
 
 
 def run(

@@ -16,13 +16,20 @@ import burnish
 from burnish import _core
 
 STUB = ast.parse((Path(burnish.__file__).parent / "_core.pyi").read_text())
-CLASSES = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
+IN_STUB = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
+CLASSES = {name: node for name, node in IN_STUB.items() if not name.startswith("_")}
 MODULES = [info.name for info in pkgutil.walk_packages(burnish.__path__, "burnish.")
            if not info.name.rsplit(".", 1)[1].startswith("_")]
 
 
 def functions(body: List[ast.stmt]) -> Dict[str, ast.FunctionDef]:
     return {node.name: node for node in body if isinstance(node, ast.FunctionDef)}
+
+
+def body_of(node: ast.ClassDef) -> List[ast.stmt]:
+    """With what comes from classes that are in stubs alone."""
+    bases = [base.id for base in node.bases if isinstance(base, ast.Name) and base.id.startswith("_")]
+    return [*node.body, *(line for base in bases for line in body_of(IN_STUB[base]))]
 
 
 def arguments(node: ast.FunctionDef) -> List[str]:
@@ -67,8 +74,8 @@ def test_functions_take_the_arguments_that_the_stub_says() -> None:
 @pytest.mark.parametrize("name", CLASSES)
 def test_classes_have_the_members_that_the_stub_says(name: str) -> None:
     compiled = getattr(_core, name)
-    in_stub = functions(CLASSES[name].body)
-    annotated = {node.target.id for node in CLASSES[name].body
+    in_stub = functions(body_of(CLASSES[name]))
+    annotated = {node.target.id for node in body_of(CLASSES[name])
                  if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)}
     assert set(public(compiled)) == {n for n in in_stub if not n.startswith("_")} | {
         n for n in annotated if not n.startswith("_")}

@@ -1,24 +1,13 @@
-// What a run of press_hold leaves: tables, figures, its page and recording.
+// What files and page say of a run of press_hold.
 #pragma once
 
 #include "burnish/tasks/press_hold/press_hold.hpp"
-#include "record/run_files.hpp"
+#include "pressing/recorded_run.hpp"
 
 namespace burnish::press_hold {
 
-/// A run that was made.
-struct RunName {
-  std::string name;          ///< on its page
-  std::string command = {};  ///< that makes it again; empty: of its task.yaml
-  RunSpec spec;
-};
+using RunName = pressing::NamedRun<RunSpec>;
 
-/// See write_run_files().
-std::vector<std::string> write_run(const RunName& run, const RunResult& result,
-                                   const RunFilesOptions& options,
-                                   const std::filesystem::path& folder, PageWriter& pages);
-/// Everything in numbers.
-nlohmann::ordered_json run_json(const RunName& run, const RunResult& result);
-RunPage make_run_page(const RunName& run, const RunResult& result, int record_every);
+pressing::RecordedRun recorded(const RunName& run, const RunResult& result);
 
 }  // namespace burnish::press_hold

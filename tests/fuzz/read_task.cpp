@@ -3,9 +3,8 @@
 
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "fuzz/readers.hpp"
+#include "named_tasks.hpp"
 #include "polishing/descriptions.hpp"
-#include "press_hold/descriptions.hpp"
-#include "push_wall/descriptions.hpp"
 
 namespace burnish::fuzz {
 namespace {
@@ -38,12 +37,13 @@ void read_as(const std::string& text) {
 
 void read(const std::string& text) {
   const auto task = document::Reader::parse(text, "nowhere/input.yaml").find("task");
-  if (task && task->is("press_hold"))
-    read_as<press_hold::Task>(text);
-  else if (task && task->is("push_wall"))
-    read_as<push_wall::Task>(text);
-  else
-    read_as<polishing::Task>(text);
+  bool named = false;
+  each_named_task([&](const auto& known) {
+    if (named || !task || !task->is(known.name)) return;
+    named = true;
+    read_as<typename std::decay_t<decltype(known)>::Task>(text);
+  });
+  if (!named) read_as<polishing::Task>(text);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 
 import burnish
 
-from .. import _core
+from .. import _core, press_hold, push_wall
 from ._dask import Job, Limit, Result, hand_over
 from ._results import CampaignError, Listed
 
@@ -30,9 +30,13 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
     return tree
 
 
+# By the names in their files: the module, and its figures' section of metrics.json.
+NAMED_TASKS: Dict[str, Tuple[Any, str]] = {"press_hold": (press_hold, "hold"), "push_wall": (push_wall, "push")}
+
+
 @dataclass
 class TaskFile:
-    """A task file that is going to be changed: of polishing, or one that says `task: press_hold`."""
+    """A task file that is going to be changed: of polishing, or one that names its task."""
 
     path: Path
     tree: Dict[str, Any]
@@ -49,19 +53,27 @@ class TaskFile:
     def polishes(self) -> bool:
         return bool(self.tree.get("task", "polishing") == "polishing")
 
+    @property
+    def module(self) -> Any:
+        """Of the task; one that there is not is refused as the first of those that there are."""
+        if self.polishes:
+            return burnish.polishing
+        return NAMED_TASKS.get(str(self.tree["task"]), NAMED_TASKS["press_hold"])[0]
+
     def units(self) -> Dict[str, str]:
         """Of the keys that have one."""
-        return burnish.polishing.task_units() if self.polishes else burnish.press_hold.task_units()
+        units: Dict[str, str] = self.module.task_units()
+        return units
 
     def changed(self, values: Mapping[str, Any]) -> str:
         """The whole file with other values. Raises CampaignError for keys that there are not."""
         words = [f"{key}={json.dumps(value)}" for key, value in values.items()]
         try:
+            task = self.module
             if self.polishes:
-                return burnish.polishing.task_text(burnish.polishing.read_task(self.path, words))
+                return str(task.task_text(task.read_task(self.path, words)))
             # What does not fit together is the run's to refuse: it may be one point of many.
-            task = burnish.press_hold.read_task(self.path)
-            return burnish.press_hold.task_text(burnish.press_hold.override_task(task, words))
+            return str(task.task_text(task.override_task(task.read_task(self.path), words)))
         except burnish.Error as error:
             raise CampaignError(str(error)) from error
 
@@ -174,7 +186,8 @@ def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
 def outcome_of(result: Result) -> Outcome:
     run: Dict[str, Any] = json.loads(result["run"])
     figures, times = {}, {"computing_s": float(result["computing"])}
-    for key, value in {**(run.get("metrics") or {}), **(run.get("hold") or {})}.items():
+    own = NAMED_TASKS.get(str(run.get("task")), (None, ""))[1]
+    for key, value in {**(run.get("metrics") or {}), **(run.get(own) or {})}.items():
         if isinstance(value, (int, float)) and not isinstance(value, bool):
             figures[key] = float(value)
     for group in ("solver", "ticks"):

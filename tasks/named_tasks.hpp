@@ -1,0 +1,38 @@
+// The table of tasks that a file names by `task: ...`, from which come burnish run, its help and
+// completion, and what is read of any file. A task is described by its descriptions.hpp, runs by
+// run_task() and says what its files hold by recorded(), all found by its types.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "press_hold/descriptions.hpp"
+#include "push_wall/descriptions.hpp"
+
+namespace burnish {
+
+template <class TaskType, class RunSpecType>
+struct NamedTask {
+  using Task = TaskType;
+  using RunSpec = RunSpecType;
+  const char* name;
+  const char* does;  ///< what it does, behind its name
+};
+
+/// Calls see(NamedTask) for each.
+template <class See>
+void each_named_task(const See& see) {
+  see(NamedTask<press_hold::Task, press_hold::RunSpec>{
+      "press_hold",
+      "presses at a point and holds the force while the rest of the arm moves aside"});
+  see(NamedTask<push_wall::Task, push_wall::RunSpec>{
+      "push_wall", "pushes with both hands against a wall, and leans to the largest force"});
+}
+
+inline std::vector<std::string> task_names() {
+  std::vector<std::string> names;
+  each_named_task([&](const auto& task) { names.push_back(task.name); });
+  return names;
+}
+
+}  // namespace burnish
