@@ -18,7 +18,7 @@ import burnish
 from burnish import _core, campaign
 from burnish.campaign._points import read_values
 from burnish.campaign._sweep import read_sweep
-from burnish.campaign._tasks import make_task_run, outcome_of
+from burnish.campaign._tasks import NAMED_TASKS, TaskFile, make_task_run, outcome_of
 
 TASKS = Path(__file__).resolve().parents[2] / "tasks"
 SHORT = {"phases.polish_duration": [0.4], "path.start_up": [0.2], "path.radius": [0.02],
@@ -50,6 +50,26 @@ def pressing(**more):
 
 def points(vary, samples=None):
     return read_values(vary, samples).points()
+
+
+class TestTasks:
+    @pytest.mark.parametrize("name", NAMED_TASKS)
+    def test_every_task_that_a_file_names_can_be_changed_and_gives_its_figures(self, name):
+        (file,) = (TASKS / name).glob("*.yaml")
+        task = TaskFile.read(file)
+        assert "force: 31" in task.changed({"force": 31.0})
+        assert task.units()["force"] == "N"
+        run = {"task": name, "done": True, "outcome": "done", NAMED_TASKS[name][1]: {"slip_m": 0.25}}
+        made = outcome_of({"run": json.dumps(run).encode(), "late": b"", "computing": b"1.0"})
+        assert made.figures == {"slip_m": 0.25}
+
+    @runs
+    def test_the_program_knows_the_same_tasks(self, tmp_path):
+        file = tmp_path / "task.yaml"
+        file.write_text("task: nothing\n")
+        done = subprocess.run([campaign.program(), "run", str(file)], capture_output=True, text=True)
+        assert done.returncode == 2
+        assert "wanted " + " or ".join(NAMED_TASKS) in done.stderr
 
 
 class TestPoints:
