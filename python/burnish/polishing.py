@@ -46,7 +46,7 @@ from ._core import (
 from ._spec import Spec
 from .contact import SurfaceShape
 from .model import Robot
-from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits, Standing
+from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,
@@ -58,6 +58,7 @@ from .pressing import (
     ReachOptions,
     ReachProblem,
     ReachReport,
+    Standing,
     SurfaceEstimateOptions,
     TickTimes,
     ToolLimits,

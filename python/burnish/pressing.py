@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from ._spec import Spec
 from .contact import SurfaceShape
+from .mpc import Fallback
 
 __all__ = [
     "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
     "PostureOptions",
-    "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE",
+    "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE", "Standing",
     "SurfaceEstimateOptions", "TaskTarget",
     "TickTimes", "ToolLimits", "Touch",
 ]

@@ -152,7 +152,9 @@ void MpcController::Impl::see() noexcept {
   error.update(gate, command_, stage, schedule.time());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
-  if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
+  // While a thread makes the first plan the robot is held, and nothing of the task is due.
+  const bool begins = solved_ || !is_making_;
+  if (!gate.is_first() && begins && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   if (is_making_ && !planner_->is_busy()) finish_plan();
   policy.take_over(gate.now());
@@ -199,12 +201,11 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
   }
 }
 
-/// The first plan is waited for: without one there is nothing to go on with.
 void MpcController::Impl::update() noexcept {
   due_ = false;
   const bool is_ready = prepare_plan();
   is_making_ = true;
-  if (is_ready && planner_ && !making_.first) {
+  if (is_ready && planner_) {
     planner_->start();
     return;
   }
@@ -284,10 +285,11 @@ void MpcController::Impl::finish_plan() noexcept {
     command_.limits_open = summary.limits_open;
     command_.limits_pushing = summary.pushing;
     command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
-    // The first one is made while the robot is still held.
+    // The first one is made while the robot is still held, and begins when it is there.
     const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
     const double done = making_.now + (passes ? took : 0.0);
-    policy.load(solver, making_.now + making_.delay, horizon.times(), done);
+    const double begin = making_.first ? gate.now() : making_.now + making_.delay;
+    policy.load(solver, begin, horizon.times(), done, making_.now);
     error.foresee(v_ahead_);
     if (passes) busy_until_ = done - 0.01 * spec.tick_period;
   } else {

@@ -39,10 +39,12 @@ void Policy::reset() noexcept {
   plan_.clear();
   next_.clear();
   next_ready_ = false;
+  measured_ = -std::numeric_limits<double>::infinity();
 }
 
-void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times,
-                  double done) noexcept {
+void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times, double done,
+                  double measured) noexcept {
+  next_measured_ = measured;
   next_time_ = std::max(time, done);
   next_.load(solver, time, times);
   next_ready_ = true;
@@ -52,6 +54,7 @@ void Policy::take_over(double now) noexcept {
   // Times are sums: a plan is not to wait a whole tick for the last bit of one.
   if (!next_ready_ || now < next_time_ - rounding_) return;
   std::swap(plan_, next_);
+  measured_ = next_measured_;
   next_ready_ = false;
 }
 
