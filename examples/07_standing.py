@@ -12,9 +12,10 @@ import burnish
 from burnish import Constraint, CostTerm, residual
 
 robot = burnish.load_robot("talos")  # or a URDF of your own, RobotOverrides(base=Base.FREE_FLYER)
-q = robot.posture("standing_table")
+nv = robot.model.nv
+q, rest = robot.posture("standing_table"), np.zeros(nv)
 body = burnish.RigidBody(robot.model)
-body.update(q)
+body.update(q, rest)
 hand = body.placement("tool")[:3, 3]
 
 
@@ -39,7 +40,6 @@ for foot in feet:
     supports.append(burnish.SupportSpec(foot, half_x=0.1, half_y=0.065, point=under))
 scene = burnish.SceneSpec(supports=supports)  # its surface is the ground, far from the hand
 
-nv = robot.model.nv
 weights = np.concatenate([np.full(nv, 0.1), np.full(nv, 5.0)])
 weights[:3] = 0.0  # where the base is, the centre of mass says
 weights[3:6] = 100.0  # it is upright
@@ -49,7 +49,7 @@ stand = burnish.Stage("stand", contacts=feet, constraints=constraints, costs=[
     CostTerm(residual.CentroidalMomentum(), weight=1e-2, name="momentum"),
     CostTerm(residual.FramePosition("tool", circle), weight=1e4, name="circle"),
 ])
-start = np.concatenate([q, np.zeros(nv)])
+start = np.concatenate([q, rest])
 problem = burnish.ProblemSpec(
     robot.model, contacts=contacts, stages=[stand], initial_state=start,
     horizon=[burnish.HorizonSegment("stand", knots=25, step=0.01, duration=0.8)])

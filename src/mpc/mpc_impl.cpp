@@ -230,7 +230,6 @@ bool MpcController::Impl::prepare_plan() noexcept {
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
   x_plan_ = measured_state();
-  if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
   if (!warm_) look_ahead();
   return spec.model_error.kind != ModelErrorKind::Torque || tell_torque_error();
 }
@@ -246,7 +245,9 @@ void MpcController::Impl::look_ahead() noexcept {
 void MpcController::Impl::make_plan() noexcept {
   const auto began = std::chrono::steady_clock::now();
   try {
+    if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
     making_.usable = replan();
+    if (making_.usable) policy.fill(solver, horizon.times());
   } catch (...) {
     // Of a function that the specification holds: all that is known is that there is no plan.
     making_.thrown = std::current_exception();
@@ -289,7 +290,7 @@ void MpcController::Impl::finish_plan() noexcept {
     const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
     const double done = making_.now + (passes ? took : 0.0);
     const double begin = making_.first ? gate.now() : making_.now + making_.delay;
-    policy.load(solver, begin, horizon.times(), done, making_.now);
+    policy.offer(begin, done, making_.now);
     error.foresee(v_ahead_);
     if (passes) busy_until_ = done - 0.01 * spec.tick_period;
   } else {

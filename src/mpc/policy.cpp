@@ -44,9 +44,18 @@ void Policy::reset() noexcept {
 
 void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times, double done,
                   double measured) noexcept {
+  fill(solver, times);
+  offer(time, done, measured);
+}
+
+void Policy::fill(const DdpSolver& solver, const KnotTimes& times) noexcept {
+  next_.load(solver, 0.0, times);
+}
+
+void Policy::offer(double time, double done, double measured) noexcept {
+  next_.begin_at(time);
   next_measured_ = measured;
   next_time_ = std::max(time, done);
-  next_.load(solver, time, times);
   next_ready_ = true;
 }
 

@@ -18,8 +18,12 @@ class Policy {
   void load(const DdpSolver& solver, double time, const KnotTimes& times,
             double done = -std::numeric_limits<double>::infinity(),
             double measured = -std::numeric_limits<double>::infinity()) noexcept;
-  /// The plan in use as the other's, for what is foreseen beside it.
-  void follow(const Policy& other) noexcept { plan_ = other.plan_; }
+  /// The two halves of that: what is long, for whoever made the plan to do while none waits to be
+  /// taken over, beside ticks; and what is short.
+  void fill(const DdpSolver& solver, const KnotTimes& times) noexcept;
+  void offer(double time, double done, double measured) noexcept;
+  /// The plan in use as the other's, for what is foreseen beside it; while that is asked by ticks.
+  void follow(const Policy& other) noexcept { plan_.follow(other.plan_); }
   bool waits() const { return next_ready_; }  ///< a plan, for its time
   double measured() const { return measured_; }  ///< s, that the plan in use was made from
   /// Goes over to the plan that waits, if its time has come.
