@@ -168,8 +168,7 @@ std::string task_text(const TaskBenchReport& report) {
   text += fmt::format("|:{:-<9}-|:{:-<41}-|-{:->8}:|-{:->8}:|-{:->8}:|-{:->7}:|\n", "", "", "", "",
                       "", "");
   const PlanTimes& plans = report.plans;
-  const std::string backward =
-      fmt::format("  backward pass, {:.1f} recursions", plans.recursions);
+  const std::string backward = fmt::format("  backward pass, {:.1f} recursions", plans.recursions);
   add_times(text, "plan", "alone", plans.whole);
   add_times(text, "", "  derivatives", plans.expand);
   add_times(text, "", backward.c_str(), plans.backward);
@@ -251,8 +250,10 @@ void add_bench(CLI::App& app, int& exit_code) {
       "a\n"
       "machine that does nothing else.\n"
       "\n"
-      "With --task the robot of a polishing task polishes: first in simulated time, for what plans\n"
-      "take alone, then in real time, a tick at each period of the clock and plans in a thread. The\n"
+      "With --task the robot of a polishing task polishes: first in simulated time, for what "
+      "plans\n"
+      "take alone, then in real time, a tick at each period of the clock and plans in a thread. "
+      "The\n"
       "simulator runs between the ticks. taskset says which cores there are.\n"
       "\n"
       "Examples:\n"

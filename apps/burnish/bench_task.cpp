@@ -205,7 +205,8 @@ class Run {
   double time() const { return plant_->time(); }
   /// Over the path, its first half second left out.
   Metrics metrics() const {
-    const Trace::Column phase = loop_->trace().column("phase"), time = loop_->trace().column("time");
+    const Trace::Column phase = loop_->trace().column("phase"),
+                        time = loop_->trace().column("time");
     MetricsSpec window{.start = time[time.size() - 1]};
     for (Eigen::Index i = time.size() - 1; i >= 0; --i)
       if (phase[i] == static_cast<double>(number_of(Phase::Track)))

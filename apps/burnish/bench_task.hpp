@@ -38,7 +38,7 @@ struct RealTime {
   double plans_per_second = 0.0;
   /// Negative: not counted in this build.
   long tick_allocations = 0, plan_allocations = 0;
-  double plant_share = 0.0;  ///< of the time, that the simulator had in the thread of the ticks
+  double plant_share = 0.0;   ///< of the time, that the simulator had in the thread of the ticks
   bool has_priority = false;  ///< ticks go before all other threads (SCHED_FIFO)
   double force_rmse = 0.0;    ///< N, true
   double path_rmse = 0.0;     ///< m, true
@@ -48,9 +48,9 @@ struct RealTime {
 struct TaskBenchReport {
   std::string robot;
   int nv = 0, nx = 0, nu = 0, knots = 0, threads = 1, pack_width = 1;
-  int cores = 0;               ///< that this program may run on
-  double horizon = 0.0;        ///< s
-  double tick_period = 1e-3;   ///< s
+  int cores = 0;              ///< that this program may run on
+  double horizon = 0.0;       ///< s
+  double tick_period = 1e-3;  ///< s
   PlanTimes plans;
   RealTime real;
 };
