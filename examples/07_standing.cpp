@@ -24,7 +24,6 @@ int main() {
     return hand + 0.04 * std::min(1.0, t) * Vector3d(0.0, std::cos(4.0 * t), std::sin(4.0 * t));
   };
   const Signal drawn = Signal::over_time(3, [=](double t, auto p) { p = circle(t); });
-
   MpcSpec mpc{.problem = {.model = robot.model},
               .supports = {"left_sole_link", "right_sole_link"},
               .support_sensors = true};
@@ -62,17 +61,15 @@ int main() {
   mpc.tick_period = 1e-3;
   mpc.update_period = mpc.solver_delay = 5e-3;  // plans take 5 ms
   mpc.model_error = {.bandwidth = 60.0, .fading = 0.2};
-
   MpcController controller(mpc);
   Disturbances disturbances{.mass_scale = 1.02};
   disturbances.pushes = {{1.5, 0.2, Vector3d(0.0, 80.0, 0.0), "torso_2_link"}};
-  const Model heavier = plant_model(robot.model, disturbances);
-  const auto plant = make_mujoco_plant(heavier, scene);
+  const auto plant = make_mujoco_plant(plant_model(robot.model, disturbances), scene);
   ClosedLoop loop(*plant, controller, disturbances);
   if (loop.reset(q, rest) != Status::Ok || loop.run(2.5) > Status::NotConverged) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
-  const StandingFigures stood = measure_standing(loop.trace(), heavier, scene.supports);
+  const StandingFigures stood = measure_standing(loop.trace(), plant->model(), scene.supports);
   if (body.update(plant->q(), plant->v()) != Status::Ok) return 1;
   const Vector3d off = body.placement(body.frame("tool")).translation() - circle(2.5);
   std::printf("stood: each foot bore %.0f N or more, used %.0f %% of its friction, slid %.1f mm\n",

@@ -215,8 +215,11 @@ void MpcController::Impl::update() noexcept {
 
 /// What a plan is made from, as it is now; false where that cannot be told to the problem.
 bool MpcController::Impl::prepare_plan() noexcept {
-  // Ticks are what time is counted by, and plans that others wait for begin at one.
-  const double ticks = std::ceil(expected_ / spec.tick_period - 0.01);
+  // Ticks are what time is counted by, and plans that others wait for begin at one. A thread's that
+  // is done later is used from then on, which is better than to let one that is done wait.
+  const double exact = expected_ / spec.tick_period;
+  const double ticks = spec.timing == PlanTiming::Thread ? std::max(1.0, std::round(exact))
+                                                         : std::ceil(exact - 0.01);
   const double expected =
       spec.timing == PlanTiming::Fixed ? spec.solver_delay : ticks * spec.tick_period;
   making_ = Making{.now = gate.now(),
@@ -300,8 +303,10 @@ void MpcController::Impl::finish_plan() noexcept {
   solved_ = solved_ || making_.usable;
   if (!making_.first) {
     constexpr double forgetting = 0.05;
-    const double seen = spec.timing == PlanTiming::Thread ? gate.now() - making_.now : took;
-    expected_ = std::max(seen, expected_ + forgetting * (seen - expected_));
+    const bool in_thread = spec.timing == PlanTiming::Thread;
+    const double seen = in_thread ? gate.now() - making_.now : took;
+    const double mean = expected_ + forgetting * (seen - expected_);
+    expected_ = in_thread ? mean : std::max(seen, mean);
   }
   command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
 }
