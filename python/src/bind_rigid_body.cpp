@@ -193,7 +193,8 @@ void bind_rigid_body(py::module_& m) {
       .def("update", &Body::update, py::arg("q"), py::arg("v") = py::none(),
            py::arg("a") = py::none(),
            "Evaluates the state: q (nq,), v and a (nv,), rad/s or m/s and their rates; without `v` "
-           "it is at rest, without `a` the joint accelerations are zero. Raises EvaluationError for a state that is not "
+           "it is at rest, without `a` the joint accelerations are zero. Raises EvaluationError "
+           "for a state that is not "
            "finite or not normalized, Error for wrong sizes; then all results stay as they were.")
       .def(
           "set_payload",

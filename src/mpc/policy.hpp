@@ -24,7 +24,7 @@ class Policy {
   void offer(double time, double done, double measured) noexcept;
   /// The plan in use as the other's, for what is foreseen beside it; while that is asked by ticks.
   void follow(const Policy& other) noexcept { plan_.follow(other.plan_); }
-  bool waits() const { return next_ready_; }  ///< a plan, for its time
+  bool waits() const { return next_ready_; }     ///< a plan, for its time
   double measured() const { return measured_; }  ///< s, that the plan in use was made from
   /// Goes over to the plan that waits, if its time has come.
   void take_over(double now) noexcept;
@@ -39,11 +39,11 @@ class Policy {
   LinearFeedback feedback_;
   Eigen::VectorXd effort_;  ///< nu, Nm (N)
   bool feeds_back_;
-  double rounding_;          ///< s
+  double rounding_;                                             ///< s
   double measured_ = -std::numeric_limits<double>::infinity();  ///< s, of plan_
   double next_measured_ = 0.0;                                  ///< s
   double next_time_ = 0.0;                                      ///< s, when next_ takes over
-  bool next_ready_ = false;  ///< next_ waits for its time
+  bool next_ready_ = false;                                     ///< next_ waits for its time
 };
 
 }  // namespace burnish

@@ -41,7 +41,8 @@ class FeedbackPlan {
   void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
   /// Of what was loaded, from another time on.
   void begin_at(double time) noexcept { start_ = time; }
-  /// What another plan of the same problem and knots holds, which a second thread may ask meanwhile.
+  /// What another plan of the same problem and knots holds, which a second thread may ask
+  /// meanwhile.
   void follow(const FeedbackPlan& other) noexcept;
   void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
