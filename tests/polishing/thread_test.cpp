@@ -20,11 +20,11 @@ MpcCase in_a_thread() {
   return wanted;
 }
 
-int plans_of(MpcRun& run) {
+int plans_made(MpcRun& run) {
   return static_cast<int>((run.loop().trace().column("solve_time").array() > 0.0).count());
 }
 
-void expect_no_fault(MpcRun& run) {
+void expect_fine(MpcRun& run) {
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
 }
 
@@ -38,13 +38,13 @@ void await_plan(MpcRun& run) {
 TEST(PlansInAThread, are_made_while_the_controller_ticks) {
   MpcRun run(in_a_thread());
   ASSERT_EQ(run.run(0.3), Status::Ok);
-  expect_no_fault(run);
-  EXPECT_GE(plans_of(run), 2);
+  expect_fine(run);
+  EXPECT_GE(plans_made(run), 2);
   EXPECT_EQ(run.watched().allocations, 0);
   EXPECT_TRUE(run.watched().finite);
   run.reset();  // while a plan may be in the making
   ASSERT_EQ(run.run(0.05), Status::Ok);
-  expect_no_fault(run);
+  expect_fine(run);
 }
 
 TEST(PlansInAThread, are_waited_for_at_first_with_the_robot_held) {
@@ -60,7 +60,7 @@ TEST(PlansInAThread, are_waited_for_at_first_with_the_robot_held) {
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.05), Status::Ok);  // no tick waits for the plan
   EXPECT_EQ(run.watched().ticks, 50);
-  EXPECT_EQ(plans_of(run), 0);
+  EXPECT_EQ(plans_made(run), 0);
   EXPECT_TRUE(std::isinf(run.mpc().plan_age()));
   EXPECT_LE(run.mpc().schedule().time(), 1e-3);
   EXPECT_LT((run.plant().q() - run.setting().q_start).norm(), 1e-6);
@@ -70,7 +70,7 @@ TEST(PlansInAThread, are_waited_for_at_first_with_the_robot_held) {
   ASSERT_EQ(run.run(0.1), Status::Ok);
   EXPECT_GT(run.mpc().schedule().time(), 0.09);
   EXPECT_LT(run.mpc().plan_age(), 0.1);
-  expect_no_fault(run);
+  expect_fine(run);
 }
 
 TEST(PlansInAThread, go_on_with_what_the_robot_carries_now) {
@@ -98,8 +98,8 @@ TEST(PlansInAThread, allocate_nothing) {
   };
   MpcRun run(wanted);
   ASSERT_EQ(run.run(0.3), Status::Ok);
-  expect_no_fault(run);
-  EXPECT_GE(plans_of(run), 2);
+  expect_fine(run);
+  EXPECT_GE(plans_made(run), 2);
   EXPECT_EQ(allocated.load(), 0);
 }
 
