@@ -11,6 +11,7 @@ from typing import List, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from . import mpc as _mpc
 from ._spec import Spec
 from .contact import SurfaceShape
 from .mpc import Fallback
@@ -73,3 +74,7 @@ class PlanRecord(Spec):
     """(plans, ndx), gradient of the value function at the first knot"""
     Vxx: NDArray[np.float64]
     """(plans, ndx, ndx), its Hessian"""
+
+
+# What MpcSpec.task says, for who asks for its types: that module is there before this one.
+setattr(_mpc, "PressingTask", PressingTask)
