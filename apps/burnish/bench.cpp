@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "bench_measure.hpp"
+#include "bench_task.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
 #include "record/json_text.hpp"
 #include "robot_arguments.hpp"
@@ -15,6 +17,9 @@ namespace {
 struct BenchArguments {
   RobotArguments robot;
   BenchSpec spec;
+  std::string task;
+  std::vector<std::string> overrides;
+  std::optional<double> seconds;
   bool json = false;
 };
 
@@ -83,8 +88,111 @@ std::string report_text(const BenchReport& report) {
   return text;
 }
 
+Json spread_json(const Spread& spread) {
+  return {{"count", spread.count},
+          {"median_s", spread.median},
+          {"p99_s", spread.p99},
+          {"maximum_s", spread.maximum}};
+}
+
+Json allocations_json(long allocations) { return allocations < 0 ? Json() : Json(allocations); }
+
+Json task_json(const TaskBenchReport& report) {
+  const RealTime& real = report.real;
+  return {{"robot", report.robot},
+          {"nv", report.nv},
+          {"nx", report.nx},
+          {"nu", report.nu},
+          {"knots", report.knots},
+          {"horizon_s", report.horizon},
+          {"pack_width", report.pack_width},
+          {"cores", report.cores},
+          {"threads", report.threads},
+          {"plan", spread_json(report.plans.whole)},
+          {"expand", spread_json(report.plans.expand)},
+          {"backward", spread_json(report.plans.backward)},
+          {"trial", spread_json(report.plans.trial)},
+          {"recursions", report.plans.recursions},
+          {"real_time",
+           {{"tick_period_s", report.tick_period},
+            {"ticks", real.ticks},
+            {"missed", real.missed},
+            {"tick", spread_json(real.tick)},
+            {"woken", spread_json(real.woken)},
+            {"plan", spread_json(real.plan)},
+            {"age", spread_json(real.age)},
+            {"plans_per_second", real.plans_per_second},
+            {"tick_allocations", allocations_json(real.tick_allocations)},
+            {"plan_allocations", allocations_json(real.plan_allocations)},
+            {"plant_share", real.plant_share},
+            {"has_priority", real.has_priority},
+            {"force_rmse_N", real.force_rmse},
+            {"path_rmse_m", real.path_rmse},
+            {"fault", real.fault.kind == FaultKind::None ? "" : real.fault.text()}}}};
+}
+
+void add_times(std::string& text, const char* per, const char* work, const Spread& spread) {
+  text += fmt::format("| {:<9} | {:<41} | {:>8} | {:>8} | {:>8} | {:>7} |\n", per, work,
+                      time_text(spread.median), time_text(spread.p99), time_text(spread.maximum),
+                      spread.count);
+}
+
+std::string real_time_text(const TaskBenchReport& report) {
+  const RealTime& real = report.real;
+  const auto counted = [](long allocations) {
+    return allocations < 0 ? std::string("not counted") : std::to_string(allocations);
+  };
+  return fmt::format(
+      "\n{:.0f} plans per second; {} of {} ticks at {:.0f} Hz were not done when the next one was "
+      "due\nallocations in ticks: {}; in plans: {}\ntrue force {:.2f} N rms, path {:.2f} mm rms\n"
+      "{}; the plant took {:.0f} % of the time, between ticks and in their thread\n{}",
+      real.plans_per_second, real.missed, real.ticks, 1.0 / report.tick_period,
+      counted(real.tick_allocations), counted(real.plan_allocations), real.force_rmse,
+      1e3 * real.path_rmse,
+      real.has_priority ? "ticks went before all other threads"
+                        : "ticks had no priority, which wants the right to set one (chrt)",
+      100.0 * real.plant_share,
+      real.fault.kind == FaultKind::None ? "" : "fault: " + real.fault.text() + "\n");
+}
+
+/// In Markdown, to paste.
+std::string task_text(const TaskBenchReport& report) {
+  std::string text = fmt::format(
+      "{}: nv = {}; {} knots see {:.2f} s ahead, nx = {}, nu = {}\n"
+      "packs of {} states; plans of {} thread{}; {} core{}\n\n",
+      report.robot, report.nv, report.knots, report.horizon, report.nx, report.nu,
+      report.pack_width, report.threads, report.threads == 1 ? "" : "s", report.cores,
+      report.cores == 1 ? "" : "s");
+  text += fmt::format("| {:<9} | {:<41} | {:>8} | {:>8} | {:>8} | {:>7} |\n", "", "", "median",
+                      "p99", "most", "of");
+  text += fmt::format("|:{:-<9}-|:{:-<41}-|-{:->8}:|-{:->8}:|-{:->8}:|-{:->7}:|\n", "", "", "", "",
+                      "", "");
+  const PlanTimes& plans = report.plans;
+  const std::string backward = fmt::format("  backward pass, {:.1f} recursions", plans.recursions);
+  add_times(text, "plan", "alone", plans.whole);
+  add_times(text, "", "  derivatives", plans.expand);
+  add_times(text, "", backward.c_str(), plans.backward);
+  add_times(text, "", "  line search", plans.trial);
+  add_times(text, "real time", "plan, in a thread", report.real.plan);
+  add_times(text, "", "age of the plan in use", report.real.age);
+  add_times(text, "", "tick", report.real.tick);
+  add_times(text, "", "tick begins late by", report.real.woken);
+  return text + real_time_text(report);
+}
+
+int bench_task(const BenchArguments& arguments) {
+  TaskBenchSpec spec{.threads = arguments.spec.threads};
+  spec.task = polishing::read_task(arguments.task, arguments.overrides);
+  spec.seconds = arguments.seconds.value_or(spec.seconds);
+  const TaskBenchReport report = named_by(arguments.task, [&] { return measure_task(spec); });
+  fmt::print("{}", arguments.json ? json_text(task_json(report)) + "\n" : task_text(report));
+  return report.real.fault.kind == FaultKind::None ? exit_ok : exit_failed;
+}
+
 int bench(const BenchArguments& arguments) {
+  if (!arguments.task.empty()) return bench_task(arguments);
   BenchSpec spec = arguments.spec;
+  spec.seconds = arguments.seconds.value_or(spec.seconds);
   spec.robot = arguments.robot.load();
   const BenchReport report = measure_speed(spec);
   fmt::print("{}", arguments.json ? json_text(report_json(report)) + "\n" : report_text(report));
@@ -116,9 +224,24 @@ void add_bench(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   command->add_flag("--pin-threads", spec.pin_threads, "Keep each thread but the first on a core");
-  command->add_option("--seconds", spec.seconds, "Seconds that each line is measured, about [0.3]")
+  command
+      ->add_option("--seconds", arguments->seconds,
+                   "Seconds that each line is measured, about [0.3]; of the path of --task [10]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
+  CLI::Option* task = command
+                          ->add_option("--task", arguments->task,
+                                       "Polishing task whose controller is measured instead: its "
+                                       "plans, and its ticks in real time")
+                          ->type_name("FILE");
+  for (const char* other : {"ROBOT", "--tool", "--posture", "--knots", "--pin-threads"})
+    task->excludes(command->get_option(other));
+  command
+      ->add_option("--set", arguments->overrides,
+                   "Any key of that task, such as controller.knots=40; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->needs(task);
   command->add_flag("--json", arguments->json, "As JSON, in seconds");
   command->footer(
       "States are near the posture, the tool held along world z; the horizon presses it down with\n"
@@ -127,10 +250,17 @@ void add_bench(CLI::App& app, int& exit_code) {
       "a\n"
       "machine that does nothing else.\n"
       "\n"
+      "With --task the robot of a polishing task polishes: first in simulated time, for what "
+      "plans\n"
+      "take alone, then in real time, a tick at each period of the clock and plans in a thread. "
+      "The\n"
+      "simulator runs between the ticks. taskset says which cores there are.\n"
+      "\n"
       "Examples:\n"
       "  burnish bench\n"
       "  burnish bench arm7 --threads 2\n"
-      "  burnish bench my_arm.urdf --tool flange --knots 50 --json");
+      "  burnish bench my_arm.urdf --tool flange --knots 50 --json\n"
+      "  taskset -c 0,1 burnish bench --task tasks/polishing/standing.yaml");
   command->callback([arguments, &exit_code] { exit_code = bench(*arguments); });
 }
 

@@ -48,16 +48,16 @@ struct Row {
   const char* unit;
   double factor;
 };
-constexpr Row rows[] = {{"mass", 0, 1, "kg", 1.0},
-                        {"com", 1, 3, "mm", 1e3},
-                        {"Ixx Ixy Ixz", 4, 3, "g m^2", 1e3},
-                        {"Iyy Iyz Izz", 7, 3, "g m^2", 1e3}};
+constexpr Row inertia_rows[] = {{"mass", 0, 1, "kg", 1.0},
+                                {"com", 1, 3, "mm", 1e3},
+                                {"Ixx Ixy Ixz", 4, 3, "g m^2", 1e3},
+                                {"Iyy Iyz Izz", 7, 3, "g m^2", 1e3}};
 
 std::string table_of(const Model& model, const Identification& found) {
   std::string text;
   for (const EstimatedInertia& one : found.inertias) {
     text += fmt::format("{}, in its axes; * what the motion does not show\n", one.frame);
-    for (const Row& row : rows) {
+    for (const Row& row : inertia_rows) {
       text += fmt::format("  {:<12}", row.name);
       for (int i = row.first; i < row.first + row.count; ++i)
         text += fmt::format(" {:>22}{}", estimate_text(one.values[i], one.sigma[i], row.factor),
@@ -198,7 +198,7 @@ int try_seeds(const IdentifyArguments& a, const Robot& robot) {
       disturbances.torque_sensor_noise);
   fmt::print("| {:<6} | {:>10} | {:>10} |\n|:-------|-----------:|-----------:|\n", "", "rms error",
              "rms stated");
-  for (const Row& row : rows)
+  for (const Row& row : inertia_rows)
     for (int i = row.first; i < row.first + row.count; ++i)
       fmt::print("| {:<6} | {:>10.3g} | {:>10.3g} | {}\n",
                  estimate_names[static_cast<std::size_t>(i)], row.factor * all.rms_error[i],

@@ -15,13 +15,15 @@ from ._spec import Spec
 from .base import Status
 from .estimate import ImuReading
 from .ocp import ProblemSpec
-from .pressing import PressingTask
 from .solver import DdpOptions, LimitOptions, StepUpdate
+
+if TYPE_CHECKING:  # it imports what is here
+    from .pressing import PressingTask
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "FrictionEstimateOptions", "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
-    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "Standing", "TorqueErrorObserver",
+    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "TorqueErrorObserver",
 ]
 
 

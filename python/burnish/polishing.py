@@ -47,7 +47,7 @@ from ._spec import Spec
 from .contact import SurfaceShape
 from ._task import with_changes
 from .model import Robot
-from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits, Standing
+from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,
@@ -59,6 +59,7 @@ from .pressing import (
     ReachOptions,
     ReachProblem,
     ReachReport,
+    Standing,
     SurfaceEstimateOptions,
     TickTimes,
     ToolLimits,

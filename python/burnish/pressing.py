@@ -11,13 +11,15 @@ from typing import List, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from . import mpc as _mpc
 from ._spec import Spec
 from .contact import SurfaceShape
+from .mpc import Fallback
 
 __all__ = [
     "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",
     "PostureOptions",
-    "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE",
+    "PressedSurface", "PressingTask", "ReachOptions", "ReachProblem", "ReachReport", "SEARCHED_POSTURE", "Standing",
     "SurfaceEstimateOptions", "TaskTarget",
     "TickTimes", "ToolLimits", "Touch",
 ]
@@ -72,3 +74,7 @@ class PlanRecord(Spec):
     """(plans, ndx), gradient of the value function at the first knot"""
     Vxx: NDArray[np.float64]
     """(plans, ndx, ndx), its Hessian"""
+
+
+# What MpcSpec.task says, for who asks for its types: that module is there before this one.
+setattr(_mpc, "PressingTask", PressingTask)

@@ -23,8 +23,8 @@ from ._core import push_task_text as task_text
 from ._core import push_task_units as task_units
 from ._task import with_changes
 from .model import Robot
-from .mpc import ModelErrorOptions, SafetyLimits, Standing
-from .pressing import PlanLimits, PlantKind
+from .mpc import ModelErrorOptions, SafetyLimits
+from .pressing import PlanLimits, PlantKind, Standing
 from .sim import Disturbances, SceneSpec
 
 __all__ = [

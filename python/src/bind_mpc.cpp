@@ -316,7 +316,12 @@ void bind_mpc_controller(py::module_& m) {
       .def_property_readonly("schedule",
                              reading("MpcController.schedule",
                                      [](const MpcController& mpc) { return mpc.schedule(); }),
-                             "A copy of the schedule with its clock as it is now.");
+                             "A copy of the schedule with its clock as it is now.")
+      .def_property_readonly("plan_age",
+                             reading("MpcController.plan_age",
+                                     [](const MpcController& mpc) { return mpc.plan_age(); }),
+                             "s from the measurement that the plan in use was made from to the "
+                             "last good one; infinite while there is none.");
   bind_mpc_plan(c);
 }
 

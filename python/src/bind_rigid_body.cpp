@@ -24,8 +24,10 @@ struct Body {
                 "; the robot has " + std::to_string(frames));
   }
 
-  void update(const Vector& q, const Vector& v, const std::optional<Eigen::VectorXd>& a) {
+  void update(const Vector& q, const std::optional<Eigen::VectorXd>& given,
+              const std::optional<Eigen::VectorXd>& a) {
     constexpr const char* name = "RigidBody.update";
+    const Eigen::VectorXd v = given ? *given : Eigen::VectorXd(Eigen::VectorXd::Zero(machine.nv()));
     require_size(name, "q", q.size(), machine.nq());
     require_size(name, "v", v.size(), machine.nv());
     if (a) require_size(name, "a", a->size(), machine.nv());
@@ -188,9 +190,11 @@ void bind_rigid_body(py::module_& m) {
           "nq", [](const Body& self) { return self.machine.nq(); }, "Entries of q.")
       .def_property_readonly(
           "nv", [](const Body& self) { return self.machine.nv(); }, "Entries of v.")
-      .def("update", &Body::update, py::arg("q"), py::arg("v"), py::arg("a") = py::none(),
-           "Evaluates the state: q (nq,), v and a (nv,), rad/s or m/s and their rates; without `a` "
-           "the joint accelerations are zero. Raises EvaluationError for a state that is not "
+      .def("update", &Body::update, py::arg("q"), py::arg("v") = py::none(),
+           py::arg("a") = py::none(),
+           "Evaluates the state: q (nq,), v and a (nv,), rad/s or m/s and their rates; without `v` "
+           "it is at rest, without `a` the joint accelerations are zero. Raises EvaluationError "
+           "for a state that is not "
            "finite or not normalized, Error for wrong sizes; then all results stay as they were.")
       .def(
           "set_payload",

@@ -88,6 +88,13 @@ class TestRigidBody:
         with pytest.raises(burnish.EvaluationError, match="update_derivatives"):
             body.com_dq
 
+    def test_a_state_without_velocity_is_at_rest(self) -> None:
+        q, v, _ = state(TALOS.model)
+        body = self.at(q, v)
+        body.update(q)
+        assert body.kinetic_energy == 0.0
+        assert body.potential_energy == self.at(q, v).potential_energy
+
     def test_a_state_that_is_refused_changes_nothing(self) -> None:
         q, v, _ = state(TALOS.model)
         body = self.at(q, v)

@@ -59,6 +59,15 @@ void FeedbackPlan::load(const DdpSolver& solver, double time, const KnotTimes& t
   load(solver, time);
 }
 
+void FeedbackPlan::follow(const FeedbackPlan& other) noexcept {
+  times_.copy_first(other.times_);
+  x_ = other.x_;
+  u_ = other.u_;
+  gain_ = other.gain_;
+  start_ = other.start_;
+  loaded_ = other.loaded_;
+}
+
 LinearFeedback FeedbackPlan::make_feedback() const {
   return {Eigen::VectorXd::Zero(u_.cols()), Eigen::MatrixXd::Zero(u_.cols(), dx_.size()),
           Eigen::VectorXd::Zero(x_.cols())};

@@ -26,6 +26,7 @@ const LinearFeedback& MpcController::feedback() const { return impl_->policy.fee
 const Eigen::VectorXd& MpcController::torque_error() const { return impl_->error.torque_error(); }
 double MpcController::force_error() const { return impl_->error.force_error(); }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
+double MpcController::plan_age() const { return impl_->gate.now() - impl_->policy.measured(); }
 const Problem& MpcController::problem() const { return impl_->problem; }
 MatrixView MpcController::plan() const { return impl_->solver.xs(); }
 const DdpSolver& MpcController::solver() const { return impl_->solver; }

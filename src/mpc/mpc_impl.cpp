@@ -152,7 +152,9 @@ void MpcController::Impl::see() noexcept {
   error.update(gate, command_, stage, schedule.time());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
-  if (!gate.is_first() && schedule.advance(gate.dt(), happened)) jumped_ = true;
+  // While a thread makes the first plan the robot is held, and nothing of the task is due.
+  const bool begins = solved_ || !is_making_;
+  if (!gate.is_first() && begins && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   if (is_making_ && !planner_->is_busy()) finish_plan();
   policy.take_over(gate.now());
@@ -199,12 +201,11 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
   }
 }
 
-/// The first plan is waited for: without one there is nothing to go on with.
 void MpcController::Impl::update() noexcept {
   due_ = false;
   const bool is_ready = prepare_plan();
   is_making_ = true;
-  if (is_ready && planner_ && !making_.first) {
+  if (is_ready && planner_) {
     planner_->start();
     return;
   }
@@ -214,8 +215,11 @@ void MpcController::Impl::update() noexcept {
 
 /// What a plan is made from, as it is now; false where that cannot be told to the problem.
 bool MpcController::Impl::prepare_plan() noexcept {
-  // Ticks are what time is counted by, and plans that others wait for begin at one.
-  const double ticks = std::ceil(expected_ / spec.tick_period - 0.01);
+  // Ticks are what time is counted by, and plans that others wait for begin at one. A thread's that
+  // is done later is used from then on, which is better than to let one that is done wait.
+  const double exact = expected_ / spec.tick_period;
+  const double ticks = spec.timing == PlanTiming::Thread ? std::max(1.0, std::round(exact))
+                                                         : std::ceil(exact - 0.01);
   const double expected =
       spec.timing == PlanTiming::Fixed ? spec.solver_delay : ticks * spec.tick_period;
   making_ = Making{.now = gate.now(),
@@ -229,7 +233,6 @@ bool MpcController::Impl::prepare_plan() noexcept {
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
   x_plan_ = measured_state();
-  if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
   if (!warm_) look_ahead();
   return spec.model_error.kind != ModelErrorKind::Torque || tell_torque_error();
 }
@@ -245,7 +248,9 @@ void MpcController::Impl::look_ahead() noexcept {
 void MpcController::Impl::make_plan() noexcept {
   const auto began = std::chrono::steady_clock::now();
   try {
+    if (planner_ && making_.delay > 0.0) in_use_.follow(policy);
     making_.usable = replan();
+    if (making_.usable) policy.fill(solver, horizon.times());
   } catch (...) {
     // Of a function that the specification holds: all that is known is that there is no plan.
     making_.thrown = std::current_exception();
@@ -284,10 +289,11 @@ void MpcController::Impl::finish_plan() noexcept {
     command_.limits_open = summary.limits_open;
     command_.limits_pushing = summary.pushing;
     command_.limits_infeasible = summary.given_way > 0 || summary.reason == StopReason::Infeasible;
-    // The first one is made while the robot is still held.
+    // The first one is made while the robot is still held, and begins when it is there.
     const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
     const double done = making_.now + (passes ? took : 0.0);
-    policy.load(solver, making_.now + making_.delay, horizon.times(), done);
+    const double begin = making_.first ? gate.now() : making_.now + making_.delay;
+    policy.offer(begin, done, making_.now);
     error.foresee(v_ahead_);
     if (passes) busy_until_ = done - 0.01 * spec.tick_period;
   } else {
@@ -297,8 +303,10 @@ void MpcController::Impl::finish_plan() noexcept {
   solved_ = solved_ || making_.usable;
   if (!making_.first) {
     constexpr double forgetting = 0.05;
-    const double seen = spec.timing == PlanTiming::Thread ? gate.now() - making_.now : took;
-    expected_ = std::max(seen, expected_ + forgetting * (seen - expected_));
+    const bool in_thread = spec.timing == PlanTiming::Thread;
+    const double seen = in_thread ? gate.now() - making_.now : took;
+    const double mean = expected_ + forgetting * (seen - expected_);
+    expected_ = in_thread ? mean : std::max(seen, mean);
   }
   command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
 }

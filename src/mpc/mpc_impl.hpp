@@ -65,7 +65,8 @@ struct MpcController::Impl {
 
  private:
   /// A plan that is being made, and what came of it. While it is, the problem, the solver, the
-  /// horizon and the prediction are its maker's alone.
+  /// horizon, the prediction and the place of the policy's next plan are its maker's alone, and the
+  /// plan in use stays what it is.
   struct Making {
     double now = 0.0, schedule_time = 0.0, delay = 0.0;  ///< s, of the measurement that it is from
     bool first = false, jumped = false;

@@ -39,12 +39,23 @@ void Policy::reset() noexcept {
   plan_.clear();
   next_.clear();
   next_ready_ = false;
+  measured_ = -std::numeric_limits<double>::infinity();
 }
 
-void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times,
-                  double done) noexcept {
+void Policy::load(const DdpSolver& solver, double time, const KnotTimes& times, double done,
+                  double measured) noexcept {
+  fill(solver, times);
+  offer(time, done, measured);
+}
+
+void Policy::fill(const DdpSolver& solver, const KnotTimes& times) noexcept {
+  next_.load(solver, 0.0, times);
+}
+
+void Policy::offer(double time, double done, double measured) noexcept {
+  next_.begin_at(time);
+  next_measured_ = measured;
   next_time_ = std::max(time, done);
-  next_.load(solver, time, times);
   next_ready_ = true;
 }
 
@@ -52,6 +63,7 @@ void Policy::take_over(double now) noexcept {
   // Times are sums: a plan is not to wait a whole tick for the last bit of one.
   if (!next_ready_ || now < next_time_ - rounding_) return;
   std::swap(plan_, next_);
+  measured_ = next_measured_;
   next_ready_ = false;
 }
 

@@ -76,7 +76,7 @@ const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
   constexpr Range size = range::not_negative;
   static const Description all =
-      Describe<S>("mpc", "Standing",
+      Describe<S>("pressing", "Standing",
                   "Feet on level ground, where they are in the starting posture. Plans hold them "
                   "still within the friction and the pressure that these bear; the plant's ground "
                   "can only push and rub.")

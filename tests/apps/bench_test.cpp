@@ -78,7 +78,41 @@ TEST(Bench, TakesRobotsThatFloatAndTurnWithoutLimits) {
   }
 }
 
+/// In the time of the clock, whatever else the machine does: what is late is no failure.
+TEST(Bench, MeasuresATaskInRealTime) {
+  const auto file = std::filesystem::path(BURNISH_ROBOTS_DIR).parent_path() / "tasks/polishing";
+  const Outcome outcome =
+      run("bench --task " + quoted(file / "table.yaml") +
+          " --seconds 0.3 --set controller.tick_rate=1000 --set controller.horizon=0.3 --json");
+  ASSERT_NE(outcome.exit_code, 2) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["knots"], 30);
+  EXPECT_GT(json["plan"]["count"].get<long>(), 100);
+  const double parts = json["expand"]["median_s"].get<double>() +
+                       json["backward"]["median_s"].get<double>() +
+                       json["trial"]["median_s"].get<double>();
+  EXPECT_LT(parts, 1.5 * json["plan"]["median_s"].get<double>());
+  const Json& real = json["real_time"];
+  if (outcome.exit_code == 0) {
+    EXPECT_NEAR(real["ticks"].get<double>(), 300.0, 2.0);
+    EXPECT_GT(real["plan"]["count"].get<long>(), 0);
+    EXPECT_LE(real["missed"], real["ticks"]);
+    for (const char* where : {"tick_allocations", "plan_allocations"}) {
+      if (!real[where].is_null()) {
+        EXPECT_EQ(real[where], 0) << where;
+      }
+    }
+  } else {
+    EXPECT_NE(real["fault"], "");
+  }
+}
+
 TEST(Bench, BadInputIsOneSentence) {
+  const Outcome both = run("bench arm7 --task table.yaml");
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.err.find("--task"), std::string::npos) << both.err;
+  EXPECT_EQ(run("bench --task no_such.yaml").exit_code, 2);
+
   EXPECT_EQ(run("bench arm8").exit_code, 2);
   const Outcome frame = run("bench arm7 --tool tol" + quick);
   EXPECT_EQ(frame.exit_code, 2);

@@ -1,9 +1,7 @@
 // Model predictive control in closed loop on the ideal plant: what it reaches, repeats, bears.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
-#include <thread>
 
 #include "support/mpc_run.hpp"
 #include "support/refusal.hpp"
@@ -143,23 +141,6 @@ TEST(MpcController, lets_pass_the_time_that_plans_took) {
   ASSERT_EQ(waits.run(0.1), Status::Ok);
   EXPECT_EQ(plans_of(waits), 2);
   expect_no_fault(waits);
-}
-
-TEST(MpcController, makes_plans_in_a_thread_while_it_ticks) {
-  MpcCase wanted;
-  wanted.task.timing = PlanTiming::Thread;
-  wanted.task.tick_rate = 1000.0;
-  // As on a robot: in real time, or somewhat slower.
-  wanted.spoil = [](Measurement&) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
-  MpcRun run(wanted);
-  ASSERT_EQ(run.run(0.3), Status::Ok);
-  expect_no_fault(run);
-  EXPECT_GE(plans_of(run), 3);
-  EXPECT_EQ(run.watched().allocations, 0);
-  EXPECT_TRUE(run.watched().finite);
-  run.reset();  // while a plan may be in the making
-  ASSERT_EQ(run.run(0.05), Status::Ok);
-  expect_no_fault(run);
 }
 
 TEST(MpcController, holds_the_robot_until_it_has_settled) {

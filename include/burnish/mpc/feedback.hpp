@@ -39,6 +39,11 @@ class FeedbackPlan {
   void load(const DdpSolver& solver, double time) noexcept;
   /// The same, with knots at other times than before; `times` has at least the plan's knots.
   void load(const DdpSolver& solver, double time, const KnotTimes& times) noexcept;
+  /// Of what was loaded, from another time on.
+  void begin_at(double time) noexcept { start_ = time; }
+  /// What another plan of the same problem and knots holds, which a second thread may ask
+  /// meanwhile.
+  void follow(const FeedbackPlan& other) noexcept;
   void clear() noexcept { loaded_ = false; }
   bool empty() const { return !loaded_; }
   int knots() const { return knots_; }

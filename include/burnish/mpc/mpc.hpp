@@ -125,8 +125,10 @@ struct MpcSpec {
 ///
 /// A new controller is ready; reset() makes it so again, and the same measurements then give the
 /// same torques to the last bit. tick() is to be called once per `tick_period` with what was
-/// measured then; the first call solves the problem to its end and may take its time. Times of
-/// measurements may start anywhere: the schedule's clock starts at the first one.
+/// measured then; the first call that plans solves the problem to its end and may take its time,
+/// unless a thread does (PlanTiming::Thread): then the fallback holds the robot where it is, and
+/// the schedule's clock stands still, until that plan is there. Times of measurements may start
+/// anywhere: the schedule's clock starts at the first one.
 ///
 /// Updates that are due before the plan before is done wait for it, where timing is not fixed.
 ///
@@ -186,6 +188,9 @@ class MpcController final : public Controller {
   const Eigen::VectorXd& torque_error() const;
   double force_error() const;  ///< N, estimated (ModelErrorKind::Force)
   const Schedule& schedule() const;
+  /// s from the measurement that the plan in use was made from to the last good one; infinite while
+  /// there is none.
+  double plan_age() const;
   const Problem& problem() const;
   /// States of the plan, (N + 1) x nx, as solved last; with a solver delay not in use yet. This and
   /// what follows is not to be asked while a thread makes the next plan (PlanTiming::Thread).
