@@ -164,7 +164,7 @@ TEST(DisturbanceRanges, AreDrawnFromTheSeedAlone) {
 }
 
 TEST(Experiments, AreFoundByName) {
-  EXPECT_EQ(experiments().size(), 9U);
+  EXPECT_EQ(experiments().size(), 10U);
   EXPECT_EQ(experiment_named("tick").name, "tick");
   expect_words(refusal([] { experiment_named("papr"); }),
                {"experiment 'papr' is not known", "did you mean 'paper'?"});
