@@ -83,7 +83,8 @@ BatchRun push_run(const ExperimentSpec& spec, const Task& task, const std::strin
                   double angle, double force) {
   char name[80];
   std::snprintf(name, sizeof name, "push of %.0f N towards %.0f degrees", force, angle);
-  BatchRun run{.name = name};
+  BatchRun run;
+  run.name = name;
   run.spec.task = task;
   run.spec.plant = spec.plant;
   run.spec.after_fault = watched_after_fault;
