@@ -57,7 +57,8 @@ void check_options(const ExperimentArguments& a) {
         "--shard, --scheduler, --resume and --list");
   if (a.campaign.name == "standing" && !a.scheduler.empty())
     throw Error(
-        "of the experiment 'standing' some runs depend on those before them, which a scheduler does "
+        "of the experiment 'standing' some runs depend on those before them, which a scheduler "
+        "does "
         "not know; wanted --shard, or neither");
   if (a.resume && a.out.empty()) throw Error("--resume wants --out, the folder to go on with");
   if (!a.scheduler.empty() && (!a.shard.empty() || a.list || a.threads > 0 || a.force))

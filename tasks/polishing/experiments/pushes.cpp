@@ -105,15 +105,12 @@ void note_push(double force, const RunFigures& run, PushDirection& direction) {
 
 ResultTable pushes_table(const std::vector<PushDirection>& directions) {
   ResultTable table{.name = "pushes", .title = "Pushes at the torso for 0.3 s while it polishes"};
-  table.columns = {{"towards", "deg", 0},
-                   {"push", "N", 0},
-                   {"what came of it"},
-                   figure_column("force_rmse", "force_rmse from the push on"),
-                   figure_column("force_peak"),
-                   figure_column("position_rmse"),
-                   {"largest survived", "N", 0},
-                   {"not survived", "N", 0},
-                   {"what came of that"}};
+  table.columns = {
+      {"towards", "deg", 0},        {"push", "N", 0},
+      {"what came of it"},          figure_column("force_rmse", "force_rmse from the push on"),
+      figure_column("force_peak"),  figure_column("position_rmse"),
+      {"largest survived", "N", 0}, {"not survived", "N", 0},
+      {"what came of that"}};
   for (const PushDirection& direction : directions) {
     if (direction.tried.empty() || !direction.tried.front().run.made) continue;
     const PushDirection::Tried& first = direction.tried.front();
@@ -136,9 +133,8 @@ Figure pushes_figure(const std::vector<PushDirection>& directions) {
   figure.plot.panel_width = 560;
   figure.plot.panel_height = 460;
   const auto size = static_cast<Eigen::Index>(directions.size());
-  Curve survived{.name = "largest survived",
-                 .x = Eigen::VectorXd(size + 1),
-                 .y = Eigen::VectorXd(size + 1)};
+  Curve survived{
+      .name = "largest survived", .x = Eigen::VectorXd(size + 1), .y = Eigen::VectorXd(size + 1)};
   Curve first{.name = "first tried", .x = survived.x, .y = survived.y, .dashed = true};
   for (Eigen::Index i = 0; i <= size; ++i) {
     const PushDirection& direction = directions[static_cast<std::size_t>(i % size)];

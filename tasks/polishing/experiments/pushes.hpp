@@ -34,9 +34,9 @@ inline constexpr double largest_push = 480.0;
 /// As many as there are, all around, none of them tried.
 std::vector<PushDirection> push_directions(int count);
 
-/// N, to be tried next: the first one, twice as much as long as all are survived, then the middle of
-/// what is survived and what is not, in whole steps. None where these are a step apart, and where
-/// the last one was not made.
+/// N, to be tried next: the first one, twice as much as long as all are survived, then the middle
+/// of what is survived and what is not, in whole steps. None where these are a step apart, and
+/// where the last one was not made.
 std::optional<double> next_push(const PushDirection& direction, double step);
 
 /// A push for 0.3 s at a frame of the standing robot, from a third of the path on. The verdict of

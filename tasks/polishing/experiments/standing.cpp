@@ -85,8 +85,7 @@ std::vector<BatchRun> preset_runs(const ExperimentSpec& spec, std::vector<Standi
 }
 
 std::vector<ResultCell> cells_of(const RunFigures& run) {
-  std::vector<ResultCell> cells{static_cast<double>(run.seed),
-                                std::string(name_of(run.fault)),
+  std::vector<ResultCell> cells{static_cast<double>(run.seed), std::string(name_of(run.fault)),
                                 std::string(fell(run) ? "yes" : "no")};
   for (const char* figure : {"standing.base_tilt", "standing.com_moved", "standing.slip",
                              "standing.pressure_margin", "standing.least_load"})
@@ -98,7 +97,7 @@ std::vector<ResultCell> cells_of(const RunFigures& run) {
 ResultTable runs_table(const std::vector<StandingGroup>& groups,
                        const std::vector<PushDirection>& directions) {
   ResultTable table{.name = "runs", .title = "Every run", .for_people = false};
-  table.columns = {{"task"},         {"disturbances"}, {"push", "N", 0}, {"towards", "deg", 0},
+  table.columns = {{"task"},        {"disturbances"}, {"push", "N", 0}, {"towards", "deg", 0},
                    {"seed", "", 0}, {"fault"},        {"fell"}};
   for (const char* figure : {"standing.base_tilt", "standing.com_moved", "standing.slip",
                              "standing.pressure_margin", "standing.least_load"})
@@ -124,13 +123,12 @@ double count_of(const std::vector<RunFigures>& runs, bool (*counts)(const RunFig
 }
 
 ResultTable summary_table(const std::vector<StandingGroup>& groups) {
-  const std::vector<SummaryColumn> summary{
-      {"force_rmse", mean_of},
-      {"force_rmse", largest_of, "worst"},
-      {"force_peak", largest_of, "force_peak, worst"},
-      {"position_rmse", mean_of},
-      {"position_rmse", largest_of, "worst"},
-      {"standing.com_moved", largest_of, "com_moved, worst"}};
+  const std::vector<SummaryColumn> summary{{"force_rmse", mean_of},
+                                           {"force_rmse", largest_of, "worst"},
+                                           {"force_peak", largest_of, "force_peak, worst"},
+                                           {"position_rmse", mean_of},
+                                           {"position_rmse", largest_of, "worst"},
+                                           {"standing.com_moved", largest_of, "com_moved, worst"}};
   ResultTable table{.name = "summary", .title = "Mean and worst over the seeds"};
   table.columns = {{"task"},         {"disturbances"}, {"seeds", "", 0}, {"polished", "", 0},
                    {"falls", "", 0}, {"faults", "", 0}};
@@ -194,7 +192,8 @@ struct PushPlan {
   Task task;
   double step;  ///< N
   std::vector<PushDirection> directions;
-  /// Runs of a direction, about: the first, one twice as large, and the halves of what lies between.
+  /// Runs of a direction, about: the first, one twice as large, and the halves of what lies
+  /// between.
   std::size_t expected = 6;
 };
 
@@ -220,7 +219,8 @@ void search_pushes(const ExperimentSpec& spec, PushPlan& plan, BatchSeries& seri
     }
     if (runs.empty()) return;
     const std::vector<RunFigures> figures = series.run_all(runs);
-    for (std::size_t i = 0; i < figures.size(); ++i) note_push(of[i].second, figures[i], *of[i].first);
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      note_push(of[i].second, figures[i], *of[i].first);
   }
 }
 
@@ -237,8 +237,9 @@ void note_pushes(const PushPlan& plan, ExperimentReport& report) {
 
 ExperimentReport perform_standing(const ExperimentSpec& spec) {
   if (spec.plant != PlantKind::Mujoco)
-    throw Error("a robot that stands needs MuJoCo, whose ground can be stood on; wanted the plant "
-                "mujoco");
+    throw Error(
+        "a robot that stands needs MuJoCo, whose ground can be stood on; wanted the plant "
+        "mujoco");
   ExperimentReport report{.title = "A robot on its feet, disturbed and pushed"};
   PushPlan plan = push_plan(spec);
   std::vector<BatchRun> runs;
