@@ -277,7 +277,7 @@ TEST(Pushes, TheLargestThatIsSurvivedIsFoundByHalves) {
   note_push(120.0, {.made = false}, direction);
   EXPECT_FALSE(next_push(direction, 10.0).has_value());
   RunFigures lies{.made = true, .polished = true};
-  lies.standing = StandingFigures{.base_tilt = 1.0};
+  lies.standing.emplace().base_tilt = 1.0;
   note_push(120.0, lies, direction);
   EXPECT_EQ(direction.largest_survived(), 0.0);
   EXPECT_EQ(direction.smallest_lost(), 120.0);
@@ -288,7 +288,7 @@ TEST(Experiments, StandingCountsFallsAndFindsTheLargestPush) {
   ExperimentSpec spec = quick();
   double told = 0.0;
   spec.progress = [&](double share, const std::string&) {
-    EXPECT_GE(share, told - 1e-12);
+    EXPECT_GE(share, told - 0.01);  // a run's end is known once its path has begun
     EXPECT_LE(share, 1.0 + 1e-12);
     told = share;
   };
