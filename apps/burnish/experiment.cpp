@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 
 #include "campaign.hpp"
 #include "command.hpp"
@@ -54,6 +55,11 @@ void check_options(const ExperimentArguments& a) {
     throw Error(
         "the experiment 'tick' measures computing times on one machine in one go; it has no "
         "--shard, --scheduler, --resume and --list");
+  if (a.campaign.name == "standing" && !a.scheduler.empty())
+    throw Error(
+        "of the experiment 'standing' some runs depend on those before them, which a scheduler "
+        "does "
+        "not know; wanted --shard, or neither");
   if (a.resume && a.out.empty()) throw Error("--resume wants --out, the folder to go on with");
   if (!a.scheduler.empty() && (!a.shard.empty() || a.list || a.threads > 0 || a.force))
     throw Error(
@@ -90,8 +96,9 @@ ExperimentSpec spec_of(const ExperimentArguments& a) {
   spec.shard = shard_of(a.shard);
   spec.stopped = [] { return StopRequest::asked(); };
   if (!a.quiet && isatty(STDERR_FILENO) != 0)
-    spec.progress = [name = a.campaign.name](double share, const std::string& what) {
-      show_progress(name, share, what);
+    spec.progress = [name = a.campaign.name, left = std::make_shared<RemainingTime>()](
+                        double share, const std::string& what) {
+      show_progress(name, share, left->text(share) + what);
     };
   return spec;
 }
@@ -174,8 +181,8 @@ void add_words(CLI::App& command, Campaign& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
       .add_option("--seeds", a.seeds,
-                  "Number of seeds: of runs that differ in what is drawn [paper, robots and "
-                  "force_test 5, surfaces 5, tilt 10, seeds 200]")
+                  "Number of seeds: of runs that differ in what is drawn [frames 2, paper, robots, "
+                  "force_test and surfaces 5, tilt 10, standing 50, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
@@ -216,6 +223,15 @@ void add_words(CLI::App& command, Campaign& a) {
                   "sweeps stays its own")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option_function<double>(
+          "--duration",
+          [&a](double duration) {
+            a.overrides.push_back(fmt::format("phases.polish_duration={}", duration));
+          },
+          "Time on the path, s, as --set phases.polish_duration=S [the experiment's own]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
   command.add_flag("--quick", a.quick, "Few and short runs, to see whether it works");
 }
 
@@ -272,6 +288,7 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment force_test --robot my_arm.urdf --tool flange\n"
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
       "  burnish experiment seeds --ranges wide --seeds 20\n"
+      "  burnish experiment standing --seeds 10 --duration 2\n"
       "  burnish experiment seeds --shard 2/4 --out part_2 --resume\n"
       "\n"
       "Each leaves results.md (its tables), results.json (all), results.csv (a row per run),\n"

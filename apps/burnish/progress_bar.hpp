@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace burnish::app {
@@ -19,5 +21,26 @@ inline void show_progress(const std::string& name, double share, const std::stri
              100.0 * part, what);
   std::fflush(stderr);
 }
+
+/// How long what is left takes, by what was done since the first call.
+class RemainingTime {
+ public:
+  /// Such as "4 min left, "; empty while too little is done to tell.
+  std::string text(double share) {
+    const Clock::time_point now = Clock::now();
+    if (!begin_) begin_ = now, share_ = share;
+    const double passed = std::chrono::duration<double>(now - *begin_).count();
+    if (passed < 2.0 || share - share_ < 1e-3) return "";
+    const double left = passed * std::max(0.0, 1.0 - share) / (share - share_);
+    if (left < 90.0) return fmt::format("{:.0f} s left, ", left);
+    return left < 5400.0 ? fmt::format("{:.0f} min left, ", left / 60.0)
+                         : fmt::format("{:.1f} h left, ", left / 3600.0);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> begin_;
+  double share_ = 0.0;  ///< that was done by then
+};
 
 }  // namespace burnish::app

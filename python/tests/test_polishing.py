@@ -428,7 +428,8 @@ class TestFiles:
 class TestExperiments:
     def test_are_listed(self):
         assert [e.name for e in polishing.experiments()] == [
-            "paper", "orientation", "frames", "seeds", "tilt", "surfaces", "robots", "force_test", "tick"]
+            "paper", "orientation", "frames", "seeds", "tilt", "surfaces", "robots", "force_test", "standing",
+            "tick"]
 
     def test_give_tables_and_figures(self):
         told = []

@@ -161,7 +161,8 @@ RunResult run_task(const RunSpec& spec) {
                           .mpc = pieces.mpc,
                           .plan_step = spec.task.step,
                           .solver_delay = spec.task.solver_delay,
-                          .plan_rate = spec.plan_rate};
+                          .plan_rate = spec.plan_rate,
+                          .after_fault = spec.after_fault};
   run.goes_on = [&](double now, const Command& command) { return watch.goes_on(now, command); };
   run.end = [&] { return watch.end(); };
   run.progress = spec.progress;

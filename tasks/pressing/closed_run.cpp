@@ -73,18 +73,30 @@ constexpr double most_rows = 200e3;
 constexpr double most_plans = 20e3;
 
 /// Steps until the run is over.
-void advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanRecorder* plans,
-             TaskRun& result) {
+RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanRecorder* plans,
+               TaskRun& result) {
   constexpr int between = 100;  // plant steps from one call of the progress function to the next
-  for (long step = 0; run.goes_on(plant.time(), loop.command()); ++step) {
-    result.plant_status = worst(result.plant_status, loop.step());
+  std::optional<RunEnd> fault;
+  const auto here = [&] { return RunEnd{plant.time(), loop.command().phase}; };
+  const auto goes_on = [&] {
+    return fault ? plant.time() < fault->time + run.after_fault
+                 : run.goes_on(plant.time(), loop.command());
+  };
+  for (long step = 0; goes_on(); ++step) {
+    const Status status = loop.step();
+    // What fails after a fault is no news.
+    if (!fault) result.plant_status = worst(result.plant_status, status);
     if (plans != nullptr) plans->look(loop.measurement().time, loop.command());
-    if (result.plant_status > Status::NotConverged) return;
-    if (run.mpc != nullptr && run.mpc->fault().kind != FaultKind::None) return;
+    if (status > Status::NotConverged) break;
+    if (!fault && run.mpc != nullptr && run.mpc->fault().kind != FaultKind::None) {
+      fault = here();
+      continue;
+    }
     if (step % between != 0 || !run.progress) continue;
     result.interrupted = !run.progress(plant.time(), run.end());
-    if (result.interrupted) return;
+    if (result.interrupted) break;
   }
+  return fault.value_or(here());
 }
 
 }  // namespace
@@ -100,15 +112,16 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
                   std::min(run.plan_rate, most_plans / run.end()));
   ClosedLoopOptions options;
   options.control_period = run.period;
-  options.max_duration = run.longest;
+  options.max_duration = run.longest + run.after_fault;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
   if (run.base_estimator) loop.estimate_base(run.model, *run.base_estimator);
   const Clock::time_point begin = Clock::now();
   result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
+  RunEnd end{plant->time(), loop.command().phase};
   if (result.plant_status <= Status::NotConverged)
-    advance(run, loop, *plant, plans ? &*plans : nullptr, result);
+    end = advance(run, loop, *plant, plans ? &*plans : nullptr, result);
   result.wall_time = seconds_since(begin);
   if (run.mpc != nullptr) result.fault = run.mpc->fault();
   if (plans) result.plans = plans->take();
@@ -117,7 +130,7 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
     result.standing = measure_standing(result.trace, model, scene.supports);
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), run.period);
-  return {plant->time(), loop.command().phase};
+  return end;
 }
 
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase) {

@@ -18,7 +18,7 @@ struct ClosedRun {
   const SceneSpec& scene;  ///< as the controller knows it
   const Disturbances& disturbances;
   const Eigen::VectorXd& q_start;  ///< nq, at rest
-  double longest;                  ///< s that it may take
+  double longest;                  ///< s that it may take, without what comes after a fault
   PlantKind plant = PlantKind::Ideal;
   /// What tells where a floating base is; without, it is known.
   std::optional<BaseEstimatorOptions> base_estimator = {};
@@ -29,15 +29,17 @@ struct ClosedRun {
   std::function<bool(double now, const Command& last)> goes_on = {};
   std::function<double()> end = {};  ///< s, about
   RunProgress progress = {};
+  double after_fault = 0.0;  ///< s that the plant goes on after a fault, to see what becomes of it
 };
 
-/// Where a run ended.
+/// Where a run ended, or had a fault.
 struct RunEnd {
   double time = 0.0;  ///< s
   int phase = 0;      ///< of the last command
 };
 
-/// Runs until goes_on() says no, the plant fails, a fault comes or the progress function stops it.
+/// Runs until goes_on() says no, the plant fails, a fault came and what comes after it is over, or
+/// the progress function stops it.
 /// Throws Error for a plant that is not there and disturbances that do not fit.
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "support/mpc_run.hpp"
@@ -81,6 +82,39 @@ TEST_F(Standing, gives_up_upright_when_the_surface_is_gone) {
   MpcRun run(wanted);
   ASSERT_LE(run.run(3.5), Status::NotConverged);
   EXPECT_EQ(run.mpc().fault().kind, FaultKind::ContactLost);
+  EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+}
+
+polishing::Task wide_task() {
+  return polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing_wide.yaml");
+}
+
+TEST(StandingWide, needs_the_legs_for_a_line_of_a_metre) {
+  polishing::Task task = wide_task();
+  const ReachReport standing = polishing::check_reach(task, polishing::make_setting(task));
+  EXPECT_TRUE(standing.ok()) << standing.text;
+  EXPECT_NEAR(standing.path_length, 1.5, 1e-3);  // half of it twice
+  // Trunk and arm before the same board, the pelvis held.
+  polishing::override_task(task, {"robot=talos:right_arm", "posture=board_x", "standing.feet=[]"});
+  const ReachReport held = polishing::check_reach(task, polishing::make_setting(task));
+  EXPECT_EQ(held.problem, ReachProblem::Joint);
+  EXPECT_EQ(held.joint, "torso_2_joint");
+}
+
+TEST_F(Standing, polishes_up_and_down_a_wide_board) {
+  MpcCase wanted = standing_case();
+  const polishing::Task wide = wide_task();
+  wanted.task.surface_estimate = wide.surface_estimate;
+  wanted.task.path = wide.path;
+  wanted.task.path.points = {{0.0, 0.3}};
+  wanted.task.path.speed = 0.3;
+  wanted.task.polish_duration = 1.9;
+  MpcRun run(wanted);
+  ASSERT_LE(run.polish(), Status::NotConverged);
+  EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+  const Metrics metrics = run.metrics();
+  EXPECT_LT(metrics.force_rmse, 1.0);
+  EXPECT_LT(metrics.position_rmse, 2e-3);
   EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
 }
 

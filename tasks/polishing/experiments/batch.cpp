@@ -249,6 +249,41 @@ std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<
   return figures;
 }
 
+BatchSeries::BatchSeries(const ExperimentSpec& spec, std::size_t expected)
+    : spec_(spec), expected_(expected) {}
+
+std::vector<RunFigures> BatchSeries::run(const std::vector<BatchRun>& runs) {
+  return add(spec_, runs);
+}
+
+std::vector<RunFigures> BatchSeries::run_all(const std::vector<BatchRun>& runs) {
+  ExperimentSpec spec = spec_;
+  spec.shard = {};
+  return add(spec, runs);
+}
+
+std::vector<RunFigures> BatchSeries::add(const ExperimentSpec& of,
+                                         const std::vector<BatchRun>& runs) {
+  ExperimentSpec spec = of;
+  RunCounts counts;
+  spec.counts = &counts;
+  const double before = static_cast<double>(before_), all = static_cast<double>(runs.size());
+  const double expected = std::max(static_cast<double>(expected_), before + all);
+  if (spec_.progress)
+    spec.progress = [&](double share, const std::string& what) {
+      spec_.progress((before + share * all) / expected, what);
+    };
+  std::vector<RunFigures> figures = run_batch(spec, runs);
+  before_ += runs.size();
+  counts_.all += counts.all;
+  counts_.wanted += counts.wanted;
+  counts_.found += counts.found;
+  counts_.made += counts.made;
+  counts_.failed += counts.failed;
+  if (spec_.counts != nullptr) *spec_.counts = counts_;
+  return figures;
+}
+
 void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& runs,
                    ExperimentReport& report) {
   report.interrupted = report.interrupted || (spec.stopped && spec.stopped());

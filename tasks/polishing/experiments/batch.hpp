@@ -32,6 +32,27 @@ void for_each_index(int count, int threads, const std::function<void(int index)>
 /// kept or is of other kernels.
 std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
 
+/// Batches of one experiment, of which the later ones depend on what came out of the first: their
+/// counts are added, and their progress is one.
+class BatchSeries {
+ public:
+  /// `expected`: runs of all batches, about. The specification outlives the series.
+  BatchSeries(const ExperimentSpec& spec, std::size_t expected);
+  BatchSeries(const BatchSeries&) = delete;
+  BatchSeries& operator=(const BatchSeries&) = delete;
+  /// The first batch: run_batch() of the spec.
+  std::vector<RunFigures> run(const std::vector<BatchRun>& runs);
+  /// One that follows: all of its runs are made, in whatever shard.
+  std::vector<RunFigures> run_all(const std::vector<BatchRun>& runs);
+
+ private:
+  std::vector<RunFigures> add(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
+
+  const ExperimentSpec& spec_;
+  std::size_t expected_, before_ = 0;
+  RunCounts counts_;
+};
+
 /// Adds a sentence for every run that did not polish, one for all that were stopped, and notes an
 /// interruption and results of several kernels.
 void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& runs,

@@ -16,6 +16,7 @@ ExperimentReport perform_tilt(const ExperimentSpec& spec);
 ExperimentReport perform_surfaces(const ExperimentSpec& spec);
 ExperimentReport perform_robots(const ExperimentSpec& spec);
 ExperimentReport perform_force_test(const ExperimentSpec& spec);
+ExperimentReport perform_standing(const ExperimentSpec& spec);
 ExperimentReport perform_tick(const ExperimentSpec& spec);
 
 const std::vector<Experiment>& experiments() {
@@ -37,6 +38,8 @@ const std::vector<Experiment>& experiments() {
        perform_robots},
       {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",
        perform_force_test},
+      {"standing", "a robot on its feet: every preset of disturbances over many seeds, and pushes",
+       perform_standing},
       {"tick", "computing times at several rates of new plans", perform_tick}};
   return all;
 }

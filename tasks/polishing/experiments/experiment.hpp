@@ -92,7 +92,7 @@ struct Experiment {
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, tick.
+/// paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, standing, tick.
 const std::vector<Experiment>& experiments();
 /// Throws Error with the nearest known name.
 const Experiment& experiment_named(const std::string& name);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/plate.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -56,7 +57,13 @@ BatchRun run_of(const ExperimentSpec& spec, const Sweep& sweep, double weight, F
   return run;
 }
 
-std::vector<Sweep> perform_sweeps(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
+/// Of surfaces that stand still, and of a plate in the other hand where the plant knows one.
+struct Parts {
+  std::vector<Sweep> sweeps;
+  std::vector<PlateCase> plate;
+};
+
+Parts perform_parts(const ExperimentSpec& spec, std::vector<RunFigures>& figures) {
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table", "board"} : spec.surfaces;
   std::vector<Sweep> sweeps;
@@ -68,6 +75,8 @@ std::vector<Sweep> perform_sweeps(const ExperimentSpec& spec, std::vector<RunFig
         for (const ForceAxes axes : {ForceAxes::Surface, ForceAxes::Local})
           runs.push_back(run_of(spec, sweeps.back(), weight, axes));
     }
+  std::vector<PlateCase> plate;
+  if (spec.surfaces.empty() && spec.plant == PlantKind::Mujoco) plate = add_plate(spec, runs);
   figures = run_batch(spec, runs);
   std::size_t next = 0;
   for (Sweep& sweep : sweeps)
@@ -75,14 +84,14 @@ std::vector<Sweep> perform_sweeps(const ExperimentSpec& spec, std::vector<RunFig
       sweep.in_surface.push_back(figures[next++]);
       sweep.in_local.push_back(figures[next++]);
     }
-  return sweeps;
+  return {std::move(sweeps), std::move(plate)};
 }
 
-ResultTable runs_table(const std::vector<Sweep>& sweeps) {
+ResultTable runs_table(const Parts& parts, const std::vector<RunFigures>& figures) {
   ResultTable table{.name = "runs", .title = "Every run", .for_people = false};
   table.columns = {{"surface"}, {"circumstance"}, {"axes"}, {"rotation weight", "1/rad^2", 4}};
   for (const ResultColumn& column : run_columns()) table.columns.push_back(column);
-  for (const Sweep& sweep : sweeps)
+  for (const Sweep& sweep : parts.sweeps)
     for (std::size_t i = 0; i < sweep.weights.size(); ++i)
       for (const bool local : {false, true}) {
         std::vector<ResultCell> row{sweep.surface, std::string(sweep.circumstance->name),
@@ -91,6 +100,13 @@ ResultTable runs_table(const std::vector<Sweep>& sweeps) {
           row.push_back(std::move(cell));
         table.add(std::move(row));
       }
+  for (const PlateCase& each : parts.plate)
+    for (const std::size_t index : each.runs) {
+      std::vector<ResultCell> row{figures[index].name, std::string("mismatch"),
+                                  std::string(text_of(each.axes)), ResultCell()};
+      for (ResultCell& cell : run_cells(figures[index])) row.push_back(std::move(cell));
+      table.add(std::move(row));
+    }
   return table;
 }
 
@@ -164,8 +180,10 @@ Figure error_figure(const std::vector<Sweep>& sweeps) {
 ExperimentReport perform_frames(const ExperimentSpec& spec) {
   ExperimentReport report{.title = "Why the frame matters"};
   std::vector<RunFigures> figures;
-  const std::vector<Sweep> sweeps = perform_sweeps(spec, figures);
-  report.tables = {runs_table(sweeps), pairs_table(sweeps)};
+  const Parts parts = perform_parts(spec, figures);
+  if (!spec.reports()) return report;
+  const std::vector<Sweep>& sweeps = parts.sweeps;
+  report.tables = {runs_table(parts, figures), pairs_table(sweeps)};
   report.figures = {error_figure(sweeps)};
   for (const Sweep& sweep : sweeps) {
     const auto worst = [](const std::vector<RunFigures>& runs) {
@@ -179,6 +197,7 @@ ExperimentReport perform_frames(const ExperimentSpec& spec) {
                   worst(sweep.in_local));
     report.findings.push_back(text);
   }
+  if (!parts.plate.empty()) report.tables.push_back(plate_table(parts.plate, figures, report));
   note_failures(spec, figures, report);
   return report;
 }

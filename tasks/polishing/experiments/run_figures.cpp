@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
@@ -120,6 +121,11 @@ double shown(const std::string& figure, double value) {
 ResultColumn figure_column(const std::string& figure, const std::string& title) {
   const FigureEntry entry = figure_named(figure);
   return {title.empty() ? figure : title, entry.unit.shown, entry.digits};
+}
+
+bool fell(const RunFigures& run) {
+  constexpr double leaning = 30.0 / 180.0 * std::numbers::pi, far = 0.25;  // rad, m
+  return run.standing && !(run.standing->base_tilt <= leaning && run.standing->com_moved <= far);
 }
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result) {

@@ -43,6 +43,10 @@ struct RunFigures {
   double operator[](const std::string& figure) const;
 };
 
+/// Whether a robot that stands fell: its base leaned by more than 30 degrees, or its centre of mass
+/// came more than 0.25 m away, which no sole can hold. False for one that does not stand.
+bool fell(const RunFigures& run);
+
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);
 
 /// Calls see(entry, member) for each figure that is the run's and not of Metrics.
