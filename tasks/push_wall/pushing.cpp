@@ -26,7 +26,8 @@ Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& 
 
 Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
                  std::shared_ptr<LeanState> lean)
-    : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()) {
+    : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()),
+      bearing_(make_bearing(task, setting)) {
   const RigidBody body(spec.problem.model);
   for (std::size_t h = 0; h < 2; ++h) hands_[h].frame = body.frame(task.hands[h]);
   for (const std::string& foot : task.standing.feet) {
@@ -47,7 +48,7 @@ std::vector<WatchedQuantity> Pushing::watched() const {
 
 void Pushing::reset() noexcept {
   for (Hand& hand : hands_) hand = {.frame = hand.frame};
-  behind_ = infeasible_ = late_ = 0.0;
+  behind_ = infeasible_ = late_ = asked_ = short_ = 0.0;
   lean_->reached = -1.0;
   lean_->limit = 0;
   lean_->where = -1;
@@ -90,6 +91,17 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
   return limit_event;
 }
 
+/// Whether the posture, at rest, bears the force and the reserve; false once it has not for a while.
+bool Pushing::bears(const TaskView& view, double force) noexcept {
+  constexpr double between = 0.02, patience = 0.1;  // s
+  asked_ += view.dt;
+  if (asked_ < between) return true;
+  const double most = bearing_.most(view.body);
+  short_ = most < (1.0 + task_.lean.reserve) * force ? short_ + asked_ : 0.0;
+  asked_ = 0.0;
+  return short_ < patience;
+}
+
 /// What ends the search now.
 Limit Pushing::look(const TaskView& view, int& where) noexcept {
   constexpr double patience = 0.05;  // s of plans that cannot keep their limits
@@ -101,6 +113,10 @@ Limit Pushing::look(const TaskView& view, int& where) noexcept {
   where = -1;
   if (infeasible_ > patience) return Limit::Plan;
   if (behind_ > task_.lean.give) return Limit::Give;
+  if (!bears(view, wanted)) {
+    where = bearing_.limit();
+    return Limit::Bear;
+  }
   return view.schedule.waits() ? Limit::Most : Limit::None;
 }
 

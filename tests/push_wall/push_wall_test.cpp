@@ -55,7 +55,7 @@ TEST(PushWall, force_follows_its_phases_and_what_the_search_found) {
   EXPECT_EQ(force(s.touch), task.touch_force);
   EXPECT_EQ(force(s.ramp_end), task.force);
   EXPECT_NEAR(force(s.hold_end + 1.0), task.force + task.lean.rate, 1e-9);
-  EXPECT_EQ(force(s.lean_end), task.lean.force_max);
+  EXPECT_EQ(force(s.lean_end), force_max(task));
   lean.reached = 80.0;
   EXPECT_NEAR(force(s.lean_end), 80.0, 1e-9);
   EXPECT_NEAR(force(s.lean_end + back_duration), task.lean.share * 80.0, 1e-9);
