@@ -43,7 +43,11 @@ Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_
   b_ = y_ = Eigen::VectorXd::Zero(base_rows);
   c_ = x_ = dx_ = Eigen::VectorXd::Zero(unknowns);
   h_ = w_ = z_ = dw_ = dz_ = rows_ = Eigen::VectorXd::Zero(rows);
-  rhs_ = Eigen::VectorXd::Zero(unknowns + base_rows);
+  rhs_ = solution_ = Eigen::VectorXd::Zero(unknowns + base_rows);
+  loads_.assign(names_.size(), -1);
+  for (RowMatrix* part : {&at_.jacobian, &at_.velocity_dq, &at_.acceleration_dq,
+                          &at_.acceleration_dv})
+    part->setZero(6, nv_);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(unknowns + base_rows);
   constexpr double dear = 100.0;  // giving way, beside force
   if (!hands_.empty()) c_[forces_ - 1] = -1.0;
@@ -73,6 +77,7 @@ void Bearing::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double f
     G_(row, x) = std::cos(angle);
     G_(row, y) = std::sin(angle);
     G_(row, z) = -friction * std::cos(M_PI / octagon);
+    loads_[static_cast<std::size_t>(row)] = z;
   }
 }
 
@@ -104,7 +109,7 @@ void Bearing::fill_foot(const RigidBody& body, std::size_t foot, Eigen::Index co
     for (const double sign : {-1.0, 1.0}) {
       G_(row, column + 3 + i) = sign;
       G_(row, column + 2) = -most[static_cast<std::size_t>(i)] / moment_arm;
-      ++row;
+      loads_[static_cast<std::size_t>(row++)] = column + 2;
     }
 }
 
@@ -182,9 +187,9 @@ bool Bearing::step() noexcept {
   }
   for (Eigen::Index k = 0; k < base_rows; ++k) rhs_[n + k] = b_[k] - A_.row(k).dot(x_);
   lu_.compute(KKT_);
-  rhs_ = lu_.solve(rhs_);
-  if (!rhs_.allFinite()) return false;
-  for (Eigen::Index a = 0; a < n; ++a) dx_[a] = rhs_[a];
+  solution_ = lu_.solve(rhs_);
+  if (!solution_.allFinite()) return false;
+  for (Eigen::Index a = 0; a < n; ++a) dx_[a] = solution_[a];
   for (Eigen::Index i = 0; i < m; ++i) {
     const double moved = G_.row(i).dot(dx_);
     dw_[i] = -rows_[i] - moved;
@@ -193,7 +198,7 @@ bool Bearing::step() noexcept {
   const double primal = room(w_, dw_), dual = room(z_, dz_);
   x_ += primal * dx_;
   w_ += primal * dw_;
-  y_ += dual * rhs_.tail(base_rows);
+  y_ += dual * solution_.tail(base_rows);
   z_ += dual * dz_;
   return true;
 }
@@ -208,20 +213,30 @@ bool Bearing::solve() noexcept {
   for (int i = 0; i < most; ++i) {
     if (!step()) return false;
     if (w_.dot(z_) < enough && rows_.cwiseAbs().maxCoeff() < enough &&
-        rhs_.tail(base_rows).allFinite())
+        rhs_.tail(base_rows).cwiseAbs().maxCoeff() < enough)
       return true;
   }
   return false;
+}
+
+double Bearing::amount(Eigen::Index row) const noexcept {
+  const Eigen::Index load = loads_[static_cast<std::size_t>(row)];
+  if (load >= 0) return std::abs(G_(row, load)) * x_[load];
+  constexpr double whole = 1.0;  // a torque's
+  return names_[static_cast<std::size_t>(row)].starts_with("load") ? -h_[row] : whole;
 }
 
 double Bearing::most(const RigidBody& body) noexcept {
   fill(body);
   limit_ = static_cast<int>(names_.size()) - 1;
   if (!solve()) return -std::numeric_limits<double>::infinity();
-  // The row that costs the most, by its scale.
-  Eigen::Index worst = 0;
-  z_.head(z_.size() - 2).maxCoeff(&worst);
-  limit_ = static_cast<int>(worst);
+  // The limit of which a percent more would bring the most.
+  double dearest = 0.0;
+  for (Eigen::Index row = 0; row + 2 < z_.size(); ++row) {
+    const double brings = z_[row] * amount(row);
+    if (brings > dearest) limit_ = static_cast<int>(row);
+    dearest = std::max(dearest, brings);
+  }
   constexpr double none = 1e-4;
   if (x_[forces_] > none) return -weight_ * x_[forces_];
   return hands_.empty() ? 0.0 : weight_ * x_[forces_ - 1];

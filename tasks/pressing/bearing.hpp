@@ -54,13 +54,16 @@ class Bearing {
   double weight_;                  ///< N: forces are in its unit, moments in 0.1 m of it
   std::vector<int> feet_, hands_;  ///< frames
   std::vector<int> limited_;       ///< entries of v
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;  ///< of rows
+  std::vector<Eigen::Index> loads_;  ///< of rows: the normal force that the limit goes with, or -1
   int limit_ = 0;
   FrameDerivatives at_;
   RowMatrix bears_;  ///< nv x unknowns: J^T of what they are
   // min c x  with  A x = b,  G x + w = h,  w >= 0; y and z are the prices of the two.
   Eigen::MatrixXd A_, G_, KKT_;
-  Eigen::VectorXd b_, c_, h_, x_, y_, w_, z_, dx_, dw_, dz_, rhs_, rows_;
+  Eigen::VectorXd b_, c_, h_, x_, y_, w_, z_, dx_, dw_, dz_, rhs_, solution_, rows_;
+  /// Of a row, how much of its limit there is: what it lets f be, or 1 of a torque.
+  double amount(Eigen::Index row) const noexcept;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 

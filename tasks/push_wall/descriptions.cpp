@@ -80,7 +80,8 @@ const Description& description_of(const Lean* /*of*/) {
                  not_negative)
           .field("give", &L::give,
                  "{N} that the mean of both hands over 0.1 s may be below the target", positive)
-          .field("slip", &L::slip, "{m} that a hand or foot may have slid", positive)
+          .field("slip", &L::slip,
+                 "{m} that a hand or foot may slide within a second; grounds creep", positive)
           .field("share", &L::share, "of the force then, that is held afterwards", range::share)
           .field("hold_duration", &L::hold_duration, "{s} that this is held", positive);
   return all;

@@ -34,6 +34,7 @@ Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
     feet_.push_back(body.frame(foot));
     p_feet_.push_back(frame_placement(spec.problem.model, setting.q_start, foot).translation());
   }
+  p_crept_ = p_feet_;
   Pushing::reset();
 }
 
@@ -81,7 +82,10 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
     return contact_event;
   }
   late_ = 0.0;
-  if (phase != lean) return 0;
+  if (phase != lean) {
+    creep(view.body);
+    return 0;
+  }
   int where = -1;
   const Limit found = look(view, where);
   if (found == Limit::None) return 0;
@@ -108,9 +112,11 @@ Limit Pushing::look(const TaskView& view, int& where) noexcept {
   const double wanted = force_at(task_, setting_, *lean_, view.schedule.time());
   follow(behind_, wanted - 0.5 * (hands_[0].touch + hands_[1].touch), view.dt, 0.1);
   infeasible_ = view.command.limits_infeasible ? infeasible_ + view.dt : 0.0;
-  if (slip_of_hands(view.body, where) > task_.lean.slip) return Limit::Hand;
-  if (slip_of_feet(view.body, where) > task_.lean.slip) return Limit::Foot;
-  where = -1;
+  int hand = -1, foot = -1;
+  if (slides(view, hand, foot)) {
+    where = hand >= 0 ? hand : foot;
+    return hand >= 0 ? Limit::Hand : Limit::Foot;
+  }
   if (infeasible_ > patience) return Limit::Plan;
   if (behind_ > task_.lean.give) return Limit::Give;
   if (!bears(view, wanted)) {
@@ -118,6 +124,35 @@ Limit Pushing::look(const TaskView& view, int& where) noexcept {
     return Limit::Bear;
   }
   return view.schedule.waits() ? Limit::Most : Limit::None;
+}
+
+/// From here on what slides is told.
+void Pushing::creep(const RigidBody& body) noexcept {
+  for (Hand& hand : hands_)
+    hand.crept = slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2),
+                      task_.tip_radius);
+  for (std::size_t i = 0; i < feet_.size(); ++i)
+    p_crept_[i] = body.placement(feet_[i]).translation();
+}
+
+/// Whether one is off where it was about a second ago, so that what creeps does not count.
+bool Pushing::slides(const TaskView& view, int& hand, int& foot) noexcept {
+  constexpr double memory = 1.0;  // s
+  const double share = -std::expm1(-view.dt / memory);
+  const Eigen::Vector3d n = setting_.wall_axes.col(2);
+  for (int h = 0; h < 2; ++h) {
+    Hand& at = hands_[static_cast<std::size_t>(h)];
+    const Eigen::Vector3d way =
+        slid(at.contact, view.body.placement(at.frame), n, task_.tip_radius) - at.crept;
+    at.crept += share * way;
+    if (way.norm() > task_.lean.slip) hand = h;
+  }
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector3d way = view.body.placement(feet_[i]).translation() - p_crept_[i];
+    p_crept_[i] += share * way;
+    if (way.head<2>().norm() > task_.lean.slip) foot = static_cast<int>(i);
+  }
+  return hand >= 0 || foot >= 0;
 }
 
 double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept {

@@ -42,8 +42,11 @@ class Pushing final : public MpcTask {
     double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
     double without = 0.0;             ///< s without force
     Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
+    Eigen::Vector3d crept = Eigen::Vector3d::Zero();  ///< m, slid() of about a second ago
   };
   void feel(const TaskView& view) noexcept;
+  void creep(const RigidBody& body) noexcept;
+  bool slides(const TaskView& view, int& hand, int& foot) noexcept;
   double slip_of_hands(const RigidBody& body, int& worst) const noexcept;
   double slip_of_feet(const RigidBody& body, int& worst) const noexcept;
   Limit look(const TaskView& view, int& where) noexcept;
@@ -54,7 +57,7 @@ class Pushing final : public MpcTask {
   std::shared_ptr<LeanState> lean_;
   std::array<Hand, 2> hands_;
   std::vector<int> feet_;  ///< frames
-  std::vector<Eigen::Vector3d> p_feet_;
+  std::vector<Eigen::Vector3d> p_feet_, p_crept_;  ///< m, world: at first, and a second ago
   double least_ = 0.0;       ///< m, height of the centre of mass at the start
   double behind_ = 0.0;      ///< N, mean over 0.1 s
   double infeasible_ = 0.0;  ///< s that plans could not keep their limits

@@ -55,7 +55,7 @@ struct Lean {
   /// that plans keep
   double reserve = 0.05;
   double give = 5.0;           ///< N that the mean of both hands over 0.1 s may be below the target
-  double slip = 0.01;          ///< m that a hand or foot may have slid
+  double slip = 5e-3;          ///< m that a hand or foot may slide within a second; grounds creep
   double share = 0.95;         ///< of the force then, that is held afterwards
   double hold_duration = 2.0;  ///< s that this is held
 };
@@ -107,7 +107,7 @@ struct Task {
 
   double force_limit = 400.0;      ///< N of a hand, mean over 5 ms
   double slip = 0.03;              ///< m that a hand or foot may have slid
-  double sink = 0.15;              ///< m that the centre of mass may be below where it starts
+  double sink = 0.25;              ///< m that the centre of mass may be below where it starts
   double late_contact = 3.0;       ///< s that contact may come late
   double contact_lost = 0.3;       ///< s that a hand may be without force while it is to press
   double contact_threshold = 2.0;  ///< N, mean over 10 ms, that count as contact of a hand
