@@ -59,7 +59,9 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
               "{s} that plans take a torque error to last that has come just now, as a push does",
               range::positive_or_infinite)
           .more("what has been there for some seconds lasts; infinite: all of it does")
-          .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this; of a base that floats at least a fifth of its "
+          .field("limit", &M::limit,
+                 "{Nm (N)}: estimates stay within +- this; of a base that floats at least a fifth "
+                 "of its "
                  "weight",
                  range::positive)
           .field(

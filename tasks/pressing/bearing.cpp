@@ -1,7 +1,9 @@
 #include "pressing/bearing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "burnish/dynamics/reference.hpp"
 
@@ -33,7 +35,7 @@ Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_
   forces_ = 0;
   for (const SupportSpec& foot : spec.feet) forces_ += foot.is_sole() ? 6 : 3;
   if (spec.hand_friction > 0.0) forces_ += 2 * static_cast<int>(hands_.size());
-  ++forces_;                                   // F
+  ++forces_;                                  // F
   const Eigen::Index unknowns = forces_ + 1;  // and by how much all rows give way
   const auto rows = static_cast<Eigen::Index>(names_.size());
   bears_ = RowMatrix::Zero(nv_, forces_);
@@ -45,8 +47,8 @@ Bearing::Bearing(const Model& model, const BearingSpec& spec) : spec_(spec), nv_
   h_ = w_ = z_ = dw_ = dz_ = rows_ = Eigen::VectorXd::Zero(rows);
   rhs_ = solution_ = Eigen::VectorXd::Zero(unknowns + base_rows);
   loads_.assign(names_.size(), -1);
-  for (RowMatrix* part : {&at_.jacobian, &at_.velocity_dq, &at_.acceleration_dq,
-                          &at_.acceleration_dv})
+  for (RowMatrix* part :
+       {&at_.jacobian, &at_.velocity_dq, &at_.acceleration_dq, &at_.acceleration_dv})
     part->setZero(6, nv_);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(unknowns + base_rows);
   constexpr double dear = 100.0;  // giving way, beside force
@@ -162,8 +164,7 @@ bool Bearing::step() noexcept {
   const double mean = w_.dot(z_) / static_cast<double>(m);
   constexpr double centre = 0.15, damping = 1e-11;
   // What a row asks of z beside D G dx, D = z / w.
-  for (Eigen::Index i = 0; i < m; ++i)
-    rows_[i] = G_.row(i).dot(x_) + w_[i] - h_[i];
+  for (Eigen::Index i = 0; i < m; ++i) rows_[i] = G_.row(i).dot(x_) + w_[i] - h_[i];
   for (Eigen::Index i = 0; i < m; ++i)
     dz_[i] = centre * mean / w_[i] - z_[i] + z_[i] / w_[i] * rows_[i];
   KKT_.setZero();

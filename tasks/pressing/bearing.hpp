@@ -14,11 +14,11 @@ namespace burnish::pressing {
 struct BearingSpec {
   /// on level ground, with the friction and the sides that are to be kept within
   std::vector<SupportSpec> feet;
-  double least_load = 0.0;          ///< N, on each foot
-  std::vector<std::string> hands;   ///< frames that push, each with the same force; none: it stands
+  double least_load = 0.0;         ///< N, on each foot
+  std::vector<std::string> hands;  ///< frames that push, each with the same force; none: it stands
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of length one, of what they push on
-  double hand_friction = 0.0;    ///< that they may use across it
-  Eigen::VectorXd torque_limit;  ///< nv, Nm (N); infinite: none
+  double hand_friction = 0.0;                               ///< that they may use across it
+  Eigen::VectorXd torque_limit;                             ///< nv, Nm (N); infinite: none
 };
 
 /// The linear program
@@ -51,10 +51,10 @@ class Bearing {
 
   BearingSpec spec_;
   int nv_, forces_;
-  double weight_;                  ///< N: forces are in its unit, moments in 0.1 m of it
-  std::vector<int> feet_, hands_;  ///< frames
-  std::vector<int> limited_;       ///< entries of v
-  std::vector<std::string> names_;  ///< of rows
+  double weight_;                    ///< N: forces are in its unit, moments in 0.1 m of it
+  std::vector<int> feet_, hands_;    ///< frames
+  std::vector<int> limited_;         ///< entries of v
+  std::vector<std::string> names_;   ///< of rows
   std::vector<Eigen::Index> loads_;  ///< of rows: the normal force that the limit goes with, or -1
   int limit_ = 0;
   FrameDerivatives at_;

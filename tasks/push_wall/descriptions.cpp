@@ -74,10 +74,11 @@ const Description& description_of(const Lean* /*of*/) {
           .field("force_max", &L::force_max, "{N} of each hand, where it ends at the latest",
                  range::positive_or_infinite)
           .more("never: nine tenths of limits.force.")
-          .field("reserve", &L::reserve,
-                 "of the force, that the posture must be able to bear beyond it, at rest and within "
-                 "the limits that plans keep",
-                 not_negative)
+          .field(
+              "reserve", &L::reserve,
+              "of the force, that the posture must be able to bear beyond it, at rest and within "
+              "the limits that plans keep",
+              not_negative)
           .field("give", &L::give,
                  "{N} that the mean of both hands over 0.1 s may be below the target", positive)
           .field("slip", &L::slip,

@@ -26,7 +26,10 @@ Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& 
 
 Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
                  std::shared_ptr<LeanState> lean)
-    : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()),
+    : task_(task),
+      setting_(setting),
+      lean_(std::move(lean)),
+      least_(setting.com.z()),
       bearing_(make_bearing(task, setting)) {
   const RigidBody body(spec.problem.model);
   for (std::size_t h = 0; h < 2; ++h) hands_[h].frame = body.frame(task.hands[h]);
@@ -95,7 +98,8 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
   return limit_event;
 }
 
-/// Whether the posture, at rest, bears the force and the reserve; false once it has not for a while.
+/// Whether the posture, at rest, bears the force and the reserve; false once it has not for a
+/// while.
 bool Pushing::bears(const TaskView& view, double force) noexcept {
   constexpr double between = 0.02, patience = 0.1;  // s
   asked_ += view.dt;
@@ -129,8 +133,8 @@ Limit Pushing::look(const TaskView& view, int& where) noexcept {
 /// From here on what slides is told.
 void Pushing::creep(const RigidBody& body) noexcept {
   for (Hand& hand : hands_)
-    hand.crept = slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2),
-                      task_.tip_radius);
+    hand.crept =
+        slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius);
   for (std::size_t i = 0; i < feet_.size(); ++i)
     p_crept_[i] = body.placement(feet_[i]).translation();
 }

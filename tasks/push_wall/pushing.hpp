@@ -42,7 +42,7 @@ class Pushing final : public MpcTask {
     double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
     double without = 0.0;             ///< s without force
     Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
-    Eigen::Vector3d crept = Eigen::Vector3d::Zero();  ///< m, slid() of about a second ago
+    Eigen::Vector3d crept = Eigen::Vector3d::Zero();            ///< m, slid() of about a second ago
   };
   void feel(const TaskView& view) noexcept;
   void creep(const RigidBody& body) noexcept;
@@ -56,12 +56,12 @@ class Pushing final : public MpcTask {
   Setting setting_;
   std::shared_ptr<LeanState> lean_;
   std::array<Hand, 2> hands_;
-  std::vector<int> feet_;  ///< frames
+  std::vector<int> feet_;                          ///< frames
   std::vector<Eigen::Vector3d> p_feet_, p_crept_;  ///< m, world: at first, and a second ago
-  double least_ = 0.0;       ///< m, height of the centre of mass at the start
-  double behind_ = 0.0;      ///< N, mean over 0.1 s
-  double infeasible_ = 0.0;  ///< s that plans could not keep their limits
-  double late_ = 0.0;        ///< s that contact is late
+  double least_ = 0.0;                             ///< m, height of the centre of mass at the start
+  double behind_ = 0.0;                            ///< N, mean over 0.1 s
+  double infeasible_ = 0.0;                        ///< s that plans could not keep their limits
+  double late_ = 0.0;                              ///< s that contact is late
   pressing::Bearing bearing_;
   double asked_ = 0.0;  ///< s since the posture was asked what it bears
   double short_ = 0.0;  ///< s that it could not bear enough

@@ -326,12 +326,12 @@ double force_at(const Task& task, const Setting& setting, const LeanState& lean,
 }
 
 pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
-  pressing::BearingSpec spec{.feet = setting.scene.supports,
-                             .least_load = task.standing.least_load,
-                             .hands = task.hands,
-                             .normal_world = setting.wall_axes.col(2),
-                             .torque_limit =
-                                 pressing::torque_limit(setting.robot.model, task.constraints)};
+  pressing::BearingSpec spec{
+      .feet = setting.scene.supports,
+      .least_load = task.standing.least_load,
+      .hands = task.hands,
+      .normal_world = setting.wall_axes.col(2),
+      .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
   spec.feet.resize(task.standing.feet.size());
   for (SupportSpec& foot : spec.feet) {
     foot.friction = task.standing.plan_friction;

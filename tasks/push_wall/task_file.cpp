@@ -31,15 +31,14 @@ void check_forces(const Task& task) {
 
 void check_times(const Task& task) {
   constexpr double longest = 1e4;  // s
-  for (const auto& [entry, time] :
-       {std::pair("phases.settle_duration", task.settle_duration),
-        {"phases.clearance", task.clearance / task.approach_speed},
-        {"phases.ramp_duration", task.ramp_duration},
-        {"phases.hold_duration", task.hold_duration},
-        {"lean.rate", (force_max(task) - task.force) / task.lean.rate},
-        {"lean.hold_duration", task.lean.hold_duration},
-        {"phases.release_duration", task.release_duration},
-        {"phases.retreat_duration", task.retreat_duration}})
+  for (const auto& [entry, time] : {std::pair("phases.settle_duration", task.settle_duration),
+                                    {"phases.clearance", task.clearance / task.approach_speed},
+                                    {"phases.ramp_duration", task.ramp_duration},
+                                    {"phases.hold_duration", task.hold_duration},
+                                    {"lean.rate", (force_max(task) - task.force) / task.lean.rate},
+                                    {"lean.hold_duration", task.lean.hold_duration},
+                                    {"phases.release_duration", task.release_duration},
+                                    {"phases.retreat_duration", task.retreat_duration}})
     if (!(time <= longest))
       refuse(entry, "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
   const double ticks = task.tick_rate / task.update_rate;

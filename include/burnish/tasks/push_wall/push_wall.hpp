@@ -28,11 +28,11 @@ struct Weights {
   /// 1/rad^2: hands to their axis along the normal at the start; what tilts costs torque of the
   /// wrists
   double inclination = 100.0;
-  double posture = 0.1;   ///< 1/rad^2: joints to the start; more keeps the body from leaning
-  double range = 1e3;     ///< 1/rad^2: joints off their limits, within range_margin of these
+  double posture = 0.1;       ///< 1/rad^2: joints to the start; more keeps the body from leaning
+  double range = 1e3;         ///< 1/rad^2: joints off their limits, within range_margin of these
   double range_margin = 0.1;  ///< rad (m)
-  double velocity = 5.0;  ///< s^2/rad^2: joint speeds
-  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
+  double velocity = 5.0;      ///< s^2/rad^2: joint speeds
+  double torque = 1e-4;       ///< 1/Nm^2: torques to those that hold the start
   double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
