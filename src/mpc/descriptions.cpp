@@ -59,7 +59,11 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
               "{s} that plans take a torque error to last that has come just now, as a push does",
               range::positive_or_infinite)
           .more("what has been there for some seconds lasts; infinite: all of it does")
-          .field("limit", &M::limit, "{Nm (N)}: estimates stay within +- this", range::positive)
+          .field("limit", &M::limit,
+                 "{Nm (N)}: estimates stay within +- this; of a base that floats at least a fifth "
+                 "of its "
+                 "weight",
+                 range::positive)
           .field(
               "joint_friction", &M::joint_friction,
               "with kind torque: friction in joints is told apart and fed forward, so that it is "

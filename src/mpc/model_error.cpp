@@ -122,6 +122,7 @@ struct TorqueErrorObserver::Impl {
         total(Eigen::VectorXd::Zero(model.nv)),
         innovation(Eigen::VectorXd::Zero(model.nv)),
         change(Eigen::VectorXd::Zero(model.nv)),
+        most(Eigen::VectorXd::Constant(model.nv, given.limit)),
         haste(model, given),
         bandwidth(given.bandwidth) {
     if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
@@ -132,6 +133,13 @@ struct TorqueErrorObserver::Impl {
     if (!(given.limit > 0.0))
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
+    // What carries all others is wrong by a share of all their weights.
+    constexpr double share = 0.2;
+    const Joint& first = model.joints.front();
+    if (first.kind == JointKind::FreeFlyer)
+      most.segment(first.v_index, first.nv) =
+          most.segment(first.v_index, first.nv)
+              .cwiseMax(share * model.total_mass() * model.gravity.norm());
   }
 
   ModelErrorOptions options;
@@ -154,6 +162,7 @@ struct TorqueErrorObserver::Impl {
   FrameDerivatives derivatives;
   bool started = false;
   Eigen::VectorXd velocity, error, total, innovation, change;
+  Eigen::VectorXd most;  ///< Nm (N), nv: that errors stay within
   Haste haste;
   double bandwidth;  ///< rad/s, at present
 };
@@ -227,7 +236,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
     return Status::SingularContacts;
   d.error += d.change;
   d.haste.see(d.change, dt);
-  d.error = d.error.cwiseMax(-d.options.limit).cwiseMin(d.options.limit);
+  d.error = d.error.cwiseMax(-d.most).cwiseMin(d.most);
   return status;
 }
 

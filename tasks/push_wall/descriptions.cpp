@@ -32,6 +32,9 @@ const Description& description_of(const Weights* /*of*/) {
                  not_negative)
           .field("posture", &W::posture,
                  "{1/rad^2}: joints to the start; more keeps the body from leaning", not_negative)
+          .field("range", &W::range,
+                 "{1/rad^2}: joints off their limits, within range_margin of these", not_negative)
+          .field("range_margin", &W::range_margin, "{rad (m)}", not_negative)
           .field("velocity", &W::velocity, "{s^2/rad^2}: joint speeds", not_negative)
           .field("torque", &W::torque, "{1/Nm^2}: torques to those that hold the start",
                  not_negative)
@@ -64,15 +67,22 @@ const Description& description_of(const Lean* /*of*/) {
   using L = Lean;
   static const Description all =
       Describe<L>("push_wall", "Lean",
-                  "How the largest force is looked for, and when the search is over: at "
-                  "`force_max`, where plans cannot keep their limits or give way, or where a hand "
-                  "or a foot slips.")
+                  "How the largest force is looked for, and when the search is over: where the "
+                  "posture could not bear `reserve` more, where plans cannot keep their limits or "
+                  "give way, where a hand or a foot slips, and at `force_max`.")
           .field("rate", &L::rate, "{N/s}, of each hand", positive)
           .field("force_max", &L::force_max, "{N} of each hand, where it ends at the latest",
-                 positive)
+                 range::positive_or_infinite)
+          .more("never: nine tenths of limits.force.")
+          .field(
+              "reserve", &L::reserve,
+              "of the force, that the posture must be able to bear beyond it, at rest and within "
+              "the limits that plans keep",
+              not_negative)
           .field("give", &L::give,
                  "{N} that the mean of both hands over 0.1 s may be below the target", positive)
-          .field("slip", &L::slip, "{m} that a hand or foot may have slid", positive)
+          .field("slip", &L::slip,
+                 "{m} that a hand or foot may slide within a second; grounds creep", positive)
           .field("share", &L::share, "of the force then, that is held afterwards", range::share)
           .field("hold_duration", &L::hold_duration, "{s} that this is held", positive);
   return all;
@@ -84,6 +94,7 @@ const Words& words_of(Limit /*of*/) {
                          "What ended the search for the largest force.",
                          {{"none", "nothing: the search did not end"},
                           {"most", "Lean.force_max was reached"},
+                          {"bear", "the posture could not bear Lean.reserve more"},
                           {"give", "plans gave way: the hands fell behind the target"},
                           {"plan", "plans could not keep all their limits"},
                           {"hand", "a hand slipped"},

@@ -26,13 +26,18 @@ Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& 
 
 Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
                  std::shared_ptr<LeanState> lean)
-    : task_(task), setting_(setting), lean_(std::move(lean)), least_(setting.com.z()) {
+    : task_(task),
+      setting_(setting),
+      lean_(std::move(lean)),
+      least_(setting.com.z()),
+      bearing_(make_bearing(task, setting)) {
   const RigidBody body(spec.problem.model);
   for (std::size_t h = 0; h < 2; ++h) hands_[h].frame = body.frame(task.hands[h]);
   for (const std::string& foot : task.standing.feet) {
     feet_.push_back(body.frame(foot));
     p_feet_.push_back(frame_placement(spec.problem.model, setting.q_start, foot).translation());
   }
+  p_crept_ = p_feet_;
   Pushing::reset();
 }
 
@@ -47,7 +52,7 @@ std::vector<WatchedQuantity> Pushing::watched() const {
 
 void Pushing::reset() noexcept {
   for (Hand& hand : hands_) hand = {.frame = hand.frame};
-  behind_ = infeasible_ = late_ = 0.0;
+  behind_ = infeasible_ = late_ = asked_ = short_ = 0.0;
   lean_->reached = -1.0;
   lean_->limit = 0;
   lean_->where = -1;
@@ -80,7 +85,10 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
     return contact_event;
   }
   late_ = 0.0;
-  if (phase != lean) return 0;
+  if (phase != lean) {
+    creep(view.body);
+    return 0;
+  }
   int where = -1;
   const Limit found = look(view, where);
   if (found == Limit::None) return 0;
@@ -90,18 +98,65 @@ unsigned Pushing::sense(const TaskView& view) noexcept {
   return limit_event;
 }
 
+/// Whether the posture, at rest, bears the force and the reserve; false once it has not for a
+/// while.
+bool Pushing::bears(const TaskView& view, double force) noexcept {
+  constexpr double between = 0.02, patience = 0.1;  // s
+  asked_ += view.dt;
+  if (asked_ < between) return true;
+  const double most = bearing_.most(view.body);
+  short_ = most < (1.0 + task_.lean.reserve) * force ? short_ + asked_ : 0.0;
+  asked_ = 0.0;
+  return short_ < patience;
+}
+
 /// What ends the search now.
 Limit Pushing::look(const TaskView& view, int& where) noexcept {
   constexpr double patience = 0.05;  // s of plans that cannot keep their limits
   const double wanted = force_at(task_, setting_, *lean_, view.schedule.time());
   follow(behind_, wanted - 0.5 * (hands_[0].touch + hands_[1].touch), view.dt, 0.1);
   infeasible_ = view.command.limits_infeasible ? infeasible_ + view.dt : 0.0;
-  if (slip_of_hands(view.body, where) > task_.lean.slip) return Limit::Hand;
-  if (slip_of_feet(view.body, where) > task_.lean.slip) return Limit::Foot;
-  where = -1;
+  int hand = -1, foot = -1;
+  if (slides(view, hand, foot)) {
+    where = hand >= 0 ? hand : foot;
+    return hand >= 0 ? Limit::Hand : Limit::Foot;
+  }
   if (infeasible_ > patience) return Limit::Plan;
   if (behind_ > task_.lean.give) return Limit::Give;
+  if (!bears(view, wanted)) {
+    where = bearing_.limit();
+    return Limit::Bear;
+  }
   return view.schedule.waits() ? Limit::Most : Limit::None;
+}
+
+/// From here on what slides is told.
+void Pushing::creep(const RigidBody& body) noexcept {
+  for (Hand& hand : hands_)
+    hand.crept =
+        slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius);
+  for (std::size_t i = 0; i < feet_.size(); ++i)
+    p_crept_[i] = body.placement(feet_[i]).translation();
+}
+
+/// Whether one is off where it was about a second ago, so that what creeps does not count.
+bool Pushing::slides(const TaskView& view, int& hand, int& foot) noexcept {
+  constexpr double memory = 1.0;  // s
+  const double share = -std::expm1(-view.dt / memory);
+  const Eigen::Vector3d n = setting_.wall_axes.col(2);
+  for (int h = 0; h < 2; ++h) {
+    Hand& at = hands_[static_cast<std::size_t>(h)];
+    const Eigen::Vector3d way =
+        slid(at.contact, view.body.placement(at.frame), n, task_.tip_radius) - at.crept;
+    at.crept += share * way;
+    if (way.norm() > task_.lean.slip) hand = h;
+  }
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector3d way = view.body.placement(feet_[i]).translation() - p_crept_[i];
+    p_crept_[i] += share * way;
+    if (way.head<2>().norm() > task_.lean.slip) foot = static_cast<int>(i);
+  }
+  return hand >= 0 || foot >= 0;
 }
 
 double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "burnish/tasks/push_wall/push_wall.hpp"
+#include "pressing/bearing.hpp"
 
 namespace burnish::push_wall {
 
@@ -12,12 +13,15 @@ namespace burnish::push_wall {
 enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
 
 /// s in which the force comes down from the largest one to the share that is held.
-inline constexpr double back_duration = 0.5;
+inline constexpr double back_duration = 1.5;
 
 /// m, along the wall: how far a ball of this radius at a frame's origin has slid from where it made
 /// contact. What it has rolled, r theta x n with theta its turn and n the normal, is no sliding.
 Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
                      const Eigen::Vector3d& normal, double radius) noexcept;
+
+/// What the robot may bear at rest within the limits that plans keep: how hard each hand can push.
+pressing::Bearing make_bearing(const Task& task, const Setting& setting);
 
 /// Its events are "contact", both hands above the threshold, and "limit", see Limit.
 class Pushing final : public MpcTask {
@@ -38,22 +42,29 @@ class Pushing final : public MpcTask {
     double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
     double without = 0.0;             ///< s without force
     Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
+    Eigen::Vector3d crept = Eigen::Vector3d::Zero();            ///< m, slid() of about a second ago
   };
   void feel(const TaskView& view) noexcept;
+  void creep(const RigidBody& body) noexcept;
+  bool slides(const TaskView& view, int& hand, int& foot) noexcept;
   double slip_of_hands(const RigidBody& body, int& worst) const noexcept;
   double slip_of_feet(const RigidBody& body, int& worst) const noexcept;
   Limit look(const TaskView& view, int& where) noexcept;
+  bool bears(const TaskView& view, double force) noexcept;
 
   Task task_;
   Setting setting_;
   std::shared_ptr<LeanState> lean_;
   std::array<Hand, 2> hands_;
-  std::vector<int> feet_;  ///< frames
-  std::vector<Eigen::Vector3d> p_feet_;
-  double least_ = 0.0;       ///< m, height of the centre of mass at the start
-  double behind_ = 0.0;      ///< N, mean over 0.1 s
-  double infeasible_ = 0.0;  ///< s that plans could not keep their limits
-  double late_ = 0.0;        ///< s that contact is late
+  std::vector<int> feet_;                          ///< frames
+  std::vector<Eigen::Vector3d> p_feet_, p_crept_;  ///< m, world: at first, and a second ago
+  double least_ = 0.0;                             ///< m, height of the centre of mass at the start
+  double behind_ = 0.0;                            ///< N, mean over 0.1 s
+  double infeasible_ = 0.0;                        ///< s that plans could not keep their limits
+  double late_ = 0.0;                              ///< s that contact is late
+  pressing::Bearing bearing_;
+  double asked_ = 0.0;  ///< s since the posture was asked what it bears
+  double short_ = 0.0;  ///< s that it could not bear enough
 };
 
 }  // namespace burnish::push_wall

@@ -165,7 +165,9 @@ std::string because(const Task& task, const RunResult& result) {
     case Limit::None:
       return "nothing";
     case Limit::Most:
-      return "lean.force_max of " + number(task.lean.force_max) + " N";
+      return "lean.force_max of " + number(force_max(task)) + " N";
+    case Limit::Bear:
+      return "what the posture bears" + by;
     case Limit::Give:
       return "hands that fell behind" + by;
     case Limit::Plan:
@@ -246,6 +248,7 @@ RunResult run_task(const RunSpec& spec) {
   if (result.limit == Limit::Hand) result.limited_by = task.hands[static_cast<std::size_t>(where)];
   if (result.limit == Limit::Foot)
     result.limited_by = task.standing.feet[static_cast<std::size_t>(where)];
+  if (result.limit == Limit::Bear) result.limited_by = make_bearing(task, setting).name(where);
   if (last && where < 0 && result.limit != Limit::Most)
     result.limited_by = limits_near(problem, *last);
   measure_push(task, *lean_state, result);

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "ocp/position_limits.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
@@ -25,14 +26,17 @@ void each_hand(const Task& task, const See& see) {
 
 /// m, world: where the centre of mass is to be while each hand pushes with a force, N. The pressure
 /// goes back to the middle of the feet first, and then the body leans so that it stays there; what
-/// is between is rounded over a centimetre.
+/// is between is rounded over a centimetre. It leans as a stick does, lower the farther, so that
+/// knees do not go straight.
 Eigen::Vector3d com_at(const Setting& setting, double force) {
   constexpr double round = 0.01;  // m
   const double length = setting.com_per_force.norm();
   if (!(length > 0.0)) return setting.com;
   const double way = force * length - setting.room;
   const double lean = 0.5 * (way + std::hypot(way, round));
-  return setting.com + lean / length * setting.com_per_force;
+  const double height = setting.com.z() - setting.scene.supports.front().point.z();
+  const double down = height - std::sqrt(std::max(0.0, height * height - lean * lean));
+  return setting.com + lean / length * setting.com_per_force - down * Eigen::Vector3d::UnitZ();
 }
 
 struct Builder {
@@ -77,6 +81,12 @@ struct Builder {
     rows.segment<3>(3).setConstant(task.standing.base);
     std::vector<CostTerm> terms{
         {.name = "state", .residual = residual::State{state_target()}, .weights = rows}};
+    if (const ocp::PositionLimits range = ocp::position_limits(model); range.lower.size() > 0)
+      terms.push_back({.name = "room of joints",
+                       .residual = residual::JointPosition{},
+                       .weight = w.range,
+                       .penalty = Penalty::barrier(range.lower.array() + w.range_margin,
+                                                   range.upper.array() - w.range_margin)});
     for (CostTerm term : pressing::standing_costs(model, task.standing, setting.q_start)) {
       if (term.name == "balance") term.residual = residual::CenterOfMass{com()};
       terms.push_back(std::move(term));
@@ -230,7 +240,8 @@ double room_of(const Setting& s, std::size_t feet) {
 }  // namespace
 
 std::string name_of(Limit limit) {
-  static const std::array<const char*, 6> names{"none", "most", "give", "plan", "hand", "foot"};
+  static const std::array<const char*, 7> names{"none", "most", "bear", "give",
+                                                "plan", "hand", "foot"};
   return names[static_cast<std::size_t>(limit)];
 }
 
@@ -269,7 +280,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
   s.touch = task.settle_duration + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
   s.hold_end = s.ramp_end + task.hold_duration;
-  s.lean_end = s.hold_end + (task.lean.force_max - task.force) / task.lean.rate;
+  s.lean_end = s.hold_end + (force_max(task) - task.force) / task.lean.rate;
   s.top_end = s.lean_end + back_duration + task.lean.hold_duration;
   s.release_end = s.top_end + task.release_duration;
   return s;
@@ -300,7 +311,7 @@ void refuse_out_of_reach(const Task& task, const Setting& setting) {
 double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time) {
   if (time < setting.touch || time >= setting.release_end) return 0.0;
   const double reached = lean.reached;
-  const double largest = reached < 0.0 ? task.lean.force_max : reached;
+  const double largest = reached < 0.0 ? force_max(task) : reached;
   const auto between = [](double from, double to, double share) {
     return from + (to - from) * pressing::smooth(share);
   };
@@ -312,6 +323,22 @@ double force_at(const Task& task, const Setting& setting, const LeanState& lean,
   if (time < setting.top_end)
     return between(largest, held, (time - setting.lean_end) / back_duration);
   return between(held, task.touch_force, (time - setting.top_end) / task.release_duration);
+}
+
+pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
+  pressing::BearingSpec spec{
+      .feet = setting.scene.supports,
+      .least_load = task.standing.least_load,
+      .hands = task.hands,
+      .normal_world = setting.wall_axes.col(2),
+      .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
+  spec.feet.resize(task.standing.feet.size());
+  for (SupportSpec& foot : spec.feet) {
+    foot.friction = task.standing.plan_friction;
+    foot.half_x *= task.standing.plan_sole;
+    foot.half_y *= task.standing.plan_sole;
+  }
+  return {setting.robot.model, spec};
 }
 
 MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {

@@ -15,25 +15,30 @@ void check_forces(const Task& task) {
     refuse("phases.touch_force", "it is " + number(task.touch_force) +
                                      " N, more than the force of " + number(task.force) +
                                      " N; wanted at most that");
+  if (!std::isfinite(force_max(task)))
+    refuse("lean.force_max",
+           "it is never, as limits.force is; wanted a number in one of the two, where the search "
+           "for the largest force ends at the latest");
   if (task.lean.force_max <= task.force)
     refuse("lean.force_max", "it is " + number(task.lean.force_max) + " N and the force " +
                                  number(task.force) + " N; wanted more than that");
-  if (task.force_limit <= task.lean.force_max)
-    refuse("limits.force", "it is " + number(task.force_limit) + " N and lean.force_max reaches " +
-                               number(task.lean.force_max) + " N; wanted more than that");
+  if (task.force_limit <= force_max(task) || force_max(task) <= task.force)
+    refuse("limits.force", "it is " + number(task.force_limit) + " N and hands are to reach " +
+                               number(std::max(task.force, force_max(task))) +
+                               " N; wanted more than that, and where lean.force_max is never nine "
+                               "tenths of it");
 }
 
 void check_times(const Task& task) {
   constexpr double longest = 1e4;  // s
-  for (const auto& [entry, time] :
-       {std::pair("phases.settle_duration", task.settle_duration),
-        {"phases.clearance", task.clearance / task.approach_speed},
-        {"phases.ramp_duration", task.ramp_duration},
-        {"phases.hold_duration", task.hold_duration},
-        {"lean.rate", (task.lean.force_max - task.force) / task.lean.rate},
-        {"lean.hold_duration", task.lean.hold_duration},
-        {"phases.release_duration", task.release_duration},
-        {"phases.retreat_duration", task.retreat_duration}})
+  for (const auto& [entry, time] : {std::pair("phases.settle_duration", task.settle_duration),
+                                    {"phases.clearance", task.clearance / task.approach_speed},
+                                    {"phases.ramp_duration", task.ramp_duration},
+                                    {"phases.hold_duration", task.hold_duration},
+                                    {"lean.rate", (force_max(task) - task.force) / task.lean.rate},
+                                    {"lean.hold_duration", task.lean.hold_duration},
+                                    {"phases.release_duration", task.release_duration},
+                                    {"phases.retreat_duration", task.retreat_duration}})
     if (!(time <= longest))
       refuse(entry, "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
   const double ticks = task.tick_rate / task.update_rate;
@@ -52,6 +57,11 @@ void check_times(const Task& task) {
 }
 
 }  // namespace
+
+double force_max(const Task& task) {
+  constexpr double below = 0.9;
+  return std::isfinite(task.lean.force_max) ? task.lean.force_max : below * task.force_limit;
+}
 
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   return parse_task(read_text(file, "YAML file"), file.string(), overrides);

@@ -1,7 +1,7 @@
 // Plots of a robot that stands: its feet, its centre of mass, its momentum.
 
-import { column, type Run } from './data';
-import { shortFoot } from './supports';
+import { column, type Run, type Support } from './data';
+import { isLevel, shortFoot } from './supports';
 import { categorical, runColour } from './theme';
 import type { Curve, Level, PlotSpec } from './time_plot';
 
@@ -11,11 +11,17 @@ interface Written {
   factor?: number;
 }
 
-/** A quantity of each foot; of several runs that of the foot that comes nearest to its limit. */
-function ofFeet(runs: Run[], quantity: string, worst: 'most' | 'least', written: Written): Curve[] {
+/** A quantity of each support; of several runs that of the one that comes nearest to its limit. */
+function ofSupports(
+  runs: Run[],
+  which: (support: Support) => boolean,
+  quantity: string,
+  worst: 'most' | 'least',
+  written: Written,
+): Curve[] {
   const { factor = 1, ...rest } = written;
   return runs.flatMap((run, i) => {
-    const feet = (run.supports ?? []).flatMap(({ frame }) => {
+    const feet = (run.supports ?? []).filter(which).flatMap(({ frame }) => {
       const values = column(run, `support_${frame}_${quantity}`);
       return values ? [{ frame, values: values.map((v) => factor * v) }] : [];
     });
@@ -36,6 +42,9 @@ function ofFeet(runs: Run[], quantity: string, worst: 'most' | 'least', written:
     return [{ label: run.name, colour: runColour(i), time: run.time, values, ...rest }];
   });
 }
+
+const ofFeet = (runs: Run[], quantity: string, worst: 'most' | 'least', written: Written) =>
+  ofSupports(runs, isLevel, quantity, worst, written);
 
 /** A vector by its entries, less what it was at first where asked; of several runs its length. */
 function ofVector(runs: Run[], name: string, fromStart: boolean, written: Written): Curve[] {
@@ -72,6 +81,23 @@ const loads = (runs: Run[]): PlotSpec => ({
   ),
   axis: 'force [N]',
   curves: ofFeet(runs, 'load', 'least', { unit: 'N', decimals: 1 }),
+  height: 180,
+});
+
+/** Hands are supports that do not lie level: on a wall, as the feet are on the ground. */
+const hands = (runs: Run[]): PlotSpec => ({
+  id: 'hand_force',
+  title: 'Force of the hands',
+  about: each(
+    runs,
+    'By the wall on each hand, true, along its normal',
+    'By the wall on the hand that presses the least, true, along its normal',
+  ),
+  axis: 'force [N]',
+  curves: ofSupports(runs, (support) => !isLevel(support), 'load', 'least', {
+    unit: 'N',
+    decimals: 1,
+  }),
   height: 180,
 });
 
@@ -145,6 +171,6 @@ const angular = (runs: Run[]): PlotSpec => ({
 
 /** None of robots that are fixed. */
 export const standingSpecs = (runs: Run[]): PlotSpec[] =>
-  [loads, friction, pressure, centre, linear, angular]
+  [hands, loads, friction, pressure, centre, linear, angular]
     .map((spec) => spec(runs))
     .filter((spec) => spec.curves.length > 0);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,10 +27,12 @@ struct Weights {
   double approach = 1e3;   ///< s^2/m^2: speed along the normal to that of approach and retreat
   /// 1/rad^2: hands to their axis along the normal at the start; what tilts costs torque of the
   /// wrists
-  double inclination = 10.0;
-  double posture = 0.1;   ///< 1/rad^2: joints to the start; more keeps the body from leaning
-  double velocity = 5.0;  ///< s^2/rad^2: joint speeds
-  double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
+  double inclination = 100.0;
+  double posture = 0.1;       ///< 1/rad^2: joints to the start; more keeps the body from leaning
+  double range = 1e3;         ///< 1/rad^2: joints off their limits, within range_margin of these
+  double range_margin = 0.1;  ///< rad (m)
+  double velocity = 5.0;      ///< s^2/rad^2: joint speeds
+  double torque = 1e-4;       ///< 1/Nm^2: torques to those that hold the start
   double terminal = 0.1;  ///< s: what the end of the horizon costs, as a time at its running cost
 };
 
@@ -45,11 +48,15 @@ struct Wall {
 
 /// How the largest force is looked for, and when the search is over; see Limit.
 struct Lean {
-  double rate = 10.0;          ///< N/s, of each hand
-  double force_max = 150.0;    ///< N of each hand, where it ends at the latest
+  double rate = 10.0;  ///< N/s, of each hand
+  /// N of each hand, where it ends at the latest; infinite: nine tenths of Task::force_limit
+  double force_max = std::numeric_limits<double>::infinity();
+  /// of the force, that the posture must be able to bear beyond it, at rest and within the limits
+  /// that plans keep
+  double reserve = 0.05;
   double give = 5.0;           ///< N that the mean of both hands over 0.1 s may be below the target
-  double slip = 0.01;          ///< m that a hand or foot may have slid
-  double share = 0.9;          ///< of the force then, that is held afterwards
+  double slip = 5e-3;          ///< m that a hand or foot may slide within a second; grounds creep
+  double share = 0.95;         ///< of the force then, that is held afterwards
   double hold_duration = 2.0;  ///< s that this is held
 };
 
@@ -57,6 +64,7 @@ struct Lean {
 enum class Limit {
   None,  ///< nothing: the search did not end
   Most,  ///< Lean::force_max was reached
+  Bear,  ///< more than Lean::reserve beyond it the posture cannot bear
   Give,  ///< plans gave way: the hands fell behind the target
   Plan,  ///< plans could not keep all their limits
   Hand,  ///< a hand slipped
@@ -99,7 +107,7 @@ struct Task {
 
   double force_limit = 400.0;      ///< N of a hand, mean over 5 ms
   double slip = 0.03;              ///< m that a hand or foot may have slid
-  double sink = 0.15;              ///< m that the centre of mass may be below where it starts
+  double sink = 0.25;              ///< m that the centre of mass may be below where it starts
   double late_contact = 3.0;       ///< s that contact may come late
   double contact_lost = 0.3;       ///< s that a hand may be without force while it is to press
   double contact_threshold = 2.0;  ///< N, mean over 10 ms, that count as contact of a hand
@@ -121,6 +129,8 @@ void override_task(Task& task, const std::vector<std::string>& overrides);
 /// Throws Error with a sentence for numbers out of range, and for those that are possible each but
 /// not together.
 void check_task(const Task& task);
+/// N of each hand, where the search for the largest force ends at the latest.
+double force_max(const Task& task);
 /// The whole task as such a file, every key with its unit and meaning; reads back as it was.
 std::string task_text(const Task& task);
 
@@ -158,7 +168,7 @@ void refuse_out_of_reach(const Task& task, const Setting& setting);
 struct LeanState {
   std::atomic<double> reached{-1.0};  ///< N of each hand; negative: not ended
   std::atomic<int> limit{0};          ///< a Limit
-  std::atomic<int> where{-1};         ///< which hand or foot slipped
+  std::atomic<int> where{-1};         ///< which hand or foot slipped, or which limit of Bear
 };
 /// N that each hand is to press with at a time of the schedule, s.
 double force_at(const Task& task, const Setting& setting, const LeanState& lean, double time);
