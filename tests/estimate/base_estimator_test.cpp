@@ -79,6 +79,7 @@ RobotMotion standing_motion(const OnFeet& robot, double duration, double dt, dou
   return robot_motion(robot.model, robot.q, swaying(base_of(robot.q), size), feet, duration, dt);
 }
 
+#if BURNISH_HAS_ROBOTS
 /// A trot at 0.3 m/s after a moment on all feet, two of them at a time.
 RobotMotion trotting_motion(const OnFeet& robot, double duration, double dt) {
   constexpr double speed = 0.3, cycle = 0.4, down = 0.6, begin = 0.2;
@@ -127,6 +128,7 @@ RobotMotion trotting_motion(const OnFeet& robot, double duration, double dt) {
   }
   return robot_motion(robot.model, robot.q, base, feet, duration, dt);
 }
+#endif
 
 /// An estimator fed with what noisy sensors say of a motion.
 class Estimation {
