@@ -49,7 +49,7 @@ struct Wall {
 /// How the largest force is looked for, and when the search is over; see Limit.
 struct Lean {
   double rate = 10.0;  ///< N/s, of each hand
-  /// N of each hand, where it ends at the latest; infinite: nine tenths of Task::force_limit
+  /// N of each hand, where it ends at the latest; never: nine tenths of limits.force.
   double force_max = std::numeric_limits<double>::infinity();
   /// of the force, that the posture must be able to bear beyond it, at rest and within the limits
   /// that plans keep
