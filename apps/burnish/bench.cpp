@@ -199,6 +199,23 @@ int bench(const BenchArguments& arguments) {
   return exit_ok;
 }
 
+/// Of a task in place of a robot.
+void add_task_options(CLI::App* command, BenchArguments& arguments) {
+  CLI::Option* task = command
+                          ->add_option("--task", arguments.task,
+                                       "Polishing task whose controller is measured instead: its "
+                                       "plans, and its ticks in real time")
+                          ->type_name("FILE");
+  for (const char* other : {"ROBOT", "--tool", "--posture", "--knots", "--pin-threads"})
+    task->excludes(command->get_option(other));
+  command
+      ->add_option("--set", arguments.overrides,
+                   "Any key of that task, such as controller.knots=40; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->needs(task);
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app, int& exit_code) {
@@ -229,19 +246,7 @@ void add_bench(CLI::App& app, int& exit_code) {
                    "Seconds that each line is measured, about [0.3]; of the path of --task [10]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  CLI::Option* task = command
-                          ->add_option("--task", arguments->task,
-                                       "Polishing task whose controller is measured instead: its "
-                                       "plans, and its ticks in real time")
-                          ->type_name("FILE");
-  for (const char* other : {"ROBOT", "--tool", "--posture", "--knots", "--pin-threads"})
-    task->excludes(command->get_option(other));
-  command
-      ->add_option("--set", arguments->overrides,
-                   "Any key of that task, such as controller.knots=40; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false)
-      ->needs(task);
+  add_task_options(command, *arguments);
   command->add_flag("--json", arguments->json, "As JSON, in seconds");
   command->footer(
       "States are near the posture, the tool held along world z; the horizon presses it down with\n"

@@ -46,7 +46,7 @@ class BatchSeries {
   std::vector<RunFigures> run_all(const std::vector<BatchRun>& runs);
 
  private:
-  std::vector<RunFigures> add(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
+  std::vector<RunFigures> add(const ExperimentSpec& of, const std::vector<BatchRun>& runs);
 
   const ExperimentSpec& spec_;
   std::size_t expected_, before_ = 0;
