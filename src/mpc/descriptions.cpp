@@ -60,9 +60,8 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
               range::positive_or_infinite)
           .more("what has been there for some seconds lasts; infinite: all of it does")
           .field("limit", &M::limit,
-                 "{Nm (N)}: estimates stay within +- this; of a base that floats at least a fifth "
-                 "of its "
-                 "weight",
+                 "{Nm (N)}: estimates stay within +- this; of a base that floats at least 6 % of "
+                 "its weight",
                  range::positive)
           .field(
               "joint_friction", &M::joint_friction,

@@ -134,7 +134,7 @@ struct TorqueErrorObserver::Impl {
       throw Error("model error: a limit of " + number(given.limit) + "; wanted a positive number");
     for (const std::string& at : measured) sensors.push_back(body.frame(at));
     // What carries all others is wrong by a share of all their weights.
-    constexpr double share = 0.2;
+    constexpr double share = 0.06;
     const Joint& first = model.joints.front();
     if (first.kind == JointKind::FreeFlyer)
       most.segment(first.v_index, first.nv) =

@@ -207,7 +207,7 @@ void judge(const MpcCase& wanted) {
       rows.plans, rows.broken, 100.0 * rows.most, 1e3 * stood.slip, 100.0 * stood.friction_used,
       stood.least_load);
   EXPECT_LT(balance.force.rms(), 0.02);  // of a weight of 900 N
-  EXPECT_LT(balance.force.most, 0.2);
+  EXPECT_LT(balance.force.most, 0.5);
   EXPECT_LT(balance.moment.rms(), 0.02);
   EXPECT_LT(balance.moment.most, 0.2);
   EXPECT_LT(std::abs(left), 3e-3 * balance.flow);

@@ -44,7 +44,7 @@ struct ModelErrorOptions {
   /// s that plans take a torque error to last that has come just now, as a push does; what has been
   /// there for some seconds lasts; infinite: all of it does
   double fading = std::numeric_limits<double>::infinity();
-  /// Nm (N): estimates stay within +- this; of a base that floats at least a fifth of its weight
+  /// Nm (N): estimates stay within +- this; of a base that floats at least 6 % of its weight
   double limit = 30.0;
   /// with kind torque: friction in joints is told apart and fed forward, so that it is there at
   /// once where a joint turns around
