@@ -115,7 +115,7 @@ TEST(Bash, CompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(bash_offers(program + "polish --set path.ra"), "path.radius= path.rate=");
   EXPECT_EQ(bash_offers(program + "polish --set force = 20 --dis"), "--disturbances");
   EXPECT_EQ(bash_offers(program + "experiment \"\""),
-            "paper orientation frames seeds tilt surfaces robots force_test tick");
+            "paper orientation frames seeds tilt surfaces robots force_test standing tick");
   EXPECT_EQ(bash_offers(program + "--completion \"\""), "bash zsh fish");
 }
 
