@@ -1025,6 +1025,8 @@ class SurfacePath:
     @property
     def duration(self) -> float: ...
 
+_named_tasks: List[str]
+
 class _TaskRun:
     """What runs of all tasks have. In stubs alone."""
 

@@ -44,8 +44,8 @@ from ._core import (
     write_task,
 )
 from ._spec import Spec
-from .contact import SurfaceShape
 from ._task import with_changes
+from .contact import SurfaceShape
 from .model import Robot
 from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits
 from .pressing import (

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <future>
 
+#include "bind_task.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/descriptions.hpp"
 #include "specs_polishing.hpp"
-#include "task_run.hpp"
 #ifdef BURNISH_HAS_RECORD
 #include "polishing/record/run_files.hpp"
 #endif
@@ -169,26 +169,7 @@ void bind_task(py::module_& m) {
         "0.3 N and 0.05 Nm of noise, 1 ms of delay); mismatch (the same, masses 5 % above the "
         "controller's, surface friction 0.3); joint_friction (the same, 1 Nm of Coulomb and 1 "
         "Nms/rad of viscous joint friction). Seed 0. Raises Error with the nearest known name.");
-  m.def(
-      "read_task", &read_task, py::arg("file"), py::arg("overrides") = std::vector<std::string>{},
-      "Reads a task file; keys that it does not state keep their defaults. Overrides are applied "
-      "after it, in order, each \"key.path=value\" with a value in YAML. Raises Error naming file "
-      "(or override), line, key and what was wanted.");
-  m.def(
-      "override_task",
-      [](Task task, const std::vector<std::string>& overrides) {
-        override_task(task, overrides);
-        return task;
-      },
-      py::arg("task"), py::arg("overrides"),
-      "A copy of the task with overrides applied. Raises Error as read_task() does.");
-  m.def("check_task", &check_task, py::arg("task"),
-        "Raises Error with a sentence for numbers that are possible each but not together.");
-  m.def("task_text", &task_text, py::arg("task"),
-        "The task as a task file, every key with its unit and meaning; reads back as it was.");
-  m.def(
-      "task_units", [] { return file_of(static_cast<const Task*>(nullptr)).units(); },
-      "Units of the keys of task files that have one, by the keys' paths: 'surface.stiffness'.");
+  bind_task_file<Task>(m, "", &read_task, "Reads a task file");
   m.def("write_task", &write_task, py::arg("task"), py::arg("file"),
         "Writes task_text(). Raises Error if the file cannot be written.");
   m.def("task_notes", &task_notes, py::arg("task"),

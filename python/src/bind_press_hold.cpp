@@ -13,7 +13,7 @@ using HoldTask =
 void bind_press_hold(py::module_& m) {
   const TaskName name{
       .task = "press_hold",
-      .prefix = "hold",
+      .prefix = "hold_",
       .result = "HoldResult",
       .outcome = "One sentence: that it held, or what came in between.",
       .setting =

@@ -13,7 +13,7 @@ using PushTask =
 void bind_push_wall(py::module_& m) {
   const TaskName name{
       .task = "push_wall",
-      .prefix = "push",
+      .prefix = "push_",
       .result = "PushResult",
       .outcome = "One sentence: what it pushed with, or what came in between.",
       .setting =

@@ -14,7 +14,7 @@ namespace burnish::python {
 /// What is said of a task.
 struct TaskName {
   std::string task;     ///< "press_hold"
-  std::string prefix;   ///< "hold", of its functions in _core
+  std::string prefix;   ///< "hold_", of its functions in _core
   std::string result;   ///< "HoldResult", of its runs
   std::string outcome;  ///< what RunResult.outcome says
   std::string setting;  ///< for what a setting is refused
@@ -86,26 +86,20 @@ void bind_task_result(py::module_& m, const TaskName& name, const Own& own) {
 #endif
 }
 
-/// The file.
-template <class Of>
-void bind_task_file(py::module_& m, const TaskName& name) {
-  using Task = typename Of::Task;
+/// Its file. `reads`: what a file is, in a sentence's first half; `read`: reads one.
+template <class Task, class Read>
+void bind_task_file(py::module_& m, const std::string& prefix, const Read& read,
+                    const std::string& reads) {
   const auto def = [&](const char* function, const auto& call, const auto&... more) {
-    m.def((name.prefix + "_" + function).c_str(), call, more...);
+    m.def((prefix + function).c_str(), call, more...);
   };
-  const std::string reads =
-      "Reads a file with `task: " + name.task +
-      "`; keys that it does not state keep their defaults. Overrides are applied after it, in "
+  const std::string text =
+      reads +
+      "; keys that it does not state keep their defaults. Overrides are applied after it, in "
       "order, each \"key.path=value\" with a value in YAML. Raises Error naming file (or "
       "override), line, key and what was wanted.";
-  def(
-      "read_task",
-      [](const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-        const auto said = files::read_said<Task>(file, overrides);
-        files::placed(said.texts, [&] { check_task(said.spec); });
-        return said.spec;
-      },
-      py::arg("file"), py::arg("overrides") = std::vector<std::string>{}, reads.c_str());
+  def("read_task", read, py::arg("file"), py::arg("overrides") = std::vector<std::string>{},
+      text.c_str());
   def(
       "override_task",
       [](Task task, const std::vector<std::string>& overrides) {
@@ -133,7 +127,7 @@ void bind_task_functions(py::module_& m, const TaskName& name) {
   using Setting = typename Of::Setting;
   using Run = typename Of::Run;
   const auto def = [&](const char* function, const auto& call, const auto&... more) {
-    m.def((name.prefix + "_" + function).c_str(), call, more...);
+    m.def((name.prefix + function).c_str(), call, more...);
   };
   def(
       "make_setting", [](const Task& task) { return make_setting(task); }, py::arg("task"),
@@ -158,11 +152,22 @@ void bind_task_functions(py::module_& m, const TaskName& name) {
           .c_str());
 }
 
+/// All of that; the module then knows it as a task that files name.
 template <class Of, class Own>
 void bind_task(py::module_& m, const TaskName& name, const Own& own) {
   bind_task_result<Of>(m, name, own);
-  bind_task_file<Of>(m, name);
+  using Task = typename Of::Task;
+  const auto read = [](const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides) {
+    const auto said = files::read_said<Task>(file, overrides);
+    files::placed(said.texts, [&] { check_task(said.spec); });
+    return said.spec;
+  };
+  bind_task_file<Task>(m, name.prefix, read, "Reads a file with `task: " + name.task + "`");
   bind_task_functions<Of>(m, name);
+  constexpr const char* all = "_named_tasks";
+  if (!py::hasattr(m, all)) m.attr(all) = py::list();
+  py::list(m.attr(all)).append(name.task);
 }
 
 }  // namespace burnish::python

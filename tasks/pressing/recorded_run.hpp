@@ -26,30 +26,54 @@ struct OwnFigures {
 
 /// What a task says of a run. References outlive it.
 struct RecordedRun {
+  // Of every task, by record_of().
   std::string task, name, command;
   PlantKind plant;
   Disturbances disturbances;  ///< of the task
   std::string robot_name;     ///< as the task has it
-  std::string force;          ///< such as "30 N"
   std::string task_file;      ///< its text
+  double deadline;            ///< s; infinite: none
   const TaskRun& run;
   bool done;
   const Robot& robot;
-  const Eigen::VectorXd& q_start;
-  const SceneSpec& scene;        ///< as the controller knows it
-  Eigen::Matrix3d surface_axes;  ///< columns: two tangents and the normal, world
-  Eigen::Vector3d origin_world;  ///< m, that places along the surface are from
-  std::vector<std::string> phase_names;
-  int phase;                 ///< that has plots of its own
-  std::string phase_title;   ///< "while it holds"
-  double update_period;      ///< s, between two plans
-  double deadline;           ///< s; infinite: none
-  bool has_estimate = true;  ///< of the force, by the controller
+  const Eigen::VectorXd& q_start;  ///< nq
+  const SceneSpec& scene;          ///< as the controller knows it
+
+  // Of its own.
+  std::string force = {};  ///< such as "30 N"
+  Eigen::Matrix3d surface_axes =
+      Eigen::Matrix3d::Identity();  ///< columns: two tangents and the normal, world
+  Eigen::Vector3d origin_world =
+      Eigen::Vector3d::Zero();                ///< m, that places along the surface are from
+  std::vector<std::string> phase_names = {};  ///< of the numbers in its trace
+  int phase = 0;                              ///< that has plots of its own
+  std::string phase_title = {};               ///< "while it holds"
+  double update_period = 0.0;                 ///< s, between two plans
+  bool has_estimate = true;                   ///< of the force, by the controller
   std::optional<Metrics> metrics = {};
   OwnFigures figures = {};
   Json more = Json::object();                            ///< further entries of metrics.json
-  std::map<std::string, Eigen::VectorXd> postures = {};  ///< that the page can show
+  std::map<std::string, Eigen::VectorXd> postures = {};  ///< nq, that the page can show
 };
+
+/// What is the same of all tasks. `task`: its name.
+template <class RunSpec, class RunResult>
+RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
+                      const RunResult& result) {
+  return {.task = task,
+          .name = run.name,
+          .command = run.command,
+          .plant = run.spec.plant,
+          .disturbances = run.spec.task.disturbances,
+          .robot_name = run.spec.task.robot,
+          .task_file = task_text(run.spec.task),
+          .deadline = run.spec.task.limits.deadline,
+          .run = result,
+          .done = result.done,
+          .robot = result.setting.robot,
+          .q_start = result.setting.q_start,
+          .scene = result.setting.scene};
+}
 
 /// `each` calls each_..._figure(see) of the task with what it is given.
 template <class Figures, class Each>

@@ -9,30 +9,19 @@ namespace burnish::push_wall {
 pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
-  return {.task = "push_wall",
-          .name = run.name,
-          .command = run.command,
-          .plant = run.spec.plant,
-          .disturbances = task.disturbances,
-          .robot_name = task.robot,
-          .force = number(task.force) + " N of each hand",
-          .task_file = task_text(task),
-          .run = result,
-          .done = result.done,
-          .robot = setting.robot,
-          .q_start = setting.q_start,
-          .scene = setting.scene,
-          .surface_axes = setting.wall_axes,
-          .origin_world = setting.p_hands.col(1),
-          .phase_names = phase_names(),
-          .phase = hold,
-          .phase_title = "while it holds",
-          .update_period = 1.0 / task.update_rate,
-          .deadline = task.limits.deadline,
-          .has_estimate = false,
-          .figures = pressing::own_figures("push", result.push,
-                                           [](const auto& see) { each_push_figure(see); }),
-          .more = {{"limit", name_of(result.limit)}, {"limited_by", result.limited_by}}};
+  pressing::RecordedRun record = pressing::record_of("push_wall", run, result);
+  record.force = number(task.force) + " N of each hand";
+  record.surface_axes = setting.wall_axes;
+  record.origin_world = setting.p_hands.col(1);
+  record.phase = hold;
+  record.phase_title = "while it holds";
+  record.update_period = 1.0 / task.update_rate;
+  record.has_estimate = false;
+  record.figures =
+      pressing::own_figures("push", result.push, [](const auto& see) { each_push_figure(see); });
+  record.more = {{"limit", name_of(result.limit)}, {"limited_by", result.limited_by}};
+  record.phase_names = phase_names();
+  return record;
 }
 
 }  // namespace burnish::push_wall

@@ -11,47 +11,12 @@
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "polishing/experiments/pushes.hpp"
 #include "polishing/experiments/scaled_robot.hpp"
-#include "polishing/experiments/shipped_tasks.hpp"
 #include "support/refusal.hpp"
+#include "tasks/quick_experiment.hpp"
 
 namespace burnish::testing {
 namespace {
-
-using namespace burnish::polishing;
-
-ExperimentSpec quick() {
-  ExperimentSpec spec;
-  spec.quick = true;
-  spec.threads = 2;
-  return spec;
-}
-
-const ResultTable& table_named(const ExperimentReport& report, const std::string& name) {
-  for (const ResultTable& table : report.tables)
-    if (table.name == name) return table;
-  throw Error("no table " + name);
-}
-
-double number_at(const ResultTable& table, std::size_t row, const std::string& column) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    if (table.columns[i].name == column) return std::get<double>(table.rows.at(row)[i]);
-  throw Error("no column " + column);
-}
-
-void expect_complete(const ExperimentReport& report) {
-  EXPECT_FALSE(report.interrupted);
-  for (const std::string& failure : report.failures) ADD_FAILURE() << failure;
-  ASSERT_FALSE(report.tables.empty());
-  for (const ResultTable& table : report.tables) EXPECT_FALSE(table.rows.empty()) << table.name;
-  ASSERT_FALSE(report.figures.empty());
-  for (const Figure& figure : report.figures) {
-    const std::string svg = svg_plot(figure.plot);
-    EXPECT_NE(svg.find("<path class="), std::string::npos) << figure.name;
-    EXPECT_LT(svg.size(), 200e3) << figure.name;
-  }
-}
 
 TEST(ResultTable, IsMarkdownAndCsv) {
   ResultTable table{.name = "t", .title = "T", .columns = {{"what"}, {"length", "mm", 1}}};
@@ -229,101 +194,6 @@ TEST(Experiments, FramesShowThatTheSurfacesAxesAreRightWhereTheToolTurns) {
   const double surface = number_at(axes, 1, "force_rmse, surface"),
                local = number_at(axes, 1, "local");
   EXPECT_GT(local, 5.0 * surface);
-}
-
-TEST(Experiments, FramesShowThatAPlateThatTurnsWantsItsOwnAxes) {
-  if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
-  const ExperimentReport report = experiment_named("frames").perform(quick());
-  expect_complete(report);
-  const ResultTable& plate = table_named(report, "plate");
-  ASSERT_EQ(plate.rows.size(), 1U);
-  EXPECT_EQ(number_at(plate, 0, "plate turned"), 20.0);
-  const double own = number_at(plate, 0, "force_rmse, surface");
-  EXPECT_LT(3.0 * own, number_at(plate, 0, "force_rmse, world"));
-  EXPECT_LT(3.0 * own, number_at(plate, 0, "force_rmse, local"));
-  // The runs stand in the first table, beside those of surfaces that stand still.
-  EXPECT_EQ(report.tables.front().rows.size(), 2U * 2 * 2 * 2 + 3);
-}
-
-TEST(Experiments, TasksThatComeAlongAreTheirFiles) {
-  ASSERT_FALSE(shipped_task_texts().empty());
-  for (const auto& [name, text] : shipped_task_texts())
-    EXPECT_EQ(task_text(shipped_task(std::string(name))),
-              task_text(read_task(BURNISH_TASKS_DIR "/polishing/" + std::string(name) + ".yaml")))
-        << name;
-  expect_words(refusal([] { shipped_task("sitting"); }), {"no task 'sitting'"});
-}
-
-/// What a robot that bears up to `bears` N is pushed with, in order.
-std::vector<double> searched(double bears, double step) {
-  PushDirection direction;
-  std::vector<double> forces;
-  while (const auto force = next_push(direction, step)) {
-    forces.push_back(*force);
-    note_push(*force, {.made = true, .polished = *force <= bears}, direction);
-  }
-  EXPECT_LE(direction.largest_survived(), bears);
-  EXPECT_GT(direction.largest_survived() + step, std::min(bears, largest_push));
-  return forces;
-}
-
-TEST(Pushes, TheLargestThatIsSurvivedIsFoundByHalves) {
-  EXPECT_EQ(searched(155.0, 10.0), (std::vector<double>{120, 240, 180, 150, 160}));
-  EXPECT_EQ(searched(5.0, 10.0), (std::vector<double>{120, 60, 30, 10}));
-  EXPECT_EQ(searched(1e3, 10.0), (std::vector<double>{120, 240, 480}));
-  EXPECT_EQ(searched(300.0, 10.0).size(), 7U);
-  // One that was not made ends its search, and one who falls has not survived.
-  PushDirection direction;
-  note_push(120.0, {.made = false}, direction);
-  EXPECT_FALSE(next_push(direction, 10.0).has_value());
-  RunFigures lies{.made = true, .polished = true};
-  lies.standing.emplace().base_tilt = 1.0;
-  note_push(120.0, lies, direction);
-  EXPECT_EQ(direction.largest_survived(), 0.0);
-  EXPECT_EQ(direction.smallest_lost(), 120.0);
-}
-
-TEST(Experiments, StandingCountsFallsAndFindsTheLargestPush) {
-  if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
-  ExperimentSpec spec = quick();
-  double told = 0.0;
-  spec.progress = [&](double share, const std::string&) {
-    EXPECT_GE(share, told - 0.01);  // a run's end is known once its path has begun
-    EXPECT_LE(share, 1.0 + 1e-12);
-    told = share;
-  };
-  RunCounts counts;
-  spec.counts = &counts;
-  const ExperimentReport report = experiment_named("standing").perform(spec);
-  expect_complete(report);
-  const ResultTable& summary = table_named(report, "summary");
-  ASSERT_EQ(summary.rows.size(), 2U);  // the board under none and mismatch
-  for (std::size_t row = 0; row < 2; ++row) {
-    EXPECT_EQ(number_at(summary, row, "seeds"), 1.0);
-    EXPECT_EQ(number_at(summary, row, "falls"), 0.0);
-    EXPECT_LT(number_at(summary, row, "position_rmse"), 2.0);
-  }
-  const ResultTable& pushes = table_named(report, "pushes");
-  ASSERT_EQ(pushes.rows.size(), 2U);
-  for (std::size_t row = 0; row < 2; ++row) {
-    EXPECT_EQ(std::get<std::string>(pushes.rows[row][2]), "survived");
-    EXPECT_GE(number_at(pushes, row, "largest survived"), 120.0);
-  }
-  // All runs stand in the first table, those of later rounds too, and are counted.
-  EXPECT_GT(report.tables.front().rows.size(), 2U + 2U);
-  EXPECT_EQ(static_cast<int>(report.tables.front().rows.size()), counts.made);
-  EXPECT_EQ(counts.wanted, counts.made);
-}
-
-TEST(Experiments, StandingIsRefusedWhereNothingCanStand) {
-  ExperimentSpec spec = quick();
-  spec.plant = PlantKind::Ideal;
-  expect_words(refusal([&] { experiment_named("standing").perform(spec); }), {"needs MuJoCo"});
-  if (!has_mujoco()) return;
-  spec.plant = PlantKind::Mujoco;
-  spec.surfaces = {"board_y"};
-  expect_words(refusal([&] { experiment_named("standing").perform(spec); }),
-               {"'board_y'", "board or table"});
 }
 
 TEST(Experiments, SeedsCountWhatFails) {

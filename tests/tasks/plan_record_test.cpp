@@ -109,6 +109,7 @@ TEST(PlanRecord, ABaselineHasNone) {
 TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
   RunSpec even = short_run(20.0);
   even.task.disturbances = {};
+  even.task.approach_speed *= 2.0;  // so that there is a way to keep
   RunSpec growing = even;
   growing.task.knots = 25;
   const RunResult wanted = run_task(even), got = run_task(growing);
@@ -124,7 +125,7 @@ TEST(PlanRecord, PlansOfKnotsOfDifferentLengthsAreKeptEvenly) {
     moved = std::max(moved, std::abs(static_cast<double>(got.plans.q[i]) -
                                      static_cast<double>(got.plans.q[i % 6])));
   }
-  EXPECT_GT(moved, 0.01);
+  EXPECT_GT(moved, 0.02);
 }
 
 }  // namespace

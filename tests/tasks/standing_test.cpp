@@ -5,28 +5,13 @@
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
-#include "support/mpc_run.hpp"
 #include "support/refusal.hpp"
+#include "support/standing_case.hpp"
 
 namespace burnish::test {
 namespace {
 
 using testing::expect_words;
-
-/// The shipped task, the path short.
-MpcCase standing_case() {
-  MpcCase wanted;
-  wanted.task = polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing.yaml");
-  wanted.task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos";
-  wanted.task.reach_duration = 0.2;
-  wanted.task.standing.settle = 0.2;
-  wanted.task.polish_duration = 1.0;
-  wanted.task.path.start_up = 0.5;
-  wanted.make_plant = [](const Model& model, const SceneSpec& scene) {
-    return make_plant(PlantKind::Mujoco, model, scene, 5e-4);
-  };
-  return wanted;
-}
 
 bool stands(const Eigen::VectorXd& q_start, const Eigen::VectorXd& q) {
   return (q.head<3>() - q_start.head<3>()).norm() < 0.1;
@@ -53,9 +38,7 @@ TEST_F(Standing, polishes_a_board_with_what_its_controller_does_not_know) {
 TEST_F(Standing, keeps_pressing_while_its_torso_is_pushed) {
   for (const Eigen::Vector3d& force :
        {Eigen::Vector3d(0.0, 120.0, 0.0), Eigen::Vector3d(-104.0, -60.0, 0.0)}) {
-    MpcCase wanted = standing_case();
-    wanted.task.disturbances.pushes = {{2.0, 0.3, force, "torso_2_link"}};
-    MpcRun run(wanted);
+    MpcRun run(standing_case({{2.0, 0.3, force, "torso_2_link"}}));
     ASSERT_LE(run.polish(), Status::NotConverged);
     EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
     EXPECT_LT(run.metrics().force_rmse, 3.0);

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 
 import burnish
 
-from .. import _core, press_hold, push_wall
+from .. import _core
 from ._dask import Job, Limit, Result, hand_over
 from ._results import CampaignError, Listed
 
@@ -30,8 +30,8 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
     return tree
 
 
-# By the names in their files: the module, and its figures' section of metrics.json.
-NAMED_TASKS: Dict[str, Tuple[Any, str]] = {"press_hold": (press_hold, "hold"), "push_wall": (push_wall, "push")}
+# That files name, each a module of the package.
+NAMED_TASKS: List[str] = _core._named_tasks
 
 
 @dataclass
@@ -58,7 +58,8 @@ class TaskFile:
         """Of the task; one that there is not is refused as the first of those that there are."""
         if self.polishes:
             return burnish.polishing
-        return NAMED_TASKS.get(str(self.tree["task"]), NAMED_TASKS["press_hold"])[0]
+        name = str(self.tree["task"])
+        return getattr(burnish, name if name in NAMED_TASKS else NAMED_TASKS[0])
 
     def units(self) -> Dict[str, str]:
         """Of the keys that have one."""
@@ -186,8 +187,8 @@ def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
 def outcome_of(result: Result) -> Outcome:
     run: Dict[str, Any] = json.loads(result["run"])
     figures, times = {}, {"computing_s": float(result["computing"])}
-    own = NAMED_TASKS.get(str(run.get("task")), (None, ""))[1]
-    for key, value in {**(run.get("metrics") or {}), **(run.get(own) or {})}.items():
+    own = run.get(str(run.get("figures", ""))) or {}
+    for key, value in {**(run.get("metrics") or {}), **own}.items():
         if isinstance(value, (int, float)) and not isinstance(value, bool):
             figures[key] = float(value)
     for group in ("solver", "ticks"):

@@ -1,0 +1,131 @@
+// A task with everything resolved: the robot, where it starts, the scene.
+#include <algorithm>
+#include <cmath>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/standing_terms.hpp"
+
+namespace burnish::polishing {
+
+Robot load_task_robot(const Task& task) {
+  return pressing::load_arm(task.robot, task.tool, task.standing.stands());
+}
+
+bool searches_posture(const Task& task, const Robot& robot) {
+  if (task.posture.empty()) return robot.default_posture.empty();
+  if (robot.postures.contains(task.posture)) return false;
+  if (task.posture == searched_posture) return true;
+  const auto& surfaces = named_surfaces();
+  return std::any_of(surfaces.begin(), surfaces.end(),
+                     [&](const NamedSurface& surface) { return surface.posture == task.posture; });
+}
+
+Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
+
+namespace {
+/// Throws Error where a curved surface ends, as seen along its normal, before the path does, or
+/// falls off too steeply for a path that is drawn as seen from there.
+void check_path_on(const Setting& setting, const Task& task) {
+  if (task.shape.is_flat()) return;
+  if (task.axes != ForceAxes::Surface)
+    throw EntryError("axes",
+                     std::string(task.axes == ForceAxes::Local ? "the tool's own" : "the world's") +
+                         ", on a " + task.shape.text() + "; wanted surface, whose axes follow it");
+  constexpr double steepest = 0.35;  // cosine: 70 degrees
+  constexpr int count = 400;
+  const Surface surface = surface_of(setting.scene.surface);
+  const Path path(task.path);
+  const double end = std::min(task.polish_duration, path.duration());
+  for (int i = 0; i <= count; ++i) {
+    const Eigen::Vector2d p = path.at(end * i / count).p;
+    const Eigen::Vector3d on =
+        surface.along_normal(setting.scene.surface.point + setting.surface_axes.leftCols<2>() * p);
+    const SurfaceDistance at = surface.at(on);
+    if (std::abs(at.distance) < 1e-9 && at.normal.dot(setting.surface_axes.col(2)) > steepest)
+      continue;
+    throw EntryError("path",
+                     "it leaves the " + task.shape.text() + ": at [" + number(p.x()) + ", " +
+                         number(p.y()) +
+                         "] m from its origin there is no surface under it, or one that is "
+                         "steeper than 70 degrees; wanted a smaller path or a larger shape");
+  }
+}
+
+void check_carrier(const Task& task, const Model& model) {
+  if (task.surface_frame.empty()) return;
+  std::vector<std::string> frames;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  if (!model.has_frame(task.surface_frame))
+    throw EntryError("surface.frame", "frame " + in_quotes(task.surface_frame) +
+                                          " is none of robot " + in_quotes(model.name) +
+                                          did_you_mean(task.surface_frame, frames));
+}
+}  // namespace
+
+Setting make_setting(const Task& task, const Robot& robot) {
+  const bool searched = searches_posture(task, robot);
+  if (searched && !task.surface_frame.empty())
+    throw EntryError("posture",
+                     "none is searched for a surface that the robot carries; wanted one of the "
+                     "robot's settings");
+  if (searched && task.standing.stands()) {
+    if (task.posture == searched_posture)
+      throw EntryError("posture",
+                       "none is searched for a robot that stands; wanted one of the robot's "
+                       "settings, with the tool before the surface");
+    return make_setting(task, robot, robot.reference_configuration());  // it has no other
+  }
+  return make_setting(
+      task, robot, pressing::start_posture(robot, searched ? searched_posture : task.posture, [&] {
+        return find_posture(task, robot, posture_options(task)).q;
+      }));
+}
+
+Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
+  pressing::check_standing(robot.model, task.standing);
+  check_carrier(task, robot.model);
+  Setting s;
+  s.robot = robot;
+  s.q_start = q_start;
+  SceneSpec scene;
+  scene.tip = {task.tool, task.tip_radius};
+  scene.surface.frame = task.surface_frame;
+  scene.surface.normal = task.normal_world;
+  scene.surface.shape = task.shape;
+  scene.surface.friction = task.friction;
+  scene.surface.stiffness = task.stiffness;
+  scene.surface.damping = task.damping;
+  scene.supports = pressing::supports_at(robot.model, task.standing, q_start);
+  if (task.point_world) {
+    scene.surface.point = *task.point_world;
+    s.scene = checked_scene(s.robot.model, scene);
+  } else {
+    s.scene = scene_under_tip(s.robot.model, s.q_start, task.normal_world, scene, task.clearance);
+  }
+  const Eigen::Vector3d n = s.scene.surface.normal;
+  s.surface_axes = Reference::surface_with_normal(n).rotation;
+  s.p_start = surface_placement(s.robot.model, s.q_start, s.scene.surface).inverse() *
+              frame_placement(s.robot.model, s.q_start, task.tool).translation();
+  const double above = gap(s.scene, s.p_start);
+  s.p_center = s.p_start - above * n;
+  if (above <= 0.0) throw Error("the tool starts " + number(-above) + " m inside the surface");
+  if (std::isfinite(task.extent)) {
+    s.scene.surface.point = s.p_center - task.tip_radius * n;
+    s.scene.surface.extent = Path(task.path).reach() + task.extent;
+  }
+  check_path_on(s, task);
+  s.reach_end = task.reach_duration;
+  s.touch = s.reach_end + task.clearance / task.approach_speed;
+  s.ramp_end = s.touch + task.ramp_duration;
+  s.track_end = s.ramp_end + task.polish_duration;
+  return s;
+}
+
+}  // namespace burnish::polishing
