@@ -199,7 +199,8 @@ void BaseEstimator::Impl::follow_slips(FootSet standing, FootSet rejected, const
         unit.v + unit.R * (kinematics.velocity(k) + cross(w, kinematics.seen(k).p));
     const double length = std::sqrt(dot(speed, speed));
     fastest = std::max(fastest, length);
-    rested[k] = length < limit ? rested[k] + dt : 0.0;
+    // One noisy reading does not begin it anew.
+    rested[k] = std::max(0.0, rested[k] + (length < limit ? dt : -dt));
     if (rested[k] >= options.rejoin_after) rests |= foot_bit(k);
   }
   slipping &= ~rests;
