@@ -297,14 +297,14 @@ struct CostReader {
     return result;
   }
   Residual center_of_pressure() {
-    keys({"contact", "half_x", "half_y", "torsion"});
+    keys({"contact", "half_x", "half_y", "friction"});
     rows.rows = {{"x_above", 1}, {"x_below", 1}, {"y_below", 1}, {"y_above", 1}};
     contact();
     residual::CenterOfPressure result{reader["contact"].text(), reader["half_x"].positive(),
                                       reader["half_y"].positive()};
-    if (const auto torsion = reader.find("torsion")) {
-      result.torsion = torsion->positive();
-      rows.rows.insert(rows.rows.end(), {{"turn_right", 1}, {"turn_left", 1}});
+    if (const auto friction = reader.find("friction")) {
+      result.friction = friction->positive();
+      for (const std::string& row : ocp::turning_row_names()) rows.rows.push_back({row, 1});
     }
     return result;
   }

@@ -58,7 +58,7 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
 /// Which feet stand.
 Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
   if (measured.support_wrenches.cols() > 0) {
-    if (measured.support_wrenches.cols() != normal_forces.size()) return Status::WrongSize;
+    if (measured.support_wrenches.cols() < normal_forces.size()) return Status::WrongSize;
     for (int k = 0; k < estimator.feet(); ++k)
       normal_forces[k] =
           up.dot(estimator.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
@@ -102,8 +102,8 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.time = measured.time;
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
-  // Room for them is there from the start on; without sensors it is given up, and stays so.
-  if (measured.support_wrenches.cols() == d.estimator.feet())
+  // Room for those of feet is there from the start on; without sensors it is given up, and stays so.
+  if (measured.support_wrenches.cols() >= d.estimator.feet())
     result.support_wrenches = measured.support_wrenches;
   else
     result.support_wrenches.resize(6, 0);

@@ -307,6 +307,13 @@ void Engine::meet_where_there_is_surface(bool in_contact) const {
   m->geom_conaffinity[surface_geom] = over ? 1 : 0;
 }
 
+void Engine::slip(double time) const noexcept {
+  if (scene.slippery_ground.empty()) return;
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    for (const int geom : {supports[i].geom, supports[i].plane})
+      m->geom_friction[3 * geom] = friction_under(scene, scene.supports[i], time);
+}
+
 Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const {
   using Vector3 = Eigen::Map<const Eigen::Vector3d>;
   const Vector3 origin(d->site_xpos + 3 * support.site);

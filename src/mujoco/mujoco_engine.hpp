@@ -36,6 +36,10 @@ struct Engine {
   /// mj_fwdPosition().
   void meet_where_there_is_surface(bool in_contact) const;
 
+  /// Gives every support the friction of what it stands on at a time, s, where that changes. To be
+  /// called before mj_fwdPosition().
+  void slip(double time) const noexcept;
+
   /// Force of the surface on the tip, N, world axes, at the last mj_fwdConstraint(). MuJoCo orders
   /// the two geoms by their types, so the ids say which way it points.
   Eigen::Vector3d contact_force_world() const;

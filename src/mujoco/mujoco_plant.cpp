@@ -112,6 +112,7 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
     return Status::NotFinite;
   store_moment(before_.data());
   engine_.meet_where_there_is_surface(in_contact_);
+  engine_.slip(time());
   mj_fwdPosition(m, d);
   engine_.stiffen_equalities();
   mj_fwdVelocity(m, d);

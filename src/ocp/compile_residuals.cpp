@@ -297,9 +297,10 @@ void TermBuilder::operator()(const residual::FrictionCone& r) {
   const WrenchView view = wrench(c, r.reference);
   term.rows = r.sides == 0 ? 2 : r.sides;
   if (r.sides == 0)
-    term.residual = ConeMargin{view, r.friction, r.normal};
+    term.residual = ConeMargin{view, r.normal};
   else
-    term.residual = PyramidMargin{view, r.normal, pyramid_sides(r.sides, r.friction)};
+    term.residual = PyramidMargin{view, r.normal, pyramid_reach(r.sides), pyramid_sides(r.sides)};
+  target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
   dense_block(term.rows, all_columns());
 }
 
@@ -309,11 +310,13 @@ void TermBuilder::operator()(const residual::CenterOfPressure& r) {
   if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
     refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
            " m; wanted positive numbers");
-  if (!(r.torsion >= 0.0) || !std::isfinite(r.torsion))
-    refuse("a torsion of " + number(r.torsion) + " m; wanted a number of at least zero");
-  if (r.torsion > 0.0) needs(c, {0b111100});
-  term.rows = r.torsion > 0.0 ? 6 : 4;
-  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, r.torsion};
+  if (!(r.friction >= 0.0) || !std::isfinite(r.friction))
+    refuse("friction is " + number(r.friction) + "; wanted a number of at least zero");
+  const bool rubs = r.friction > 0.0;
+  if (rubs) needs(c, Directions::all());
+  term.rows = rubs ? 12 : 4;
+  term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, rubs};
+  if (rubs) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));
   dense_block(term.rows, all_columns());
 }
 

@@ -154,9 +154,9 @@ struct WrenchError {
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Its target is the coefficient of friction; a pyramid's likewise.
 struct ConeMargin {
   WrenchView wrench;
-  double friction;
   int normal;
   static constexpr double bend_sign = -1.0;
   static int bend_rows() { return 1; }
@@ -165,20 +165,23 @@ struct ConeMargin {
 };
 /// The sides of a pyramid in place of the cone.
 struct PyramidMargin {
-  /// slope f_n - (c f_1 + s f_2) is the margin, N; (c, s) is of unit length and points outwards.
+  /// friction inner f_n - (c f_1 + s f_2) is the margin, N; (c, s) is of unit length and points
+  /// outwards.
   struct Side {
-    double c, s, slope;
+    double c, s;
   };
   WrenchView wrench;
   int normal;
+  double inner;  ///< of the cone's radius, that the sides are from its middle
   std::vector<Side> sides;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
+/// Its target is the coefficient of friction, where that has its eight rows.
 struct PressureMargin {
   WrenchView wrench;
   double half_x, half_y;
-  double torsion;  ///< 0: without its two rows
+  bool has_friction;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };

@@ -16,12 +16,13 @@ void check_sides(int sides) {
                 ", or 0 for the cone itself");
 }
 
-std::vector<PyramidMargin::Side> pyramid_sides(int sides, double friction) {
+double pyramid_reach(int sides) { return std::cos(std::numbers::pi / sides); }
+
+std::vector<PyramidMargin::Side> pyramid_sides(int sides) {
   std::vector<PyramidMargin::Side> result;
   for (int i = 0; i < sides; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / sides;
-    result.push_back(
-        {std::cos(angle), std::sin(angle), friction * std::cos(std::numbers::pi / sides)});
+    result.push_back({std::cos(angle), std::sin(angle)});
   }
   return result;
 }
@@ -30,6 +31,13 @@ std::vector<std::string> cone_row_names(int sides) {
   if (sides == 0) return {"cone", "normal"};
   std::vector<std::string> names;
   for (int i = 0; i < sides; ++i) names.push_back("side_" + number(360.0 * i / sides) + "deg");
+  return names;
+}
+
+std::vector<std::string> turning_row_names() {
+  std::vector<std::string> names;
+  for (const char* way : {"turn_right_", "turn_left_"})
+    for (int i = 1; i <= 4; ++i) names.push_back(way + std::to_string(i));
   return names;
 }
 

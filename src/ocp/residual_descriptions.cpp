@@ -219,13 +219,14 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
           "Four rows, Nm: how far the centre of pressure is inside a rectangle of the "
           "tool's axes, times the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x, both "
           "halves in m; zero where the centre, which is (-m_y, m_x) / f_z, is at the edge "
-          "above in x, below in x, below in y, above in y. With a torsion two rows more: "
-          "torsion f_z +- m_z, how far the moment about the normal is within what friction "
-          "bears. Default penalty: a barrier at 0.")
+          "above in x, below in x, below in y, above in y. With friction eight rows more, Nm, "
+          "four to the right and four to the left: how far the moment about the normal is "
+          "within what the corners bear with that coefficient each. Default penalty: a barrier "
+          "at 0.")
           .field("contact", &C::contact)
           .field("half_x", &C::half_x, "{m}")
           .field("half_y", &C::half_y)
-          .field("torsion", &C::torsion, "{m}; 0: the moment about the normal is free");
+          .field("friction", &C::friction, "0: the moment about the normal is free");
   return all;
 }
 

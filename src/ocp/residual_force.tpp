@@ -78,21 +78,21 @@ void WrenchError::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J
 }
 
 template <class S>
-void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J,
-                          S* bends) const {
+void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J, S* bends) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
   const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
   const S smoothing(1e-6);  // (1e-3 N)^2
   const S length = square_root(S(w[t1] * w[t1] + w[t2] * w[t2] + smoothing));
-  r[0] = S(friction) * w[normal] - length;
+  const S friction = target[0];
+  r[0] = friction * w[normal] - length;
   r[1] = w[normal];
   if (J == nullptr) return;
   const int nz = knot.layout->nz();
   const S c1 = w[t1] / length, c2 = w[t2] / length;
   for (int c = 0; c < nz; ++c) {
-    J[c] = S(friction) * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
+    J[c] = friction * dw[normal * nz + c] - c1 * dw[t1 * nz + c] - c2 * dw[t2 * nz + c];
     J[nz + c] = dw[normal * nz + c];
   }
   if (bends == nullptr) return;
@@ -106,14 +106,15 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S
 /// Pham and Y. Nakamura, "Stability of surface contacts for humanoid robots", ICRA 2015, section
 /// II, have it for four sides (friction / sqrt(2)).
 template <class S>
-void PyramidMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
+void PyramidMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
   const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
   const int nz = knot.layout->nz();
+  const S slope = target[0] * S(inner);
   for (const Side& side : sides) {
-    const S c(side.c), s(side.s), slope(side.slope);
+    const S c(side.c), s(side.s);
     *r++ = slope * w[normal] - c * w[t1] - s * w[t2];
     if (J == nullptr) continue;
     for (int k = 0; k < nz; ++k)
@@ -123,7 +124,7 @@ void PyramidMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r
 }
 
 template <class S>
-void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* r, S* J) const {
+void PressureMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const {
   S w[6];
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
@@ -132,24 +133,32 @@ void PressureMargin::evaluate(const KnotState<S>& knot, const S* /*target*/, S* 
   r[1] = hx * w[2] - w[4];
   r[2] = hy * w[2] + w[3];
   r[3] = hy * w[2] - w[3];
-  const S turning(torsion);
-  if (torsion > 0.0) {
-    r[4] = turning * w[2] + w[5];
-    r[5] = turning * w[2] - w[5];
-  }
-  if (J == nullptr) return;
   const int nz = knot.layout->nz();
-  for (int c = 0; c < nz; ++c) {
-    const S fz = dw[2 * nz + c], mx = dw[3 * nz + c], my = dw[4 * nz + c];
-    J[c] = hx * fz + my;
-    J[nz + c] = hx * fz - my;
-    J[2 * nz + c] = hy * fz + mx;
-    J[3 * nz + c] = hy * fz - mx;
-    if (torsion == 0.0) continue;
-    const S mz = dw[5 * nz + c];
-    J[4 * nz + c] = turning * fz + mz;
-    J[5 * nz + c] = turning * fz - mz;
-  }
+  if (J != nullptr)
+    for (int c = 0; c < nz; ++c) {
+      const S fz = dw[2 * nz + c], mx = dw[3 * nz + c], my = dw[4 * nz + c];
+      J[c] = hx * fz + my;
+      J[nz + c] = hx * fz - my;
+      J[2 * nz + c] = hy * fz + mx;
+      J[3 * nz + c] = hy * fz - mx;
+    }
+  if (!has_friction) return;
+  // Caron et al. 2015, equations 21 and 22, each absolute value as its two signs.
+  const S friction = target[0], about_middle = friction * (hx + hy);
+  r += 4;
+  if (J != nullptr) J += 4 * nz;
+  for (const double side : {1.0, -1.0})
+    for (const double by_x : {1.0, -1.0})
+      for (const double by_y : {1.0, -1.0}) {
+        const S fx(-by_x * half_y), fy(-by_y * half_x), mx = S(side * by_x) * friction,
+                my = S(side * by_y) * friction, mz(side);
+        *r++ = fx * w[0] + fy * w[1] + about_middle * w[2] + mx * w[3] + my * w[4] + mz * w[5];
+        if (J == nullptr) continue;
+        for (int c = 0; c < nz; ++c)
+          J[c] = fx * dw[c] + fy * dw[nz + c] + about_middle * dw[2 * nz + c] +
+                 mx * dw[3 * nz + c] + my * dw[4 * nz + c] + mz * dw[5 * nz + c];
+        J += nz;
+      }
 }
 
 }  // namespace burnish::ocp

@@ -50,7 +50,8 @@ struct RowNames {
   }
   Names operator()(const PressureMargin& r) const {
     Names names{"x_above", "x_below", "y_below", "y_above"};
-    if (r.torsion > 0.0) names.insert(names.end(), {"turn_right", "turn_left"});
+    if (r.has_friction)
+      for (const std::string& name : turning_row_names()) names.push_back(name);
     return names;
   }
   Names operator()(const ComError&) const { return directions(0, 3); }

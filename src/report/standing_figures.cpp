@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "report/foot_rows.hpp"
 
@@ -87,6 +88,11 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
   }
   if (!std::isfinite(figures.least_load)) figures.least_load = 0.0;  // of a run that is too short
   return figures;
+}
+
+bool fell(const StandingFigures& figures) {
+  constexpr double leaning = std::numbers::pi / 6.0, far = 0.25;  // rad, m
+  return !(figures.base_tilt <= leaning && figures.com_moved <= far);
 }
 
 }  // namespace burnish

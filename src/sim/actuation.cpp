@@ -45,6 +45,7 @@ Actuation::Actuation(const Model& model, const Disturbances& disturbances, doubl
                   {disturbances.seed, streams::torque_bias})),
       at_rest_(Eigen::VectorXd::Zero(model.nv)),
       delay_steps_(static_cast<int>(std::lround(disturbances.command_delay / dt))),
+      dt_(dt),
       tracking_(disturbances.torque_cutoff > 0.0 ? -std::expm1(-disturbances.torque_cutoff * dt)
                                                  : 1.0),
       random_(std::make_unique<Random>(disturbances.seed)) {
@@ -52,6 +53,9 @@ Actuation::Actuation(const Model& model, const Disturbances& disturbances, doubl
   for (Eigen::VectorXd* x :
        {&step_.command, &step_.delayed, &step_.tracked, &step_.noise, &step_.applied})
     *x = at_rest_;
+  for (const MotorLoss& loss : disturbances.motor_losses)
+    for (const Joint& joint : model.joints)
+      if (joint.name == loss.joint) losses_.push_back({loss, joint.v_index, joint.nv});
 }
 
 Actuation::~Actuation() = default;
@@ -68,6 +72,9 @@ Actuation::Actuation(const Actuation& other)
       queue_(other.queue_),
       delay_steps_(other.delay_steps_),
       next_(other.next_),
+      losses_(other.losses_),
+      dt_(other.dt_),
+      steps_(other.steps_),
       tracking_(other.tracking_),
       random_(std::make_unique<Random>(*other.random_)),
       step_(other.step_) {}
@@ -83,6 +90,7 @@ void Actuation::reset(const ConstVectorRef& tau) noexcept {
   if (tau.size() != at_rest_.size()) return;
   *random_ = Random(disturbances_.seed);
   next_ = 0;
+  steps_ = 0;
   queue_.colwise() = tau;
   step_.command = step_.delayed = step_.tracked = step_.applied = tau;
   step_.noise.setZero();
@@ -99,6 +107,8 @@ const Eigen::VectorXd& Actuation::apply(const ConstVectorRef& command) noexcept 
   else
     step_.tracked = step_.delayed;
   distort();
+  fail();
+  ++steps_;
   return step_.applied;
 }
 
@@ -134,6 +144,12 @@ void Actuation::distort() noexcept {
     applied = std::copysign(limit_[k], applied);
     ++step_.limited;
   }
+}
+
+void Actuation::fail() noexcept {
+  const double now = static_cast<double>(steps_) * dt_;
+  for (const Loss& loss : losses_)
+    if (acts_at(loss.when, now)) step_.applied.segment(loss.first, loss.count) *= loss.when.share;
 }
 
 }  // namespace burnish

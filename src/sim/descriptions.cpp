@@ -16,6 +16,37 @@ const Description& description_of(const Push* /*of*/) {
   return all;
 }
 
+const Description& description_of(const SlipperyGround* /*of*/) {
+  using S = SlipperyGround;
+  static const Description all =
+      Describe<S>("sim", "SlipperyGround",
+                  "Ground that is slippery for a while, under one of the things that the robot "
+                  "stands on.")
+          .field("start", &S::start, "{s}")
+          .field("duration", &S::duration, "{s}", range::not_negative_or_infinite)
+          .word("forever")
+          .field("frame", &S::frame, "of the support that stands on it; all: of all")
+          .in_code("of the support that stands on it; empty: of all")
+          .word("all")
+          .field("friction", &S::friction, "Coulomb coefficient in place of the support's",
+                 range::not_negative);
+  return all;
+}
+
+const Description& description_of(const MotorLoss* /*of*/) {
+  using M = MotorLoss;
+  static const Description all =
+      Describe<M>("sim", "MotorLoss",
+                  "A motor that gives a part of what it is told, or nothing, for a while. Its "
+                  "torque sensor shows what it gives.")
+          .field("start", &M::start, "{s}")
+          .field("duration", &M::duration, "{s}", range::not_negative_or_infinite)
+          .word("forever")
+          .field("joint", &M::joint, "by its name; all its entries")
+          .field("share", &M::share, "of its torque that it gives", range::share);
+  return all;
+}
+
 const Description& description_of(const SurfaceMotion* /*of*/) {
   using M = SurfaceMotion;
   static const Description all =
@@ -85,6 +116,10 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "a loop around a torque sensor takes away scale, bias and joint friction")
           .more("ideal in its bandwidth; it follows the sensor's noise instead")
           .field("torque_sensor_noise", &D::torque_sensor_noise, "{Nm}, deviation", size)
+          .field("motor_losses", &D::motor_losses,
+                 "motors that fail, behind all that: [{start: s, duration: s, joint: name, share: "
+                 "0 to 1 of its torque}, ...]")
+          .in_code("motors that fail, behind all that")
           .group("In the joints of the plant.")
           .field("joint_coulomb", &D::joint_coulomb, "{Nm}, joint friction", size)
           .field("joint_viscous", &D::joint_viscous, "{Nms/rad}, joint friction", size)
@@ -146,6 +181,10 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "Coulomb coefficient in place of the surface's, or none", size)
           .in_code("Coulomb coefficient in place of the scene's")
           .word("none")
+          .field("slippery_ground", &D::slippery_ground,
+                 "under what the robot stands on: [{start: s, duration: s, frame: foot, friction: "
+                 "coefficient}, ...]")
+          .in_code("under what the robot stands on")
           .field(
               "pushes", &D::pushes,
               "on the tool, or on a frame: [{start: s, duration: s, force: [x, y, z] in N, world, "
@@ -227,7 +266,8 @@ const Description& description_of(const SceneSpec* /*of*/) {
                           "stands on.")
           .field("surface", &SceneSpec::surface, "")
           .field("tip", &SceneSpec::tip, "")
-          .field("supports", &SceneSpec::supports, "such as the feet, on the ground");
+          .field("supports", &SceneSpec::supports, "such as the feet, on the ground")
+          .field("slippery_ground", &SceneSpec::slippery_ground, "under those");
   return all;
 }
 

@@ -14,11 +14,13 @@ namespace burnish {
 
 const Description& description_of(const Push*);
 const Description& description_of(const SurfaceMotion*);
+const Description& description_of(const MotorLoss*);
 const Description& description_of(const UnknownPayload*);
 const Description& description_of(const Disturbances*);
 const Description& description_of(const SurfaceSpec*);
 const Description& description_of(const ToolTipSpec*);
 const Description& description_of(const SupportSpec*);
+const Description& description_of(const SlipperyGround*);
 const Description& description_of(const SceneSpec*);
 const Description& description_of(const PlantSnapshot*);
 const Description& description_of(const ActuationStep*);

@@ -36,6 +36,13 @@ void check_disturbances(const Model& model, const Disturbances& d) {
   check_size("torque_scale", d.torque_scale, model.nv);
   check_size("torque_bias", d.torque_bias, model.nv);
   if (d.surface_shape) d.surface_shape->check("the disturbance 'surface_shape'");
+  std::vector<std::string> joints;
+  for (const Joint& joint : model.joints) joints.push_back(joint.name);
+  for (const MotorLoss& loss : d.motor_losses)
+    if (std::find(joints.begin(), joints.end(), loss.joint) == joints.end())
+      throw Error("the disturbance 'motor_losses' names joint " + in_quotes(loss.joint) +
+                  ", which robot " + in_quotes(model.name) + " does not have" +
+                  did_you_mean(loss.joint, joints));
 }
 
 const std::vector<std::string>& disturbance_presets() {
@@ -123,13 +130,8 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
   shape.curvature *= bends;
   surface.motion = disturbances.surface_motion;
   surface.friction = disturbances.surface_friction.value_or(surface.friction);
+  result.slippery_ground = disturbances.slippery_ground;
   return result;
-}
-
-bool acts_at(const Push& push, double time) noexcept {
-  constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
-  const double now = time + rounding;
-  return now >= push.start && now < push.start + push.duration;
 }
 
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept {

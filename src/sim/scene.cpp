@@ -47,6 +47,18 @@ void check_support(const Model& model, const SupportSpec& support) {
                 " m; wanted both of a sole, or neither of a ball");
 }
 
+/// A list of another robot's feet would say nothing, unseen.
+void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
+  check_ranges(description_of(&ground), &ground,
+               [](const std::string& entry) { return "the slippery ground's " + entry; });
+  if (ground.frame.empty()) return;
+  std::vector<std::string> supports;
+  for (const SupportSpec& support : scene.supports) supports.push_back(support.frame);
+  if (std::find(supports.begin(), supports.end(), ground.frame) == supports.end())
+    throw Error("the slippery ground is under " + in_quotes(ground.frame) +
+                ", which the robot does not stand on" + did_you_mean(ground.frame, supports));
+}
+
 }  // namespace
 
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
@@ -58,6 +70,7 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   check_moves(model, scene.tip.frame, "the tip's");
   if (!surface.frame.empty()) check_carried(model, scene);
   for (const SupportSpec& support : scene.supports) check_support(model, support);
+  for (const SlipperyGround& ground : scene.slippery_ground) check_ground(scene, ground);
   surface.shape.check("the surface");
   const double bend = surface_of(surface).most_concave();
   if (!(bend * scene.tip.radius < 1.0))
@@ -68,6 +81,20 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   result.surface.normal.normalize();
   for (SupportSpec& support : result.supports) support.normal.normalize();
   return result;
+}
+
+bool acts_at(double start, double duration, double time) noexcept {
+  constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
+  const double now = time + rounding;
+  return now >= start && now < start + duration;
+}
+
+double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept {
+  double friction = support.friction;
+  for (const SlipperyGround& ground : scene.slippery_ground)
+    if ((ground.frame.empty() || ground.frame == support.frame) && acts_at(ground, time))
+      friction = ground.friction;
+  return friction;
 }
 
 SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,

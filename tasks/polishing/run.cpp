@@ -157,12 +157,11 @@ RunResult run_task(const RunSpec& spec) {
                           .q_start = setting.q_start,
                           .longest = pieces.planned_end + pieces.patience + 1.0,
                           .plant = spec.plant,
-                          .base_estimator = pressing::base_estimator(spec.task.standing),
+                          .standing = &spec.task.standing,
                           .mpc = pieces.mpc,
                           .plan_step = spec.task.step,
                           .solver_delay = spec.task.solver_delay,
-                          .plan_rate = spec.plan_rate,
-                          .after_fault = spec.after_fault};
+                          .plan_rate = spec.plan_rate};
   run.goes_on = [&](double now, const Command& command) { return watch.goes_on(now, command); };
   run.end = [&] { return watch.end(); };
   run.progress = spec.progress;

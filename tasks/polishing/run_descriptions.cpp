@@ -79,9 +79,6 @@ const Description& description_of(const RunSpec* /*of*/) {
           .field("reach", &R::reach)
           .field("plan_rate", &R::plan_rate,
                  "{Hz}, at which plans of the MPC are recorded, at most 20 000 of them; 0: none")
-          .field("after_fault", &R::after_fault,
-                 "{s} that the plant goes on after a fault, to see what becomes of a robot that "
-                 "stands; the figures of path and force end with the fault")
           .field("progress", &R::progress,
                  "Called now and then with the simulated time and about when it will be over, s. "
                  "Returning false stops the run.");

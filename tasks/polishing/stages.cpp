@@ -324,7 +324,7 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
   mpc.friction_estimate = task.friction_estimate;
   mpc.force_sensor = task.force_sensor;
   mpc.limits = task.limits;
-  mpc.fallback = task.standing.stands() ? task.standing.fallback : task.fallback;
+  mpc.fallback = task.fallback;
   mpc.feedback = task.feedback;
 }
 }  // namespace
@@ -342,9 +342,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   problem.contacts = {surface_contact(task, setting)};
   for (const ContactSpec& foot : pressing::foot_contacts(task.standing))
     problem.contacts.push_back(foot);
-  mpc.supports = task.standing.feet;
-  if (task.standing.stands()) mpc.settle = task.standing.settle;
-  mpc.support_sensors = task.standing.stands() && task.standing.force_sensors;
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
   const CostTerm press = pressing::force_cost(build.force(), task.weights.force);
@@ -383,6 +380,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.normal_world = setting.scene.surface.normal;
   mpc.task = pressing_task(task, setting, path, known);
   set_controller(task, model, mpc);
+  pressing::set_standing(task.standing, mpc);
   return mpc;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/sim/closed_loop.hpp"
+#include "pressing/standing_terms.hpp"
 
 namespace burnish::pressing {
 namespace {
@@ -66,6 +67,15 @@ TickTimes summarise(std::vector<double> times, double period) {
   return result;
 }
 
+std::optional<BaseEstimatorOptions> estimator_of(const ClosedRun& run) {
+  return run.standing != nullptr ? base_estimator(*run.standing) : std::nullopt;
+}
+
+/// s that the plant goes on after a fault.
+double after_fault_of(const ClosedRun& run) {
+  return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : 0.0;
+}
+
 /// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.
 constexpr double most_rows = 200e3;
 
@@ -79,7 +89,7 @@ RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanR
   std::optional<RunEnd> fault;
   const auto here = [&] { return RunEnd{plant.time(), loop.command().phase}; };
   const auto goes_on = [&] {
-    return fault ? plant.time() < fault->time + run.after_fault
+    return fault ? plant.time() < fault->time + after_fault_of(run)
                  : run.goes_on(plant.time(), loop.command());
   };
   for (long step = 0; goes_on(); ++step) {
@@ -112,11 +122,11 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
                   std::min(run.plan_rate, most_plans / run.end()));
   ClosedLoopOptions options;
   options.control_period = run.period;
-  options.max_duration = run.longest + run.after_fault;
+  options.max_duration = run.longest + after_fault_of(run);
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
-  if (run.base_estimator) loop.estimate_base(run.model, *run.base_estimator);
+  if (const auto estimator = estimator_of(run)) loop.estimate_base(run.model, *estimator);
   const Clock::time_point begin = Clock::now();
   result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
   RunEnd end{plant->time(), loop.command().phase};
@@ -137,7 +147,9 @@ std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::stri
   const std::string when = " at " + number(end.time) + " s";
   if (result.plant_status > Status::NotConverged)
     return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
-  if (result.fault.kind != FaultKind::None) return result.fault.text();
+  if (result.fault.kind != FaultKind::None)
+    return result.fault.text() +
+           (result.standing ? fell(*result.standing) ? "; it fell" : "; it stands" : "");
   if (result.interrupted) return "interrupted" + when + ", in phase " + phase;
   return "";
 }

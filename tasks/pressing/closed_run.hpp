@@ -1,12 +1,10 @@
 // A task in closed loop with a plant, step by step until it is over, and what that leaves.
 #pragma once
 
-#include <optional>
-
-#include "burnish/estimate/base_estimator.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
 
 namespace burnish::pressing {
 
@@ -20,8 +18,9 @@ struct ClosedRun {
   const Eigen::VectorXd& q_start;  ///< nq, at rest
   double longest;                  ///< s that it may take, without what comes after a fault
   PlantKind plant = PlantKind::Ideal;
-  /// What tells where a floating base is; without, it is known.
-  std::optional<BaseEstimatorOptions> base_estimator = {};
+  /// How the robot stands, where its task says so: whether its base is estimated, and for how long a
+  /// run goes on after a fault.
+  const Standing* standing = nullptr;
   /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
   /// the plans that are recorded.
   MpcController* mpc = nullptr;
@@ -29,7 +28,6 @@ struct ClosedRun {
   std::function<bool(double now, const Command& last)> goes_on = {};
   std::function<double()> end = {};  ///< s, about
   RunProgress progress = {};
-  double after_fault = 0.0;  ///< s that the plant goes on after a fault, to see what becomes of it
 };
 
 /// Where a run ended, or had a fault.
@@ -43,8 +41,8 @@ struct RunEnd {
 /// Throws Error for a plant that is not there and disturbances that do not fit.
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
 
-/// What came in between: the plant's failure, the fault or the interruption ("in phase ...");
-/// empty: none of them.
+/// What came in between: the plant's failure, the fault with what became of a robot that stood, or
+/// the interruption ("in phase ..."); empty: none of them.
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase);
 
 /// s that contact may come later than planned: longer than the controller waits (`limit`, s), if it

@@ -114,7 +114,10 @@ const Description& description_of(const Standing* /*of*/) {
                  "foot on ground that gives way bears no stiffer one")
           .field("settle", &S::settle,
                  "{s} that it is held at first, while the estimate of the base settles", size)
-          .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments");
+          .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments")
+          .field("after_fault", &S::after_fault,
+                 "{s} that a run goes on after a fault, to see what becomes of the robot", size)
+          .more("what the task's figures are about ends with the fault");
   return all;
 }
 

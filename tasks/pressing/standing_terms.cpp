@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/decomposition.hpp"
 #include "base/entry_error.hpp"
@@ -135,6 +136,14 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
            .weight = standing.momentum}};
 }
 
+void set_standing(const Standing& standing, MpcSpec& mpc) {
+  if (!standing.stands()) return;
+  mpc.supports = standing.feet;
+  mpc.support_sensors = standing.force_sensors;
+  mpc.settle = standing.settle;
+  mpc.fallback = standing.fallback;
+}
+
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   if (!standing.stands() || !standing.estimate) return std::nullopt;
   // Of a good unit, with some room, and feet that stand as long as nothing says that they slip.
@@ -172,7 +181,7 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
         {.name = "pressure of " + foot,
          .residual = residual::CenterOfPressure{
              foot, standing.plan_sole * standing.half_x, standing.plan_sole * standing.half_y,
-             standing.plan_friction * std::hypot(standing.half_x, standing.half_y) / 3.0}});
+             standing.plan_friction / std::numbers::sqrt2}});
   }
   return rows;
 }

@@ -39,6 +39,10 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
 /// Balance and momentum, 1 being the base's orientation: of every stage and the end.
 std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q_start);
+/// What a controller is told of them: its supports with their sensors, how it holds the robot at
+/// first and after a fault.
+void set_standing(const Standing& standing, MpcSpec& mpc);
+
 /// What tells where the base is, of a base that is not known.
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
 

@@ -222,7 +222,7 @@ RunResult run_task(const RunSpec& spec) {
   MpcController mpc(std::move(mpc_spec));
   const SceneSpec scene = with_true_wall(task, setting.scene);
   const double end = setting.release_end + task.retreat_duration;
-  const double longest = end + pressing::patience(task.late_contact);
+  const double longest = task.standing.settle + end + pressing::patience(task.late_contact);
   pressing::ClosedRun run{.controller = mpc,
                           .period = 1.0 / task.tick_rate,
                           .model = setting.robot.model,
@@ -231,6 +231,7 @@ RunResult run_task(const RunSpec& spec) {
                           .q_start = setting.q_start,
                           .longest = longest,
                           .plant = spec.plant,
+                          .standing = &task.standing,
                           .mpc = &mpc,
                           .plan_step = task.step,
                           .solver_delay = task.solver_delay,

@@ -353,9 +353,9 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
     contact.reference = Reference::surface(setting.wall_axes);
     mpc.problem.contacts.push_back(contact.with_gains(0.0, task.wall.contact_kd));
   }
-  mpc.supports = task.standing.feet;
+  pressing::set_standing(task.standing, mpc);
   mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
-  mpc.support_sensors = true;
+  mpc.support_sensors = true;  // hands hold at times only
   mpc.problem.initial_state = build.state_target();
   mpc.problem.stages = build.stages();
   mpc.problem.terminal = build.everywhere();

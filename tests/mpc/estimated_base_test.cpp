@@ -110,7 +110,7 @@ TEST(EstimatedBase, WhatCannotBeUsedLeavesTheBaseAndIsBridged) {
   EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), told);
   EXPECT_EQ(base.status(), Status::NotFinite);
   bad = biped.at(53);
-  bad.support_wrenches.setOnes(6, 3);
+  bad.support_wrenches.setOnes(6, 1);
   base.update(bad);
   EXPECT_EQ(base.status(), Status::WrongSize);
   bad = biped.at(54);

@@ -141,7 +141,6 @@ TEST(RunStore, NamesAResultByAllThatItDependsOn) {
   changed([](RunSpec& s) { s.controller = ControllerKind::Mpc; });
   changed([](RunSpec& s) { s.plant = PlantKind::Mujoco; });
   changed([](RunSpec& s) { s.check_reach = false; });
-  changed([](RunSpec& s) { s.after_fault = 1.0; });
   changed([](RunSpec& s) { s.task.disturbances.seed = 7; });
   changed([](RunSpec& s) { s.task.force += 1e-12; });
   changed([](RunSpec& s) { s.task.robot = "no such robot"; });

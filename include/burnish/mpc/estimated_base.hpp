@@ -11,9 +11,10 @@
 namespace burnish {
 
 /// Which feet stand is told by their sensors, where a measurement has any
-/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order), and
-/// by joint torques through the dynamics (FootForces) where not; the base then by BaseEstimator.
-/// Ticks allocate nothing and throw nothing.
+/// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order, and
+/// behind them those of what else the robot leans on), and by joint torques through the dynamics
+/// (FootForces) where not; the base then by BaseEstimator. Ticks throw nothing, and allocate nothing
+/// but what the first of such further columns takes.
 class EstimatedBase {
  public:
   /// Throws Error as BaseEstimator and FootContacts do.
@@ -33,8 +34,7 @@ class EstimatedBase {
   /// stands still, see status()) leaves the base where it was.
   const Measurement& update(const Measurement& measured) noexcept;
 
-  /// Of the last update: WrongSize without a reading of the unit or with another number of
-  /// supports, NotFinite for numbers that are none and a time that does not go on.
+  /// Of the last update: WrongSize without a reading of the unit or with fewer supports than feet, NotFinite for numbers that are none and a time that does not go on.
   Status status() const;
   const BaseEstimator& estimator() const;
   const FootContacts& contacts() const;

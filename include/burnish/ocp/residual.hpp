@@ -152,6 +152,8 @@ struct ContactForceRate {
 /// friction * cos(pi / n) * f_n - d_i . f_t, where d_0 is the next axis of the reference after the
 /// normal (y after x, x after z) and the others follow every 360 / n degrees, towards the axis
 /// after that. What keeps them at zero or above keeps the cone and f_n.
+///
+/// To Problem::set_target its coefficient is its target: what is under a foot may change.
 struct FrictionCone {
   std::string contact = {};
   double friction = 0.5;
@@ -163,15 +165,21 @@ struct FrictionCone {
 /// Four rows, Nm: how far the centre of pressure is inside a rectangle of the tool's axes, times
 /// the normal force f_z: half_x f_z +- m_y, half_y f_z +- m_x; zero where the centre, which is
 /// (-m_y, m_x) / f_z, is at the edge above in x, below in x, below in y, above in y. Default
-/// penalty: a barrier at 0. With a torsion two rows more: torsion f_z +- m_z, how far the moment
-/// about the normal is within what friction bears, which of a sole is some coefficient times a
-/// third of its half diagonal (S. Caron et al., "Stability of surface contacts for humanoid robots:
-/// closed-form formulae of the contact wrench cone for rectangular support areas", 2015).
+/// penalty: a barrier at 0.
+///
+/// With friction eight rows more, Nm, four to the right and four to the left: how far the moment
+/// about the normal is within what the sole's four corners bear with that coefficient each. That is
+/// the less the nearer the centre is to an edge, and nothing at a corner, about which a foot turns
+/// as on a nail (S. Caron, Q.-C. Pham, Y. Nakamura, "Stability of surface contacts for humanoid
+/// robots: closed-form formulae of the contact wrench cone for rectangular support areas", ICRA
+/// 2015, equations 21 and 22). Friction there is a pyramid, |f_x| and |f_y| each within the
+/// coefficient times f_z: one inside the cone has that of the cone over sqrt(2). To
+/// Problem::set_target the coefficient is its target.
 struct CenterOfPressure {
   std::string contact = {};
   double half_x = 0.1;  ///< m
   double half_y = 0.05;
-  double torsion = 0.0;  ///< m; 0: the moment about the normal is free
+  double friction = 0.0;  ///< 0: the moment about the normal is free
 };
 
 /// Centre of mass minus the target, 3 rows, m, world.

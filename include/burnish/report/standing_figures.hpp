@@ -33,4 +33,8 @@ struct StandingFigures {
 StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<SupportSpec>& supports);
 
+/// Whether it fell: its base leaned by more than 30 degrees, or its centre of mass came more than
+/// 0.25 m away, which no sole can hold.
+bool fell(const StandingFigures& figures);
+
 }  // namespace burnish

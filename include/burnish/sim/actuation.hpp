@@ -20,8 +20,8 @@ struct ActuationStep {
   bool held = false;        ///< the command was not finite: the one before it was taken
 };
 
-/// The chain delay, lag, scale and bias (or torque loop), noise, limits. Called once per plant
-/// step; allocates nothing after construction and throws nothing.
+/// The chain delay, lag, scale and bias (or torque loop), noise, limits, and motors that fail.
+/// Called once per plant step; allocates nothing after construction and throws nothing.
 class Actuation {
  public:
   /// dt: the plant's step, s. Throws Error as check_disturbances() does.
@@ -50,12 +50,22 @@ class Actuation {
   struct Random;
   void delay() noexcept;
   void distort() noexcept;
+  void fail() noexcept;
+
+  /// A motor that fails, by its entries of v.
+  struct Loss {
+    MotorLoss when;
+    Eigen::Index first, count;
+  };
 
   Disturbances disturbances_;
   std::vector<char> motor_;  ///< nv: whether the entry has one
   Eigen::VectorXd limit_, scale_, bias_, at_rest_;
   Eigen::MatrixXd queue_;  ///< nv x delay_steps, a ring
   int delay_steps_ = 0, next_ = 0;
+  std::vector<Loss> losses_;
+  double dt_;
+  long steps_ = 0;         ///< since reset()
   double tracking_ = 1.0;  ///< part of the distance to the command that the lag covers in a step
   std::unique_ptr<Random> random_;
   ActuationStep step_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,16 @@ struct Push {
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
   std::string frame = {};  ///< that it acts at; empty: the tip's
 };
+
+/// A motor that gives a part of what it is told, or nothing, for a while. Its torque sensor shows
+/// what it gives.
+struct MotorLoss {
+  double start = 0.0;                                         ///< s
+  double duration = std::numeric_limits<double>::infinity();  ///< s
+  std::string joint = {};                                     ///< by its name; all its entries
+  double share = 0.0;  ///< of its torque that it gives, 0 to 1
+};
+
 /// What a plant carries at one of its frames and its controller does not know: a ball.
 struct UnknownPayload {
   std::string frame = "tool";  ///< that it is fixed to
@@ -35,7 +46,6 @@ struct UnknownPayload {
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
 /// have neither motors nor encoders and are spared. Units are those of revolute joints; prismatic
 /// ones have m and N in place of rad and Nm.
-/// have neither motors nor encoders and are spared.
 struct Disturbances {
   std::uint64_t seed = 0;  ///< of everything that is drawn at random
 
@@ -52,7 +62,8 @@ struct Disturbances {
   /// a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
   /// bandwidth; it follows the sensor's noise instead
   bool torque_loop = false;
-  double torque_sensor_noise = 0.0;  ///< Nm, deviation
+  double torque_sensor_noise = 0.0;           ///< Nm, deviation
+  std::vector<MotorLoss> motor_losses = {};  ///< motors that fail, behind all that
 
   // In the joints of the plant.
   double joint_coulomb = 0.0;  ///< Nm, joint friction
@@ -94,6 +105,7 @@ struct Disturbances {
   std::optional<SurfaceShape> surface_shape = {};
   SurfaceMotion surface_motion = {};            ///< of the surface along its normal
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
+  std::vector<SlipperyGround> slippery_ground = {};  ///< under what the robot stands on
   std::vector<Push> pushes = {};                ///< on the robot
 };
 
@@ -123,7 +135,5 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
 
 /// Sum of the pushes on the tip at a time, N, world axes.
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
-/// Whether a push acts at a time.
-bool acts_at(const Push& push, double time) noexcept;
 
 }  // namespace burnish

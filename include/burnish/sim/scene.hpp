@@ -69,11 +69,29 @@ struct SupportSpec {
   bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
 };
 
+/// Ground that is slippery for a while, under one of the things that the robot stands on.
+struct SlipperyGround {
+  double start = 0.0;                                         ///< s
+  double duration = std::numeric_limits<double>::infinity();  ///< s
+  std::string frame = {};  ///< of the support that stands on it; empty: of all
+  double friction = 0.05;  ///< Coulomb coefficient in place of the support's
+};
+
 struct SceneSpec {
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};
-  std::vector<SupportSpec> supports = {};  ///< such as the feet, on the ground
+  std::vector<SupportSpec> supports = {};            ///< such as the feet, on the ground
+  std::vector<SlipperyGround> slippery_ground = {};  ///< under those
 };
+
+/// Whether something that begins at `start` and lasts `duration` acts at a time; all in s.
+bool acts_at(double start, double duration, double time) noexcept;
+template <class Spell>
+bool acts_at(const Spell& spell, double time) noexcept {
+  return acts_at(spell.start, spell.duration, time);
+}
+/// Coulomb coefficient of what a support of the scene stands on, at a time, s. No allocation.
+double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept;
 
 /// The scene with a normal of length one. Throws Error for numbers that are not finite, a zero
 /// normal, negative friction or damping, stiffness, radius, extent or size that are not positive,

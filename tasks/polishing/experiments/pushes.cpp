@@ -11,8 +11,6 @@ namespace burnish::polishing {
 namespace {
 
 constexpr double push_duration = 0.3;  // s
-/// s of plant after a fault: one who falls lies by then.
-constexpr double watched_after_fault = 2.0;
 
 /// s until the path begins, as it is planned.
 double planned_path_begin(const Task& task) {
@@ -87,7 +85,6 @@ BatchRun push_run(const ExperimentSpec& spec, const Task& task, const std::strin
   run.name = name;
   run.spec.task = task;
   run.spec.plant = spec.plant;
-  run.spec.after_fault = watched_after_fault;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   run.spec.task.verdict = {.contact_share = 0.0, .force_rmse = infinite, .path_share = 0.0};
   const double begin = planned_path_begin(task) + task.polish_duration / 3.0;

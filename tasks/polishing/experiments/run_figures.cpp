@@ -124,8 +124,7 @@ ResultColumn figure_column(const std::string& figure, const std::string& title) 
 }
 
 bool fell(const RunFigures& run) {
-  constexpr double leaning = 30.0 / 180.0 * std::numbers::pi, far = 0.25;  // rad, m
-  return run.standing && !(run.standing->base_tilt <= leaning && run.standing->com_moved <= far);
+  return run.standing && fell(*run.standing);
 }
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result) {

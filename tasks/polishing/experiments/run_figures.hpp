@@ -43,8 +43,7 @@ struct RunFigures {
   double operator[](const std::string& figure) const;
 };
 
-/// Whether a robot that stands fell: its base leaned by more than 30 degrees, or its centre of mass
-/// came more than 0.25 m away, which no sole can hold. False for one that does not stand.
+/// Whether a robot that stands fell. False for one that does not stand.
 bool fell(const RunFigures& run);
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);

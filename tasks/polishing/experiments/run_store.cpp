@@ -279,7 +279,6 @@ RunStore::RunStore(std::string experiment, std::string version, std::vector<fs::
 
 std::string RunStore::name_of(const std::string& run, const RunSpec& spec) const {
   std::string text;
-  if (spec.after_fault > 0.0) text = document::number_text(spec.after_fault) + " s after a fault\n";
   for (const std::string& part :
        {version_, experiment_, run, polishing::name_of(spec.controller),
         std::string(burnish::name_of(spec.plant)), std::string(spec.check_reach ? "checked" : ""),

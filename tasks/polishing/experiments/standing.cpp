@@ -78,7 +78,6 @@ std::vector<BatchRun> preset_runs(const ExperimentSpec& spec, std::vector<Standi
       const std::size_t before = runs.size();
       add_seeds(spec, std::string(what->name) + ", " + preset, task_of(spec, *what, preset),
                 preset == "none" ? 1 : seeds, runs);
-      for (std::size_t i = before; i < runs.size(); ++i) runs[i].spec.after_fault = 2.0;
       groups.back().runs.resize(runs.size() - before);
     }
   return runs;

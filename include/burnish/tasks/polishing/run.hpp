@@ -32,9 +32,6 @@ struct RunSpec {
   ReachOptions reach = {};
   /// Hz, at which plans of the MPC are recorded, at most 20 000 of them; 0: none
   double plan_rate = 20.0;
-  /// s that the plant goes on after a fault, to see what becomes of a robot that stands; the
-  /// figures of path and force end with the fault
-  double after_fault = 0.0;
   RunProgress progress = nullptr;
 };
 

@@ -40,6 +40,9 @@ struct Standing {
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
   double settle = 1.0;  ///< s that it is held at first, while the estimate of the base settles
   bool force_sensors = true;  ///< in the feet, of forces and moments
+  /// s that a run goes on after a fault, to see what becomes of the robot; what the task's figures
+  /// are about ends with the fault
+  double after_fault = 2.0;
 
   bool stands() const { return !feet.empty(); }
   bool has_soles() const { return half_x > 0.0 && half_y > 0.0; }
