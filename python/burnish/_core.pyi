@@ -735,6 +735,8 @@ class MpcController(CompiledController):
     @property
     def force_error(self) -> float: ...  # N
     @property
+    def support_friction(self) -> Array: ...  # one per support
+    @property
     def schedule(self) -> Schedule: ...
     @property
     def plan_age(self) -> float: ...  # s

@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # it imports what is here
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "FrictionEstimateOptions", "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
-    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "TorqueErrorObserver",
+    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "SlipOptions", "TorqueErrorObserver",
 ]
 
 

@@ -313,6 +313,12 @@ void bind_mpc_controller(py::module_& m) {
                              reading("MpcController.force_error",
                                      [](const MpcController& mpc) { return mpc.force_error(); }),
                              "N, estimated (ModelErrorKind.FORCE).")
+      .def_property_readonly(
+          "support_friction",
+          reading("MpcController.support_friction",
+                  [](const MpcController& mpc) { return mpc.support_friction(); }),
+          "Per support that holds always: the coefficient of friction that plans reckon with, "
+          "SlipOptions; infinite without a cone.")
       .def_property_readonly("schedule",
                              reading("MpcController.schedule",
                                      [](const MpcController& mpc) { return mpc.schedule(); }),

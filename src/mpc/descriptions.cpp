@@ -150,7 +150,40 @@ const Description& description_of(const SafetyLimits* /*of*/) {
           .field("deadline", &S::deadline, "{s} of computing time per plan",
                  range::not_negative_or_infinite)
           .more("of wall clock; the first one, made at rest, may take longer")
-          .field("late_solves", &S::late_solves, "in a row", count);
+          .field("late_solves", &S::late_solves, "in a row", count)
+          .field("support_way", &S::support_way,
+                 "{m} along the ground that a foot may come away from where it has been for the "
+                 "last second",
+                 limit)
+          .field("torque_gap", &S::torque_gap,
+                 "of a joint's effort limit, that the measured torque may be off the commanded "
+                 "one, mean over 30 ms: a motor that fails",
+                 limit)
+          .in_code(
+              "of a joint's effort limit, that the measured torque may be off the commanded one, "
+              "mean over 30 ms: a motor that fails. For measurements that have torques.");
+  return all;
+}
+
+const Description& description_of(const SlipOptions* /*of*/) {
+  using S = SlipOptions;
+  static const Description all =
+      Describe<S>("mpc", "SlipOptions",
+                  "What plans make of a support that holds always and slips all the same: they "
+                  "keep its forces within what it was felt to bear while it did, or, where that is "
+                  "not measured, within less and less. It slips while it bears `load`, is away "
+                  "from where it has been by `way`, along the ground, and goes on faster than "
+                  "`speed`.")
+          .field("enabled", &S::enabled, "plans are told of feet that slip")
+          .field("way", &S::way, "{m}", range::not_negative)
+          .field("speed", &S::speed, "{m/s}, mean over 5 ms", range::not_negative)
+          .field("load", &S::load, "{N}", range::not_negative)
+          .field("share", &S::share, "of what was felt, that plans keep within", range::share)
+          .field("least", &S::least, "coefficient of friction that plans are always left",
+                 range::positive)
+          .field("recovery", &S::recovery,
+                 "{1/s}, coefficient by which they trust it again while it rests",
+                 range::not_negative);
   return all;
 }
 
@@ -361,6 +394,12 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("model_error", &M::model_error)
           .field("friction_estimate", &M::friction_estimate,
                  "Of the tool's contacts with friction (ContactSpec.friction): their coefficient.")
+          .field("slip", &M::slip, "of what the robot stands on")
+          .field("refuge", &M::refuge,
+                 "Phase that the schedule goes to at once when what the robot stands on came away "
+                 "too far (FaultKind.SUPPORT_SLIPPED): its task is given up, and plans go on, "
+                 "since they balance and the fallback does not. The next fault leads to the "
+                 "fallback. Empty: so does this one.")
           .field("limits", &M::limits)
           .field("fallback", &M::fallback)
           .field("feedback", &M::feedback,

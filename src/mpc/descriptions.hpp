@@ -12,6 +12,7 @@ namespace burnish {
 const Words& words_of(ModelErrorKind);
 const Words& words_of(PlanTiming);
 const Description& description_of(const SafetyLimits*);
+const Description& description_of(const SlipOptions*);
 const Description& description_of(const Fallback*);
 const Description& description_of(const ModelErrorOptions*);
 const Description& description_of(const SurfaceEstimateOptions*);

@@ -30,6 +30,10 @@ std::string_view name_of(FaultKind kind) {
       return "force limit";
     case FaultKind::SpeedLimit:
       return "speed limit";
+    case FaultKind::SupportSlipped:
+      return "support slipped";
+    case FaultKind::MotorLost:
+      return "motor lost";
     case FaultKind::Watched:
       return "beyond a limit";
   }
@@ -63,6 +67,10 @@ const char* words(FaultKind kind) {
       return "%s at %.4f s: %.4g N at the tool; allowed are %.4g N";
     case FaultKind::SpeedLimit:
       return "%s at %.4f s: a speed of %.4g; allowed is %.4g";
+    case FaultKind::SupportSlipped:
+      return "%s at %.4f s: %.4g m away from where it was; allowed are %.4g m";
+    case FaultKind::MotorLost:
+      return "%s at %.4f s: a torque of %.4g Nm (N) off what was sent; allowed are %.4g";
     case FaultKind::Watched:
       return "%s at %.4f s: %.4g; allowed is %.4g";
     case FaultKind::None:

@@ -33,6 +33,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
 void Holding::reset() noexcept {
   blind_for_ = 0.0;
   holding_ = false;
+  lost_ = -1;
 }
 
 const Eigen::VectorXd* Holding::at_rest(const Eigen::VectorXd& q) noexcept {
@@ -64,6 +65,7 @@ bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
       mobility_(i, j) = free_.da_dtau()(k, actuated_[static_cast<std::size_t>(j)]);
     scale_[i] = 1.0 / std::sqrt(std::max(mobility_(i, i), 1e-12));
   }
+  leave_out_lost();
   constexpr double least = 1e-3;  // of B: below it nothing moves
   mobility_ = scale_.asDiagonal() * mobility_ * scale_.asDiagonal();
   square_.noalias() = mobility_ * mobility_;
@@ -84,6 +86,17 @@ bool Holding::weigh_what_is_carried(const Eigen::VectorXd& q) noexcept {
   return weight_.allFinite() && mass_.allFinite();
 }
 
+/// What moves freely there is no entry of the inertia, and takes no torque.
+void Holding::leave_out_lost() noexcept {
+  for (std::size_t i = 0; i < actuated_.size(); ++i) {
+    if (actuated_[i] != lost_) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    mobility_.row(at).setZero();
+    mobility_.col(at).setZero();
+    fall_[at] = 0.0;
+  }
+}
+
 void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
                      Eigen::VectorXd& tau) noexcept {
   blind_for_ = fresh ? 0.0 : blind_for_ + tick_period_;
@@ -95,6 +108,7 @@ void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fr
     for (const int j : actuated_) tau[k] -= fallback_.damping * mass_(k, j) * v[j];
     if (held) tau[k] -= pull_[k];
   }
+  if (lost_ >= 0) tau[lost_] = 0.0;
 }
 
 /// The spring's torque in pull_, slipped to what it may use; false where there is no spring.

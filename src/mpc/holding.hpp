@@ -18,6 +18,8 @@ class Holding {
   void set_payload(std::string_view frame, const InertiaSpec& payload) {
     (void)free_.set_payload(frame, payload);
   }
+  /// The motor of an entry of v gives nothing from now on, until reset(); -1: all do.
+  void do_without(int entry) noexcept { lost_ = entry; }
   /// The next time it holds, it holds where the robot is then.
   void release() noexcept { holding_ = false; }
   /// tau (nv, Nm or N) at q, v; zero where the dynamics cannot be evaluated. fresh: q and v are of
@@ -32,6 +34,7 @@ class Holding {
  private:
   bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;
   bool weigh_freely(const Eigen::VectorXd& q) noexcept;
+  void leave_out_lost() noexcept;
   bool weigh_what_is_carried(const Eigen::VectorXd& q) noexcept;
 
   Fallback fallback_;
@@ -40,6 +43,7 @@ class Holding {
   Eigen::VectorXd effort_;
   Tree tree_;
   bool is_closed_;
+  int lost_ = -1;  ///< entry of v
   ContactDynamics free_;  ///< the robot without contacts but its supports and loops
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;

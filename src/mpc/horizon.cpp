@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpc/closed_dynamics.hpp"
+
 namespace burnish {
 
 namespace {
@@ -62,6 +64,7 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
       following_(contacts_on_surface(spec)),
       rubbing_(contacts_that_rub(spec)),
       friction_(spec.friction_estimate.coefficient),
+      grounds_(ground_terms(spec)),
       corrects_force_(spec.model_error.kind == ModelErrorKind::Force),
       forces_(spec.problem.stages.size()),
       places_(spec.problem.stages.size()),
@@ -88,6 +91,12 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
     note(stage.constraints, static_cast<int>(stage.costs.size()), &forces_[s], places_[s]);
   }
   note(spec.problem.terminal, 0, nullptr, places_at_end_);
+  const std::vector<ContactSpec> supports = supports_of(spec);
+  cones_.resize(static_cast<Eigen::Index>(supports.size()));
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    cones_[static_cast<Eigen::Index>(i)] =
+        ground_figures(spec.problem, supports[i].name).friction;
+  support_friction_ = cones_;
 }
 
 int Horizon::stage_at(double schedule_time) const noexcept {
@@ -100,8 +109,19 @@ void Horizon::place_knot(int knot, double schedule_time) {
   if (surface_)
     for (const int contact : following_) (void)problem_.set_surface(knot, contact, *surface_);
   for (const int contact : rubbing_) (void)problem_.set_friction(knot, contact, friction_);
+  if (knot < problem_.knots()) ground(knot, stage);
   if (surface_ && depth_ > 0.0) press_places(knot, schedule_time);
   if (corrects_force_ && knot < problem_.knots()) lower_forces(knot, schedule_time);
+}
+
+/// A knot that was set has the specification's friction.
+void Horizon::ground(int knot, int stage) {
+  for (const GroundTerm& ground : grounds_[static_cast<std::size_t>(stage)]) {
+    const double known = support_friction_[ground.support], cone = cones_[ground.support];
+    if (!(known < cone)) continue;
+    one_[0] = ground.friction * known / cone;
+    (void)problem_.set_target(knot, ground.term, one_);  // one_ has the term's size
+  }
 }
 
 /// Across the normal n the tool is where it is to be if it is depth n below there.

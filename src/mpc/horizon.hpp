@@ -5,6 +5,7 @@
 #include "burnish/mpc/knot_times.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
+#include "mpc/ground_terms.hpp"
 
 namespace burnish {
 
@@ -37,6 +38,12 @@ class Horizon {
   void forget_surface() noexcept { surface_.reset(); }
   /// The coefficient of the tool's contacts with friction, likewise.
   void set_friction(double coefficient) noexcept { friction_ = coefficient; }
+
+  /// The coefficient of friction under each support that holds always, likewise; what the problem
+  /// states beside its cone's goes with that. Where it is infinite the specification's is kept.
+  void set_support_friction(const Eigen::VectorXd& friction) noexcept {
+    support_friction_ = friction;
+  }
 
   /// Stage and time of a knot, of all of them. Where knots are of different lengths, the one that
   /// begins nearest to a change of phase begins there: in a long knot a contact would else be made
@@ -71,6 +78,7 @@ class Horizon {
   double where(int knot, double elapsed) const noexcept;
   void guess_mean_control(int knot, double elapsed, const DdpSolver& solver) noexcept;
   void press_places(int knot, double schedule_time);
+  void ground(int knot, int stage);
   void lower_forces(int knot, double schedule_time);
 
   Problem& problem_;
@@ -85,6 +93,9 @@ class Horizon {
   double depth_ = 0.0;        ///< m
   std::vector<int> rubbing_;  ///< contacts_that_rub()
   double friction_;
+  std::vector<std::vector<GroundTerm>> grounds_;  ///< per stage
+  Eigen::VectorXd cones_;             ///< per support, as the specification has them
+  Eigen::VectorXd support_friction_;  ///< per support
   bool corrects_force_;
   double force_error_ = 0.0;
   /// Per stage: contact forces of one row, points of the world that the tool is to come to.

@@ -24,6 +24,7 @@ std::exception_ptr MpcController::take_exception() noexcept {
 }
 const LinearFeedback& MpcController::feedback() const { return impl_->policy.feedback(); }
 const Eigen::VectorXd& MpcController::torque_error() const { return impl_->error.torque_error(); }
+const Eigen::VectorXd& MpcController::support_friction() const { return impl_->grip.friction(); }
 double MpcController::force_error() const { return impl_->error.force_error(); }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 double MpcController::plan_age() const { return impl_->gate.now() - impl_->policy.measured(); }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "mpc/mpc_check.hpp"
 
 namespace burnish {
@@ -25,6 +26,18 @@ std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   std::unique_ptr<MpcTask> made = spec.task(spec);
   if (!made) throw Error("MPC: the specification's task makes none");
   return made;
+}
+
+/// MpcSpec::refuge; -1: none.
+int phase_named(const MpcSpec& spec) {
+  if (spec.refuge.empty()) return -1;
+  std::vector<std::string> names;
+  for (const SchedulePhase& phase : spec.schedule) names.push_back(phase.name);
+  const auto found = std::find(names.begin(), names.end(), spec.refuge);
+  if (found == names.end())
+    throw Error("MPC: the refuge " + in_quotes(spec.refuge) + " is no phase of the schedule" +
+                did_you_mean(spec.refuge, names));
+  return static_cast<int>(found - names.begin());
 }
 
 /// Room for the longest solve. Limits that cannot be kept give way at their price, and at that
@@ -48,6 +61,7 @@ MpcController::Impl::Impl(MpcSpec given)
       schedule(spec.schedule, task->events()),
       gate(spec),
       error(spec),
+      grip(spec),
       horizon(spec, problem, schedule),
       policy(spec, problem),
       in_use_(policy),
@@ -55,6 +69,8 @@ MpcController::Impl::Impl(MpcSpec given)
       prediction_(problem),
       holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
+      motors_(spec),
+      refuge_(phase_named(spec)),
       black_box_(spec, fault),
       watched_(task->watched()),
       readings_(watched_.size()),
@@ -68,7 +84,7 @@ MpcController::Impl::Impl(MpcSpec given)
       u_plan_(u_) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_world;
-  std::size_t longest = 0;
+  std::size_t longest = grip.longest_name();
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
     longest = std::max(longest, quantity.name.size());
@@ -100,9 +116,12 @@ void MpcController::Impl::reset() noexcept {
   fault.reset();
   gate.reset();
   error.reset();
+  grip.reset();
+  horizon.set_support_friction(grip.friction());
   policy.reset();
   holding_.reset();
   plans_.reset();
+  motors_.reset();
   black_box_.reset();
   thrown = nullptr;
   solver.forget_limits();
@@ -122,8 +141,9 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.status = Status::Ok;
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
-  if (gate.is_fresh() && !fault.is_set() && has_settled()) see();
-  const bool controls = !fault.is_set() && solved_;
+  if (gate.is_fresh()) motors_.look(gate, command_.tau);
+  if (gate.is_fresh() && !fault.holds() && has_settled()) see();
+  const bool controls = !fault.holds() && solved_;
   if (controls) {
     control();
   } else {
@@ -150,6 +170,7 @@ void MpcController::Impl::see() noexcept {
   const unsigned happened = task->sense(view);
   look_at_surface();
   error.update(gate, command_, stage, schedule.time());
+  grip.update(gate);
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
   // While a thread makes the first plan the robot is held, and nothing of the task is due.
@@ -161,7 +182,7 @@ void MpcController::Impl::see() noexcept {
   // Else a plan that was to be used until the next one is there would never be.
   const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
                        (spec.timing == PlanTiming::Fixed || !policy.waits());
-  if (!fault.is_set() && due_ && is_free) update();
+  if (!fault.holds() && due_ && is_free) update();
 }
 
 /// With the robot's frame that the surface moves with.
@@ -192,6 +213,8 @@ void MpcController::Impl::look_at_surface() noexcept {
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
   watch_joints(problem.model(), spec.limits, gate, fault);
+  if (grip.watch(gate.now(), fault) && refuge_ >= 0) seek_refuge();
+  motors_.watch(gate.now(), fault);
   task->watch(view, readings_);
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     const auto [value, limit] = readings_[i];
@@ -199,6 +222,14 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
     if (!(value > limit) || !fault.raise(gate.now(), kind, value, limit)) continue;
     if (kind == FaultKind::Watched) fault.report.quantity = watched_[i].name;  // there is room
   }
+}
+
+/// The task is given up, and the robot kept on its feet by plans.
+void MpcController::Impl::seek_refuge() noexcept {
+  fault.go_on();
+  schedule.jump_to(refuge_);
+  jumped_ = true;
+  due_ = true;
 }
 
 void MpcController::Impl::update() noexcept {
@@ -230,6 +261,7 @@ bool MpcController::Impl::prepare_plan() noexcept {
   jumped_ = false;
   horizon.follow(schedule);
   horizon.set_friction(command_.friction);
+  horizon.set_support_friction(grip.friction());
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
   x_plan_ = measured_state();
@@ -383,6 +415,7 @@ void MpcController::Impl::control() noexcept {
 }
 
 void MpcController::Impl::fall_back() noexcept {
+  holding_.do_without(motors_.lost());
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
   holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), command_.tau);
   error.joint_friction().rest();
@@ -402,7 +435,7 @@ void MpcController::Impl::limit_torque(bool controls) noexcept {
 
 void MpcController::Impl::aim() noexcept {
   command_.phase = schedule.phase();
-  if (fault.is_set()) {
+  if (fault.holds()) {
     command_.target_force = 0.0;
     return;
   }

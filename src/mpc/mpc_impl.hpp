@@ -14,6 +14,7 @@
 #include "mpc/horizon.hpp"
 #include "mpc/measurement_gate.hpp"
 #include "mpc/prediction.hpp"
+#include "mpc/support_grip.hpp"
 #include "mpc/watch.hpp"
 
 namespace burnish {
@@ -32,6 +33,7 @@ struct MpcController::Impl {
   void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
+  void seek_refuge() noexcept;
   void update() noexcept;
   bool prepare_plan() noexcept;
   bool tell_torque_error() noexcept;
@@ -59,6 +61,7 @@ struct MpcController::Impl {
   FaultLatch fault;
   MeasurementGate gate;
   ErrorEstimate error;
+  SupportGrip grip;
   Horizon horizon;
   Policy policy;
   std::exception_ptr thrown;  ///< by a function of the specification, first of all
@@ -85,6 +88,8 @@ struct MpcController::Impl {
   Prediction prediction_;
   Holding holding_;
   PlanWatch plans_;
+  MotorWatch motors_;
+  int refuge_;  ///< phase; -1: none
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< of watched_

@@ -23,6 +23,30 @@ void watch_joints(const Model& model, const SafetyLimits& limits, const Measurem
   }
 }
 
+MotorWatch::MotorWatch(const MpcSpec& spec)
+    : share_(spec.limits.torque_gap),
+      effort_(spec.problem.model.effort_limit),
+      gap_(Eigen::VectorXd::Zero(spec.problem.model.nv)) {
+  for (const Joint& joint : spec.problem.model.joints)
+    if (joint.kind != JointKind::FreeFlyer && !joint.follows)
+      for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
+}
+
+void MotorWatch::look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept {
+  if (std::isinf(share_) || lost_ >= 0) return;
+  constexpr double window = 0.03;  // s
+  const double part = -std::expm1(-gate.dt() / window);
+  for (const int k : actuated_) {
+    gap_[k] += part * (tau_before[k] - gate.last().tau[k] - gap_[k]);
+    if (effort_[k] > 0.0 && std::abs(gap_[k]) > share_ * effort_[k]) lost_ = k;
+  }
+}
+
+void MotorWatch::watch(double now, FaultLatch& latch) const noexcept {
+  if (lost_ >= 0)
+    latch.raise(now, FaultKind::MotorLost, std::abs(gap_[lost_]), share_ * effort_[lost_], lost_);
+}
+
 bool PlanWatch::judge(double now, bool usable, bool first, double seconds,
                       FaultLatch& latch) noexcept {
   failed_ = usable ? 0 : failed_ + 1;

@@ -24,4 +24,24 @@ class PlanWatch {
   int failed_ = 0, late_ = 0;
 };
 
+/// What motors give beside what they are told.
+class MotorWatch {
+ public:
+  explicit MotorWatch(const MpcSpec& spec);
+  void reset() noexcept {
+    gap_.setZero();
+    lost_ = -1;
+  }
+  /// After a good measurement, after a fault too; tau_before: nv, sent at the tick before.
+  void look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept;
+  void watch(double now, FaultLatch& latch) const noexcept;
+  int lost() const { return lost_; }  ///< entry of v, the first one found; -1: none
+
+ private:
+  std::vector<int> actuated_;
+  double share_;  ///< SafetyLimits::torque_gap
+  Eigen::VectorXd effort_, gap_;
+  int lost_ = -1;
+};
+
 }  // namespace burnish

@@ -129,6 +129,8 @@ struct ClosedLoop::Impl {
         tip(body.frame(driven.scene().tip.frame)),
         carrier(driven.scene().surface.frame.empty() ? -1
                                                      : body.frame(driven.scene().surface.frame)),
+        hoist(driven.scene().hoist),
+        hung(hoist.holds() ? body.frame(hoist.frame) : -1),
         total(Eigen::VectorXd::Zero(driven.model().nv)),
         trace(columns_of(driven.model(), driven.scene()), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
@@ -145,6 +147,8 @@ struct ClosedLoop::Impl {
   double* record_state(double* to) noexcept;
   void record_step(double* to, Status status, bool ticked) const noexcept;
   void place_tool() noexcept;
+  void hang() noexcept;
+  void add_hoist(double share) noexcept;
   void place_surface() noexcept {
     if (carrier >= 0) surface_world = body.placement(carrier);
   }
@@ -162,6 +166,9 @@ struct ClosedLoop::Impl {
   int carrier;              ///< frame of the surface; -1: the world
   std::vector<int> pushed;  ///< frames of the pushes
   FrameDerivatives motion;
+  HoistSpec hoist;
+  int hung;  ///< frame of the hoist; -1: none
+  Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();  ///< of it, at first
   Eigen::VectorXd total;
   Trace trace;
   long steps = 0;
@@ -202,6 +209,7 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
   impl_->steps = 0;
   if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok) {
     impl_->place_surface();
+    impl_->hang();
     impl_->start_R =
         impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
   }
@@ -244,10 +252,40 @@ void ClosedLoop::Impl::place_tool() noexcept {
   turned = rotation.angle() * rotation.axis();
 }
 
-/// The torques with what pushes on other frames than the tip do: J^T f.
+void ClosedLoop::Impl::hang() noexcept {
+  if (hung >= 0) hung_world = body.placement(hung);
+}
+
+/// To the total, at the state of the body.
+void ClosedLoop::Impl::add_hoist(double share) noexcept {
+  const double mass = body.mass();
+  // Stiff beside what a robot's legs push with, well damped, and slow beside a plant's step.
+  const double stiffness = 2e3 * mass, damping = 60.0 * mass;  // N/m, Ns/m
+  constexpr double arm = 0.3;                                  // m, of a robot's inertia, about
+  const Eigen::Isometry3d now = body.placement(hung);
+  const Vector6 v_hung_world = body.velocity(hung, Reference::centered());
+  const Eigen::AngleAxisd turn(
+      Eigen::Matrix3d(now.linear() * hung_world.linear().transpose()));
+  Vector6 wrench_world;
+  wrench_world.head<3>() = -mass * plant->model().gravity -
+                           stiffness * (now.translation() - hung_world.translation()) -
+                           damping * v_hung_world.head<3>();
+  wrench_world.tail<3>() =
+      -arm * arm * (stiffness * turn.angle() * turn.axis() + damping * v_hung_world.tail<3>());
+  body.frame_derivatives(hung, Reference::centered(), motion);
+  total.noalias() += share * (motion.jacobian.transpose() * wrench_world);
+}
+
+/// The torques with what a hoist does and what pushes on other frames than the tip do: J^T f.
 const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau) noexcept {
   const double now = plant->time();
   bool any = false;
+  if (const double share = hung < 0 ? 0.0 : hoist.share(now); share > 0.0) {
+    if (body.update(plant->q(), plant->v()) > Status::NotConverged) return tau;
+    total = tau;
+    any = true;
+    add_hoist(share);
+  }
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     if (pushes[i].frame.empty() || !acts_at(pushes[i], now)) continue;
     if (!any) {

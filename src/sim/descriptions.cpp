@@ -259,6 +259,19 @@ const Description& description_of(const SupportSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const HoistSpec* /*of*/) {
+  using H = HoistSpec;
+  static const Description all =
+      Describe<H>("sim", "HoistSpec",
+                  "What holds the robot by a frame at first, as a crane does, and lets it go: its "
+                  "weight, upwards at that frame, and a stiff spring and damper about where that "
+                  "was, in place and rotation. It has all of it for the first half of `duration` "
+                  "and gives it to what the robot stands on in the second.")
+          .field("frame", &H::frame, "empty: nothing holds it")
+          .field("duration", &H::duration, "{s}, until it has let go", range::not_negative);
+  return all;
+}
+
 const Description& description_of(const SceneSpec* /*of*/) {
   static const Description all =
       Describe<SceneSpec>("sim", "SceneSpec",
@@ -267,7 +280,8 @@ const Description& description_of(const SceneSpec* /*of*/) {
           .field("surface", &SceneSpec::surface, "")
           .field("tip", &SceneSpec::tip, "")
           .field("supports", &SceneSpec::supports, "such as the feet, on the ground")
-          .field("slippery_ground", &SceneSpec::slippery_ground, "under those");
+          .field("slippery_ground", &SceneSpec::slippery_ground, "under those")
+          .field("hoist", &SceneSpec::hoist, "of a ClosedLoop, not the plant's");
   return all;
 }
 

@@ -21,6 +21,7 @@ const Description& description_of(const SurfaceSpec*);
 const Description& description_of(const ToolTipSpec*);
 const Description& description_of(const SupportSpec*);
 const Description& description_of(const SlipperyGround*);
+const Description& description_of(const HoistSpec*);
 const Description& description_of(const SceneSpec*);
 const Description& description_of(const PlantSnapshot*);
 const Description& description_of(const ActuationStep*);

@@ -71,6 +71,9 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   if (!surface.frame.empty()) check_carried(model, scene);
   for (const SupportSpec& support : scene.supports) check_support(model, support);
   for (const SlipperyGround& ground : scene.slippery_ground) check_ground(scene, ground);
+  check_ranges(description_of(&scene.hoist), &scene.hoist,
+               [](const std::string& entry) { return "the hoist's " + entry; });
+  if (!scene.hoist.frame.empty()) check_moves(model, scene.hoist.frame, "the hoist's");
   surface.shape.check("the surface");
   const double bend = surface_of(surface).most_concave();
   if (!(bend * scene.tip.radius < 1.0))
@@ -81,6 +84,12 @@ SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
   result.surface.normal.normalize();
   for (SupportSpec& support : result.supports) support.normal.normalize();
   return result;
+}
+
+double HoistSpec::share(double time) const noexcept {
+  if (!holds() || time >= duration) return 0.0;
+  const double s = std::clamp(2.0 * time / duration - 1.0, 0.0, 1.0);
+  return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
 bool acts_at(double start, double duration, double time) noexcept {

@@ -173,6 +173,8 @@ struct Builder {
     result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
     result.contacts = task.standing.feet;
     for (const CostTerm& term : extra) result.costs.push_back(term);
+    for (const CostTerm& term : pressing::rubbing_costs(task.standing))
+      result.costs.push_back(term);
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
@@ -381,6 +383,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.task = pressing_task(task, setting, path, known);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
+  if (task.standing.stands()) mpc.refuge = name_of(Phase::Retreat);
   return mpc;
 }
 

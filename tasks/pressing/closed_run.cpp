@@ -114,7 +114,8 @@ RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanR
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   const double dt = plant_step(run.period);
   const Model model = plant_model(run.model, run.disturbances);
-  const SceneSpec scene = plant_scene(run.scene, run.disturbances);
+  SceneSpec scene = plant_scene(run.scene, run.disturbances);
+  if (run.standing != nullptr) scene.hoist = hoist_of(model, *run.standing);
   const auto plant = make_plant(run.plant, model, scene, dt);
   std::optional<PlanRecorder> plans;
   if (run.mpc != nullptr)

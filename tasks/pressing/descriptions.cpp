@@ -101,6 +101,11 @@ const Description& description_of(const Standing* /*of*/) {
           .field("base", &S::base, "{1/rad^2}: base to its orientation at the start", size)
           .field("momentum", &S::momentum,
                  "{per (kg m/s)^2 and (kg m^2/s)^2}: momentum about the centre of mass", size)
+          .field("rubbing", &S::rubbing,
+                 "{1/N^2}: what each foot bears along the ground, and about its normal as forces "
+                 "at a sole's ends",
+                 size)
+          .more("what feet do against each other costs grip and holds nothing")
           .field("contact_kd", &S::contact_kd,
                  "{1/s}, damping of the feet's constraint (Baumgarte)", size)
           .field("estimate", &S::estimate,
@@ -112,6 +117,10 @@ const Description& description_of(const Standing* /*of*/) {
           .field("fallback", &S::fallback,
                  "how it is held at first and after a fault, in the place of the task's: a light "
                  "foot on ground that gives way bears no stiffer one")
+          .field("hoist", &S::hoist,
+                 "{s} at first in which a hoist that holds its base gives the weight to its feet",
+                 size)
+          .field("slip", &S::slip, "what plans make of a foot that slips")
           .field("settle", &S::settle,
                  "{s} that it is held at first, while the estimate of the base settles", size)
           .field("force_sensors", &S::force_sensors, "in the feet, of forces and moments")

@@ -74,6 +74,15 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
   return supports;
 }
 
+HoistSpec hoist_of(const Model& model, const Standing& standing) {
+  if (!standing.stands()) return {};
+  for (const Frame& frame : model.frames)
+    if (frame.body >= 0 &&
+        model.joints[static_cast<std::size_t>(frame.body)].kind == JointKind::FreeFlyer)
+      return {frame.name, standing.hoist};
+  return {};
+}
+
 std::vector<ContactSpec> foot_contacts(const Standing& standing) {
   std::vector<ContactSpec> contacts;
   for (const std::string& foot : standing.feet) {
@@ -136,11 +145,29 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
            .weight = standing.momentum}};
 }
 
+std::vector<CostTerm> rubbing_costs(const Standing& standing) {
+  std::vector<CostTerm> terms;
+  if (standing.rubbing == 0.0) return terms;
+  // A moment is as bad as the forces at the ends of a sole that make it.
+  const double per_square = 1.0 / (standing.half_x * standing.half_x);
+  for (const std::string& foot : standing.feet) {
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(standing.has_soles() ? 6 : 3);
+    rows.head<2>().setOnes();
+    if (standing.has_soles()) rows[5] = per_square;
+    terms.push_back({.name = "rubbing of " + foot,
+                     .residual = residual::ContactForce{foot},
+                     .weight = standing.rubbing,
+                     .weights = rows});
+  }
+  return terms;
+}
+
 void set_standing(const Standing& standing, MpcSpec& mpc) {
   if (!standing.stands()) return;
   mpc.supports = standing.feet;
   mpc.support_sensors = standing.force_sensors;
   mpc.settle = standing.settle;
+  mpc.slip = standing.slip;
   mpc.fallback = standing.fallback;
 }
 

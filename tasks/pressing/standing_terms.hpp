@@ -22,6 +22,9 @@ void check_standing(const Model& model, const Standing& standing);
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q);
 
+/// What holds its base at first.
+HoistSpec hoist_of(const Model& model, const Standing& standing);
+
 /// One contact per foot, called as its frame: soles hold everything, balls their place.
 std::vector<ContactSpec> foot_contacts(const Standing& standing);
 
@@ -39,6 +42,10 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
 /// Balance and momentum, 1 being the base's orientation: of every stage and the end.
 std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q_start);
+/// What feet bear along the ground and about its normal, which is to be little: of every stage, not
+/// of the end.
+std::vector<CostTerm> rubbing_costs(const Standing& standing);
+
 /// What a controller is told of them: its supports with their sensors, how it holds the robot at
 /// first and after a fault.
 void set_standing(const Standing& standing, MpcSpec& mpc);

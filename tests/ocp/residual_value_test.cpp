@@ -137,6 +137,126 @@ TEST_P(FrictionPyramid, IsInsideTheConeAndReachesItAtItsEdges) {
 
 INSTANTIATE_TEST_SUITE_P(Sides, FrictionPyramid, ::testing::Values(3, 4, 5, 6));
 
+/// The rows of a sole's pressure and turning as a linear map of its wrench in the tool's axes.
+class SoleWrenches : public ::testing::Test {
+ protected:
+  static constexpr double x = 0.1, y = 0.06, mu = 0.4;
+
+  void SetUp() override {
+    constexpr int draws = 60;
+    Eigen::MatrixXd wrenches(6, draws), rows(12, draws);
+    const Model model = arm.robot.model();
+    ProblemSpec spec = bare_problem(OcpCase{arm.robot, false}, model);
+    spec.stages = {{.name = "go",
+                    .contacts = {"pad"},
+                    .costs = {{.residual = residual::Control{}}},
+                    .constraints = {{.name = "wrench",
+                                     .residual = residual::ContactForce{"pad", Reference::local()},
+                                     .lower = Eigen::VectorXd::Constant(6, -1e9)},
+                                    {.name = "sole",
+                                     .residual = residual::CenterOfPressure{"pad", x, y, mu}}}}};
+    spec.horizon = {{"go", 1}};
+    Problem made(spec);
+    std::mt19937_64 generator{5};
+    for (int i = 0; i < draws; ++i) {
+      const OcpState at = random_ocp_state(made, generator);
+      const std::vector<double> values = made.row_values(0, at.x.data(), at.u.data());
+      wrenches.col(i) = Eigen::Map<const Eigen::VectorXd>(values.data(), 6);
+      rows.col(i) = Eigen::Map<const Eigen::VectorXd>(values.data() + 6, 12);
+    }
+    map = wrenches.transpose().colPivHouseholderQr().solve(rows.transpose()).transpose();
+    ASSERT_LT((map * wrenches - rows).norm(), 1e-9 * rows.norm());
+  }
+  /// What a corner does that is pressed with 1 N and rubs with all of its friction along x and y.
+  static Eigen::Matrix<double, 6, 16> corners() {
+    Eigen::Matrix<double, 6, 16> edges;
+    int i = 0;
+    for (const double px : {x, -x})
+      for (const double py : {y, -y})
+        for (const double fx : {mu, -mu})
+          for (const double fy : {mu, -mu}) {
+            const Eigen::Vector3d p(px, py, 0.0), f(fx, fy, 1.0);
+            edges.col(i++) << f, p.cross(f);
+          }
+    return edges;
+  }
+  /// How far a wrench is from all that corners can do together.
+  static double out_of_reach(const Eigen::VectorXd& wrench) {
+    const auto edges = corners();
+    Eigen::VectorXd pressed = Eigen::VectorXd::Zero(16), left = wrench;
+    for (int sweep = 0; sweep < 20000; ++sweep)
+      for (int i = 0; i < 16; ++i) {
+        const double step =
+            std::max(-pressed[i], edges.col(i).dot(left) / edges.col(i).squaredNorm());
+        pressed[i] += step;
+        left -= step * edges.col(i);
+      }
+    return left.norm();
+  }
+  Eigen::MatrixXd map;  ///< 12 x 6
+};
+
+TEST_F(SoleWrenches, HaveForEdgesWhatOneCornerCanDo) {
+  const auto edges = corners();
+  for (int i = 0; i < edges.cols(); ++i) {
+    const Eigen::VectorXd margin = map * edges.col(i);
+    EXPECT_GE(margin.minCoeff(), -1e-12) << i;
+    EXPECT_GE((margin.array().abs() < 1e-12).count(), 4) << "a corner is at many edges at once";
+  }
+}
+
+TEST_F(SoleWrenches, AreThoseThatFourCornersBearTogetherAndNoOthers) {
+  std::mt19937_64 generator{6};
+  int within = 0, turned_too_far = 0;
+  for (int draw = 0; draw < 300; ++draw) {
+    const Eigen::VectorXd a = uniform(6, 1.0, generator);
+    Eigen::VectorXd wrench(6);
+    wrench << 0.5 * mu * a[0], 0.5 * mu * a[1], 1.0, 0.9 * y * a[3], 0.9 * x * a[4], 0.06 * a[5];
+    const double margin = (map * wrench).minCoeff();
+    if (std::abs(margin) < 1e-3) continue;  // the sweeps end near there
+    const double left = out_of_reach(wrench);
+    if (margin > 0.0) {
+      ++within;
+      EXPECT_LT(left, 1e-4) << wrench.transpose();
+    } else {
+      ++turned_too_far;
+      EXPECT_GT(left, 2e-4) << wrench.transpose();
+    }
+  }
+  EXPECT_GT(within, 50);
+  EXPECT_GT(turned_too_far, 50);
+}
+
+TEST_F(ResidualValue, FrictionIsATargetThatAKnotMayBeGivenAnotherOf) {
+  for (const int sides : {0, 4}) {
+    ProblemSpec spec = bare_problem(OcpCase{arm.robot, false}, model);
+    spec.stages = {{.name = "go",
+                    .contacts = {"pad"},
+                    .costs = {{.residual = residual::Control{}}},
+                    .constraints = {{.name = "cone",
+                                     .residual = residual::FrictionCone{
+                                         .contact = "pad", .friction = 0.5, .sides = sides}},
+                                    {.name = "sole",
+                                     .residual = residual::CenterOfPressure{
+                                         .contact = "pad", .friction = 0.5}}}}};
+    spec.horizon = {{"go", 1}};
+    Problem given(spec);
+    for (Constraint& constraint : spec.stages[0].constraints) {
+      if (auto* cone = std::get_if<residual::FrictionCone>(&constraint.residual))
+        cone->friction = 0.1;
+      if (auto* sole = std::get_if<residual::CenterOfPressure>(&constraint.residual))
+        sole->friction = 0.1;
+    }
+    Problem slippery(spec);
+    const OcpState at = random_ocp_state(given, generator);
+    const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, 0.1);
+    for (const char* term : {"cone", "sole"})
+      EXPECT_EQ(given.set_target(0, given.term_index(0, term), friction), Status::Ok);
+    EXPECT_EQ(given.row_values(0, at.x.data(), at.u.data()),
+              slippery.row_values(0, at.x.data(), at.u.data()));
+  }
+}
+
 TEST_F(ResidualValue, SupportMarginsAreDistancesFromTheEdgesToTheInside) {
   const auto at = [&](const Residual& residual) {
     Problem problem = with(residual);

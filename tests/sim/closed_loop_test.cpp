@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "burnish/robots/robot.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "support/allocation_guard.hpp"
@@ -101,6 +102,46 @@ TEST(ClosedLoop, pushes_the_tool_when_told_to) {
   EXPECT_EQ(push[2399], 0.0);
   EXPECT_EQ(push[2400], 10.0);
   EXPECT_GT(y[2599] - y[2399], 1e-3);
+}
+
+/// Limp.
+class NoTorque final : public Controller {
+ public:
+  explicit NoTorque(int nv) { command_.tau = Eigen::VectorXd::Zero(nv); }
+  int nv() const override { return static_cast<int>(command_.tau.size()); }
+  void reset() noexcept override {}
+  const Command& tick(const Measurement& /*measurement*/) noexcept override { return command_; }
+
+ private:
+  Command command_;
+};
+
+TEST(ClosedLoop, hangs_a_robot_from_its_hoist_until_that_lets_go) {
+  const Robot robot = load_robot("quadruped");
+  SceneSpec scene;
+  scene.tip.frame = "fl_foot";
+  scene.surface.point.z() = -100.0;
+  scene.hoist = {.frame = "trunk", .duration = 0.4};
+  const auto plant = make_ideal_plant(robot.model, scene);
+  NoTorque limp(robot.model.nv);
+  ClosedLoop loop(*plant, limp, {});
+  ASSERT_EQ(loop.reset(robot.reference_configuration(), Eigen::VectorXd::Zero(robot.model.nv)),
+            Status::Ok);
+  const double height = plant->q()[2];
+  ASSERT_LE(loop.run(0.2), Status::NotConverged);
+  EXPECT_NEAR(plant->q()[2], height, 0.01);
+  EXPECT_NEAR(plant->q()[6], 1.0, 0.01);  // upright
+  ASSERT_LE(loop.run(0.4), Status::NotConverged);
+  EXPECT_LT(plant->q()[2], height - 0.1);
+}
+
+TEST(HoistSpec, gives_the_weight_away_in_its_second_half) {
+  const HoistSpec hoist{"trunk", 2.0};
+  EXPECT_EQ(hoist.share(0.0), 1.0);
+  EXPECT_EQ(hoist.share(1.0), 1.0);
+  EXPECT_NEAR(hoist.share(1.5), 0.5, 1e-12);
+  EXPECT_EQ(hoist.share(2.0), 0.0);
+  EXPECT_EQ(HoistSpec{}.share(0.0), 0.0);
 }
 
 TEST(ClosedLoop, starts_its_motors_at_the_first_command) {

@@ -164,6 +164,36 @@ TEST_F(ActuationTest, stays_within_the_effort_limits_and_says_so) {
   EXPECT_EQ(actuation.step().limited, model.nv);
 }
 
+TEST_F(ActuationTest, loses_the_torque_of_a_motor_for_a_while_and_of_no_other) {
+  Disturbances d;
+  const Joint& joint = model.joints[2];
+  d.motor_losses = {{.start = 10 * plant_step, .duration = 20 * plant_step, .joint = joint.name},
+                    {.start = 50 * plant_step, .joint = joint.name, .share = 0.5}};
+  const Response lost = respond(model, d);
+  Eigen::MatrixXd expected = ideal.applied;
+  expected.row(joint.v_index).segment(10, 20).setZero();
+  expected.row(joint.v_index).tail(10) *= 0.5;
+  EXPECT_EQ(lost.applied, expected);
+  EXPECT_EQ(lost.tracked, ideal.tracked);
+}
+
+TEST_F(ActuationTest, loses_it_at_the_same_time_after_a_reset_and_in_a_copy) {
+  Disturbances d;
+  d.motor_losses = {{.start = 3 * plant_step, .joint = model.joints[0].name}};
+  Actuation actuation(model, d, plant_step);
+  const Eigen::VectorXd step = Eigen::VectorXd::Ones(model.nv);
+  const auto after = [&](Actuation& of, int steps) {
+    for (int i = 0; i < steps; ++i) of.apply(step);
+    return of.step().applied[0];
+  };
+  EXPECT_EQ(after(actuation, 3), 1.0);
+  Actuation copy(actuation);
+  EXPECT_EQ(after(actuation, 1), 0.0);
+  EXPECT_EQ(after(copy, 1), 0.0);
+  actuation.reset();
+  EXPECT_EQ(after(actuation, 3), 1.0);
+}
+
 TEST_F(ActuationTest, holds_the_last_command_in_place_of_one_that_is_no_number) {
   Actuation actuation(model, {}, plant_step);
   const Eigen::VectorXd good = Eigen::VectorXd::Constant(model.nv, 2.0);
@@ -431,6 +461,12 @@ TEST(DisturbancesTest, are_refused_by_name) {
                           d.pushes.push_back({0.0, -1.0, {}});
                         }),
                         {"'pushes[0].duration'", "-1; wanted at least 0"});
+  testing::expect_words(refused([](Disturbances& d) { d.motor_losses = {{.joint = "arm_right_9"}}; }),
+                        {"'motor_losses'", "arm_right_9"});
+  testing::expect_words(refused([](Disturbances& d) {
+                          d.motor_losses = {{.joint = "arm_right_1_joint", .share = 1.5}};
+                        }),
+                        {"'motor_losses[0].share'", "1.5"});
   EXPECT_EQ(refused([](Disturbances&) {}), "");
 }
 

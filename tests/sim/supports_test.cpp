@@ -70,6 +70,42 @@ TEST_P(Supports, push_as_the_momentum_of_the_robot_changes) {
                                                           << pushed.transpose();
 }
 
+/// A ball or sole that is pushed along the ground stays while that has friction, and slides off as
+/// soon as it has not.
+TEST_P(Supports, slide_while_the_ground_is_slippery) {
+  const Robot robot = load_robot(GetParam().robot);
+  const Model& model = robot.model;
+  SceneSpec scene = GetParam().scene(robot);
+  const std::string foot = scene.supports[0].frame;
+  scene.slippery_ground = {{.start = 0.02, .duration = 0.01, .frame = foot, .friction = 0.01}};
+  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.0199), 0.7);
+  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.02), 0.01);
+  EXPECT_EQ(friction_under(scene, scene.supports[1], 0.02), 0.7);
+  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.0301), 0.7);
+  const auto plant = make_mujoco_plant(model, scene, {.dt = 5e-4});
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(plant->reset(robot.reference_configuration(), zero), Status::Ok);
+  // Limp, it slumps, and its feet are drawn apart.
+  double steady = 0.0, slippery = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+    const Vector6 wrench = plant->support_wrenches().col(0);
+    const double used = wrench.head<2>().norm() / wrench[2];
+    if (i > 10 && i < 39) steady = std::max(steady, used);
+    if (i >= 41) slippery = std::max(slippery, used);
+  }
+  EXPECT_GT(steady, 0.05);
+  EXPECT_LT(slippery, 0.011);
+}
+
+TEST(SupportsOfAScene, refuse_ground_that_nothing_stands_on) {
+  const Robot robot = load_robot("quadruped");
+  SceneSpec scene = Stands{"quadruped", "fl_hip_link", {"fl_foot"}, 0.0, 0.0, 0.018}.scene(robot);
+  scene.slippery_ground = {{.frame = "fr_foot"}};
+  testing::expect_words(testing::refusal([&] { (void)checked_scene(robot.model, scene); }),
+                        {"slippery ground", "fr_foot", "fl_foot"});
+}
+
 INSTANTIATE_TEST_SUITE_P(
     robots, Supports,
     ::testing::Values(

@@ -21,6 +21,8 @@ enum class FaultKind {
   UnexpectedContact,  ///< a force while the tool moves through free space
   ForceLimit,         ///< the tool is pushed harder than allowed
   SpeedLimit,         ///< a joint or the tool is faster than allowed
+  SupportSlipped,     ///< what the robot stands on came away too far
+  MotorLost,          ///< a joint's torque is not what was sent
   Watched,            ///< a quantity of the task, FaultReport::quantity, is beyond its limit
 };
 
@@ -32,10 +34,11 @@ struct FaultReport {
   FaultKind kind = FaultKind::None;
   double time = 0.0;  ///< s, of the measurement, or when it was due if there was none
   int joint = -1;     ///< entry of v that it is about, or -1
-  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.
+  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm (N).
   double value = 0.0;
   double limit = 0.0;         ///< what was allowed, in the same unit
-  std::string quantity = {};  ///< of FaultKind::Watched: its name and unit
+  /// of FaultKind::Watched: its name and unit; of FaultKind::SupportSlipped: the support
+  std::string quantity = {};
   Trace last_second;  ///< oldest row first, the fault's tick last; empty while there is no fault
 
   /// One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;

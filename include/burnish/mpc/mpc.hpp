@@ -32,11 +32,34 @@ struct SafetyLimits {
   /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
+  /// m along the ground that what holds always (MpcSpec::supports) may come away from where it has
+  /// been for the last second; see MpcSpec::refuge
+  double support_way = 0.01;
+  /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
+  /// ms: a motor that fails. For measurements that have torques.
+  double torque_gap = std::numeric_limits<double>::infinity();
+};
+
+/// What plans make of a support that holds always and slips all the same: they keep its forces
+/// within what it was felt to bear while it did, or, where that is not measured, within less and
+/// less. What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
+/// constraints; supports without a cone are left alone. It slips while it bears `load`, is away
+/// from where it has been by `way`, along the ground, and goes on faster than `speed`.
+struct SlipOptions {
+  bool enabled = true;
+  double way = 2.5e-3;    ///< m
+  double speed = 0.02;    ///< m/s, mean over 5 ms
+  double load = 30.0;     ///< N
+  double share = 0.7;     ///< of what was felt, that plans keep within
+  double least = 0.02;    ///< coefficient of friction that plans are always left
+  double recovery = 0.1;  ///< 1/s, coefficient by which they trust it again while it rests
 };
 
 /// How the robot is brought to rest after a fault, and held there: on the actuated joints a,
 ///   tau_a = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a,
-/// within the torque limits. No contact force is asked for. q_hold is where the robot was at the
+/// within the torque limits. No contact force is asked for. A motor that was found to fail
+/// (FaultKind::MotorLost) is left out: the others hold the robot as one whose joint is free there.
+/// q_hold is where the robot was at the
 /// fault, and slips: where the spring's torque M_aa stiffness e would exceed `give` times a joint's
 /// effort limit, q_hold follows q so that it does not. A fast robot is thereby braked and held
 /// where it comes to rest, a hand can push it aside, and a wrong model (torques off by d) lets it
@@ -116,6 +139,11 @@ struct MpcSpec {
   ModelErrorOptions model_error = {};
   /// Of the tool's contacts with friction (ContactSpec::friction): their coefficient.
   FrictionEstimateOptions friction_estimate = {};
+  SlipOptions slip = {};  ///< of what the robot stands on
+  /// Phase that the schedule goes to at once when what the robot stands on came away too far
+  /// (FaultKind::SupportSlipped): its task is given up, and plans go on, since they balance and the
+  /// fallback does not. The next fault leads to the fallback. Empty: so does this one.
+  std::string refuge = {};
   SafetyLimits limits = {};
   Fallback fallback = {};
   bool feedback = true;  ///< the Riccati policy between solves; without, the planned torque is held
@@ -187,6 +215,9 @@ class MpcController final : public Controller {
   /// the force that is asked for.
   const Eigen::VectorXd& torque_error() const;
   double force_error() const;  ///< N, estimated (ModelErrorKind::Force)
+  /// Of supports that hold always, in their order: the coefficient of friction that plans reckon
+  /// with, SlipOptions; infinite where they have no cone.
+  const Eigen::VectorXd& support_friction() const;
   const Schedule& schedule() const;
   /// s from the measurement that the plan in use was made from to the last good one; infinite while
   /// there is none.

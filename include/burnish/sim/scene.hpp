@@ -77,11 +77,25 @@ struct SlipperyGround {
   double friction = 0.05;  ///< Coulomb coefficient in place of the support's
 };
 
+/// What holds the robot by a frame at first, as a crane does, and lets it go: its weight, upwards
+/// at that frame, and a stiff spring and damper about where that was, in place and rotation. It has
+/// all of it for the first half of `duration` and gives it to what the robot stands on in the
+/// second.
+struct HoistSpec {
+  std::string frame = {};  ///< empty: nothing holds it
+  double duration = 0.0;   ///< s, until it has let go
+
+  bool holds() const { return !frame.empty() && duration > 0.0; }
+  /// Of its force, that it has at a time, s: 1 at first, 0 at the end.
+  double share(double time) const noexcept;
+};
+
 struct SceneSpec {
   SurfaceSpec surface = {};
   ToolTipSpec tip = {};
   std::vector<SupportSpec> supports = {};            ///< such as the feet, on the ground
   std::vector<SlipperyGround> slippery_ground = {};  ///< under those
+  HoistSpec hoist = {};                              ///< of a ClosedLoop, not the plant's
 };
 
 /// Whether something that begins at `start` and lasts `duration` acts at a time; all in s.

@@ -134,7 +134,7 @@ struct Task {
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
   FrictionEstimateOptions friction_estimate = {.enabled = false};
-  SafetyLimits limits = {};
+  SafetyLimits limits = {.torque_gap = 0.25};
   ToolLimits tool_limits = {};
   /// N that count as contact. Where the sensor's noise comes near it, which is found out in the
   /// reach, it is the mean over 5 ms that counts, against six of its own deviations.

@@ -111,7 +111,7 @@ struct Task {
   double late_contact = 3.0;       ///< s that contact may come late
   double contact_lost = 0.3;       ///< s that a hand may be without force while it is to press
   double contact_threshold = 2.0;  ///< N, mean over 10 ms, that count as contact of a hand
-  SafetyLimits limits = {};
+  SafetyLimits limits = {.torque_gap = 0.25};
 
   Disturbances disturbances = {};
 };

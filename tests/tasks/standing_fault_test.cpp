@@ -1,0 +1,87 @@
+// Faults on the legs of whole Talos in MuJoCo: what it does about them.
+#include <gtest/gtest.h>
+
+#include "burnish/tasks/polishing/run.hpp"
+#include "burnish/report/standing_figures.hpp"
+#include "support/standing_case.hpp"
+
+namespace burnish::test {
+namespace {
+
+class StandingFault : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
+    task = standing_case().task;
+    task.standing.after_fault = 1.0;
+  }
+  /// As a user runs it: the base estimated.
+  polishing::RunResult run() const {
+    const polishing::RunResult result = polishing::run_task({.task = task, .plan_rate = 0.0});
+    EXPECT_LE(result.plant_status, Status::NotConverged);
+    for (int row = 0; row < result.trace.rows(); row += 20)
+      for (const char* figure : {"tau_command", "tau_applied"})
+        for (const std::string& joint : joints(result))
+          EXPECT_LE(std::abs(result.trace.at(row, result.trace.index(figure + ("_" + joint)))),
+                    effort(result, joint));
+    return result;
+  }
+  static std::vector<std::string> joints(const polishing::RunResult& result) {
+    std::vector<std::string> names;
+    for (int k = 6; k < result.setting.robot.model.nv; ++k)
+      names.push_back(result.setting.robot.model.v_name(k));
+    return names;
+  }
+  static double effort(const polishing::RunResult& result, const std::string& joint) {
+    const Model& model = result.setting.robot.model;
+    for (int k = 0; k < model.nv; ++k)
+      if (model.v_name(k) == joint) return model.effort_limit[k];
+    return 0.0;
+  }
+
+  polishing::Task task;
+};
+
+TEST_F(StandingFault, polishes_on_with_a_foot_on_ice) {
+  task.disturbances.slippery_ground = {
+      {.start = 1.6, .frame = "left_sole_link", .friction = 0.03}};
+  const polishing::RunResult result = run();
+  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_LT(result.standing->slip, 0.03);
+}
+
+TEST_F(StandingFault, polishes_on_with_both_feet_on_slippery_ground) {
+  task.disturbances.slippery_ground = {{.start = 1.6, .friction = 0.1}};
+  const polishing::RunResult result = run();
+  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_LT(result.standing->slip, 0.03);
+}
+
+TEST_F(StandingFault, stands_without_the_motor_of_its_elbow_or_trunk) {
+  for (const char* joint : {"arm_right_4_joint", "torso_2_joint"}) {
+    task.disturbances.motor_losses = {{.start = 1.6, .joint = joint}};
+    const polishing::RunResult result = run();
+    EXPECT_EQ(result.fault.kind, FaultKind::MotorLost) << joint << ": " << result.outcome;
+    EXPECT_LT(result.fault.time, 1.75);
+    EXPECT_FALSE(fell(*result.standing)) << joint << ": " << result.outcome;
+    EXPECT_NE(result.outcome.find("it stands"), std::string::npos) << result.outcome;
+  }
+}
+
+TEST_F(StandingFault, says_that_it_fell_of_a_push_that_no_sole_can_hold) {
+  task.disturbances.pushes = {{1.6, 0.3, Eigen::Vector3d(-400.0, 0.0, 0.0), "torso_2_link"}};
+  const polishing::RunResult result = run();
+  EXPECT_NE(result.fault.kind, FaultKind::None);
+  EXPECT_TRUE(fell(*result.standing));
+  EXPECT_NE(result.outcome.find("it fell"), std::string::npos) << result.outcome;
+}
+
+TEST_F(StandingFault, gives_up_on_plans_that_come_too_late) {
+  task.limits.deadline = 1e-9;  // no plan is made in that
+  const polishing::RunResult result = run();
+  EXPECT_EQ(result.fault.kind, FaultKind::SolverLate) << result.outcome;
+  EXPECT_FALSE(fell(*result.standing)) << result.outcome;
+}
+
+}  // namespace
+}  // namespace burnish::test
