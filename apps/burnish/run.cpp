@@ -18,6 +18,7 @@
 #include "robot_arguments.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
+#include "stand/record.hpp"
 
 namespace burnish::app {
 namespace {

@@ -113,10 +113,11 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   ClosedLoopOptions options;
   options.control_period = run.period;
   options.max_duration = run.longest + run.after_fault;
+  options.support_sensors = run.support_sensors;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
-  if (run.base_estimator) loop.estimate_base(run.model, *run.base_estimator);
+  if (run.base_estimator) loop.estimate_base(run.model, *run.base_estimator, run.foot_contacts);
   const Clock::time_point begin = Clock::now();
   result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
   RunEnd end{plant->time(), loop.command().phase};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "burnish/estimate/base_estimator.hpp"
+#include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/disturbances.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
@@ -22,6 +23,8 @@ struct ClosedRun {
   PlantKind plant = PlantKind::Ideal;
   /// What tells where a floating base is; without, it is known.
   std::optional<BaseEstimatorOptions> base_estimator = {};
+  FootContactOptions foot_contacts = {};  ///< of that: when a foot stands
+  bool support_sensors = true;            ///< what the robot stands on is measured
   /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
   /// the plans that are recorded.
   MpcController* mpc = nullptr;

@@ -1,5 +1,6 @@
 #include "pressing/standing_terms.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,7 @@
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/residual.hpp"
+#include "pressing/arm.hpp"
 
 namespace burnish::pressing {
 namespace {
@@ -31,12 +33,8 @@ void check_standing(const Model& model, const Standing& standing) {
                          " floats free, and nothing holds it while it presses; wanted "
                          "standing.feet, the frames that it stands on, or a fixed base, as "
                          "a variant of its settings may have");
-  std::vector<std::string> frames;
-  for (const Frame& frame : model.frames) frames.push_back(frame.name);
   for (const std::string& foot : standing.feet)
-    if (!model.has_frame(foot))
-      throw EntryError("standing.feet", "frame " + in_quotes(foot) + " is none of robot " +
-                                            in_quotes(model.name) + did_you_mean(foot, frames));
+    if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
   if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
     throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
                                             number(standing.half_y) +
@@ -153,6 +151,23 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
   return options;
+}
+
+FootContactOptions foot_contact_options(const Model& model) {
+  constexpr double share = 1e-3;  // 1/sqrt(Hz), of the weight
+  FootContactOptions options;
+  options.force_noise =
+      std::min(options.force_noise, share * model.total_mass() * model.gravity.norm());
+  return options;
+}
+
+std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing) {
+  for (SupportSpec& foot : feet) {
+    foot.friction = standing.plan_friction;
+    foot.half_x *= standing.plan_sole;
+    foot.half_y *= standing.plan_sole;
+  }
+  return feet;
 }
 
 std::vector<Constraint> standing_constraints(const Standing& standing) {

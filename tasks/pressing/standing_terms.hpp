@@ -6,6 +6,7 @@
 
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/estimate/base_estimator.hpp"
+#include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/scene.hpp"
@@ -41,6 +42,12 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
                                      const Eigen::VectorXd& q_start);
 /// What tells where the base is, of a base that is not known.
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
+
+/// When its feet stand. The noise of their sensors is some that is chosen for the robot's weight.
+FootContactOptions foot_contact_options(const Model& model);
+
+/// Supports with the friction and the soles that plans keep within.
+std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing);
 
 /// Friction and pressure of every foot.
 std::vector<Constraint> standing_constraints(const Standing& standing);
