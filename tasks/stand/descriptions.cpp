@@ -21,7 +21,6 @@ const Description& description_of(const Sway* /*of*/) {
                   "smoothly. Axes are x forwards as the base is turned at the start, y to its "
                   "left, z up.")
           .field("shift", &S::shift, "{m}, amplitudes of the centre of mass: x, y, z")
-          .in_code("{m}, amplitudes of the centre of mass")
           .field("shift_rate", &S::shift_rate, "{Hz}", not_negative)
           .field("turn", &S::turn, "{rad}, amplitudes of the base: roll, pitch, yaw")
           .field("turn_rate", &S::turn_rate, "{Hz}", not_negative)

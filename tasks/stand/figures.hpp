@@ -6,10 +6,10 @@
 
 namespace burnish::stand {
 
-/// Calls see(entry, member) for each figure of the sway; their full names have "stand." in front.
+/// Calls see(entry, member) for each figure of the sway; their full names have "sway." in front.
 template <class See>
-void each_stand_figure(const See& see) {
-  using S = StandFigures;
+void each_sway_figure(const See& see) {
+  using S = SwayFigures;
   using namespace figure_units;
   see(FigureEntry{"com_rmse", metre, "root mean square distance of the centre of mass from its way",
                   "centre of mass off, rms", 2},

@@ -16,7 +16,7 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   record.update_period = 1.0 / task.update_rate;
   record.has_estimate = false;
   record.figures =
-      pressing::own_figures("stand", result.stand, [](const auto& see) { each_stand_figure(see); });
+      pressing::own_figures("sway", result.sway, [](const auto& see) { each_sway_figure(see); });
   record.more = {{"fell", result.fell}};
   record.phase_names = phase_names();
   return record;

@@ -61,7 +61,7 @@ class Measured {
     for (const std::string& foot : task.standing.feet) feet_.push_back(states_.body().frame(foot));
   }
 
-  std::optional<StandFigures> figures(double until) {
+  std::optional<SwayFigures> figures(double until) {
     const Trace::Column phase = trace_.column("phase"), time = trace_.column("time");
     const Trace::Column tick = trace_.column("tick");
     double begin = -1.0;  // s, of the sway
@@ -121,7 +121,7 @@ class Measured {
   std::vector<int> feet_;
   std::vector<Eigen::Isometry3d> start_;
   Errors com_, turn_, place_, believed_;
-  StandFigures figures_;
+  SwayFigures figures_;
 };
 
 std::string outcome_of(const RunSpec& spec, const RunResult& result, const pressing::RunEnd& end) {
@@ -131,16 +131,15 @@ std::string outcome_of(const RunSpec& spec, const RunResult& result, const press
     trouble += result.fell ? "; it fell" : "; it stood " + number(spec.after_fault) + " s later";
   if (!trouble.empty()) return trouble;
   if (result.fell) return "it fell: the run ended at " + number(end.time) + " s, in phase " + phase;
-  if (!result.stand)
+  if (!result.sway)
     return "it did not come to sway: the run ended at " + number(end.time) + " s, in phase " +
            phase;
   char text[200];
   std::snprintf(text, sizeof text,
                 "stood: %.1f s, the centre of mass %.1f mm and the base %.2f degrees rms off their "
                 "way; each foot bore %.0f N or more and slid %.1f mm at most",
-                end.time, 1e3 * result.stand->com_rmse,
-                degrees_per_radian * result.stand->turn_rmse, result.standing->least_load,
-                1e3 * result.stand->foot_slip);
+                end.time, 1e3 * result.sway->com_rmse, degrees_per_radian * result.sway->turn_rmse,
+                result.standing->least_load, 1e3 * result.sway->foot_slip);
   return text;
 }
 
@@ -181,7 +180,7 @@ RunResult run_task(const RunSpec& spec) {
   const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
   if (result.trace.rows() > 0) {
     Measured measured(task, result);
-    result.stand = measured.figures(ended.time);
+    result.sway = measured.figures(ended.time);
     result.fell = measured.fell();
   }
   result.outcome = outcome_of(spec, result, ended);

@@ -4,12 +4,12 @@
 
 namespace burnish::stand {
 
-const Description& description_of(const StandFigures* /*of*/) {
+const Description& description_of(const SwayFigures* /*of*/) {
   static const Description all = [] {
-    Describe<StandFigures> figures(
-        "stand", "StandFigures",
+    Describe<SwayFigures> figures(
+        "stand", "SwayFigures",
         "Of the plant's true places, from where the sway begins to the end of the run or a fault.");
-    each_stand_figure([&](const FigureEntry& entry, auto member) {
+    each_sway_figure([&](const FigureEntry& entry, auto member) {
       figures.field(entry.name, member, described_as(entry).c_str());
     });
     return figures.result();

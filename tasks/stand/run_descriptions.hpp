@@ -7,7 +7,7 @@
 
 namespace burnish::stand {
 
-const Description& description_of(const StandFigures*);
+const Description& description_of(const SwayFigures*);
 const Description& description_of(const Setting*);
 const Description& description_of(const RunSpec*);
 

@@ -50,15 +50,15 @@ class Stand : public ::testing::Test {
 void expect_swayed(const RunResult& result) {
   EXPECT_TRUE(result.done) << result.outcome;
   EXPECT_FALSE(result.fell);
-  ASSERT_TRUE(result.stand && result.standing) << result.outcome;
+  ASSERT_TRUE(result.sway && result.standing) << result.outcome;
   EXPECT_GT(result.standing->com_moved, 0.02) << "it does not sway";
-  EXPECT_LT(result.stand->com_rmse, 3e-3);
-  EXPECT_LT(result.stand->turn_rmse, 0.012);
-  EXPECT_GT(result.stand->believed_place, 1e-5);
-  EXPECT_LT(result.stand->believed_place, 3e-3);
-  EXPECT_LT(result.stand->believed_turn, 0.012);
-  EXPECT_LT(result.stand->foot_slip, 3e-3);
-  EXPECT_LT(result.stand->com_end, 3e-3) << "it does not come back";
+  EXPECT_LT(result.sway->com_rmse, 3e-3);
+  EXPECT_LT(result.sway->turn_rmse, 0.012);
+  EXPECT_GT(result.sway->believed_place, 1e-5);
+  EXPECT_LT(result.sway->believed_place, 3e-3);
+  EXPECT_LT(result.sway->believed_turn, 0.012);
+  EXPECT_LT(result.sway->foot_slip, 3e-3);
+  EXPECT_LT(result.sway->com_end, 3e-3) << "it does not come back";
   EXPECT_EQ(result.trace.column("phase")[result.trace.rows() - 1], 2.0);
 }
 
@@ -68,7 +68,7 @@ TEST_F(Stand, the_quadruped_sways_with_and_without_force_sensors_in_its_feet) {
   EXPECT_GT(with.standing->least_load, 12.0);
   const RunResult without = run(short_task(quadruped, {"standing.force_sensors=false"}));
   expect_swayed(without);
-  EXPECT_NE(with.stand->com_rmse, without.stand->com_rmse) << "sensors that it has not are used";
+  EXPECT_NE(with.sway->com_rmse, without.sway->com_rmse) << "sensors that it has not are used";
 }
 
 TEST_F(Stand, talos_sways_on_its_soles) {
@@ -80,10 +80,10 @@ TEST_F(Stand, talos_sways_on_its_soles) {
        "controller.solver_delay=0.01", "controller.knots=20"});
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
-  ASSERT_TRUE(result.stand);
+  ASSERT_TRUE(result.sway);
   EXPECT_GT(result.standing->com_moved, 0.015);
-  EXPECT_LT(result.stand->com_rmse, 3e-3);
-  EXPECT_LT(result.stand->believed_place, 2e-3);
+  EXPECT_LT(result.sway->com_rmse, 3e-3);
+  EXPECT_LT(result.sway->believed_place, 2e-3);
 }
 
 TEST_F(Stand, survives_a_push_at_its_trunk) {
@@ -91,8 +91,8 @@ TEST_F(Stand, survives_a_push_at_its_trunk) {
   task.disturbances.pushes = {{0.9, 0.2, Eigen::Vector3d(20.0, 60.0, 0.0)}};
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
-  ASSERT_TRUE(result.stand);
-  EXPECT_LT(result.stand->com_peak, 0.02);
+  ASSERT_TRUE(result.sway);
+  EXPECT_LT(result.sway->com_peak, 0.02);
   EXPECT_NE(result.trace.column("push_y_world").maxCoeff(), 0.0);
 }
 
@@ -145,7 +145,7 @@ TEST_F(Stand, stands_on_a_small_robot_from_elsewhere) {
   task.standing.least_load = 1.0;
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
-  EXPECT_LT(result.stand->com_rmse, 5e-3);
+  EXPECT_LT(result.sway->com_rmse, 5e-3);
 }
 
 TEST(StandTrunk, sways_from_where_it_starts_to_there_again) {

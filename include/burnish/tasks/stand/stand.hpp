@@ -18,7 +18,7 @@ namespace burnish::stand {
 
 /// How the trunk goes to and fro: a sine in each direction, begun and ended smoothly.
 struct Sway {
-  /// m, amplitudes of the centre of mass
+  /// m, amplitudes of the centre of mass: x, y, z
   Eigen::Vector3d shift = Eigen::Vector3d(0.03, 0.02, 0.02);
   Eigen::Vector3d shift_rate = Eigen::Vector3d(0.5, 0.3, 0.7);  ///< Hz
   /// rad, amplitudes of the base: roll, pitch, yaw
@@ -103,11 +103,11 @@ struct Setting {
   /// a small ball in the base that never touches it.
   SceneSpec scene;
   std::string base;  ///< a frame of the base's body
-  /// Axes that the sway is in, world: x forwards as the base is turned at the start, z up.
+  /// axes that the sway is in, world: x forwards as the base is turned at the start, z up
   Eigen::Matrix3d heading;
   Eigen::Matrix3d R_base;  ///< axes of that frame at the start, world
-  Eigen::Vector3d p_base;  ///< and its origin, m
-  Eigen::Vector3d com;     ///< centre of mass at the start, m, world
+  Eigen::Vector3d p_base;  ///< m, and its origin, world
+  Eigen::Vector3d com;     ///< m, centre of mass at the start, world
   double sway_end = 0.0;   ///< s of the schedule
 };
 /// The task's robot, whose base floats whatever its description says of it. Throws Error as
@@ -144,7 +144,7 @@ struct RunSpec {
 };
 
 /// Of the plant's true places, from where the sway begins to the end of the run or a fault.
-struct StandFigures {
+struct SwayFigures {
   double com_rmse = 0.0;   ///< m, root mean square distance of the centre of mass from its way
   double com_peak = 0.0;   ///< m, largest distance of the centre of mass from its way
   double turn_rmse = 0.0;  ///< rad, root mean square angle of the base off its way
@@ -165,7 +165,7 @@ struct RunResult : TaskRun {
   /// in truth, when the run ended: the centre of mass lost half of its height above the feet, or
   /// the base turned by more than 1 rad
   bool fell = false;
-  std::optional<StandFigures> stand;  ///< none where it did not come to sway
+  std::optional<SwayFigures> sway;  ///< none where it did not come to sway
 };
 /// Runs the task in simulated time. What goes wrong on the way is in the result, with all that was
 /// recorded until then. Throws Error for a task that does not fit together, one that the feet do
