@@ -319,7 +319,8 @@ export class RunScene {
     const { arrows } = this;
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
     this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
-    this.parts.normals.visible = this.has('normals');
+    for (const name of ['forces', 'normals', 'triad', 'path'] as const)
+      this.parts[name].visible = this.has(name);
     this.parts.feet.add(this.standing.feet);
     this.parts.balance.add(this.standing.balance);
     this.parts.pushes.add(this.standing.pushes);
@@ -510,7 +511,7 @@ export class RunScene {
     ahead.normalize();
     const side = new Vector3(-ahead.y, ahead.x, 0.12);
     // One that is wider than high is seen from side to side.
-    const radius = Math.max(0.68 * height, 1.4 * spread);
+    const radius = Math.max(0.68 * height, 2.4 * spread);
     const tool = [
       {
         name: 'Contact',
