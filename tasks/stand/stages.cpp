@@ -174,6 +174,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
 void refuse_out_of_reach(const Task& task, const Setting& setting) {
   constexpr int places = 100;  // on the way, that are looked at
   const Model& model = setting.robot.model;
+  if (!model.loops.empty()) return;  // what closed chains bear is not told by the tree alone
   pressing::Bearing bearing = make_bearing(task, setting);
   refuse_unborne(task, setting, bearing, setting.q_start, "posture", "at the start");
   pressing::FootPosture wanted;

@@ -4,6 +4,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/robots/robot.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "support/refusal.hpp"
 
@@ -68,6 +69,32 @@ TEST_P(Supports, push_as_the_momentum_of_the_robot_changes) {
   const Vector6 rate = (body.momentum() - before) / plant->dt();
   EXPECT_LE((rate - pushed).norm(), 2e-3 * weight.norm()) << rate.transpose() << "\n"
                                                           << pushed.transpose();
+}
+
+/// Feet without sensors: the plant bears the robot, and nobody is told.
+TEST_P(Supports, are_measured_where_there_are_sensors) {
+  struct Limp final : Controller {
+    explicit Limp(int nv) { command.tau = Eigen::VectorXd::Zero(nv); }
+    int nv() const override { return static_cast<int>(command.tau.size()); }
+    void reset() noexcept override {}
+    const Command& tick(const Measurement& measurement) noexcept override {
+      columns = measurement.support_wrenches.cols();
+      return command;
+    }
+    Command command;
+    Eigen::Index columns = -1;
+  };
+  const Robot robot = load_robot(GetParam().robot);
+  const auto plant = make_mujoco_plant(robot.model, GetParam().scene(robot));
+  for (const bool there : {true, false}) {
+    Limp limp(robot.model.nv);
+    ClosedLoop loop(*plant, limp, {}, {.max_duration = 0.01, .support_sensors = there});
+    ASSERT_EQ(loop.reset(robot.reference_configuration(), limp.command.tau), Status::Ok);
+    ASSERT_EQ(loop.run(0.005), Status::Ok);
+    const auto feet = static_cast<Eigen::Index>(GetParam().feet.size());
+    EXPECT_EQ(limp.columns, there ? feet : 0);
+    EXPECT_GT(plant->support_wrenches().row(2).maxCoeff(), 0.0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

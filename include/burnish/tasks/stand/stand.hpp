@@ -129,7 +129,8 @@ struct Trunk {
 Trunk trunk_at(const Task& task, const Setting& setting, double time);
 
 /// Throws Error where the feet, at rest and within the limits that plans keep, could not bear the
-/// robot at the start or somewhere on its way, and where no posture has the trunk there.
+/// robot at the start or somewhere on its way, and where no posture has the trunk there. Of robots
+/// with closed chains nothing is said.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
 MpcSpec make_mpc(const Task& task, const Setting& setting);
 
