@@ -71,7 +71,7 @@ TEST_P(Supports, push_as_the_momentum_of_the_robot_changes) {
                                                           << pushed.transpose();
 }
 
-/// Feet without sensors: the plant bears the robot, and nobody is told.
+/// Of feet without sensors nobody is told what they bear.
 TEST_P(Supports, are_measured_where_there_are_sensors) {
   struct Limp final : Controller {
     explicit Limp(int nv) { command.tau = Eigen::VectorXd::Zero(nv); }
@@ -93,7 +93,6 @@ TEST_P(Supports, are_measured_where_there_are_sensors) {
     ASSERT_EQ(loop.run(0.005), Status::Ok);
     const auto feet = static_cast<Eigen::Index>(GetParam().feet.size());
     EXPECT_EQ(limp.columns, there ? feet : 0);
-    EXPECT_GT(plant->support_wrenches().row(2).maxCoeff(), 0.0);
   }
 }
 
