@@ -28,7 +28,7 @@ from .pressing import PlanLimits, PlantKind, Standing
 from .sim import Disturbances, SceneSpec
 
 __all__ = [
-    "RunResult", "RunSpec", "Setting", "SwayFigures", "Sway", "Task", "Weights", "check_task",
+    "RunResult", "RunSpec", "Setting", "Sway", "SwayFigures", "Task", "Weights", "check_task",
     "make_controller", "make_setting", "make_task", "override_task", "phase_names", "read_task",
     "refuse_out_of_reach", "run", "run_task", "task_text", "task_units",
 ]
