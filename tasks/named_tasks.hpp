@@ -8,6 +8,7 @@
 
 #include "press_hold/descriptions.hpp"
 #include "push_wall/descriptions.hpp"
+#include "stand/descriptions.hpp"
 
 namespace burnish {
 
@@ -27,6 +28,8 @@ void each_named_task(const See& see) {
       "presses at a point and holds the force while the rest of the arm moves aside"});
   see(NamedTask<push_wall::Task, push_wall::RunSpec>{
       "push_wall", "pushes with both hands against a wall, and leans to the largest force"});
+  see(NamedTask<stand::Task, stand::RunSpec>{
+      "stand", "stands on its feet, sways with the trunk and comes back to rest"});
 }
 
 inline std::vector<std::string> task_names() {

@@ -18,6 +18,7 @@
 #include "robot_arguments.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
+#include "stand/record.hpp"
 
 namespace burnish::app {
 namespace {
@@ -193,6 +194,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  burnish run tasks/press_hold/arm7.yaml\n"
       "  burnish run tasks/push_wall/talos.yaml --set force=30\n"
+      "  burnish run tasks/stand/quadruped.yaml --set disturbances=joint_friction\n"
       "  burnish run my_task.yaml --plant ideal --out /tmp/my_run\n"
       "  burnish run tasks/press_hold/arm7.yaml --robot my_arm.urdf --tool flange \\\n"
       "      --set posture=search --set 'aside={my_joint: 0.5}'\n"

@@ -3,7 +3,7 @@
 Values (specifications, results) are dataclasses; what computes is a class. SI units, linear parts
 first, quaternions x y z w, placements as 4 x 4 arrays."""
 
-from . import campaign, dataset, plot, polishing, press_hold, push_wall, residual
+from . import campaign, dataset, plot, polishing, press_hold, push_wall, residual, stand
 from ._core import __version__ as __version__
 from .base import *
 from .contact import *

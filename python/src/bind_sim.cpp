@@ -2,6 +2,7 @@
 #include "bind.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "loop_parts.hpp"
+#include "specs_estimate.hpp"
 
 #ifdef BURNISH_HAS_MUJOCO
 #include "burnish/mujoco/mujoco_plant.hpp"
@@ -330,6 +331,17 @@ void bind_loop(py::module_& m) {
            py::arg("options") = py::none(),
            "Raises Error for periods that do not fit, for a controller of another size and for "
            "bad disturbances.")
+      .def(
+          "estimate_base",
+          [](BoundLoop& self, const Model& known, const BaseEstimatorOptions& estimator,
+             const std::optional<FootContactOptions>& feet) {
+            self.loop().estimate_base(known, estimator, feet.value_or(FootContactOptions{}));
+          },
+          py::arg("known"), py::arg("estimator"), py::arg("feet") = py::none(),
+          "From the next reset() on the controller is given an estimate of where the base is, in "
+          "place of the plant's own entries: from a measurement unit, the joints and the feet. It "
+          "starts where the robot does. known: the Model as the controller knows it. Raises Error "
+          "for a robot without a floating base, unknown frames and options out of range.")
       .def("reset", &BoundLoop::reset, py::arg("q"), py::arg("v") = py::none(),
            "Puts the plant at q (nq,) with the velocity v (nv,), None: at rest, and everything "
            "else to its start. Empties the trace: views of it are then of the new run.")

@@ -25,6 +25,7 @@ PYBIND11_MODULE(_core, module) {
   bind_polishing(module);
   bind_press_hold(module);
   bind_push_wall(module);
+  bind_stand(module);
 }
 
 }  // namespace burnish::python

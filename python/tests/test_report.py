@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish import polishing, press_hold, push_wall, report
+from burnish import polishing, press_hold, push_wall, report, stand
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 
@@ -98,7 +98,7 @@ def test_figures_have_the_names_units_and_meanings_of_the_table():
     specs = {"": report.Metrics, "solver": report.SolverFigures,
              "standing": report.StandingFigures, "ticks": polishing.TickTimes,
              "verdict": polishing.VerdictFigures, "hold": press_hold.HoldFigures,
-             "push": push_wall.PushFigures}
+             "push": push_wall.PushFigures, "sway": stand.SwayFigures}
     texts = {group: documented(spec) for group, spec in specs.items()}
     table = (DOCS / "polishing.md").read_text().split("<!-- figures -->")[1]
     rows = [line.strip("| ").split(" | ") for line in table.split("<!-- end")[0].splitlines()[3:]]

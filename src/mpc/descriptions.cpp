@@ -152,8 +152,7 @@ const Description& description_of(const SafetyLimits* /*of*/) {
           .more("of wall clock; the first one, made at rest, may take longer")
           .field("late_solves", &S::late_solves, "in a row", count)
           .field("support_way", &S::support_way,
-                 "{m} along the ground that a foot may come away from where it has been for the "
-                 "last second",
+                 "{m} along the ground that a foot may have slid within the last second, about",
                  limit)
           .field("torque_gap", &S::torque_gap,
                  "of a joint's effort limit, that the measured torque may be off the commanded "
@@ -171,8 +170,8 @@ const Description& description_of(const SlipOptions* /*of*/) {
       Describe<S>("mpc", "SlipOptions",
                   "What plans make of a support that holds always and slips all the same: they "
                   "keep its forces within what it was felt to bear while it did, or, where that is "
-                  "not measured, within less and less. It slips while it bears `load`, is away "
-                  "from where it has been by `way`, along the ground, and goes on faster than "
+                  "not measured, within less and less. It slips while it bears `load`, has slid by "
+                  "`way` along the ground within the last second and goes on faster than "
                   "`speed`.")
           .field("enabled", &S::enabled, "plans are told of feet that slip")
           .field("way", &S::way, "{m}", range::not_negative)
@@ -181,8 +180,13 @@ const Description& description_of(const SlipOptions* /*of*/) {
           .field("share", &S::share, "of what was felt, that plans keep within", range::share)
           .field("least", &S::least, "coefficient of friction that plans are always left",
                  range::positive)
+          .field("easing", &S::easing,
+                 "{s} in which they are told: what changes at once has no good plan",
+                 range::not_negative)
           .field("recovery", &S::recovery,
                  "{1/s}, coefficient by which they trust it again while it rests",
+                 range::not_negative)
+          .field("radius", &S::radius, "{m}, of supports that are balls: that they roll is no slip",
                  range::not_negative);
   return all;
 }

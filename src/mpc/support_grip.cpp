@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "mpc/closed_dynamics.hpp"
 #include "mpc/ground_terms.hpp"
@@ -13,7 +12,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Part of the way that a first-order low-pass goes in a time.
-double part(double dt, double over) { return -std::expm1(-dt / over); }
+double part(double dt, double over) { return over > 0.0 ? -std::expm1(-dt / over) : 1.0; }
 
 }  // namespace
 
@@ -39,9 +38,10 @@ SupportGrip::SupportGrip(const MpcSpec& spec)
 }
 
 void SupportGrip::reset() noexcept {
-  started_ = gone_ = false;
+  gone_ = false;
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     supports_[i].speed = supports_[i].way = 0.0;
+    supports_[i].slid.setZero();
     supports_[i].slips = false;
     friction_[static_cast<Eigen::Index>(i)] = supports_[i].cone;
   }
@@ -53,17 +53,15 @@ std::size_t SupportGrip::longest_name() const {
   return longest;
 }
 
-/// Where it is beside where it has been, and how fast it goes, both along the ground.
+/// How far it has slid, and how fast it goes on, both along the ground: at the lowest point of a ball.
 void SupportGrip::follow(Support& support, const MeasurementGate& gate) const noexcept {
   constexpr double memory = 1.0, brief = 5e-3;  // s
-  const Eigen::Vector3d p = gate.body().placement(support.frame).translation();
-  if (!started_) support.p_rest = p;
-  support.p_rest += part(gate.dt(), memory) * (p - support.p_rest);
-  const auto along = [&](const Eigen::Vector3d& x) { return (x - up_ * up_.dot(x)).norm(); };
-  support.way = along(p - support.p_rest);
-  const double speed =
-      along(gate.body().velocity(support.frame, Reference::centered()).head<3>());
-  support.speed += part(gate.dt(), brief) * (speed - support.speed);
+  const Vector6 v = gate.body().velocity(support.frame, Reference::centered());
+  Eigen::Vector3d slides = v.head<3>() - options_.radius * v.tail<3>().cross(up_);
+  slides -= up_ * up_.dot(slides);
+  support.slid += gate.dt() * slides - part(gate.dt(), memory) * support.slid;
+  support.way = support.slid.norm();
+  support.speed += part(gate.dt(), brief) * (slides.norm() - support.speed);
 }
 
 /// The coefficient of friction that what it bears takes: along the ground, and of a sole about its
@@ -101,10 +99,9 @@ void SupportGrip::judge(Support& support, const MeasurementGate& gate,
   }
   support.slips =
       load > options_.load && support.way > options_.way && support.speed > options_.speed;
-  static const double easing = std::getenv("EASE") ? std::atof(std::getenv("EASE")) : 0.05;
   const double trusted = std::min(support.cone, friction + options_.recovery * dt);
-  friction = support.slips ? friction + part(dt, easing) * (std::min(friction, most) - friction)
-                           : trusted;
+  const double told = friction + part(dt, options_.easing) * (std::min(friction, most) - friction);
+  friction = support.slips ? told : trusted;
   friction = std::max(friction, std::min(support.cone, options_.least));
 }
 
@@ -114,7 +111,6 @@ void SupportGrip::update(const MeasurementGate& gate) noexcept {
     if (options_.enabled && std::isfinite(supports_[i].cone))
       judge(supports_[i], gate, friction_[static_cast<Eigen::Index>(i)]);
   }
-  started_ = true;
 }
 
 bool SupportGrip::watch(double now, FaultLatch& latch) noexcept {

@@ -32,8 +32,8 @@ class SupportGrip {
     int sensor;              ///< column of Measurement::support_wrenches; -1: none
     double cone;             ///< friction that plans reckon with at first; infinite: no cone
     double half_x, half_y;   ///< m, of the sole in plans; 0: a ball
-    Eigen::Vector3d p_rest;  ///< m, world, where it has been
-    double speed, way;       ///< m/s and m along the ground
+    Eigen::Vector3d slid;    ///< m, world, along the ground, what is longer ago forgotten
+    double speed, way;       ///< m/s along the ground, and how far it has slid, m
     bool slips;
   };
   void follow(Support& support, const MeasurementGate& gate) const noexcept;
@@ -46,7 +46,7 @@ class SupportGrip {
   Eigen::Vector3d up_;
   std::vector<Support> supports_;
   Eigen::VectorXd friction_;
-  bool started_ = false, gone_ = false;
+  bool gone_ = false;
 };
 
 }  // namespace burnish

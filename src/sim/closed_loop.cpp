@@ -113,6 +113,10 @@ class Row {
   double* at_;
 };
 
+int sensed_supports(const Plant& plant, const ClosedLoopOptions& options) {
+  return options.support_sensors ? static_cast<int>(plant.scene().supports.size()) : 0;
+}
+
 }  // namespace
 
 struct ClosedLoop::Impl {
@@ -124,7 +128,7 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances, static_cast<int>(driven.scene().supports.size())),
+        sensing(driven.model(), disturbances, sensed_supports(driven, chosen)),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
         carrier(driven.scene().surface.frame.empty() ? -1
@@ -136,8 +140,7 @@ struct ClosedLoop::Impl {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
-    measurement.support_wrenches.setZero(6,
-                                         static_cast<Eigen::Index>(driven.scene().supports.size()));
+    measurement.support_wrenches.setZero(6, sensed_supports(driven, chosen));
     for (const Push& push : pushes)
       pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
     body.frame_derivatives(tip, Reference::centered(), motion);  // sized here, not in a step

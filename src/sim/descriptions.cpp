@@ -336,7 +336,10 @@ const Description& description_of(const ClosedLoopOptions* /*of*/) {
                  range::from(1))
           .field("imu_frame", &C::imu_frame,
                  "frame of an inertial measurement unit that the controller is given readings of; "
-                 "empty: of the robot's first body; none: there is no unit");
+                 "empty: of the robot's first body; none: there is no unit")
+          .field("support_sensors", &C::support_sensors,
+                 "the controller is told the wrenches on the scene's supports: "
+                 "Measurement::support_wrenches");
   return all;
 }
 

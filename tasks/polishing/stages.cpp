@@ -173,13 +173,10 @@ struct Builder {
     result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
     result.contacts = task.standing.feet;
     for (const CostTerm& term : extra) result.costs.push_back(term);
-    for (const CostTerm& term : pressing::rubbing_costs(task.standing))
-      result.costs.push_back(term);
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    for (const Constraint& rows : pressing::standing_constraints(task.standing))
-      result.constraints.push_back(rows);
+    pressing::keep_standing(task.standing, result);
     if (!contact) return result;
     result.contacts.insert(result.contacts.begin(), "surface");
     const double least = task.force_profile.least(task.force);

@@ -9,26 +9,22 @@
 namespace burnish::pressing {
 namespace {
 
-/// "; links at its ends are a, b, c", of many the first, or nothing where there is none.
-std::string listed(const std::string& what, const std::vector<std::string>& names) {
-  constexpr std::size_t most = 6;
-  std::string text = names.empty() ? "" : "; " + what + " are ";
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
-  return text;
-}
-
 bool is_of_loop(const Model& model, const std::string& frame) {
   return std::any_of(model.loops.begin(), model.loops.end(),
                      [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
 }
 
-/// Says which frames its files name, sites among them, and which links are at the ends of the
-/// robot.
-[[noreturn]] void refuse_tool(const std::string& tool, const Model& model) {
-  std::vector<std::string> names, links, frames, before_ends;
+/// "; its own frames are a, b; links at its ends are c, d", what there is of them.
+std::string frames_of(const Model& model) {
+  const auto listed = [](const std::string& what, const std::vector<std::string>& names) {
+    constexpr std::size_t most = 8;
+    std::string text = names.empty() ? "" : "; " + what + " are ";
+    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+      text += (i == 0 ? "" : ", ") + names[i];
+    return text;
+  };
+  std::vector<std::string> links, frames, before_ends;
   for (const Frame& frame : model.frames) {
-    names.push_back(frame.name);
     if (frame.kind == FrameKind::Joint || frame.body < 0) continue;
     const bool is_end = std::none_of(model.joints.begin(), model.joints.end(),
                                      [&](const Joint& j) { return j.parent == frame.body; });
@@ -39,24 +35,36 @@ bool is_of_loop(const Model& model, const std::string& frame) {
     }
   }
   frames.insert(frames.end(), before_ends.begin(), before_ends.end());
-  std::string near = did_you_mean(tool, names);
-  if (near.empty()) near = listed("its own frames", frames) + listed("links at its ends", links);
-  throw EntryError("tool.frame", "the tool's frame " + in_quotes(tool) + " is none of robot " +
-                                     in_quotes(model.name) + near);
+  return listed("its own frames", frames) + listed("links at its ends", links);
 }
 
 }  // namespace
 
+std::string none_of(const Model& model, const std::string& frame) {
+  std::vector<std::string> names;
+  for (const Frame& known : model.frames) names.push_back(known.name);
+  const std::string near = did_you_mean(frame, names);
+  return in_quotes(frame) + " is none of robot " + in_quotes(model.name) +
+         (near.empty() ? frames_of(model) : near);
+}
+
+Robot load_floating(const std::string& robot) {
+  Robot loaded = about("robot", [&] { return load_robot(robot); });
+  // A description may have a floating base of its own, as those in MJCF do.
+  if (!loaded.model.joints.empty() && loaded.model.joints.front().kind == JointKind::FreeFlyer)
+    return loaded;
+  RobotOverrides overrides;
+  overrides.base = Base::FreeFlyer;
+  return about("robot", [&] { return load_robot(robot, overrides); });
+}
+
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   RobotOverrides overrides;
-  if (!stands) overrides.carrying = tool;
-  Robot loaded = about("robot", [&] { return load_robot(robot, overrides); });
-  // A description may have a floating base of its own, as those in MJCF do.
-  if (stands && loaded.model.joints.front().kind != JointKind::FreeFlyer) {
-    overrides.base = Base::FreeFlyer;
-    loaded = about("robot", [&] { return load_robot(robot, overrides); });
-  }
-  if (!loaded.model.has_frame(tool)) refuse_tool(tool, loaded.model);
+  overrides.carrying = tool;
+  Robot loaded =
+      stands ? load_floating(robot) : about("robot", [&] { return load_robot(robot, overrides); });
+  if (!loaded.model.has_frame(tool))
+    throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool));
   return loaded;
 }
 

@@ -13,6 +13,14 @@ namespace burnish::pressing {
 /// load_robot() refuses it, "tool.frame" for a frame that the robot has not.
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands = false);
 
+/// "'x' is none of robot 'y'", with the nearest known name of a frame or, where none is near, with
+/// those that its files add, sites among them, and the links at its ends, of many the first.
+std::string none_of(const Model& model, const std::string& frame);
+
+/// With a base that floats, whatever its files say of it. Throws EntryError, "robot", as
+/// load_robot() refuses it.
+Robot load_floating(const std::string& robot);
+
 /// Throws EntryError, "robot", where the base floats free.
 void refuse_floating_base(const Model& model);
 

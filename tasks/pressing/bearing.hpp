@@ -14,8 +14,9 @@ namespace burnish::pressing {
 struct BearingSpec {
   /// on level ground, with the friction and the sides that are to be kept within
   std::vector<SupportSpec> feet;
-  double least_load = 0.0;         ///< N, on each foot
-  std::vector<std::string> hands;  ///< frames that push, each with the same force; none: it stands
+  double least_load = 0.0;  ///< N, on each foot
+  std::vector<std::string> hands =
+      {};  ///< frames that push, each with the same force; none: it stands
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< of length one, of what they push on
   double hand_friction = 0.0;                               ///< that they may use across it
   Eigen::VectorXd torque_limit;                             ///< nv, Nm (N); infinite: none

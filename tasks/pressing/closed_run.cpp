@@ -124,10 +124,12 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   ClosedLoopOptions options;
   options.control_period = run.period;
   options.max_duration = run.longest + after_fault_of(run);
+  options.support_sensors = run.standing == nullptr || run.standing->force_sensors;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / most_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   ClosedLoop loop(*plant, stopwatch, run.disturbances, options);
-  if (const auto estimator = estimator_of(run)) loop.estimate_base(run.model, *estimator);
+  if (const auto estimator = estimator_of(run))
+    loop.estimate_base(run.model, *estimator, foot_contact_options(run.model));
   const Clock::time_point begin = Clock::now();
   result.plant_status = loop.reset(run.q_start, Eigen::VectorXd::Zero(run.model.nv));
   RunEnd end{plant->time(), loop.command().phase};

@@ -18,8 +18,8 @@ struct ClosedRun {
   const Eigen::VectorXd& q_start;  ///< nq, at rest
   double longest;                  ///< s that it may take, without what comes after a fault
   PlantKind plant = PlantKind::Ideal;
-  /// How the robot stands, where its task says so: whether its base is estimated, and for how long a
-  /// run goes on after a fault.
+  /// How the robot stands, where its task says so: what holds it at first, whether its base is
+  /// estimated and its feet have sensors, and for how long a run goes on after a fault.
   const Standing* standing = nullptr;
   /// The controller, where it is one, with the knots' step, delay (s) and at most the rate (Hz) of
   /// the plans that are recorded.

@@ -29,7 +29,6 @@ RunPage make_run_page(const RecordedRun& r, int record_every) {
   RunPage page{.name = r.name,
                .facts = {{"task", r.task},
                          {"robot", r.robot_name},
-                         {"force", r.force},
                          {"plant", name_of(r.plant)},
                          {"seed", std::to_string(r.disturbances.seed)}},
                .command = r.command.empty() ? "burnish run task.yaml --plant " + name_of(r.plant)
@@ -38,6 +37,7 @@ RunPage make_run_page(const RecordedRun& r, int record_every) {
                .metrics = r.metrics ? page_metrics(r.metrics) : std::vector<PageMetric>(),
                .task_file = r.task_file,
                .robot = drawing_of(r.robot, r.robot_name, r.q_start)};
+  if (!r.force.empty()) page.facts.insert(page.facts.begin() + 2, {"force", r.force});
   page.metrics.insert(page.metrics.end(), r.figures.page.begin(), r.figures.page.end());
   for (const auto& [name, q] : r.postures) page.robot.postures[name] = q;
   if (r.metrics) page.window = {r.metrics->start, r.metrics->end};

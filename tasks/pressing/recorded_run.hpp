@@ -40,7 +40,7 @@ struct RecordedRun {
   const SceneSpec& scene;          ///< as the controller knows it
 
   // Of its own.
-  std::string force = {};  ///< such as "30 N"
+  std::string force = {};  ///< such as "30 N"; empty of what presses none
   Eigen::Matrix3d surface_axes =
       Eigen::Matrix3d::Identity();  ///< columns: two tangents and the normal, world
   Eigen::Vector3d origin_world =

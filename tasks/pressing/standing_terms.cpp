@@ -1,5 +1,7 @@
 #include "pressing/standing_terms.hpp"
 
+#include <algorithm>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +11,7 @@
 #include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/residual.hpp"
+#include "pressing/arm.hpp"
 
 namespace burnish::pressing {
 namespace {
@@ -32,12 +35,8 @@ void check_standing(const Model& model, const Standing& standing) {
                          " floats free, and nothing holds it while it presses; wanted "
                          "standing.feet, the frames that it stands on, or a fixed base, as "
                          "a variant of its settings may have");
-  std::vector<std::string> frames;
-  for (const Frame& frame : model.frames) frames.push_back(frame.name);
   for (const std::string& foot : standing.feet)
-    if (!model.has_frame(foot))
-      throw EntryError("standing.feet", "frame " + in_quotes(foot) + " is none of robot " +
-                                            in_quotes(model.name) + did_you_mean(foot, frames));
+    if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
   if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
     throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
                                             number(standing.half_y) +
@@ -79,7 +78,7 @@ HoistSpec hoist_of(const Model& model, const Standing& standing) {
   for (const Frame& frame : model.frames)
     if (frame.body >= 0 &&
         model.joints[static_cast<std::size_t>(frame.body)].kind == JointKind::FreeFlyer)
-      return {frame.name, standing.hoist};
+      return {frame.name, std::min(standing.hoist, standing.settle)};
   return {};
 }
 
@@ -145,29 +144,13 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
            .weight = standing.momentum}};
 }
 
-std::vector<CostTerm> rubbing_costs(const Standing& standing) {
-  std::vector<CostTerm> terms;
-  if (standing.rubbing == 0.0) return terms;
-  // A moment is as bad as the forces at the ends of a sole that make it.
-  const double per_square = 1.0 / (standing.half_x * standing.half_x);
-  for (const std::string& foot : standing.feet) {
-    Eigen::VectorXd rows = Eigen::VectorXd::Zero(standing.has_soles() ? 6 : 3);
-    rows.head<2>().setOnes();
-    if (standing.has_soles()) rows[5] = per_square;
-    terms.push_back({.name = "rubbing of " + foot,
-                     .residual = residual::ContactForce{foot},
-                     .weight = standing.rubbing,
-                     .weights = rows});
-  }
-  return terms;
-}
-
 void set_standing(const Standing& standing, MpcSpec& mpc) {
   if (!standing.stands()) return;
   mpc.supports = standing.feet;
   mpc.support_sensors = standing.force_sensors;
   mpc.settle = standing.settle;
   mpc.slip = standing.slip;
+  mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
 }
 
@@ -191,6 +174,44 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
   return options;
 }
 
+FootContactOptions foot_contact_options(const Model& model) {
+  constexpr double share = 1e-3;  // 1/sqrt(Hz), of the weight
+  FootContactOptions options;
+  options.force_noise =
+      std::min(options.force_noise, share * model.total_mass() * model.gravity.norm());
+  return options;
+}
+
+std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing) {
+  for (SupportSpec& foot : feet) {
+    foot.friction = standing.plan_friction;
+    foot.half_x *= standing.plan_sole;
+    foot.half_y *= standing.plan_sole;
+  }
+  return feet;
+}
+
+namespace {
+
+/// What each foot bears along the ground and about its normal.
+std::vector<CostTerm> rubbing_costs(const Standing& standing) {
+  std::vector<CostTerm> terms;
+  if (standing.rubbing == 0.0) return terms;
+  // A moment is as bad as the forces at the ends of a sole that make it.
+  const double per_square = 1.0 / (standing.half_x * standing.half_x);
+  for (const std::string& foot : standing.feet) {
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(standing.has_soles() ? 6 : 3);
+    rows.head<2>().setOnes();
+    if (standing.has_soles()) rows[5] = per_square;
+    terms.push_back({.name = "rubbing of " + foot,
+                     .residual = residual::ContactForce{foot},
+                     .weight = standing.rubbing,
+                     .weights = rows});
+  }
+  return terms;
+}
+
+/// Friction, load and pressure of every foot.
 std::vector<Constraint> standing_constraints(const Standing& standing) {
   std::vector<Constraint> rows;
   for (const std::string& foot : standing.feet) {
@@ -211,6 +232,13 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
              standing.plan_friction / std::numbers::sqrt2}});
   }
   return rows;
+}
+
+}  // namespace
+
+void keep_standing(const Standing& standing, Stage& stage) {
+  for (const CostTerm& term : rubbing_costs(standing)) stage.costs.push_back(term);
+  for (const Constraint& rows : standing_constraints(standing)) stage.constraints.push_back(rows);
 }
 
 }  // namespace burnish::pressing

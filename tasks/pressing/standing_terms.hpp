@@ -6,6 +6,7 @@
 
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/estimate/base_estimator.hpp"
+#include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/scene.hpp"
@@ -42,10 +43,6 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
 /// Balance and momentum, 1 being the base's orientation: of every stage and the end.
 std::vector<CostTerm> standing_costs(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q_start);
-/// What feet bear along the ground and about its normal, which is to be little: of every stage, not
-/// of the end.
-std::vector<CostTerm> rubbing_costs(const Standing& standing);
-
 /// What a controller is told of them: its supports with their sensors, how it holds the robot at
 /// first and after a fault.
 void set_standing(const Standing& standing, MpcSpec& mpc);
@@ -53,7 +50,14 @@ void set_standing(const Standing& standing, MpcSpec& mpc);
 /// What tells where the base is, of a base that is not known.
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
 
-/// Friction and pressure of every foot.
-std::vector<Constraint> standing_constraints(const Standing& standing);
+/// When its feet stand. The noise of their sensors is some that is chosen for the robot's weight.
+FootContactOptions foot_contact_options(const Model& model);
+
+/// Supports with the friction and the soles that plans keep within.
+std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing);
+
+/// To a stage, not the end: friction, load and pressure of every foot as limits, and what feet do
+/// against each other as a cost.
+void keep_standing(const Standing& standing, Stage& stage);
 
 }  // namespace burnish::pressing

@@ -8,6 +8,8 @@
 namespace burnish::push_wall {
 namespace {
 
+using pressing::slid;
+
 void follow(double& mean, double value, double dt, double over) noexcept {
   mean += -std::expm1(-dt / over) * (value - mean);
 }
@@ -15,14 +17,6 @@ void follow(double& mean, double value, double dt, double over) noexcept {
 constexpr unsigned contact_event = 1U, limit_event = 2U;  // bits
 
 }  // namespace
-
-Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
-                     const Eigen::Vector3d& normal, double radius) noexcept {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * contact.linear().transpose()));
-  const Eigen::Vector3d rolled = radius * (turn.angle() * turn.axis()).cross(normal);
-  const Eigen::Vector3d off = now.translation() - contact.translation() - rolled;
-  return off - normal * normal.dot(off);
-}
 
 Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
                  std::shared_ptr<LeanState> lean)

@@ -6,6 +6,7 @@
 
 #include "burnish/tasks/push_wall/push_wall.hpp"
 #include "pressing/bearing.hpp"
+#include "pressing/sliding.hpp"
 
 namespace burnish::push_wall {
 
@@ -14,11 +15,6 @@ enum Phase : int { settle, approach, ramp, hold, lean, top, release, retreat };
 
 /// s in which the force comes down from the largest one to the share that is held.
 inline constexpr double back_duration = 1.5;
-
-/// m, along the wall: how far a ball of this radius at a frame's origin has slid from where it made
-/// contact. What it has rolled, r theta x n with theta its turn and n the normal, is no sliding.
-Eigen::Vector3d slid(const Eigen::Isometry3d& contact, const Eigen::Isometry3d& now,
-                     const Eigen::Vector3d& normal, double radius) noexcept;
 
 /// What the robot may bear at rest within the limits that plans keep: how hard each hand can push.
 pressing::Bearing make_bearing(const Task& task, const Setting& setting);

@@ -123,8 +123,8 @@ std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushF
       forces[h][row] = at.force(h, row);
       if (now && !pushes) contact[h] = at.hand(h);
       if (now)
-        figures.hand_slip =
-            std::max(figures.hand_slip, slid(contact[h], at.hand(h), n, task.tip_radius).norm());
+        figures.hand_slip = std::max(
+            figures.hand_slip, pressing::slid(contact[h], at.hand(h), n, task.tip_radius).norm());
     }
     pushes = now;
     figures.lean = std::max(figures.lean, (result.setting.com - at.com()).dot(n));

@@ -148,8 +148,7 @@ struct Builder {
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    for (const Constraint& rows : pressing::standing_constraints(task.standing))
-      result.constraints.push_back(rows);
+    pressing::keep_standing(task.standing, result);
     return result;
   }
   std::vector<Stage> stages() const {
@@ -169,12 +168,9 @@ struct Builder {
 };
 
 void check_hands(const Model& model, const Task& task) {
-  std::vector<std::string> frames;
-  for (const Frame& frame : model.frames) frames.push_back(frame.name);
   for (const std::string& hand : task.hands)
     if (!model.has_frame(hand))
-      throw EntryError("hands", "frame " + in_quotes(hand) + " is none of robot " +
-                                    in_quotes(model.name) + did_you_mean(hand, frames));
+      throw EntryError("hands", "frame " + pressing::none_of(model, hand));
 }
 
 /// The wall before the nearer hand, and where both come to it.
@@ -251,11 +247,7 @@ const std::vector<std::string>& phase_names() {
   return names;
 }
 
-Robot load_task_robot(const Task& task) {
-  RobotOverrides overrides;
-  overrides.base = Base::FreeFlyer;
-  return about("robot", [&] { return load_robot(task.robot, overrides); });
-}
+Robot load_task_robot(const Task& task) { return pressing::load_floating(task.robot); }
 
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
@@ -333,11 +325,7 @@ pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
       .normal_world = setting.wall_axes.col(2),
       .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
   spec.feet.resize(task.standing.feet.size());
-  for (SupportSpec& foot : spec.feet) {
-    foot.friction = task.standing.plan_friction;
-    foot.half_x *= task.standing.plan_sole;
-    foot.half_y *= task.standing.plan_sole;
-  }
+  spec.feet = pressing::within_plans(std::move(spec.feet), task.standing);
   return {setting.robot.model, spec};
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "pressing/task_checks.hpp"
 #include "push_wall/descriptions.hpp"
 
 namespace burnish::push_wall {
@@ -27,33 +28,6 @@ void check_forces(const Task& task) {
                                number(std::max(task.force, force_max(task))) +
                                " N; wanted more than that, and where lean.force_max is never nine "
                                "tenths of it");
-}
-
-void check_times(const Task& task) {
-  constexpr double longest = 1e4;  // s
-  for (const auto& [entry, time] : {std::pair("phases.settle_duration", task.settle_duration),
-                                    {"phases.clearance", task.clearance / task.approach_speed},
-                                    {"phases.ramp_duration", task.ramp_duration},
-                                    {"phases.hold_duration", task.hold_duration},
-                                    {"lean.rate", (force_max(task) - task.force) / task.lean.rate},
-                                    {"lean.hold_duration", task.lean.hold_duration},
-                                    {"phases.release_duration", task.release_duration},
-                                    {"phases.retreat_duration", task.retreat_duration}})
-    if (!(time <= longest))
-      refuse(entry, "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
-  const double ticks = task.tick_rate / task.update_rate;
-  if (!(ticks >= 1.0 - 1e-9) || std::abs(ticks - std::round(ticks)) > 1e-6)
-    refuse("controller.update_rate", "it is " + number(task.update_rate) + " Hz and tick_rate " +
-                                         number(task.tick_rate) +
-                                         " Hz; wanted a whole number of ticks per update");
-  if (task.solver_delay > 1.0 / task.update_rate + 1e-12)
-    refuse("controller.solver_delay",
-           "it is " + number(task.solver_delay) + " s; wanted at most the " +
-               number(1.0 / task.update_rate) + " s between two updates");
-  if (task.step * task.knots > task.horizon + 1e-9)
-    refuse("controller.knots", number(task.knots) + " knots of " + number(task.step) +
-                                   " s at least are longer than the horizon of " +
-                                   number(task.horizon) + " s; wanted fewer");
 }
 
 }  // namespace
@@ -96,7 +70,15 @@ void check_task(const Task& task) {
        {std::pair("lean.share", task.lean.share), {"standing.plan_sole", task.standing.plan_sole}})
     if (!(share > 0.0)) refuse(entry, "it is " + number(share) + "; wanted more than 0");
   check_forces(task);
-  check_times(task);
+  pressing::check_durations({{"phases.settle_duration", task.settle_duration},
+                             {"phases.clearance", task.clearance / task.approach_speed},
+                             {"phases.ramp_duration", task.ramp_duration},
+                             {"phases.hold_duration", task.hold_duration},
+                             {"lean.rate", (force_max(task) - task.force) / task.lean.rate},
+                             {"lean.hold_duration", task.lean.hold_duration},
+                             {"phases.release_duration", task.release_duration},
+                             {"phases.retreat_duration", task.retreat_duration}});
+  pressing::check_plan_times(pressing::plan_times_of(task));
 }
 
 }  // namespace burnish::push_wall

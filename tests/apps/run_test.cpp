@@ -57,6 +57,36 @@ TEST(Run, SaysWhatFailed) {
   EXPECT_TRUE(std::filesystem::exists(far.folder / "out" / "last_second.csv"));
 }
 
+/// A robot on its feet, and whether it fell.
+TEST(Run, SaysWhetherWhatStandsFell) {
+  if (run("run --help").out.find("has no MuJoCo") != std::string::npos)
+    GTEST_SKIP() << "without MuJoCo there are no feet to stand on";
+  const Scratch scratch;
+  const auto stand = [&](const std::string& out, const std::string& more) {
+    const auto file =
+        std::filesystem::path(BURNISH_ROBOTS_DIR) / ".." / "tasks" / "stand" / "quadruped.yaml";
+    return run("run " + quoted(file) + " --out " + quoted(scratch.folder / out) +
+               " --set sway.rise=0.5 --set phases.sway_duration=1 --set phases.rest_duration=0.1" +
+               more);
+  };
+  const Outcome well = stand("well", "");
+  EXPECT_EQ(well.exit_code, 0) << well.out << well.err;
+  EXPECT_NE(well.out.find("quadruped: stood: "), std::string::npos) << well.out;
+  const Json figures = Json::parse(contents(scratch.folder / "well" / "metrics.json"));
+  EXPECT_FALSE(figures["fell"].get<bool>());
+  EXPECT_LT(figures["sway"]["com_rmse_m"].get<double>(), 5e-3);
+  EXPECT_GT(figures["standing"]["least_load_N"].get<double>(), 5.0);
+  const Json page = Json::parse(contents(scratch.folder / "well" / "run.json"))["runs"][0];
+  EXPECT_EQ(page["supports"].size(), 4U);
+  for (const Json& fact : page["facts"]) EXPECT_NE(fact[0], "force") << "nothing is pressed";
+  const Outcome badly = stand("badly",
+                              " --quiet --no-page --set 'disturbances.pushes=[{start: 1.6, "
+                              "duration: 0.4, force: [0, 400, 0]}]'");
+  EXPECT_EQ(badly.exit_code, 1) << badly.out << badly.err;
+  EXPECT_NE(badly.out.find("; it fell"), std::string::npos) << badly.out;
+  EXPECT_TRUE(Json::parse(contents(scratch.folder / "badly" / "metrics.json"))["fell"].get<bool>());
+}
+
 TEST(Run, RefusesWhatIsNoTask) {
   const Scratch scratch;
   for (const auto& [text, words] :

@@ -112,9 +112,9 @@ TEST(PushWall, rolling_is_no_sliding) {
   Eigen::Isometry3d start = Eigen::Isometry3d::Identity(), now = start;
   now.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   now.translation() = r * angle * axis.cross(n);
-  EXPECT_LT(slid(start, now, n, r).norm(), 1e-12);
+  EXPECT_LT(pressing::slid(start, now, n, r).norm(), 1e-12);
   now.translation() += 0.005 * Eigen::Vector3d::UnitY() + 0.1 * n;
-  EXPECT_NEAR(slid(start, now, n, r).norm(), 0.005, 1e-12);
+  EXPECT_NEAR(pressing::slid(start, now, n, r).norm(), 0.005, 1e-12);
 }
 
 TEST(PushWall, is_refused_where_motors_cannot_bear_the_force) {

@@ -4,6 +4,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/robots/robot.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "support/refusal.hpp"
 
@@ -104,6 +105,31 @@ TEST(SupportsOfAScene, refuse_ground_that_nothing_stands_on) {
   scene.slippery_ground = {{.frame = "fr_foot"}};
   testing::expect_words(testing::refusal([&] { (void)checked_scene(robot.model, scene); }),
                         {"slippery ground", "fr_foot", "fl_foot"});
+}
+
+/// Of feet without sensors nobody is told what they bear.
+TEST_P(Supports, are_measured_where_there_are_sensors) {
+  struct Limp final : Controller {
+    explicit Limp(int nv) { command.tau = Eigen::VectorXd::Zero(nv); }
+    int nv() const override { return static_cast<int>(command.tau.size()); }
+    void reset() noexcept override {}
+    const Command& tick(const Measurement& measurement) noexcept override {
+      columns = measurement.support_wrenches.cols();
+      return command;
+    }
+    Command command;
+    Eigen::Index columns = -1;
+  };
+  const Robot robot = load_robot(GetParam().robot);
+  const auto plant = make_mujoco_plant(robot.model, GetParam().scene(robot));
+  for (const bool there : {true, false}) {
+    Limp limp(robot.model.nv);
+    ClosedLoop loop(*plant, limp, {}, {.max_duration = 0.01, .support_sensors = there});
+    ASSERT_EQ(loop.reset(robot.reference_configuration(), limp.command.tau), Status::Ok);
+    ASSERT_EQ(loop.run(0.005), Status::Ok);
+    const auto feet = static_cast<Eigen::Index>(GetParam().feet.size());
+    EXPECT_EQ(limp.columns, there ? feet : 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -12,6 +12,7 @@
 #include "polishing/experiments/run_figures.hpp"
 #include "press_hold/figures.hpp"
 #include "push_wall/figures.hpp"
+#include "stand/figures.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::testing {
@@ -33,6 +34,7 @@ void each_figure(const See& see) {
   each_verdict_figure(under("verdict."));
   press_hold::each_hold_figure(under("hold."));
   push_wall::each_push_figure(under("push."));
+  stand::each_sway_figure(under("sway."));
 }
 
 /// As the docs have it.

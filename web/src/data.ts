@@ -280,6 +280,11 @@ export function rowAt(times: ArrayLike<number>, t: number): number {
 export const column = (run: Run, name: string): Numbers | null =>
   run.columns.get(name)?.data ?? null;
 
+/** Whether a tool presses, or is to: what has feet may stand and do nothing else. */
+export const presses = (run: Run): boolean =>
+  (run.supports ?? []).length === 0 ||
+  ['force_target', 'in_contact'].some((name) => column(run, name)?.some((value) => value > 0));
+
 /** Value of a column at a time: of the row next to it. NaN where there is none. */
 export function valueAt(run: Run, name: string, t: number): number {
   return column(run, name)?.[rowAt(run.time, t)] ?? NaN;

@@ -1,7 +1,7 @@
 // The head of the page: what ran, how well, with what, and how to run it again.
 
 import { copyButton, format, h, readable } from './dom';
-import type { Metric, Page, Run } from './data';
+import { presses, type Metric, type Page, type Run } from './data';
 import { runColour, toggleTheme } from './theme';
 
 /** The first line: what this is, and what can be done with it. */
@@ -54,11 +54,12 @@ export const runMark = (index: number): HTMLElement => {
 };
 
 function badge(run: Run): HTMLElement {
+  const well = presses(run) ? 'polished' : 'stood';
   const [kind, text] = run.fault
     ? ['bad', 'fault']
     : run.polished
-      ? ['good', 'polished']
-      : ['bad', run.outcome.startsWith('stopped early') ? 'stopped early' : 'not polished'];
+      ? ['good', well]
+      : ['bad', run.outcome.startsWith('stopped early') ? 'stopped early' : `not ${well}`];
   const sign = kind === 'good' ? '✓' : '✕';
   return h('span', { class: `badge ${kind}` }, `${sign} ${text}`);
 }

@@ -22,6 +22,7 @@ import {
   configurationColumns,
   gridTriangles,
   normalAt,
+  presses,
   rowAt,
   rowBefore,
   valueAt,
@@ -55,6 +56,7 @@ export function hasLayer(run: Run, layer: Layer): boolean {
   if (layer === 'horizon') return run.horizon !== null;
   if (layer === 'feet' || layer === 'balance') return (run.supports ?? []).length > 0;
   if (layer === 'pushes') return (run.pushes ?? []).length > 0;
+  if (['forces', 'normals', 'triad', 'path'].includes(layer) && !presses(run)) return false;
   if (layer !== 'normals') return true;
   const { surface } = run;
   const moves = ['surface_normal_x', 'believed_normal_x'].some((name) => column(run, name));
@@ -317,7 +319,8 @@ export class RunScene {
     const { arrows } = this;
     this.parts.forces.add(arrows.true.group, arrows.estimated.group, arrows.target.group);
     this.parts.normals.add(this.normals.true.group, this.normals.believed.group);
-    this.parts.normals.visible = this.has('normals');
+    for (const name of ['forces', 'normals', 'triad', 'path'] as const)
+      this.parts[name].visible = this.has(name);
     this.parts.feet.add(this.standing.feet);
     this.parts.balance.add(this.standing.balance);
     this.parts.pushes.add(this.standing.pushes);
@@ -503,10 +506,13 @@ export class RunScene {
     const spread = Math.max(0.2, ...feet.map((foot) => foot.distanceTo(middle)));
     const height = Math.max(...this.robot.placements.map(([, , z]) => z), p.z) - middle.z;
     const body = middle.clone().add(new Vector3(0, 0, 0.52 * height));
-    const ahead = new Vector3(p.x - middle.x, p.y - middle.y, 0).normalize();
+    const ahead = new Vector3(p.x - middle.x, p.y - middle.y, 0);
+    if (ahead.length() < 0.1) ahead.set(1, 0, 0); // nothing that is pressed
+    ahead.normalize();
     const side = new Vector3(-ahead.y, ahead.x, 0.12);
-    return [
-      { name: 'Robot', target: body, from, radius: 0.68 * height },
+    // One that is wider than high is seen from side to side.
+    const radius = Math.max(0.68 * height, 2.4 * spread);
+    const tool = [
       {
         name: 'Contact',
         target: p.clone().addScaledVector(this.normal, 0.03),
@@ -514,6 +520,10 @@ export class RunScene {
         radius: this.extent + 0.13,
       },
       { name: 'Along n', target: p, from: above, radius: this.extent + 0.07 },
+    ];
+    return [
+      { name: 'Robot', target: body, from, radius },
+      ...(presses(this.run) ? tool : []),
       {
         name: 'Feet',
         target: middle.clone().add(new Vector3(0, 0, 0.12)),
@@ -523,7 +533,7 @@ export class RunScene {
           .add(new Vector3(-ahead.y, ahead.x, 0.85)),
         radius: 1.9 * spread + 0.15,
       },
-      { name: 'Side', target: body, from: side, radius: 0.68 * height },
+      { name: 'Side', target: body, from: side, radius },
     ];
   }
 }

@@ -1,7 +1,7 @@
 // The page of one run, or of several side by side.
 
 import { speeds } from './clock';
-import { valueAt, type Page, type Run } from './data';
+import { presses, valueAt, type Page, type Run } from './data';
 import { fixed, h } from './dom';
 import { runHeader, runMark, tiles } from './header';
 import { helpDialog, onKeys, type Keys } from './help';
@@ -153,9 +153,7 @@ class Stage {
         h(
           'div',
           { class: 'readings' },
-          this.forces,
-          this.contact,
-          scale,
+          ...(this.state.runs.some(presses) ? [this.forces, this.contact, scale] : []),
           standing && this.standingKey(standing),
         ),
       ),
@@ -285,9 +283,11 @@ function plots(state: PageState, path: PathPlot): { element: HTMLElement; names:
   };
   const addAll = (specs: ReturnType<typeof contactSpecs>): void =>
     specs.forEach((spec) => add(spec.id, new TimePlot(spec, state).element));
-  add('force', new TimePlot(forceSpec(runs), state).element);
-  if (!path.empty) add('path', path.element);
-  addAll(contactSpecs(runs));
+  if (runs.some(presses)) {
+    add('force', new TimePlot(forceSpec(runs), state).element);
+    if (!path.empty) add('path', path.element);
+    addAll(contactSpecs(runs));
+  }
 
   const standing = standingSpecs(runs);
   if (standing.length > 0)

@@ -266,3 +266,13 @@ test('ten centimetres of arrow are a round part of the weight', () => {
     supports.weightScale({ robot: { total_mass, gravity: [0, 0, -9.81] } });
   assert.deepEqual([90, 30, 12, 0].map(of), [200, 50, 20, 100]);
 });
+
+test('what has feet may stand and press nothing', () => {
+  const run = (supports, force) => ({
+    supports,
+    columns: new Map([['force_target', { unit: 'N', data: Float32Array.of(0, force) }]]),
+  });
+  assert.ok(data.presses(run(undefined, 0)), 'an arm does, even if it did not come to it');
+  assert.ok(data.presses(run([{}], 30)));
+  assert.ok(!data.presses(run([{}], 0)));
+});

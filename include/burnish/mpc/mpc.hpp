@@ -32,8 +32,8 @@ struct SafetyLimits {
   /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
-  /// m along the ground that what holds always (MpcSpec::supports) may come away from where it has
-  /// been for the last second; see MpcSpec::refuge
+  /// m along the ground that what holds always (MpcSpec::supports) may have slid within the last
+  /// second, about; see MpcSpec::refuge
   double support_way = 0.01;
   /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
   /// ms: a motor that fails. For measurements that have torques.
@@ -43,8 +43,8 @@ struct SafetyLimits {
 /// What plans make of a support that holds always and slips all the same: they keep its forces
 /// within what it was felt to bear while it did, or, where that is not measured, within less and
 /// less. What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
-/// constraints; supports without a cone are left alone. It slips while it bears `load`, is away
-/// from where it has been by `way`, along the ground, and goes on faster than `speed`.
+/// constraints; supports without a cone are left alone. It slips while it bears `load`, has slid by
+/// `way` along the ground within the last second and goes on faster than `speed`.
 struct SlipOptions {
   bool enabled = true;
   double way = 2.5e-3;    ///< m
@@ -52,7 +52,9 @@ struct SlipOptions {
   double load = 30.0;     ///< N
   double share = 0.7;     ///< of what was felt, that plans keep within
   double least = 0.02;    ///< coefficient of friction that plans are always left
+  double easing = 0.05;   ///< s in which they are told: what changes at once has no good plan
   double recovery = 0.1;  ///< 1/s, coefficient by which they trust it again while it rests
+  double radius = 0.0;    ///< m, of supports that are balls: that they roll is no slip
 };
 
 /// How the robot is brought to rest after a fault, and held there: on the actuated joints a,

@@ -21,6 +21,8 @@ struct ClosedLoopOptions {
   /// frame of an inertial measurement unit that the controller is given readings of; empty: of the
   /// robot's first body; none: there is no unit
   std::optional<std::string> imu_frame = {};
+  /// the controller is told the wrenches on the scene's supports: Measurement::support_wrenches
+  bool support_sensors = true;
 };
 
 /// Advances the plant by its own step; the controller ticks at the start of every control period

@@ -32,7 +32,7 @@ struct Standing {
   double momentum = 1e-2;    ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
   /// 1/N^2: what each foot bears along the ground, and about its normal as forces at a sole's ends;
   /// what feet do against each other costs grip and holds nothing
-  double rubbing = 1e-3;
+  double rubbing = 1e-4;
   double contact_kd = 20.0;  ///< 1/s, damping of the feet's constraint (Baumgarte)
 
   /// the base is told from an inertial unit, the joints and the feet (BaseEstimator); false: known
@@ -41,7 +41,7 @@ struct Standing {
   /// how it is held at first and after a fault, in the place of the task's: a light foot on ground
   /// that gives way bears no stiffer one
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
-  /// s at first in which a hoist that holds its base gives the weight to its feet
+  /// s at first, within `settle`, in which a hoist that holds its base gives the weight to its feet
   double hoist = 0.5;
   SlipOptions slip = {};  ///< what plans make of a foot that slips
   double settle = 1.0;  ///< s that it is held at first, while the estimate of the base settles

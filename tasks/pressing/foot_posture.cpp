@@ -1,0 +1,170 @@
+#include "pressing/foot_posture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/decomposition.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "burnish/model/state.hpp"
+#include "ocp/position_limits.hpp"
+#include "pressing/standing_terms.hpp"
+
+namespace burnish::pressing {
+namespace {
+
+/// The turn that leads from R to the target, rad, world axes.
+Eigen::Vector3d turn_to(const Eigen::Matrix3d& target, const Eigen::Matrix3d& R) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(target * R.transpose()));
+  return turn.angle() * turn.axis();
+}
+
+/// What is off, and how the robot's motion changes it.
+class OffPlace {
+ public:
+  OffPlace(const Model& model, const Standing& standing, const FootPosture& wanted)
+      : body_(model), wanted_(wanted), base_(body_.frame(base_frame(model))) {
+    for (const std::string& foot : standing.feet) feet_.push_back(body_.frame(foot));
+    held_ = standing.has_soles() ? 6 : 3;
+    const auto rows = static_cast<Eigen::Index>(feet_.size()) * held_ + 6;
+    J = Eigen::MatrixXd::Zero(rows, model.nv);
+    error = Eigen::VectorXd::Zero(rows);
+  }
+  /// False where q is no state.
+  bool look(const Eigen::VectorXd& q) {
+    if (body_.update(q, Eigen::VectorXd::Zero(J.cols())) > Status::NotConverged) return false;
+    body_.update_derivatives();
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < feet_.size(); ++i, row += held_)
+      look_at(feet_[i], wanted_.feet[i], row, held_);
+    J.middleRows<3>(row) = body_.com_dq();
+    error.segment<3>(row) = wanted_.com - body_.com();
+    const Eigen::Isometry3d base = body_.placement(base_);
+    body_.frame_derivatives(base_, Reference::centered(), at_);
+    if (wanted_.base_height) {
+      J.row(row + 2) = at_.jacobian.row(2);
+      error[row + 2] = *wanted_.base_height - base.translation().z();
+    }
+    J.bottomRows<3>() = at_.jacobian.bottomRows<3>();
+    error.tail<3>() = turn_to(wanted_.R_base, base.linear());
+    return true;
+  }
+
+  Eigen::MatrixXd J;
+  Eigen::VectorXd error;
+
+ private:
+  void look_at(int frame, const Eigen::Isometry3d& target, Eigen::Index row, int held) {
+    const Eigen::Isometry3d is = body_.placement(frame);
+    body_.frame_derivatives(frame, Reference::centered(), at_);
+    J.middleRows(row, held) = at_.jacobian.topRows(held);
+    error.segment<3>(row) = target.translation() - is.translation();
+    if (held > 3) error.segment<3>(row + 3) = turn_to(target.linear(), is.linear());
+  }
+
+  RigidBody body_;
+  const FootPosture& wanted_;
+  int base_, held_;
+  std::vector<int> feet_;
+  FrameDerivatives at_;
+};
+
+void clamp(const Model& model, Eigen::VectorXd& q) {
+  for (const Joint& joint : model.joints)
+    if (ocp::has_position_limit(model, joint))
+      q[joint.q_index] =
+          std::clamp(q[joint.q_index], model.q_lower[joint.q_index], model.q_upper[joint.q_index]);
+}
+
+/// The neutral configuration with the joints of the legs moved by `way`, rad (m), within their
+/// ranges.
+Eigen::VectorXd bent(const Model& model, const Standing& standing, double way) {
+  Eigen::VectorXd dq = Eigen::VectorXd::Zero(model.nv);
+  for (const std::string& foot : standing.feet) {
+    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
+    for (const int k : model.support(frame.body))
+      if (model.joints[static_cast<std::size_t>(model.joint_of_v[k])].nv == 1) dq[k] = way;
+  }
+  Eigen::VectorXd q = integrate(model, model.q_neutral, dq);
+  clamp(model, q);
+  return q;
+}
+
+/// Nm: all torques that hold it on its feet, as the root of their squares.
+double torque_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
+  RigidBody body(model);
+  if (body.update(q, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    return std::numeric_limits<double>::infinity();
+  return torque_on_supports(model, body, supports_at(model, standing, q), body.gravity_torque())
+      .norm();
+}
+
+}  // namespace
+
+std::string base_frame(const Model& model) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    if (model.joints[i].kind != JointKind::FreeFlyer) continue;
+    const auto is_on = [&](const Frame& frame) { return frame.body == static_cast<int>(i); };
+    auto at = std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& frame) {
+      return is_on(frame) && frame.kind == FrameKind::Link;
+    });
+    if (at == model.frames.end())
+      at = std::find_if(model.frames.begin(), model.frames.end(), is_on);
+    if (at != model.frames.end()) return at->name;
+  }
+  throw Error("robot " + in_quotes(model.name) + " has a fixed base; wanted one that floats");
+}
+
+std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
+                                               const FootPosture& wanted,
+                                               const Eigen::VectorXd& q) {
+  constexpr int most = 200;
+  constexpr double longest = 0.2, enough = 1e-4, damping = 1e-4;
+  OffPlace off(model, standing, wanted);
+  Eigen::VectorXd at = q;
+  for (int i = 0; i < most; ++i) {
+    clamp(model, at);
+    if (!off.look(at)) return std::nullopt;
+    if (off.error.cwiseAbs().maxCoeff() < enough) return at;
+    const Eigen::VectorXd dq =
+        damped_step(off.J, Eigen::VectorXd::Constant(off.error.size(), damping), off.error);
+    at = integrate(model, at, dq * std::min(1.0, longest / dq.cwiseAbs().maxCoeff()));
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
+  const Eigen::VectorXd& q = model.q_neutral;
+  const Eigen::Isometry3d base = frame_placement(model, q, base_frame(model));
+  FootPosture wanted{.R_base = base.linear(), .com = Eigen::Vector3d::Zero()};
+  double ground = std::numeric_limits<double>::infinity();
+  for (const std::string& foot : standing.feet) {
+    wanted.feet.push_back(frame_placement(model, q, foot));
+    ground = std::min(ground, wanted.feet.back().translation().z());
+  }
+  for (Eigen::Isometry3d& foot : wanted.feet) {
+    foot.translation().z() = ground;
+    wanted.com += foot.translation() / static_cast<double>(wanted.feet.size());
+  }
+  wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
+  // Straight legs do not know which way to bend.
+  Eigen::VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
+    const auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
+    if (!found) continue;
+    const double torque = torque_at(model, standing, *found);
+    if (torque < least) best = *found;
+    least = std::min(least, torque);
+  }
+  if (best.size() == 0)
+    throw Error("no posture was found that has the feet level, the base upright and lower by " +
+                number(crouch) +
+                " of its height above them (crouch), and the centre of mass above "
+                "their middle; wanted one of the robot's settings, or another crouch");
+  return best;
+}
+
+}  // namespace burnish::pressing

@@ -1,0 +1,37 @@
+// Postures of a robot whose feet stay where they are, while its trunk is somewhere else.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/model/model.hpp"
+#include "burnish/tasks/pressing/standing.hpp"
+
+namespace burnish::pressing {
+
+/// A frame of the body that the floating base carries, a link of the description where there is
+/// one. Throws Error for a fixed base.
+std::string base_frame(const Model& model);
+
+/// Where feet and trunk are to be.
+struct FootPosture {
+  std::vector<Eigen::Isometry3d> feet = {};  ///< world, in the order of Standing::feet
+  Eigen::Matrix3d R_base;                    ///< of base_frame(), world
+  Eigen::Vector3d com;                       ///< centre of mass, m, world
+  std::optional<double> base_height = {};    ///< m, of base_frame(), in the place of com.z()
+};
+
+/// nq: by damped least squares from q on, joints within their ranges; nothing where feet or trunk
+/// stay off their places by 0.1 mm or 0.1 mrad.
+std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
+                                               const FootPosture& wanted, const Eigen::VectorXd& q);
+
+/// nq: a posture to stand in, for a robot without any. The base is upright as in the neutral
+/// configuration, the feet are level where they are there seen from above, the centre of mass is
+/// above their middle, and the base lower than there by `crouch` of its height above the feet. Legs
+/// may bend to either side: of the postures that are found it is the one that takes the least
+/// torque. Throws Error where none is found.
+Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch);
+
+}  // namespace burnish::pressing

@@ -1,0 +1,35 @@
+#include "pressing/task_checks.hpp"
+
+#include <cmath>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+
+namespace burnish::pressing {
+
+void check_durations(const std::vector<std::pair<std::string, double>>& durations) {
+  constexpr double longest = 1e4;  // s
+  for (const auto& [entry, time] : durations)
+    if (!(time <= longest))
+      throw EntryError(entry,
+                       "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
+}
+
+void check_plan_times(const PlanTimes& times) {
+  const double ticks = times.tick_rate / times.update_rate;
+  if (!(ticks >= 1.0 - 1e-9) || std::abs(ticks - std::round(ticks)) > 1e-6)
+    throw EntryError("controller.update_rate",
+                     "it is " + number(times.update_rate) + " Hz and tick_rate " +
+                         number(times.tick_rate) +
+                         " Hz; wanted a whole number of ticks per update");
+  if (times.solver_delay > 1.0 / times.update_rate + 1e-12)
+    throw EntryError("controller.solver_delay",
+                     "it is " + number(times.solver_delay) + " s; wanted at most the " +
+                         number(1.0 / times.update_rate) + " s between two updates");
+  if (times.step * times.knots > times.horizon + 1e-9)
+    throw EntryError("controller.knots", number(times.knots) + " knots of " + number(times.step) +
+                                             " s at least are longer than the horizon of " +
+                                             number(times.horizon) + " s; wanted fewer");
+}
+
+}  // namespace burnish::pressing

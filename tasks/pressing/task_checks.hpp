@@ -1,0 +1,29 @@
+// What numbers of tasks on feet have to be together: durations, ticks, plans.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace burnish::pressing {
+
+/// Entries and the s that they take. Throws EntryError for one that takes longer than 1e4 s.
+void check_durations(const std::vector<std::pair<std::string, double>>& durations);
+
+/// When plans are made, and over which knots that grow.
+struct PlanTimes {
+  double tick_rate, update_rate;       ///< Hz
+  double solver_delay, horizon, step;  ///< s
+  int knots;
+};
+/// Throws EntryError, of the section `controller`, for updates between ticks, plans that would be
+/// used after the next one, and knots that do not fit into the horizon.
+void check_plan_times(const PlanTimes& times);
+
+/// Those of a task.
+template <class Task>
+PlanTimes plan_times_of(const Task& task) {
+  return {task.tick_rate, task.update_rate, task.solver_delay, task.horizon, task.step, task.knots};
+}
+
+}  // namespace burnish::pressing

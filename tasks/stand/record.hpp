@@ -1,0 +1,13 @@
+// What files and page say of a run of stand.
+#pragma once
+
+#include "burnish/tasks/stand/stand.hpp"
+#include "pressing/recorded_run.hpp"
+
+namespace burnish::stand {
+
+using RunName = pressing::NamedRun<RunSpec>;
+
+pressing::RecordedRun recorded(const RunName& run, const RunResult& result);
+
+}  // namespace burnish::stand

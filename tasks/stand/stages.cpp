@@ -1,0 +1,233 @@
+// The task as stages over time, with the feet on the ground and the trunk on its way.
+#include <algorithm>
+#include <cmath>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/bearing.hpp"
+#include "pressing/foot_posture.hpp"
+#include "pressing/stage_terms.hpp"
+#include "pressing/standing_terms.hpp"
+#include "stand/swaying.hpp"
+
+namespace burnish::stand {
+namespace {
+
+constexpr const char* standing_stage = "stand";
+
+struct Builder {
+  const Task& task;
+  const Setting& setting;
+  const Model& model;
+
+  Eigen::VectorXd start_state() const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv);
+    x.head(model.nq) = setting.q_start;
+    return x;
+  }
+  /// `write` takes the trunk and what it writes to.
+  template <class Write>
+  Signal of_trunk(int size, const Write& write) const {
+    return Signal::over_time(
+        size, [task = task, setting = setting, write](double t, Eigen::Ref<Eigen::VectorXd> out) {
+          write(trunk_at(task, setting, t), out);
+        });
+  }
+  Signal com() const {
+    return of_trunk(3, [](const Trunk& trunk, Eigen::Ref<Eigen::VectorXd> p) { p = trunk.com; });
+  }
+  Signal base() const {
+    return of_trunk(4, [](const Trunk& trunk, Eigen::Ref<Eigen::VectorXd> quaternion) {
+      quaternion = Eigen::Quaterniond(trunk.base).coeffs();
+    });
+  }
+  Signal momentum() const {
+    return of_trunk(6,
+                    [mass = model.total_mass()](const Trunk& trunk, Eigen::Ref<Eigen::VectorXd> h) {
+                      h.setZero();
+                      h.head<3>() = mass * trunk.com_velocity;
+                    });
+  }
+  std::vector<CostTerm> everywhere() const {
+    const Weights& w = task.weights;
+    Eigen::VectorXd rows = Eigen::VectorXd::Constant(2 * model.nv, w.posture);
+    rows.tail(model.nv).setConstant(w.velocity);
+    rows.head<6>().setZero();             // where the base is, balance says, and `turn`
+    rows.segment<6>(model.nv).setZero();  // and how it moves
+    std::vector<CostTerm> terms{
+        {.name = "state", .residual = residual::State{start_state()}, .weights = rows},
+        {.name = "turn",
+         .residual = residual::FrameRotation{setting.base, base()},
+         .weight = task.standing.base}};
+    for (CostTerm term : pressing::standing_costs(model, task.standing, setting.q_start)) {
+      if (term.name == "balance") term.residual = residual::CenterOfMass{com()};
+      if (term.name == "momentum") term.residual = residual::CentroidalMomentum{momentum()};
+      terms.push_back(std::move(term));
+    }
+    return terms;
+  }
+  Eigen::VectorXd rest_control() const {
+    RigidBody body(model);
+    if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+      throw Error("the starting posture cannot be evaluated");
+    return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque())
+        .tail(model.nv - 6);
+  }
+  Stage stage() const {
+    Stage result{.name = standing_stage, .contacts = task.standing.feet, .costs = everywhere()};
+    result.step = task.step;
+    result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
+    result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
+    for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
+      result.constraints.push_back(rows);
+    pressing::keep_standing(task.standing, result);
+    return result;
+  }
+};
+
+/// Feet on the ground, which is the surface too.
+SceneSpec make_scene(const Task& task, const Setting& s) {
+  constexpr double small = 0.005;  // m
+  SceneSpec scene;
+  scene.supports = pressing::supports_at(s.robot.model, task.standing, s.q_start);
+  scene.tip = {s.base, small};
+  Eigen::Vector3d ground = Eigen::Vector3d::Zero();
+  for (const SupportSpec& foot : scene.supports)
+    ground += foot.point / static_cast<double>(scene.supports.size());
+  for (const SupportSpec& foot : scene.supports) ground.z() = std::min(ground.z(), foot.point.z());
+  scene.surface.point = ground;
+  scene.surface.friction = task.standing.friction;
+  return checked_scene(s.robot.model, scene);
+}
+
+/// x forwards as the base is turned; of a base that looks up or down, the world's.
+Eigen::Matrix3d heading_of(const Eigen::Matrix3d& R_base) {
+  const double yaw = std::atan2(R_base(1, 0), R_base(0, 0));
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// What the feet bear at rest within the limits that plans keep.
+pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
+  pressing::BearingSpec spec{
+      .feet = pressing::within_plans(setting.scene.supports, task.standing),
+      .least_load = task.standing.least_load,
+      .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
+  return {setting.robot.model, spec};
+}
+
+/// Throws EntryError where they do not bear it at q.
+void refuse_unborne(const Task& task, const Setting& setting, pressing::Bearing& bearing,
+                    const Eigen::VectorXd& q, const std::string& entry, const std::string& where) {
+  const Model& model = setting.robot.model;
+  RigidBody body(model);
+  if (body.update(q, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    throw EntryError(entry, "a posture " + where + " cannot be evaluated");
+  if (bearing.most(body) >= 0.0) return;
+  const std::string& limit = bearing.name(bearing.limit());
+  throw EntryError(entry,
+                   "the robot, which weighs " + number(model.total_mass() * model.gravity.norm()) +
+                       " N, cannot stand " + where + " within what plans keep: in the way is the " +
+                       limit +
+                       (limit.starts_with("load of ")
+                            ? ", " + number(task.standing.least_load) +
+                                  " N; wanted another posture, or " + "less of standing.least_load"
+                            : "; wanted another posture, or less of a sway"));
+}
+
+}  // namespace
+
+const std::vector<std::string>& phase_names() {
+  static const std::vector<std::string> names{"settle", "sway", "rest"};
+  return names;
+}
+
+Robot load_task_robot(const Task& task) { return pressing::load_floating(task.robot); }
+
+Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
+
+Setting make_setting(const Task& task, const Robot& robot) {
+  const Model& model = robot.model;
+  pressing::check_standing(model, task.standing);
+  Setting s;
+  s.robot = robot;
+  s.q_start = pressing::start_posture(robot, task.posture, [&] {
+    return pressing::crouched_posture(model, task.standing, task.crouch);
+  });
+  s.base = pressing::base_frame(model);
+  s.scene = make_scene(task, s);
+  const Eigen::Isometry3d base = frame_placement(model, s.q_start, s.base);
+  s.R_base = base.linear();
+  s.p_base = base.translation();
+  s.heading = heading_of(s.R_base);
+  RigidBody body(model);
+  if (body.update(s.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
+    throw EntryError("posture", "it cannot be evaluated");
+  s.com = body.com();
+  s.sway_end = task.settle_duration + task.sway_duration;
+  return s;
+}
+
+void refuse_out_of_reach(const Task& task, const Setting& setting) {
+  constexpr int places = 100;  // on the way, that are looked at
+  const Model& model = setting.robot.model;
+  if (!model.loops.empty()) return;  // what closed chains bear is not told by the tree alone
+  pressing::Bearing bearing = make_bearing(task, setting);
+  refuse_unborne(task, setting, bearing, setting.q_start, "posture", "at the start");
+  pressing::FootPosture wanted;
+  for (const std::string& foot : task.standing.feet)
+    wanted.feet.push_back(frame_placement(model, setting.q_start, foot));
+  Eigen::VectorXd q = setting.q_start;
+  for (int i = 0; i <= places; ++i) {
+    const double since = task.sway_duration * i / places;
+    const Trunk trunk = trunk_at(task, setting, task.settle_duration + since);
+    wanted.com = trunk.com;
+    wanted.R_base = trunk.base;
+    const auto found = pressing::posture_on_feet(model, task.standing, wanted, q);
+    const std::string where = number(since) + " s into its sway";
+    if (!found)
+      throw EntryError("sway",
+                       "no posture on these feet, with joints in their ranges, has the "
+                       "trunk where it is to be " +
+                           where + "; wanted less of it");
+    q = *found;
+    refuse_unborne(task, setting, bearing, q, "sway", where);
+  }
+}
+
+MpcSpec make_mpc(const Task& task, const Setting& setting) {
+  const Model& model = setting.robot.model;
+  const Builder build{task, setting, model};
+  MpcSpec mpc;
+  mpc.problem.model = model;
+  mpc.problem.contacts = pressing::foot_contacts(task.standing);
+  mpc.problem.initial_state = build.start_state();
+  mpc.problem.stages = {build.stage()};
+  mpc.problem.terminal = build.everywhere();
+  for (CostTerm& term : mpc.problem.terminal) term.weight *= task.weights.terminal;
+  mpc.problem.terminal_constraints =
+      pressing::joint_limits(model, task.constraints, setting.q_start);
+  mpc.problem.horizon = {
+      {.stage = standing_stage, .knots = task.knots, .step = task.step, .duration = task.horizon}};
+  mpc.schedule = {{.stage = standing_stage, .duration = task.settle_duration},
+                  {.stage = standing_stage, .duration = task.sway_duration},
+                  {.stage = standing_stage}};
+  for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
+  mpc.task = [task, setting](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
+    return std::make_unique<Swaying>(spec, task, setting);
+  };
+  pressing::set_standing(task.standing, mpc);
+  mpc.refuge = phase_names().back();
+  mpc.tool = setting.base;
+  mpc.tick_period = 1.0 / task.tick_rate;
+  mpc.update_period = 1.0 / task.update_rate;
+  mpc.solver_delay = task.solver_delay;
+  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
+  mpc.model_error = task.model_error;
+  mpc.limits = task.limits;
+  return mpc;
+}
+
+}  // namespace burnish::stand

@@ -1,0 +1,100 @@
+#include "stand/swaying.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "burnish/dynamics/placement.hpp"
+#include "pressing/sliding.hpp"
+#include "pressing/stage_terms.hpp"
+
+namespace burnish::stand {
+namespace {
+
+/// How far the trunk is off its start: shift (m) and turn (rad), in Setting::heading.
+struct Swung {
+  Eigen::Vector3d shift, turn;
+};
+
+/// `time`: s since the sway began.
+Swung swung_at(const Task& task, double time) {
+  const Sway& s = task.sway;
+  const double wide =
+      pressing::smooth(time / s.rise) * pressing::smooth((task.sway_duration - time) / s.rise);
+  const auto sine = [&](const Eigen::Vector3d& amplitude, const Eigen::Vector3d& rate) {
+    Eigen::Vector3d value;
+    for (int i = 0; i < 3; ++i)
+      value[i] = wide * amplitude[i] * std::sin(2.0 * std::numbers::pi * rate[i] * time);
+    return value;
+  };
+  return {sine(s.shift, s.shift_rate), sine(s.turn, s.turn_rate)};
+}
+
+}  // namespace
+
+Trunk trunk_at(const Task& task, const Setting& setting, double time) {
+  constexpr double h = 1e-4;  // s
+  const double since = time - task.settle_duration;
+  const Swung now = swung_at(task, since);
+  Trunk trunk;
+  trunk.com = setting.com + setting.heading * now.shift;
+  trunk.com_velocity =
+      setting.heading *
+      ((swung_at(task, since + h).shift - swung_at(task, since - h).shift) / (2.0 * h));
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(now.turn.z(), Eigen::Vector3d::UnitZ()) *
+                                Eigen::AngleAxisd(now.turn.y(), Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(now.turn.x(), Eigen::Vector3d::UnitX()))
+                                   .toRotationMatrix();
+  trunk.base = setting.heading * turn * setting.heading.transpose() * setting.R_base;
+  return trunk;
+}
+
+double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now, const Task& task) {
+  const double radius = task.standing.has_soles() ? 0.0 : task.standing.radius;
+  return pressing::slid(start, now, Eigen::Vector3d::UnitZ(), radius).norm();
+}
+
+double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle();
+}
+
+Lying lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
+               const Eigen::Matrix3d& R_base) {
+  const double height = setting.com.z() - setting.scene.surface.point.z();
+  return {(wanted.com.z() - com.z()) / height, turn_between(wanted.base, R_base)};
+}
+
+Swaying::Swaying(const MpcSpec& spec, const Task& task, const Setting& setting)
+    : task_(task), setting_(setting) {
+  const RigidBody body(spec.problem.model);
+  base_ = body.frame(setting.base);
+  for (const std::string& foot : task.standing.feet) {
+    feet_.push_back(body.frame(foot));
+    start_.push_back(frame_placement(spec.problem.model, setting.q_start, foot));
+  }
+}
+
+std::vector<WatchedQuantity> Swaying::watched() const {
+  return {{"share of its height that the centre of mass sank", ""},
+          {"turn of the base off what it is to be", "rad"},
+          {"slip of a foot", "m"}};
+}
+
+void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
+  const Trunk wanted = trunk_at(task_, setting_, view.schedule.time());
+  const Lying lying =
+      lying_at(setting_, wanted, view.body.com(), view.body.placement(base_).linear());
+  double slip = 0.0;
+  for (std::size_t i = 0; i < feet_.size(); ++i)
+    slip = std::max(slip, slip_of(start_[i], view.body.placement(feet_[i]), task_));
+  out[0] = {lying.sunk, task_.sink};
+  out[1] = {lying.turned, task_.tilt};
+  out[2] = {slip, task_.slip};
+}
+
+/// For the record: the base's place, as the centre of mass would move it.
+void Swaying::aim(double time, Command& command) {
+  command.p_target_world = setting_.p_base + trunk_at(task_, setting_, time).com - setting_.com;
+}
+
+}  // namespace burnish::stand
