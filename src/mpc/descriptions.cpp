@@ -399,11 +399,6 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("friction_estimate", &M::friction_estimate,
                  "Of the tool's contacts with friction (ContactSpec.friction): their coefficient.")
           .field("slip", &M::slip, "of what the robot stands on")
-          .field("refuge", &M::refuge,
-                 "Phase that the schedule goes to at once when what the robot stands on came away "
-                 "too far (FaultKind.SUPPORT_SLIPPED): its task is given up, and plans go on, "
-                 "since they balance and the fallback does not. The next fault leads to the "
-                 "fallback. Empty: so does this one.")
           .field("limits", &M::limits)
           .field("fallback", &M::fallback)
           .field("feedback", &M::feedback,

@@ -32,7 +32,7 @@ void MeasurementGate::take(const Measurement& m, FaultLatch& latch, Status& stat
   first_ = fresh_ && !started_;
   // Over ticks without a good measurement, if there were any.
   dt_ = first_ ? 0.0 : last_.time - before;
-  if (fresh_ && !latch.holds()) started_ = true;
+  if (fresh_ && !latch.is_set()) started_ = true;
 }
 
 bool MeasurementGate::take_state(const Measurement& m) noexcept {
@@ -45,7 +45,7 @@ bool MeasurementGate::take_state(const Measurement& m) noexcept {
 
 bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept {
   const bool stands_still = started_ && m.time <= last_.time;
-  if (latch.holds()) {
+  if (latch.is_set()) {
     // The fallback makes do with a position and a velocity.
     now_ += tick_period_;
     if (stands_still || !take_state(m)) return false;

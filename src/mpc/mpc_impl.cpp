@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/sentence.hpp"
 #include "mpc/mpc_check.hpp"
 
 namespace burnish {
@@ -26,18 +25,6 @@ std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   std::unique_ptr<MpcTask> made = spec.task(spec);
   if (!made) throw Error("MPC: the specification's task makes none");
   return made;
-}
-
-/// MpcSpec::refuge; -1: none.
-int phase_named(const MpcSpec& spec) {
-  if (spec.refuge.empty()) return -1;
-  std::vector<std::string> names;
-  for (const SchedulePhase& phase : spec.schedule) names.push_back(phase.name);
-  const auto found = std::find(names.begin(), names.end(), spec.refuge);
-  if (found == names.end())
-    throw Error("MPC: the refuge " + in_quotes(spec.refuge) + " is no phase of the schedule" +
-                did_you_mean(spec.refuge, names));
-  return static_cast<int>(found - names.begin());
 }
 
 /// Room for the longest solve. Limits that cannot be kept give way at their price, and at that
@@ -70,7 +57,6 @@ MpcController::Impl::Impl(MpcSpec given)
       holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
       motors_(spec),
-      refuge_(phase_named(spec)),
       black_box_(spec, fault),
       watched_(task->watched()),
       readings_(watched_.size()),
@@ -142,8 +128,8 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
   if (gate.is_fresh()) motors_.look(gate, command_.tau);
-  if (gate.is_fresh() && !fault.holds() && has_settled()) see();
-  const bool controls = !fault.holds() && solved_;
+  if (gate.is_fresh() && !fault.is_set() && has_settled()) see();
+  const bool controls = !fault.is_set() && solved_;
   if (controls) {
     control();
   } else {
@@ -182,7 +168,7 @@ void MpcController::Impl::see() noexcept {
   // Else a plan that was to be used until the next one is there would never be.
   const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
                        (spec.timing == PlanTiming::Fixed || !policy.waits());
-  if (!fault.holds() && due_ && is_free) update();
+  if (!fault.is_set() && due_ && is_free) update();
 }
 
 /// With the robot's frame that the surface moves with.
@@ -213,7 +199,7 @@ void MpcController::Impl::look_at_surface() noexcept {
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
   watch_joints(problem.model(), spec.limits, gate, fault);
-  if (grip.watch(gate.now(), fault) && refuge_ >= 0) seek_refuge();
+  grip.watch(gate.now(), fault);
   motors_.watch(gate.now(), fault);
   task->watch(view, readings_);
   for (std::size_t i = 0; i < readings_.size(); ++i) {
@@ -222,14 +208,6 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
     if (!(value > limit) || !fault.raise(gate.now(), kind, value, limit)) continue;
     if (kind == FaultKind::Watched) fault.report.quantity = watched_[i].name;  // there is room
   }
-}
-
-/// The task is given up, and the robot kept on its feet by plans.
-void MpcController::Impl::seek_refuge() noexcept {
-  fault.go_on();
-  schedule.jump_to(refuge_);
-  jumped_ = true;
-  due_ = true;
 }
 
 void MpcController::Impl::update() noexcept {
@@ -435,7 +413,7 @@ void MpcController::Impl::limit_torque(bool controls) noexcept {
 
 void MpcController::Impl::aim() noexcept {
   command_.phase = schedule.phase();
-  if (fault.holds()) {
+  if (fault.is_set()) {
     command_.target_force = 0.0;
     return;
   }

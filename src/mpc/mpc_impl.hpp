@@ -33,7 +33,6 @@ struct MpcController::Impl {
   void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
-  void seek_refuge() noexcept;
   void update() noexcept;
   bool prepare_plan() noexcept;
   bool tell_torque_error() noexcept;
@@ -89,7 +88,6 @@ struct MpcController::Impl {
   Holding holding_;
   PlanWatch plans_;
   MotorWatch motors_;
-  int refuge_;  ///< phase; -1: none
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
   std::vector<Reading> readings_;  ///< of watched_

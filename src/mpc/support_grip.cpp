@@ -38,7 +38,6 @@ SupportGrip::SupportGrip(const MpcSpec& spec)
 }
 
 void SupportGrip::reset() noexcept {
-  gone_ = false;
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     supports_[i].speed = supports_[i].way = 0.0;
     supports_[i].slid.setZero();
@@ -113,16 +112,11 @@ void SupportGrip::update(const MeasurementGate& gate) noexcept {
   }
 }
 
-bool SupportGrip::watch(double now, FaultLatch& latch) noexcept {
-  if (gone_) return false;
-  for (const Support& support : supports_) {
-    if (!(support.way > allowed_)) continue;
-    gone_ = true;
-    if (!latch.raise(now, FaultKind::SupportSlipped, support.way, allowed_)) return false;
-    latch.report.quantity = support.name;  // there is room
-    return true;
-  }
-  return false;
+void SupportGrip::watch(double now, FaultLatch& latch) const noexcept {
+  for (const Support& support : supports_)
+    if (support.way > allowed_ &&
+        latch.raise(now, FaultKind::SupportSlipped, support.way, allowed_))
+      latch.report.quantity = support.name;  // there is room
 }
 
 }  // namespace burnish

@@ -17,8 +17,8 @@ class SupportGrip {
   void reset() noexcept;
   /// After a good measurement.
   void update(const MeasurementGate& gate) noexcept;
-  /// SafetyLimits::support_way, heard once. Whether it is the run's first fault.
-  bool watch(double now, FaultLatch& latch) noexcept;
+  /// SafetyLimits::support_way.
+  void watch(double now, FaultLatch& latch) const noexcept;
 
   /// Of each: the coefficient of friction that plans reckon with; infinite without a cone.
   const Eigen::VectorXd& friction() const { return friction_; }
@@ -46,7 +46,6 @@ class SupportGrip {
   Eigen::Vector3d up_;
   std::vector<Support> supports_;
   Eigen::VectorXd friction_;
-  bool gone_ = false;
 };
 
 }  // namespace burnish

@@ -380,7 +380,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.task = pressing_task(task, setting, path, known);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
-  if (task.standing.stands()) mpc.refuge = name_of(Phase::Retreat);
   return mpc;
 }
 

@@ -344,7 +344,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
   pressing::set_standing(task.standing, mpc);
   mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
   mpc.support_sensors = true;  // hands hold at times only
-  mpc.refuge = phase_names().back();
   mpc.problem.initial_state = build.state_target();
   mpc.problem.stages = build.stages();
   mpc.problem.terminal = build.everywhere();

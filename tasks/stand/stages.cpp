@@ -219,7 +219,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     return std::make_unique<Swaying>(spec, task, setting);
   };
   pressing::set_standing(task.standing, mpc);
-  mpc.refuge = phase_names().back();
   mpc.tool = setting.base;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;

@@ -4,6 +4,7 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/mpc/mpc.hpp"
+#include "burnish/solver/ddp.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/biped.hpp"
 #include "support/special_numbers.hpp"
@@ -15,7 +16,7 @@ namespace {
 using Eigen::VectorXd;
 
 const std::vector<std::string> soles{"left_sole_link", "right_sole_link"};
-constexpr double cone = 0.5, tick = 1e-3;
+constexpr double cone = 0.5, tick_period = 1e-3;
 
 /// A biped that is to sway to its side, within what its feet bear.
 MpcSpec swaying(const Model& model, const VectorXd& q) {
@@ -33,7 +34,7 @@ MpcSpec swaying(const Model& model, const VectorXd& q) {
   spec.tool = soles[0];
   spec.supports = soles;
   spec.support_sensors = true;
-  spec.tick_period = tick;
+  spec.tick_period = tick_period;
   spec.update_period = 0.01;
   spec.model_error.kind = ModelErrorKind::None;
   spec.limits.torque_gap = 0.2;
@@ -53,8 +54,8 @@ class Shoved : public ::testing::Test {
     lost.setOnes(model.nv);
   }
   const Command& step(double speed, double rubs) {
-    measured.time += tick;
-    measured.q[0] += tick * speed;
+    measured.time += tick_period;
+    measured.q[0] += tick_period * speed;
     measured.v[0] = speed;
     const double half = 0.5 * model.total_mass() * 9.81;
     for (Eigen::Index k = 0; k < measured.support_wrenches.cols(); ++k)
@@ -167,11 +168,11 @@ TEST_F(Shoved, finds_nothing_wrong_with_motors_that_are_a_little_off) {
 TEST_F(Shoved, allocates_nothing_while_it_slips_and_while_it_holds) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   steps(20, 0.0, 0.04);
-  measured.time += tick;
+  measured.time += tick_period;
   const AllocationGuard guard;
   for (int i = 0; i < 400; ++i) {
-    measured.time += tick;
-    measured.q[0] += tick * 0.4;
+    measured.time += tick_period;
+    measured.q[0] += tick_period * 0.4;
     measured.v[0] = 0.4;
     (void)mpc->tick(measured);
   }

@@ -33,8 +33,8 @@ struct SafetyLimits {
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;  ///< in a row
   /// m along the ground that what holds always (MpcSpec::supports) may have slid within the last
-  /// second, about; see MpcSpec::refuge
-  double support_way = 0.01;
+  /// second, about
+  double support_way = 0.2;
   /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
   /// ms: a motor that fails. For measurements that have torques.
   double torque_gap = std::numeric_limits<double>::infinity();
@@ -142,10 +142,6 @@ struct MpcSpec {
   /// Of the tool's contacts with friction (ContactSpec::friction): their coefficient.
   FrictionEstimateOptions friction_estimate = {};
   SlipOptions slip = {};  ///< of what the robot stands on
-  /// Phase that the schedule goes to at once when what the robot stands on came away too far
-  /// (FaultKind::SupportSlipped): its task is given up, and plans go on, since they balance and the
-  /// fallback does not. The next fault leads to the fallback. Empty: so does this one.
-  std::string refuge = {};
   SafetyLimits limits = {};
   Fallback fallback = {};
   bool feedback = true;  ///< the Riccati policy between solves; without, the planned torque is held
