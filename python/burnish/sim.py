@@ -34,7 +34,7 @@ from .contact import SurfaceShape
 
 __all__ = [
     "Actuation", "ActuationStep", "AdmittanceGains", "AdmittanceSpec", "CirclePath", "ClosedLoop",
-    "ClosedLoopOptions", "Disturbances", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "MujocoContact",
+    "ClosedLoopOptions", "Disturbances", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "ImuFault", "MujocoContact",
     "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec", "Sensing", "SupportSpec",
     "SurfaceMotion", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "UnknownPayload", "check_disturbances", "checked_scene", "gap", "has_mujoco",
     "make_admittance_controller", "make_ideal_plant", "make_impedance_controller",

@@ -30,7 +30,7 @@ void read_array(const Field& field, const ValueType& type, void* at, const Reade
 
 void read_value(const Field& field, const ValueType& type, void* at, const Reader& reader);
 
-/// Entries of a list state all keys but texts that have a word for none.
+/// Entries of a list state all keys but those that have a word for what is not there.
 void read_struct(const Description& description, void* spec, const Reader& reader, bool all) {
   std::vector<std::string> keys;
   for (const Field& field : description.fields)
@@ -39,7 +39,7 @@ void read_struct(const Description& description, void* spec, const Reader& reade
   for (const Field& field : description.fields)
     if (field.type->kind == Kind::Other)
       continue;
-    else if (all && !(field.type->kind == Kind::Text && !field.word.empty()))
+    else if (all && field.word.empty())
       read_entry(field, spec, reader[field.key]);
     else if (const auto value = reader.find(field.key))
       read_entry(field, spec, *value);
@@ -87,7 +87,10 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
       *static_cast<std::string*>(at) = is_word ? std::string() : reader.text();
       return;
     case Kind::Array:
-      return is_word ? type.resize_array(at, 0, 1) : read_array(field, type, at, reader);
+      if (!is_word) return read_array(field, type, at, reader);
+      if (type.rows < 0) return type.resize_array(at, 0, 1);
+      Eigen::Map<Eigen::VectorXd>(type.numbers(at), type.rows).setZero();
+      return;
     case Kind::List:
       return read_list(field, type, at, reader);
     case Kind::Map:

@@ -192,6 +192,7 @@ void MpcController::Impl::look_at_surface() noexcept {
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
   watch_joints(problem.model(), spec.limits, gate, fault);
+  watch_base(spec.limits, gate, fault);
   task->watch(view, readings_);
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     const auto [value, limit] = readings_[i];

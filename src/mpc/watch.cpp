@@ -23,6 +23,12 @@ void watch_joints(const Model& model, const SafetyLimits& limits, const Measurem
   }
 }
 
+void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
+                FaultLatch& latch) noexcept {
+  const double lost = gate.last().base_lost_for;
+  if (lost > limits.base_lost) latch.raise(gate.now(), FaultKind::BaseLost, lost, limits.base_lost);
+}
+
 bool PlanWatch::judge(double now, bool usable, bool first, double seconds,
                       FaultLatch& latch) noexcept {
   failed_ = usable ? 0 : failed_ + 1;

@@ -28,6 +28,12 @@ void set_friction(Model& model, double coulomb, double viscous) {
   }
 }
 
+bool is_within(double start, double duration, double time) {
+  constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
+  const double now = time + rounding;
+  return now >= start && now < start + duration;
+}
+
 }  // namespace
 
 void check_disturbances(const Model& model, const Disturbances& d) {
@@ -127,9 +133,10 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
 }
 
 bool acts_at(const Push& push, double time) noexcept {
-  constexpr double rounding = 1e-9;  // s: a plant's time is a number of steps times its step
-  const double now = time + rounding;
-  return now >= push.start && now < push.start + push.duration;
+  return is_within(push.start, push.duration, time);
+}
+bool acts_at(const ImuFault& fault, double time) noexcept {
+  return is_within(fault.start, fault.duration, time);
 }
 
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept {

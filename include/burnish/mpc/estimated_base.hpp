@@ -6,13 +6,15 @@
 
 #include "burnish/estimate/base_estimator.hpp"
 #include "burnish/estimate/foot_contacts.hpp"
+#include "burnish/estimate/guarded_base.hpp"
 #include "burnish/mpc/controller.hpp"
 
 namespace burnish {
 
 /// Which feet stand is told by their sensors, where a measurement has any
 /// (Measurement::support_wrenches, a column for each of the estimator's feet, in their order), and
-/// by joint torques through the dynamics (FootForces) where not; the base then by BaseEstimator.
+/// by joint torques through the dynamics (FootForces) where not; the base then by GuardedBase: by a
+/// BaseEstimator, and by the feet alone where the unit is silent or wrong.
 /// Ticks allocate nothing and throw nothing.
 class EstimatedBase {
  public:
@@ -29,14 +31,15 @@ class EstimatedBase {
                BaseEstimator::Feet standing = ~BaseEstimator::Feet{0}) noexcept;
 
   /// The measurement with the base's entries of q and v replaced by their estimates. The first one
-  /// after reset() only starts the clock. What cannot be used (no reading of the unit, a time that
-  /// stands still, see status()) leaves the base where it was.
+  /// after reset() only starts the clock. What cannot be used (no reading of the unit for a moment,
+  /// a time that stands still, see status()) leaves the base where it was.
   const Measurement& update(const Measurement& measured) noexcept;
 
-  /// Of the last update: WrongSize without a reading of the unit or with another number of
-  /// supports, NotFinite for numbers that are none and a time that does not go on.
+  /// Of the last update: WrongSize without a reading of the unit for a moment or with another
+  /// number of supports, NotFinite for numbers that are none and a time that does not go on.
   Status status() const;
-  const BaseEstimator& estimator() const;
+  const GuardedBase& base() const;
+  const BaseEstimator& estimator() const;  ///< of the base; it stands still while the feet tell it
   const FootContacts& contacts() const;
 
  private:

@@ -22,6 +22,7 @@ enum class FaultKind {
   ForceLimit,         ///< the tool is pushed harder than allowed
   SpeedLimit,         ///< a joint or the tool is faster than allowed
   Watched,            ///< a quantity of the task, FaultReport::quantity, is beyond its limit
+  BaseLost,           ///< nothing tells where a floating base is, for too long
 };
 
 /// Such as "contact lost".

@@ -31,7 +31,8 @@ struct SafetyLimits {
   int failed_solves = 5;  ///< in a row; the first solve may not fail
   /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
-  int late_solves = 5;  ///< in a row
+  int late_solves = 5;      ///< in a row
+  double base_lost = 0.05;  ///< s without anything that tells where a floating base is
 };
 
 /// How the robot is brought to rest after a fault, and held there: on the actuated joints a,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,18 @@ struct UnknownPayload {
   double radius = 0.05;     ///< m
   double mass_range = 0.0;  ///< kg: it weighs mass + r, |r| <= this, and not less than nothing
   double com_range = 0.0;   ///< m: each entry of its centre is com + r, |r| <= this
+};
+
+/// An inertial measurement unit that goes wrong for a while.
+struct ImuFault {
+  double start = 0.0;                                         ///< s
+  double duration = std::numeric_limits<double>::infinity();  ///< s; infinite: for good
+  /// rad/s, added to what the gyroscope reads, the unit's axes
+  Eigen::Vector3d gyro_offset = Eigen::Vector3d::Zero();
+  /// m/s^2, added to what the accelerometer reads, the unit's axes
+  Eigen::Vector3d accelerometer_offset = Eigen::Vector3d::Zero();
+  bool frozen = false;  ///< it repeats the last reading before
+  bool silent = false;  ///< there are no readings
 };
 
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
@@ -80,6 +93,7 @@ struct Disturbances {
   double accelerometer_bias_range = 0.0;  ///< m/s^2: each axis adds b, |b| <= this
   double accelerometer_bias_walk = 0.0;   ///< m/s^3/sqrt(Hz) that b walks with
   double accelerometer_step = 0.0;        ///< m/s^2, of its converter; 0: exact
+  std::vector<ImuFault> imu_faults = {};  ///< of the unit
 
   // In the plant's model and scene (plant_model() and plant_scene()).
   double mass_scale = 1.0;      ///< of all masses and inertias of the plant
@@ -125,5 +139,7 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
 Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
 /// Whether a push acts at a time.
 bool acts_at(const Push& push, double time) noexcept;
+/// Whether a unit is wrong in this way at a time.
+bool acts_at(const ImuFault& fault, double time) noexcept;
 
 }  // namespace burnish
