@@ -33,16 +33,6 @@ const Description& description_of(const FootSpec* /*of*/) {
   return all;
 }
 
-const Words& words_of(BaseSource /*of*/) {
-  static const Words all{"estimate",
-                         "BaseSource",
-                         "What tells where the base is.",
-                         {{"filter", "the unit and the feet: BaseEstimator"},
-                          {"feet", "the feet alone: the unit is silent or wrong"},
-                          {"none", "nothing: too few feet stand, and the unit does not count"}}};
-  return all;
-}
-
 const Description& description_of(const UnitWatchOptions* /*of*/) {
   using U = UnitWatchOptions;
   constexpr Range size = range::positive;

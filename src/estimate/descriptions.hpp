@@ -4,7 +4,6 @@
 #include "base/description.hpp"
 #include "burnish/estimate/base_estimator.hpp"
 #include "burnish/estimate/foot_contacts.hpp"
-#include "burnish/estimate/guarded_base.hpp"
 #include "burnish/estimate/imu.hpp"
 
 namespace burnish {
@@ -12,7 +11,6 @@ namespace burnish {
 const Words& words_of(FootKind);
 const Description& description_of(const ImuReading*);
 const Description& description_of(const FootSpec*);
-const Words& words_of(BaseSource);
 const Description& description_of(const UnitWatchOptions*);
 const Description& description_of(const BaseEstimatorOptions*);
 const Description& description_of(const EstimatorInnovation*);

@@ -43,6 +43,7 @@ struct Moment {
   double speed_gate = 0.0;                   ///< m/s, of what is not known
 };
 
+constexpr double stuck = 0.01;          // s of the same reading, to the last digit
 constexpr double moment_period = 0.25;  // s: a fault is found within it, and anchors are older
 
 }  // namespace
@@ -278,8 +279,8 @@ double GuardedBase::Impl::share_of_gates() const noexcept {
 /// Feet that tip, pivot or slip never do so quite alike: what moves them against each other is a
 /// good part of what they differ from the unit by, which a fault of the unit does not touch.
 bool GuardedBase::Impl::feet_rest() const noexcept {
-  constexpr double part = 0.25, least = 0.5;  // below that of the gates all of it may be noise
-  const double most = part * std::max(share_of_gates(), least);
+  constexpr double part = 0.25;
+  const double most = part * std::max(share_of_gates(), 1.0);
   for (int k = 0; k < kinematics.feet(); ++k) {
     if ((followed & foot_bit(k)) == 0) continue;
     const FeetFit::Apart apart = older.feet.apart(k, kinematics.seen(k), by_feet);
@@ -337,6 +338,12 @@ Status GuardedBase::Impl::follow_filter(const ImuReading* imu, const ConstVector
     const UnitWatch::Tips tip = tips();
     if (beyond && tip == UnitWatch::Tips::Yes) tipping = windows * watch_options.window;
     const bool rest = feet_rest();
+    // Noise never repeats itself: then it is enough that the feet tell of any motion at all.
+    constexpr double any = 0.2;  // of the gates
+    if (watch.repeats_for() > stuck && share_of_gates() > any) {
+      give_up_unit(false, standing);
+      return Status::Ok;
+    }
     constexpr double clear = 3.0;  // of the gates: nothing more is waited for
     if (beyond && rest && tipping == 0.0 && !was_tipping &&
         (tip == UnitWatch::Tips::No || share_of_gates() > clear)) {
@@ -460,7 +467,7 @@ void GuardedBase::Impl::follow_feet(const ImuReading* imu, FootSet standing,
   }
   compare(*imu, dt);
   constexpr double closely = 0.6;  // of the gates: a unit that comes back is not to leave at once
-  if (share_of_gates() > closely) {
+  if (share_of_gates() > closely || watch.repeats_for() > stuck) {
     watch.begin(by_feet, by_feet.R * v_unit);
     agreed = 0.0;
     return;

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 void UnitWatch::begin(const UnitPose& by_feet, const Vector3d& v_world) noexcept {
   begun_ = true;
-  repeats_ = false;
+  repeats_for_ = 0.0;
   before_ = by_feet;
   for (Vector3d* x :
        {&turned_, &turned_twice_, &speed_, &place_, &way_by_feet_, &place_by_feet_, &sum_})
@@ -22,7 +22,8 @@ void UnitWatch::begin(const UnitPose& by_feet, const Vector3d& v_world) noexcept
 
 void UnitWatch::advance(const ImuReading& reading, const UnitPose& by_feet,
                         const Vector3d& v_by_feet, const Vector3d& gravity, double dt) noexcept {
-  repeats_ = reading.gyro == last_.gyro && reading.accelerometer == last_.accelerometer;
+  const bool repeats = reading.gyro == last_.gyro && reading.accelerometer == last_.accelerometer;
+  repeats_for_ = repeats ? repeats_for_ + dt : 0.0;
   last_ = reading;
   const Vector3d turn_by_feet = turn_of(before_.R.transpose() * by_feet.R);
   const Vector3d beyond = reading.gyro * dt - turn_by_feet;
@@ -45,7 +46,7 @@ void UnitWatch::advance(const ImuReading& reading, const UnitPose& by_feet,
 /// A unit that repeats itself says nothing, and a robot that sways looks like one that tips then.
 UnitWatch::Tips UnitWatch::tips_over(const Vector3d& point, double least_turn,
                                      double least_place) const noexcept {
-  if (repeats_ || !(turned_.norm() > least_turn)) return Tips::No;
+  if (repeats_for_ > 0.0 || !(turned_.norm() > least_turn)) return Tips::No;
   const Vector3d lever = before_.p - point, expected = turned_twice_.cross(lever);
   const double way = expected.norm();
   // About the line to the point, as the vertical, nothing moves, and nothing tips.

@@ -39,12 +39,15 @@ class UnitWatch {
   enum class Tips { No, Unclear, Yes };
   Tips tips_over(const Eigen::Vector3d& point, double least_turn,
                  double least_place) const noexcept;
+  /// s that the unit has said the same to the last digit.
+  double repeats_for() const { return repeats_for_; }
   /// rad/s that the gyroscope said beyond the feet, in the unit's axes, mean since begin().
   Eigen::Vector3d mean_rate() const noexcept;
 
  private:
   double window_;
-  bool begun_ = false, repeats_ = false;
+  bool begun_ = false;
+  double repeats_for_ = 0.0;  ///< s
   UnitPose before_;
   ImuReading last_;
   Eigen::Vector3d turned_ = Eigen::Vector3d::Zero(), turned_twice_ = turned_;
