@@ -280,7 +280,7 @@ double GuardedBase::Impl::share_of_gates() const noexcept {
 /// good part of what they differ from the unit by, which a fault of the unit does not touch.
 bool GuardedBase::Impl::feet_rest() const noexcept {
   constexpr double part = 0.25;
-  const double most = part * std::max(share_of_gates(), 1.0);
+  const double most = part * std::max(share_of_gates(), 0.7);
   for (int k = 0; k < kinematics.feet(); ++k) {
     if ((followed & foot_bit(k)) == 0) continue;
     const FeetFit::Apart apart = older.feet.apart(k, kinematics.seen(k), by_feet);
