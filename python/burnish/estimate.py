@@ -6,7 +6,7 @@ from ._core import BaseEstimator, FootContacts, FootForces
 
 __all__ = [
     "BaseEstimator", "BaseEstimatorOptions", "EstimatorInnovation", "FootContactOptions", "FootContacts", "FootForces",
-    "FootKind", "FootSpec", "ImuReading",
+    "FootKind", "FootSpec", "ImuReading", "UnitWatchOptions",
 ]
 
 

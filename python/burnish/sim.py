@@ -34,8 +34,9 @@ from .contact import SurfaceShape
 
 __all__ = [
     "Actuation", "ActuationStep", "AdmittanceGains", "AdmittanceSpec", "CirclePath", "ClosedLoop",
-    "ClosedLoopOptions", "Disturbances", "HoistSpec", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "MujocoContact",
-    "MotorLoss", "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec", "Sensing", "SlipperyGround", "SupportSpec",
+    "ClosedLoopOptions", "Disturbances", "HoistSpec", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "ImuFault",
+    "MotorLoss", "MujocoContact", "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec",
+    "Sensing", "SlipperyGround", "SupportSpec",
     "SurfaceMotion", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "UnknownPayload", "check_disturbances", "checked_scene", "gap", "has_mujoco",
     "make_admittance_controller", "make_ideal_plant", "make_impedance_controller",
     "make_mujoco_plant", "plant_model", "plant_scene", "push_at", "scene_under_tip",

@@ -65,9 +65,11 @@ void change_coordinates(const InertialState<double>& x, double sign, Eigen::Matr
   Eigen::Matrix3d v, p;
   v << 0.0, -x.v.z, x.v.y, x.v.z, 0.0, -x.v.x, -x.v.y, x.v.x, 0.0;
   p << 0.0, -x.p.z, x.p.y, x.p.z, 0.0, -x.p.x, -x.p.y, x.p.x, 0.0;
+  v *= sign;
+  p *= sign;
   for (int side = 0; side < 2; ++side) {
-    P.middleRows<3>(ContactFilter::v) += sign * v * P.topRows<3>();
-    P.middleRows<3>(ContactFilter::p) += sign * p * P.topRows<3>();
+    P.middleRows<3>(ContactFilter::v).noalias() += v * P.topRows<3>();
+    P.middleRows<3>(ContactFilter::p).noalias() += p * P.topRows<3>();
     P.transposeInPlace();
   }
 }
@@ -102,7 +104,8 @@ struct BaseEstimator::Impl {
   }
 
   void start(const ConstVectorRef& q_start, const ConstVectorRef& v_start,
-             const Eigen::Ref<const Eigen::MatrixXd>& P) noexcept;
+             const Eigen::Ref<const Eigen::MatrixXd>& P, const Vector3d& b_gyro = Vector3d::Zero(),
+             const Vector3d& b_accelerometer = Vector3d::Zero()) noexcept;
   void see_feet() noexcept;
   void follow_slips(FootSet standing, FootSet rejected, const Vector3d& gyro, double dt) noexcept;
   double speed_limit() const noexcept;
@@ -130,7 +133,8 @@ BaseEstimator& BaseEstimator::operator=(BaseEstimator&&) noexcept = default;
 
 /// The kinematics are those of q_start and v_start.
 void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVectorRef& v_start,
-                                const Eigen::Ref<const Eigen::MatrixXd>& P) noexcept {
+                                const Eigen::Ref<const Eigen::MatrixXd>& P, const Vector3d& b_gyro,
+                                const Vector3d& b_accelerometer) noexcept {
   q = q_start;
   v = v_start;
   const FramePose<double>& joint = kinematics.base_joint();
@@ -145,7 +149,7 @@ void BaseEstimator::Impl::start(const ConstVectorRef& q_start, const ConstVector
       p_base + R_base * unit.p};
   start_covariance = P;
   change_coordinates(state, 1.0, start_covariance);
-  filter.reset(state, Vector3d::Zero(), Vector3d::Zero(), start_covariance);
+  filter.reset(state, b_gyro, b_accelerometer, start_covariance);
   slipping = 0;
   lost = 0.0;
   rested.setZero();
@@ -248,6 +252,22 @@ Status BaseEstimator::reset(const ConstVectorRef& q, const ConstVectorRef& v,
   const Status status = d.kinematics.update(q, v);
   if (status != Status::Ok) return status;
   d.start(q, v, covariance);
+  return Status::Ok;
+}
+
+Status BaseEstimator::resume(const ConstVectorRef& q, const ConstVectorRef& v,
+                             const Eigen::Vector3d& gyro_bias,
+                             const Eigen::Vector3d& accelerometer_bias) noexcept {
+  Impl& d = *impl_;
+  if (q.size() != d.q.size() || v.size() != d.v.size()) return Status::WrongSize;
+  if (!q.allFinite() || !v.allFinite() || !gyro_bias.allFinite() || !accelerometer_bias.allFinite())
+    return Status::NotFinite;
+  if (!(std::abs(q.segment<4>(3).squaredNorm() - 1.0) < 2e-6)) return Status::NotNormalized;
+  const Status status = d.kinematics.update(q, v);
+  if (status != Status::Ok) return status;
+  (void)covariance();
+  d.covariance += d.initial;
+  d.start(q, v, d.covariance, gyro_bias, accelerometer_bias);
   return Status::Ok;
 }
 

@@ -33,6 +33,33 @@ const Description& description_of(const FootSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const UnitWatchOptions* /*of*/) {
+  using U = UnitWatchOptions;
+  constexpr Range size = range::positive;
+  static const Description all =
+      Describe<U>("estimate", "UnitWatchOptions",
+                  "What is taken for an inertial measurement unit that is wrong, while feet stand.")
+          .field("enabled", &U::enabled,
+                 "look at what the unit says; else only whether it says anything")
+          .field("window", &U::window, "{s} over which the unit and the feet are compared", size)
+          .field("turn", &U::turn, "{rad} that they may differ by in it, beside noise and biases",
+                 size)
+          .field("place", &U::place, "{m}, likewise", size)
+          .field("rate", &U::rate,
+                 "{rad/s} beyond the feet's that are not believed before that is clear", size)
+          .field("feet_turn", &U::feet_turn,
+                 "{rad} that a sole may turn against the others and stand", size)
+          .field("feet_place", &U::feet_place,
+                 "{m} that a foot may move against the others and stand", size)
+          .field("silent_after", &U::silent_after,
+                 "{s} without a reading, after which there is none", range::not_negative)
+          .field("back_after", &U::back_after,
+                 "{s} that a unit has to agree with the feet before it counts again", size)
+          .field("fading", &U::fading,
+                 "{s} in which the difference is made up when the feet take over", size);
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const BaseEstimatorOptions* /*of*/) {
   using B = BaseEstimatorOptions;
@@ -79,7 +106,9 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
           .field("position_deviation", &B::position_deviation, "{m}, likewise", size)
           .field("gyro_bias_deviation", &B::gyro_bias_deviation, "{rad/s}, likewise", size)
           .field("accelerometer_bias_deviation", &B::accelerometer_bias_deviation,
-                 "{m/s^2}, likewise", size);
+                 "{m/s^2}, likewise", size)
+          .group("A unit that goes wrong.")
+          .field("watch", &B::watch, "of the unit, by the feet");
   return all;
 }
 

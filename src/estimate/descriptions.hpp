@@ -11,6 +11,7 @@ namespace burnish {
 const Words& words_of(FootKind);
 const Description& description_of(const ImuReading*);
 const Description& description_of(const FootSpec*);
+const Description& description_of(const UnitWatchOptions*);
 const Description& description_of(const BaseEstimatorOptions*);
 const Description& description_of(const EstimatorInnovation*);
 const Description& description_of(const FootContactOptions*);

@@ -53,7 +53,8 @@ FootKinematics::FootKinematics(const Model& model, const std::string& unit,
       v_(Eigen::VectorXd::Zero(model.nv)),
       column_of_v_(static_cast<std::size_t>(model.nv), -1),
       seen_(feet.size()),
-      velocities_(feet.size(), Vec3<double>::zero()) {
+      velocities_(feet.size(), Vec3<double>::zero()),
+      turnings_(velocities_) {
   for (const std::string& foot : feet) feet_.push_back(moving_frame(model, foot, "the foot"));
   q_.head<7>() << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
   base_joint_ = {tree_.joints.front().R, tree_.joints.front().p};
@@ -95,6 +96,7 @@ Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) 
     // d(R^T (p_f - p))/dt = R^T (dp_f/dt - dp/dt - w x (p_f - p)): the unit's twist at the foot.
     velocities_[i] = transpose_times(
         unit_pose_.R, at_point(body.v, pose.p).linear - at_point(carrier.v, pose.p).linear);
+    turnings_[i] = transpose_times(unit_pose_.R, body.v.angular - carrier.v.angular);
     update_jacobian(foot);
   }
   return Status::Ok;

@@ -51,6 +51,8 @@ class FootKinematics {
   const Vec3<double>& velocity(int foot) const {
     return velocities_[static_cast<std::size_t>(foot)];
   }
+  /// How the foot turns seen from the unit, rad/s, its axes.
+  const Vec3<double>& turning(int foot) const { return turnings_[static_cast<std::size_t>(foot)]; }
   /// d(p, theta)/d(q) of the foot seen from the unit, both in its axes: 6 rows, a column for each
   /// entry of v in columns().
   Eigen::MatrixXd::ConstRowsBlockXpr jacobian(int foot) const {
@@ -78,7 +80,7 @@ class FootKinematics {
   FramePose<double> base_joint_, unit_in_base_, unit_pose_;
   Motion<double> unit_in_base_velocity_;
   std::vector<SeenFoot> seen_;
-  std::vector<Vec3<double>> velocities_;
+  std::vector<Vec3<double>> velocities_, turnings_;
   Eigen::MatrixXd jacobian_;
 };
 

@@ -87,7 +87,10 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
       *static_cast<std::string*>(at) = is_word ? std::string() : reader.text();
       return;
     case Kind::Array:
-      return is_word ? type.resize_array(at, 0, 1) : read_array(field, type, at, reader);
+      if (!is_word) return read_array(field, type, at, reader);
+      if (type.rows < 0) return type.resize_array(at, 0, 1);
+      Eigen::Map<Eigen::VectorXd>(type.numbers(at), type.rows).setZero();
+      return;
     case Kind::List:
       return read_list(field, type, at, reader);
     case Kind::Map:

@@ -151,6 +151,8 @@ const Description& description_of(const SafetyLimits* /*of*/) {
                  range::not_negative_or_infinite)
           .more("of wall clock; the first one, made at rest, may take longer")
           .field("late_solves", &S::late_solves, "in a row", count)
+          .field("base_lost", &S::base_lost,
+                 "{s} without anything that tells where a floating base is", limit)
           .field("support_way", &S::support_way,
                  "{m} along the ground that a foot may have slid within the last second, about",
                  limit)
@@ -226,7 +228,8 @@ const Words& words_of(FaultKind /*of*/) {
        {"unexpected_contact", "a force while the tool moves through free space"},
        {"force_limit", "the tool is pushed harder than allowed"},
        {"speed_limit", "a joint or the tool is faster than allowed"},
-       {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"}}};
+       {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"},
+       {"base_lost", "nothing tells where a floating base is, for too long"}}};
   return all;
 }
 
@@ -245,7 +248,10 @@ const Description& description_of(const Measurement* /*of*/) {
               "support_wrenches", &M::support_wrenches,
               "of the sensors in what the robot stands on: force and moment of the ground on each "
               "support, N and Nm, at the origin of its frame, in the frame's axes; 6 x "
-              "supports, or empty: not measured");
+              "supports, or empty: not measured")
+          .field("base_lost_for", &M::base_lost_for,
+                 "{s} since nothing tells where a floating base is, whose entries of q and v are "
+                 "old; 0: it is told");
   return all;
 }
 

@@ -8,21 +8,23 @@ namespace burnish {
 
 struct EstimatedBase::Impl {
   Impl(const Model& model, const BaseEstimatorOptions& options, const FootContactOptions& feet)
-      : estimator(model, options),
-        contacts(model, estimator.feet(), feet),
+      : base(model, options),
+        feet_count(base.filter().feet()),
+        contacts(model, feet_count, feet),
         forces(model, options.feet, feet.bandwidth),
         up(-model.gravity.normalized()),
         tau(Eigen::VectorXd::Zero(model.nv)),
-        normal_forces(Eigen::VectorXd::Zero(estimator.feet())) {
+        normal_forces(Eigen::VectorXd::Zero(feet_count)) {
     result.q = model.q_neutral;
     result.v = result.tau = tau;
-    result.support_wrenches.setZero(6, estimator.feet());
+    result.support_wrenches.setZero(6, feet_count);
   }
 
   Status feel(const Measurement& measured, double dt) noexcept;
   Status follow(const Measurement& measured) noexcept;
 
-  BaseEstimator estimator;
+  GuardedBase base;
+  int feet_count;
   FootContacts contacts;
   FootForces forces;
   Eigen::Vector3d up;
@@ -44,7 +46,7 @@ EstimatedBase& EstimatedBase::operator=(EstimatedBase&&) noexcept = default;
 Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
                             BaseEstimator::Feet standing) noexcept {
   Impl& d = *impl_;
-  const Status status = d.estimator.reset(q, v);
+  const Status status = d.base.reset(q, v);
   if (status != Status::Ok) return status;
   d.contacts.reset(standing);
   d.forces.reset();
@@ -52,6 +54,7 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
   d.status = Status::Ok;
   d.result.q = q;
   d.result.v = v;
+  d.result.base_lost_for = 0.0;
   return Status::Ok;
 }
 
@@ -59,9 +62,8 @@ Status EstimatedBase::reset(const ConstVectorRef& q, const ConstVectorRef& v,
 Status EstimatedBase::Impl::feel(const Measurement& measured, double dt) noexcept {
   if (measured.support_wrenches.cols() > 0) {
     if (measured.support_wrenches.cols() < normal_forces.size()) return Status::WrongSize;
-    for (int k = 0; k < estimator.feet(); ++k)
-      normal_forces[k] =
-          up.dot(estimator.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
+    for (int k = 0; k < feet_count; ++k)
+      normal_forces[k] = up.dot(base.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
     return contacts.update(normal_forces, dt);
   }
   // The base is the one of the tick before: its estimate needs to know which feet stand.
@@ -85,13 +87,19 @@ Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
   if (first) return Status::Ok;
   // What could not be used is bridged by the readings after it.
   const double dt = measured.time - last;
-  if (!measured.imu) return Status::WrongSize;
   if (!(dt > 0.0)) return Status::NotFinite;
+  const BaseSource before = base.source();
+  const bool waits = before == BaseSource::Filter && !measured.imu &&
+                     dt <= base.filter().options().watch.silent_after;
+  if (waits) return Status::WrongSize;
   const Status told = feel(measured, dt);
   if (told != Status::Ok) return told;
+  const ImuReading* const imu = measured.imu ? &*measured.imu : nullptr;
   const Status status_of_base =
-      estimator.update(*measured.imu, measured.q, measured.v, contacts.standing(), dt);
+      base.update(imu, measured.q, measured.v, contacts.standing(), contacts.forces(), dt);
   if (status_of_base == Status::Ok) last = measured.time;
+  // Its velocity is another's now, which is no acceleration.
+  if (base.source() != before) forces.reset();
   return status_of_base;
 }
 
@@ -103,7 +111,7 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
   // Room for those of feet is there from the start on; without sensors it is given up, and stays so.
-  if (measured.support_wrenches.cols() >= d.estimator.feet())
+  if (measured.support_wrenches.cols() >= d.feet_count)
     result.support_wrenches = measured.support_wrenches;
   else
     result.support_wrenches.resize(6, 0);
@@ -112,13 +120,15 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
     result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);
   if (measured.v.size() == result.v.size())
     result.v.tail(result.v.size() - 6) = measured.v.tail(result.v.size() - 6);
-  result.q.head<7>() = d.estimator.q().head<7>();
-  result.v.head<6>() = d.estimator.v().head<6>();
+  result.q.head<7>() = d.base.q().head<7>();
+  result.v.head<6>() = d.base.v().head<6>();
+  result.base_lost_for = d.base.lost_for();
   return result;
 }
 
 Status EstimatedBase::status() const { return impl_->status; }
-const BaseEstimator& EstimatedBase::estimator() const { return impl_->estimator; }
+const GuardedBase& EstimatedBase::base() const { return impl_->base; }
+const BaseEstimator& EstimatedBase::estimator() const { return impl_->base.filter(); }
 const FootContacts& EstimatedBase::contacts() const { return impl_->contacts; }
 
 }  // namespace burnish

@@ -36,6 +36,8 @@ std::string_view name_of(FaultKind kind) {
       return "motor lost";
     case FaultKind::Watched:
       return "beyond a limit";
+    case FaultKind::BaseLost:
+      return "base lost";
   }
   return "no fault";
 }
@@ -73,6 +75,8 @@ const char* words(FaultKind kind) {
       return "%s at %.4f s: a torque of %.4g Nm (N) off what was sent; allowed are %.4g";
     case FaultKind::Watched:
       return "%s at %.4f s: %.4g; allowed is %.4g";
+    case FaultKind::BaseLost:
+      return "%s at %.4f s: nothing told where the base is for %.4g s; allowed are %.4g s";
     case FaultKind::None:
       break;
   }

@@ -23,6 +23,7 @@ void MeasurementGate::reset() noexcept {
   last_.tau.setZero();
   last_.tool_force_world.setZero();
   last_.support_wrenches.setZero();
+  last_.base_lost_for = 0.0;
   started_ = fresh_ = first_ = false;
 }
 
@@ -71,6 +72,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   last_.tau = m.tau;
   if (has_force_) last_.tool_force_world = m.tool_force_world;
   if (supports_ > 0) last_.support_wrenches = m.support_wrenches;
+  last_.base_lost_for = m.base_lost_for;
   now_ = last_.time = m.time;
   if (gap > limits_.stale) latch.raise(now_, FaultKind::StaleMeasurement, gap, limits_.stale);
   return true;

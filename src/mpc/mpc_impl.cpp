@@ -199,6 +199,7 @@ void MpcController::Impl::look_at_surface() noexcept {
 
 void MpcController::Impl::watch(const TaskView& view) noexcept {
   watch_joints(problem.model(), spec.limits, gate, fault);
+  watch_base(spec.limits, gate, fault);
   grip.watch(gate.now(), fault);
   motors_.watch(gate.now(), fault);
   task->watch(view, readings_);

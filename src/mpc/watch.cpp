@@ -23,6 +23,12 @@ void watch_joints(const Model& model, const SafetyLimits& limits, const Measurem
   }
 }
 
+void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
+                FaultLatch& latch) noexcept {
+  const double lost = gate.last().base_lost_for;
+  if (lost > limits.base_lost) latch.raise(gate.now(), FaultKind::BaseLost, lost, limits.base_lost);
+}
+
 MotorWatch::MotorWatch(const MpcSpec& spec)
     : share_(spec.limits.torque_gap),
       effort_(spec.problem.model.effort_limit),

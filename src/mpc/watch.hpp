@@ -10,6 +10,10 @@ namespace burnish {
 void watch_joints(const Model& model, const SafetyLimits& limits, const MeasurementGate& gate,
                   FaultLatch& latch) noexcept;
 
+/// A floating base that nothing tells of.
+void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
+                FaultLatch& latch) noexcept;
+
 /// Updates in a row without a plan, or with a late one.
 class PlanWatch {
  public:

@@ -78,6 +78,27 @@ const Description& description_of(const UnknownPayload* /*of*/) {
   return all;
 }
 
+const Description& description_of(const ImuFault* /*of*/) {
+  using I = ImuFault;
+  static const Description all =
+      Describe<I>("sim", "ImuFault", "An inertial measurement unit that goes wrong for a while.")
+          .field("start", &I::start, "{s}")
+          .field("duration", &I::duration, "{s}; infinite: for good",
+                 range::not_negative_or_infinite)
+          .word("forever")
+          .field("gyro_offset", &I::gyro_offset,
+                 "{rad/s}, added to what the gyroscope reads, the unit's axes")
+          .word("none")
+          .field("accelerometer_offset", &I::accelerometer_offset,
+                 "{m/s^2}, added to what the accelerometer reads, the unit's axes")
+          .word("none")
+          .field("frozen", &I::frozen, "it repeats the last reading before")
+          .word("no")
+          .field("silent", &I::silent, "there are no readings")
+          .word("no");
+  return all;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Disturbances* /*of*/) {
   using D = Disturbances;
@@ -158,6 +179,11 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "{m/s^3/sqrt(Hz)} that b walks with", size)
           .field("accelerometer_step", &D::accelerometer_step,
                  "{m/s^2}, of its converter; 0: exact", size)
+          .field("imu_faults", &D::imu_faults,
+                 "[{start: s, duration: s, gyro_offset: [x, y, z] in rad/s, accelerometer_offset: "
+                 "[x, y, z] in m/s^2, frozen: true, silent: true}, ...], in the unit's axes; what "
+                 "is left out is not so, and lasts")
+          .in_code("of the unit")
           .group("In the plant's model and scene: plant_model() and plant_scene().")
           .field("mass_scale", &D::mass_scale, "of all masses and inertias of the plant",
                  range::positive)

@@ -16,6 +16,7 @@ const Description& description_of(const Push*);
 const Description& description_of(const SurfaceMotion*);
 const Description& description_of(const MotorLoss*);
 const Description& description_of(const UnknownPayload*);
+const Description& description_of(const ImuFault*);
 const Description& description_of(const Disturbances*);
 const Description& description_of(const SurfaceSpec*);
 const Description& description_of(const ToolTipSpec*);

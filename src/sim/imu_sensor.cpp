@@ -58,7 +58,10 @@ struct ImuSensor::Impl {
         accelerometer(d.seed, streams::accelerometer, d.accelerometer_bias_range,
                       d.accelerometer_noise, d.accelerometer_bias_walk, d.accelerometer_step),
         first_gyro(gyro),
-        first_accelerometer(accelerometer) {}
+        first_accelerometer(accelerometer),
+        faults(d.imu_faults) {}
+
+  void spoil(const ImuReading& before, bool is_first, double time) noexcept;
 
   Tree tree;
   CompiledFrame frame;
@@ -68,7 +71,22 @@ struct ImuSensor::Impl {
   Mat3<double> R_before = Mat3<double>::identity();
   Vec3<double> v_before = Vec3<double>::zero();
   ImuReading reading;
+  std::vector<ImuFault> faults;
+  bool silent = false;
 };
+
+/// What of it is random goes on underneath, so that a fault changes nothing after it.
+void ImuSensor::Impl::spoil(const ImuReading& before, bool is_first, double time) noexcept {
+  silent = false;
+  for (const ImuFault& fault : faults) {
+    if (!acts_at(fault, time)) continue;
+    reading.gyro += fault.gyro_offset;
+    reading.accelerometer += fault.accelerometer_offset;
+    silent = silent || fault.silent;
+  }
+  for (const ImuFault& fault : faults)
+    if (fault.frozen && !is_first && acts_at(fault, time)) reading = before;
+}
 
 ImuSensor::ImuSensor(const Model& model, const std::string& frame, const Disturbances& disturbances)
     : impl_((check_disturbances(model, disturbances),
@@ -80,12 +98,14 @@ ImuSensor& ImuSensor::operator=(ImuSensor&&) noexcept = default;
 void ImuSensor::reset() noexcept {
   impl_->gyro = impl_->first_gyro;
   impl_->accelerometer = impl_->first_accelerometer;
-  impl_->started = false;
+  impl_->started = impl_->silent = false;
 }
 
 const ImuReading& ImuSensor::measure(const ConstVectorRef& q, const ConstVectorRef& v,
-                                     double elapsed) noexcept {
+                                     double elapsed, double time) noexcept {
   Impl& d = *impl_;
+  const ImuReading before = d.reading;
+  const bool is_first = !d.started;
   update_kinematics(d.tree, q.data(), v.data(), d.kinematics);
   const BodyState<double>& body = d.kinematics.bodies[static_cast<std::size_t>(d.frame.body)];
   const Mat3<double> R = body.R * d.frame.R;
@@ -107,10 +127,12 @@ const ImuReading& ImuSensor::measure(const ConstVectorRef& q, const ConstVectorR
   d.v_before = twist.linear;
   d.gyro.add_to(d.reading.gyro, elapsed);
   d.accelerometer.add_to(d.reading.accelerometer, elapsed);
+  d.spoil(before, is_first, time);
   return d.reading;
 }
 
 const ImuReading& ImuSensor::reading() const { return impl_->reading; }
+bool ImuSensor::is_silent() const { return impl_->silent; }
 const Eigen::Vector3d& ImuSensor::gyro_bias() const { return impl_->gyro.bias; }
 const Eigen::Vector3d& ImuSensor::accelerometer_bias() const { return impl_->accelerometer.bias; }
 

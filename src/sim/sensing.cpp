@@ -73,9 +73,11 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
       tau += disturbances_.torque_sensor_noise * random_->torque.normal();
   measure_force(plant);
   measure_supports(plant);
-  if (imu_)
-    measurement_.imu =
-        imu_->measure(plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt());
+  if (imu_) {
+    measurement_.imu = imu_->measure(
+        plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt(), plant.time());
+    if (imu_->is_silent()) measurement_.imu.reset();
+  }
   started_ = true;
   return measurement_;
 }

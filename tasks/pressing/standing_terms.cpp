@@ -169,6 +169,8 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
+  // A base that is moved faster than this is felt as a push.
+  options.watch.fading = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
   return options;

@@ -123,6 +123,9 @@ TEST(FootKinematics, JacobiansAndVelocitiesAreExact) {
         const Eigen::Vector3d speed =
             exact.topRows(3).rightCols(model.nv - 6) * v.tail(model.nv - 6);
         EXPECT_LT((to_eigen(kinematics.velocity(static_cast<int>(k))) - speed).norm(), 1e-10);
+        const Eigen::Vector3d turning =
+            exact.bottomRows(3).rightCols(model.nv - 6) * v.tail(model.nv - 6);
+        EXPECT_LT((to_eigen(kinematics.turning(static_cast<int>(k))) - turning).norm(), 1e-10);
       }
     }
   }

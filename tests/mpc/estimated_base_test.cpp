@@ -122,6 +122,51 @@ TEST(EstimatedBase, WhatCannotBeUsedLeavesTheBaseAndIsBridged) {
   EXPECT_LT((good.q - biped.truth).norm(), 1e-6);
 }
 
+TEST(EstimatedBase, ASilentUnitIsDoneWithoutAndTakenBack) {
+  for (const bool sensors : {false, true}) {
+    StandingBiped biped;
+    EstimatedBase base(biped.model, biped.options);
+    ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
+    if (sensors) biped.load(0.5, 0.5);
+    for (int tick = 0; tick < 1200; ++tick) {
+      Measurement measured = biped.at(tick);
+      const bool silent = tick >= 100 && tick < 300;
+      measured.imu->gyro.x() = 1e-9 * (tick % 2);  // one that repeats itself is not taken back
+      if (silent) measured.imu.reset();
+      const Measurement& told = base.update(measured);
+      EXPECT_LT((told.q - biped.truth).norm(), 1e-6) << tick;
+      EXPECT_EQ(told.base_lost_for, 0.0);
+      if (tick > 104) {
+        EXPECT_EQ(base.status(), Status::Ok) << tick;
+      }
+      if (tick > 104 && tick < 790) {
+        EXPECT_EQ(base.base().source(), BaseSource::Feet) << tick;
+      }
+    }
+    EXPECT_EQ(base.base().source(), BaseSource::Filter);
+    EXPECT_EQ(base.base().takeovers(), 1);
+  }
+}
+
+TEST(EstimatedBase, SaysForHowLongNothingTellsTheBase) {
+  StandingBiped biped;
+  EstimatedBase base(biped.model, biped.options);
+  ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
+  biped.load(0.5, 0.5);
+  for (int tick = 0; tick < 100; ++tick) base.update(biped.at(tick));
+  biped.load(0.0, 0.0);
+  double longest = 0.0;
+  for (int tick = 100; tick < 300; ++tick) {
+    Measurement measured = biped.at(tick);
+    measured.imu.reset();
+    const Measurement& told = base.update(measured);
+    ASSERT_TRUE(told.q.allFinite() && told.v.allFinite());
+    longest = told.base_lost_for;
+  }
+  EXPECT_NEAR(longest, 0.185, 0.015);  // forces fade out for some ms
+  EXPECT_EQ(base.update(biped.at(300)).base_lost_for, 0.0) << "a unit that speaks is something";
+}
+
 TEST(EstimatedBase, TicksAllocateNothing) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
   StandingBiped biped;

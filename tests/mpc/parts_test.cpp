@@ -379,6 +379,25 @@ TEST(JointWatch, finds_speed_and_position_beyond_the_limits_of_the_joint) {
   EXPECT_EQ(out.limit, model.q_lower[3]);
 }
 
+TEST(BaseWatch, gives_up_where_nothing_tells_the_base_for_too_long) {
+  MpcSpec spec = toy_spec();
+  spec.limits.base_lost = 0.1;
+  for (const double lost : {0.0, 0.1, 0.11}) {
+    MeasurementGate gate(spec);
+    FaultLatch latch;
+    Status status = Status::Ok;
+    Measurement m = toy_measurement(spec);
+    m.base_lost_for = lost;
+    gate.take(m, latch, status);
+    watch_base(spec.limits, gate, latch);
+    EXPECT_EQ(latch.is_set(), lost > 0.1);
+    if (!latch.is_set()) continue;
+    EXPECT_EQ(latch.report.kind, FaultKind::BaseLost);
+    EXPECT_NE(latch.report.text().find("nothing told where the base is for 0.11 s"),
+              std::string::npos);
+  }
+}
+
 TEST(PlanWatch, counts_updates_in_a_row) {
   PlanWatch watch(SafetyLimits{.failed_solves = 3, .deadline = 0.1, .late_solves = 2});
   FaultLatch latch;

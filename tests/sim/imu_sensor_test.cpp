@@ -127,6 +127,46 @@ TEST(ImuSensor, ItsRandomNumbersAreThoseOfItsSeedAgainAfterReset) {
   EXPECT_EQ(guard.count(), 0);
 }
 
+TEST(ImuSensor, GoesWrongAsItsFaultsSayAndIsAsBeforeAfterThem) {
+  const Model model = named_robot("every_joint", Base::FreeFlyer);
+  const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
+  constexpr double dt = 0.01;
+  Disturbances d;
+  d.seed = 3;
+  d.gyro_noise = d.accelerometer_noise = d.gyro_bias_walk = 0.1;
+  ImuSensor right(model, "", d);
+  const Vector3d turn(0.0, 0.3, 0.0), pull(0.0, 0.0, -2.0);
+  d.imu_faults = {{.start = 0.1, .duration = 0.1, .gyro_offset = turn},
+                  {.start = 0.15, .duration = 0.1, .accelerometer_offset = pull},
+                  {.start = 0.3, .duration = 0.1, .frozen = true},
+                  {.start = 0.5, .duration = 0.1, .silent = true},
+                  {.start = 0.8, .silent = true}};
+  ImuSensor wrong(model, "", d);
+  Vector3d last = Vector3d::Zero();
+  for (int tick = 0; tick < 100; ++tick) {
+    const double time = tick * dt;
+    const ImuReading& truth = right.measure(q, rest, dt, time);
+    const ImuReading& read = wrong.measure(q, rest, dt, time);
+    if (tick < 30 || tick >= 40) {
+      const bool steps = tick >= 10 && tick < 20, pulls = tick >= 15 && tick < 25;
+      EXPECT_EQ(read.gyro, steps ? Vector3d(truth.gyro + turn) : truth.gyro) << tick;
+      EXPECT_EQ(read.accelerometer,
+                pulls ? Vector3d(truth.accelerometer + pull) : truth.accelerometer)
+          << tick;
+      last = read.gyro;
+    } else {
+      EXPECT_EQ(read.gyro, last) << tick;
+    }
+    EXPECT_EQ(wrong.is_silent(), (tick >= 50 && tick < 60) || tick >= 80) << tick;
+  }
+  wrong.reset();
+  EXPECT_FALSE(wrong.is_silent());
+  d.imu_faults = {{.start = 0.0, .frozen = true}};  // there is no reading before: the first
+  ImuSensor stuck(model, "", d);
+  const ImuReading first = stuck.measure(q, rest, dt);
+  EXPECT_EQ(stuck.measure(q, rest, dt, dt).gyro, first.gyro);
+}
+
 TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
   const Model model = named_robot("every_joint", Base::FreeFlyer);
   expect_words(refusal([&] { ImuSensor(model, "tap", {}); }), {"'tap'", "'tip'"});
@@ -134,12 +174,19 @@ TEST(ImuSensor, RefusesFramesAndNoiseThatWillNotDo) {
   Disturbances d;
   d.gyro_noise = -1.0;
   expect_words(refusal([&] { ImuSensor(model, "", d); }), {"gyro_noise", "-1"});
+  d = {};
+  d.imu_faults = {{}, {.duration = -0.1}};
+  expect_words(refusal([&] { ImuSensor(model, "", d); }), {"imu_faults[1].duration", "-0.1"});
+  d.imu_faults = {{.gyro_offset = {0.0, std::nan(""), 0.0}}};
+  expect_words(refusal([&] { ImuSensor(model, "", d); }), {"imu_faults[0].gyro_offset", "nan"});
 }
 
 TEST(Sensing, HasReadingsOfTheUnitWhereThereIsOne) {
   const Model model = arm7::model(Base::Fixed);
   const auto plant = make_ideal_plant(model, {});
-  Sensing with(model, {}), without(model, {});
+  Disturbances d;
+  d.imu_faults = {{.start = 1.5 * plant->dt(), .silent = true}};
+  Sensing with(model, d), without(model, {});
   with.mount_imu(model, "tool");
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   ASSERT_LE(plant->reset(q, rest), Status::NotConverged);
@@ -154,6 +201,8 @@ TEST(Sensing, HasReadingsOfTheUnitWhereThereIsOne) {
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   const Vector3d speed = body.velocity(body.frame("tool"), Reference::centered()).head<3>();
   EXPECT_NEAR(second.imu->accelerometer.norm(), (speed / plant->dt() - model.gravity).norm(), 1e-9);
+  ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
+  EXPECT_FALSE(with.measure(*plant, rest).imu.has_value()) << "it is silent from then on";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "burnish/report/metrics.hpp"
@@ -93,7 +94,9 @@ struct MpcCase {
 /// Plant, controller and loop of a case, at its start.
 class MpcRun {
  public:
-  explicit MpcRun(const MpcCase& wanted)
+  /// With an estimator that is all that says where the base is.
+  explicit MpcRun(const MpcCase& wanted,
+                  const std::optional<BaseEstimatorOptions>& estimator = std::nullopt)
       : task_(wanted.task), setting_(polishing::make_setting(task_)) {
     const Model model = plant_model(setting_.robot.model, task_.disturbances);
     const SceneSpec scene = plant_scene(setting_.scene, task_.disturbances);
@@ -107,6 +110,7 @@ class MpcRun {
     options.control_period = spec.tick_period;
     options.max_duration = 4.0;
     loop_ = std::make_unique<ClosedLoop>(*plant_, *watched_, task_.disturbances, options);
+    if (estimator) loop_->estimate_base(setting_.robot.model, *estimator);
     reset();
   }
 

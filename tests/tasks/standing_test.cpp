@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/model/state.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
+#include "pressing/standing_terms.hpp"
 #include "support/refusal.hpp"
 #include "support/standing_case.hpp"
 
@@ -44,6 +46,44 @@ TEST_F(Standing, keeps_pressing_while_its_torso_is_pushed) {
     EXPECT_LT(run.metrics().force_rmse, 3.0);
     EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
   }
+}
+
+TEST_F(Standing, keeps_polishing_while_its_inertial_unit_is_wrong_or_silent) {
+  for (const ImuFault& fault :
+       std::vector<ImuFault>{{.start = 1.8, .gyro_offset = {0.0, 0.3, 0.0}},
+                             {.start = 1.8, .duration = 0.3, .gyro_offset = {1.0, 0.0, 0.0}},
+                             {.start = 1.8, .accelerometer_offset = {2.0, 0.0, 0.0}},
+                             {.start = 1.8, .frozen = true},
+                             {.start = 1.8, .silent = true}}) {
+    MpcCase wanted = standing_case();
+    wanted.task.disturbances.imu_faults = {fault};
+    MpcRun run(wanted, pressing::base_estimator(wanted.task.standing));
+    ASSERT_LE(run.polish(), Status::NotConverged);
+    EXPECT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
+    EXPECT_LT(run.metrics().force_rmse, 4.0)
+        << "silent: " << fault.silent << ", frozen: " << fault.frozen
+        << ", gyroscope: " << fault.gyro_offset.transpose();
+    EXPECT_TRUE(run.watched().finite);
+    EXPECT_EQ(run.watched().allocations, 0);
+    EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
+    // Where it is told to be is where it is.
+    const Eigen::VectorXd apart =
+        difference(run.setting().robot.model, run.plant().q(), run.loop().measurement().q);
+    EXPECT_LT(apart.head<3>().norm(), 5e-3);
+    EXPECT_LT(apart.segment<3>(3).norm(), 0.01);
+  }
+}
+
+TEST_F(Standing, freezes_when_nothing_tells_where_its_base_is) {
+  MpcCase wanted = standing_case();
+  wanted.spoil = [](Measurement& m) {
+    if (m.time > 1.6) m.base_lost_for = m.time - 1.6;
+  };
+  MpcRun run(wanted);
+  ASSERT_LE(run.run(3.0), Status::NotConverged);
+  EXPECT_EQ(run.mpc().fault().kind, FaultKind::BaseLost);
+  EXPECT_NEAR(run.mpc().fault().time, 1.651, 2e-3);
+  EXPECT_TRUE(stands(run.setting().q_start, run.plant().q()));
 }
 
 TEST_F(Standing, stays_on_its_feet_after_a_fault) {

@@ -25,6 +25,20 @@ struct FootSpec {
   FootKind kind = FootKind::Ball;  ///< ball, whose origin stays, or sole, which does not turn
 };
 
+/// What GuardedBase takes for a unit that is wrong. BaseEstimator alone does not look.
+struct UnitWatchOptions {
+  bool enabled = true;       ///< look at what the unit says; else only whether it says anything
+  double window = 0.1;       ///< s over which the unit and the feet are compared
+  double turn = 2e-3;        ///< rad that they may differ by in it, beside noise and biases
+  double place = 2e-3;       ///< m, likewise
+  double rate = 0.1;         ///< rad/s beyond the feet's that are not believed before that is clear
+  double feet_turn = 2e-3;   ///< rad that a sole may turn against the others and stand
+  double feet_place = 1e-3;  ///< m that a foot may move against the others and stand
+  double silent_after = 3e-3;  ///< s without a reading, after which there is none
+  double back_after = 0.5;     ///< s that a unit has to agree with the feet before it counts again
+  double fading = 0.03;        ///< s in which the difference is made up when the feet take over
+};
+
 /// Noise is white where it is a density, a deviation per square root of Hz: a reading every dt s
 /// has the density times 1/sqrt(dt).
 struct BaseEstimatorOptions {
@@ -55,6 +69,8 @@ struct BaseEstimatorOptions {
   double position_deviation = 1e-3;   ///< m, likewise
   double gyro_bias_deviation = 0.01;  ///< rad/s, likewise
   double accelerometer_bias_deviation = 0.1;  ///< m/s^2, likewise
+
+  UnitWatchOptions watch = {};  ///< of the unit, by the feet
 };
 
 /// Of the readings of feet at the last update, against what was expected.
@@ -90,6 +106,13 @@ class BaseEstimator {
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v,
                const Eigen::Ref<const Eigen::MatrixXd>& covariance) noexcept;
+
+  /// Starts again at q and v of the whole robot, after a time in which something else told the
+  /// base. The deviations are those before and the options' together; biases (rad/s, m/s^2) are
+  /// what it is told. No foot is on the ground. WrongSize, NotFinite, NotNormalized, which change
+  /// nothing, or Ok.
+  Status resume(const ConstVectorRef& q, const ConstVectorRef& v, const Eigen::Vector3d& gyro_bias,
+                const Eigen::Vector3d& accelerometer_bias) noexcept;
 
   /// What was read `dt` s after the last update: the unit's means over that time, and the joints'
   /// entries of q (nq) and v (nv) now; entries of the base are passed over. `standing`: feet on the

@@ -22,6 +22,9 @@ struct Measurement {
   /// of the sensors in what the robot stands on: force and moment of the ground on each support, N
   /// and Nm, at the origin of its frame, in the frame's axes; 6 x supports, or empty: not measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
+  /// s since nothing tells where a floating base is, whose entries of q and v are old; 0: it is
+  /// told
+  double base_lost_for = 0.0;
 };
 
 /// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at

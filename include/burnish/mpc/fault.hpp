@@ -24,6 +24,7 @@ enum class FaultKind {
   SupportSlipped,     ///< what the robot stands on came away too far
   MotorLost,          ///< a joint's torque is not what was sent
   Watched,            ///< a quantity of the task, FaultReport::quantity, is beyond its limit
+  BaseLost,           ///< nothing tells where a floating base is, for too long
 };
 
 /// Such as "contact lost".

@@ -31,7 +31,8 @@ struct SafetyLimits {
   int failed_solves = 5;  ///< in a row; the first solve may not fail
   /// s of computing time per plan; of wall clock; the first one, made at rest, may take longer
   double deadline = std::numeric_limits<double>::infinity();
-  int late_solves = 5;  ///< in a row
+  int late_solves = 5;      ///< in a row
+  double base_lost = 0.05;  ///< s without anything that tells where a floating base is
   /// m along the ground that what holds always (MpcSpec::supports) may have slid within the last
   /// second, about
   double support_way = 0.2;

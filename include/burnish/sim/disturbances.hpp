@@ -43,6 +43,18 @@ struct UnknownPayload {
   double com_range = 0.0;   ///< m: each entry of its centre is com + r, |r| <= this
 };
 
+/// An inertial measurement unit that goes wrong for a while.
+struct ImuFault {
+  double start = 0.0;                                         ///< s
+  double duration = std::numeric_limits<double>::infinity();  ///< s; infinite: for good
+  /// rad/s, added to what the gyroscope reads, the unit's axes
+  Eigen::Vector3d gyro_offset = Eigen::Vector3d::Zero();
+  /// m/s^2, added to what the accelerometer reads, the unit's axes
+  Eigen::Vector3d accelerometer_offset = Eigen::Vector3d::Zero();
+  bool frozen = false;  ///< it repeats the last reading before
+  bool silent = false;  ///< there are no readings
+};
+
 /// Zero, empty, false or "no value" is off. Joints are the entries of v; those of a floating base
 /// have neither motors nor encoders and are spared. Units are those of revolute joints; prismatic
 /// ones have m and N in place of rad and Nm.
@@ -91,6 +103,7 @@ struct Disturbances {
   double accelerometer_bias_range = 0.0;  ///< m/s^2: each axis adds b, |b| <= this
   double accelerometer_bias_walk = 0.0;   ///< m/s^3/sqrt(Hz) that b walks with
   double accelerometer_step = 0.0;        ///< m/s^2, of its converter; 0: exact
+  std::vector<ImuFault> imu_faults = {};  ///< of the unit
 
   // In the plant's model and scene (plant_model() and plant_scene()).
   double mass_scale = 1.0;      ///< of all masses and inertias of the plant

@@ -12,9 +12,9 @@
 namespace burnish {
 
 /// What a unit at a frame reads: means over the time since the reading before, such that a state
-/// carried on with them, held, has the true rotation and velocity at the end; then bias, noise and
-/// the steps of its converter, as the disturbances say. Allocates nothing after construction and
-/// throws nothing.
+/// carried on with them, held, has the true rotation and velocity at the end; then bias, noise, the
+/// steps of its converter and its faults, as the disturbances say. Allocates nothing after
+/// construction and throws nothing.
 class ImuSensor {
  public:
   /// `frame`: empty for the body of the robot's first joint. Throws Error as check_disturbances()
@@ -29,10 +29,12 @@ class ImuSensor {
 
   /// Reads the true state, q (nq) and v (nv), `elapsed` s after the last reading, which is to be
   /// more than 0. The first reading after reset() takes the frame to be without acceleration then,
-  /// its noise being that of a reading over `elapsed` all the same.
-  const ImuReading& measure(const ConstVectorRef& q, const ConstVectorRef& v,
-                            double elapsed) noexcept;
+  /// its noise being that of a reading over `elapsed` all the same. `time`: s, that faults begin
+  /// by.
+  const ImuReading& measure(const ConstVectorRef& q, const ConstVectorRef& v, double elapsed,
+                            double time = 0.0) noexcept;
   const ImuReading& reading() const;  ///< the last one
+  bool is_silent() const;             ///< a fault keeps it back
 
   const Eigen::Vector3d& gyro_bias() const;           ///< rad/s, as it is now
   const Eigen::Vector3d& accelerometer_bias() const;  ///< m/s^2, as it is now
