@@ -162,7 +162,8 @@ const Description& description_of(const SafetyLimits* /*of*/) {
                  limit)
           .in_code(
               "of a joint's effort limit, that the measured torque may be off the commanded one, "
-              "mean over 30 ms: a motor that fails. For measurements that have torques.");
+              "mean over 30 ms: a motor that fails; 0.6 of that where it gives less than a fifth of "
+              "what it is told. For measurements that have torques.");
   return all;
 }
 
@@ -172,7 +173,7 @@ const Description& description_of(const SlipOptions* /*of*/) {
       Describe<S>("mpc", "SlipOptions",
                   "What plans make of a support that holds always and slips all the same: they "
                   "keep its forces within what it was felt to bear while it did, or, where that is "
-                  "not measured, within less and less. It slips while it bears `load`, has slid by "
+                  "not measured, within the least. It slips while it bears `load`, has slid by "
                   "`way` along the ground within the last second and goes on faster than "
                   "`speed`.")
           .field("enabled", &S::enabled, "plans are told of feet that slip")
@@ -183,7 +184,8 @@ const Description& description_of(const SlipOptions* /*of*/) {
           .field("least", &S::least, "coefficient of friction that plans are always left",
                  range::positive)
           .field("easing", &S::easing,
-                 "{s} in which they are told: what changes at once has no good plan",
+                 "{s} in which they are told, twice that where it is not measured: what "
+                 "changes at once has no good plan",
                  range::not_negative)
           .field("recovery", &S::recovery,
                  "{1/s}, coefficient by which they trust it again while it rests",

@@ -87,20 +87,19 @@ void SupportGrip::judge(Support& support, const MeasurementGate& gate,
                         double& friction) const noexcept {
   const double dt = gate.dt();
   const Eigen::Matrix3d R = gate.body().placement(support.frame).linear();
-  double load = infinite, most = friction;
+  double load = infinite, most = 0.0, easing = 2.0 * options_.easing;
   if (support.sensor >= 0) {
     const auto wrench = gate.last().support_wrenches.col(support.sensor);
     load = up_.dot(R * wrench.head<3>());
     if (load > options_.load) most = options_.share * felt(support, wrench, R, load);
-  } else {
-    constexpr double quickly = 0.03;  // s
-    most = friction * std::exp(-dt / quickly);
+    easing = options_.easing;
   }
   support.slips =
       load > options_.load && support.way > options_.way && support.speed > options_.speed;
-  const double trusted = std::min(support.cone, friction + options_.recovery * dt);
-  const double told = friction + part(dt, options_.easing) * (std::min(friction, most) - friction);
-  friction = support.slips ? told : trusted;
+  if (support.slips)
+    friction += part(dt, easing) * (std::min(friction, most) - friction);
+  else
+    friction = std::min(support.cone, friction + options_.recovery * dt);
   friction = std::max(friction, std::min(support.cone, options_.least));
 }
 

@@ -32,7 +32,8 @@ void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
 MotorWatch::MotorWatch(const MpcSpec& spec)
     : share_(spec.limits.torque_gap),
       effort_(spec.problem.model.effort_limit),
-      gap_(Eigen::VectorXd::Zero(spec.problem.model.nv)) {
+      told_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
+      gap_(told_) {
   for (const Joint& joint : spec.problem.model.joints)
     if (joint.kind != JointKind::FreeFlyer && !joint.follows)
       for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
@@ -43,14 +44,23 @@ void MotorWatch::look(const MeasurementGate& gate, const Eigen::VectorXd& tau_be
   constexpr double window = 0.03;  // s
   const double part = -std::expm1(-gate.dt() / window);
   for (const int k : actuated_) {
+    told_[k] += part * (tau_before[k] - told_[k]);
     gap_[k] += part * (tau_before[k] - gate.last().tau[k] - gap_[k]);
-    if (effort_[k] > 0.0 && std::abs(gap_[k]) > share_ * effort_[k]) lost_ = k;
+    if (effort_[k] > 0.0 && std::abs(gap_[k]) > allowed(k)) lost_ = k;
   }
+}
+
+/// Nm (N) that a motor may be off. One that gives next to nothing is found before one that is weak.
+double MotorWatch::allowed(int entry) const noexcept {
+  constexpr double nothing = 0.2, sooner = 0.6;
+  const double came = std::abs(told_[entry] - gap_[entry]);
+  const bool gives = came > nothing * std::abs(told_[entry]);
+  return (gives ? 1.0 : sooner) * share_ * effort_[entry];
 }
 
 void MotorWatch::watch(double now, FaultLatch& latch) const noexcept {
   if (lost_ >= 0)
-    latch.raise(now, FaultKind::MotorLost, std::abs(gap_[lost_]), share_ * effort_[lost_], lost_);
+    latch.raise(now, FaultKind::MotorLost, std::abs(gap_[lost_]), allowed(lost_), lost_);
 }
 
 bool PlanWatch::judge(double now, bool usable, bool first, double seconds,

@@ -33,6 +33,7 @@ class MotorWatch {
  public:
   explicit MotorWatch(const MpcSpec& spec);
   void reset() noexcept {
+    told_.setZero();
     gap_.setZero();
     lost_ = -1;
   }
@@ -42,9 +43,12 @@ class MotorWatch {
   int lost() const { return lost_; }  ///< entry of v, the first one found; -1: none
 
  private:
+  double allowed(int entry) const noexcept;
+
   std::vector<int> actuated_;
   double share_;  ///< SafetyLimits::torque_gap
-  Eigen::VectorXd effort_, gap_;
+  Eigen::VectorXd effort_;
+  Eigen::VectorXd told_, gap_;  ///< nv, Nm (N), means: what was sent, and that less what came
   int lost_ = -1;
 };
 

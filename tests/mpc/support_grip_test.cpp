@@ -81,9 +81,9 @@ class Shoved : public ::testing::Test {
 TEST_F(Shoved, plans_reckon_with_what_a_foot_was_felt_to_bear_while_it_slipped) {
   steps(20, 0.0, 0.04);
   EXPECT_EQ(mpc->support_friction(), VectorXd::Constant(2, cone));
-  steps(100, 0.08, 0.04);
+  steps(200, 0.08, 0.04);
   const SlipOptions options;
-  EXPECT_NEAR(mpc->support_friction()[0], options.share * 0.04, 0.01);
+  EXPECT_NEAR(mpc->support_friction()[0], options.share * 0.04, 0.002);
   EXPECT_EQ(mpc->fault().kind, FaultKind::None) << mpc->fault().text();
   // The plan made last keeps within it, though the sway would take more.
   steps(20, 0.0, 0.0);
@@ -100,8 +100,8 @@ TEST_F(Shoved, plans_reckon_with_what_a_foot_was_felt_to_bear_while_it_slipped) 
 }
 
 TEST_F(Shoved, trusts_the_ground_again_with_time_and_never_less_than_it_may) {
-  steps(100, 0.08, 0.0);  // nothing was felt to rub
-  EXPECT_NEAR(mpc->support_friction()[0], SlipOptions{}.least, 1e-12);
+  steps(200, 0.08, 0.0);  // nothing was felt to rub
+  EXPECT_NEAR(mpc->support_friction()[0], SlipOptions{}.least, 1e-3);
   steps(1000, 0.0, 0.0);
   EXPECT_NEAR(mpc->support_friction()[0], SlipOptions{}.least + SlipOptions{}.recovery, 0.01);
   mpc->reset();
@@ -119,10 +119,10 @@ TEST_F(Shoved, without_sensors_reckons_with_less_and_less) {
   spec.support_sensors = false;
   make(spec);
   steps(20, 0.0, 0.0);
-  steps(60, 0.08, 0.0);
+  steps(80, 0.08, 0.0);
   const double before = mpc->support_friction()[0];
   EXPECT_LT(before, 0.9 * cone);
-  steps(60, 0.08, 0.0);
+  steps(100, 0.08, 0.0);
   EXPECT_LT(mpc->support_friction()[0], 0.5 * before);
 }
 
@@ -137,19 +137,22 @@ TEST_F(Shoved, gives_up_with_a_foot_that_is_gone_too_far) {
 }
 
 TEST_F(Shoved, finds_the_motor_that_gives_nothing_and_holds_with_the_others) {
+  MpcSpec spec = swaying(model, q);
+  spec.limits.torque_gap = 0.05;
+  make(spec);
   steps(200, 0.0, 0.0);
   EXPECT_EQ(mpc->fault().kind, FaultKind::None) << mpc->fault().text();
-  const int knee = 6 + 3;
-  ASSERT_GT(std::abs(tau[knee]), 0.25 * model.effort_limit[knee]) << "else there is little to see";
-  lost[knee] = 0.0;
+  Eigen::Index joint = 0;
+  ASSERT_GT(tau.cwiseAbs().maxCoeff(&joint), 10.0) << "else there is nothing to see";
+  lost[joint] = 0.0;
   int count = 0;
   while (mpc->fault().kind == FaultKind::None && ++count < 500) step(0.0, 0.0);
   EXPECT_EQ(mpc->fault().kind, FaultKind::MotorLost);
-  EXPECT_EQ(mpc->fault().joint, knee);
+  EXPECT_EQ(mpc->fault().joint, joint);
   EXPECT_LT(count, 100);
   // With that joint limp and the soles held, what is sent leaves all others where they are.
   step(0.0, 0.0);
-  EXPECT_EQ(tau[knee], 0.0);
+  EXPECT_EQ(tau[joint], 0.0);
   std::vector<ContactSpec> held;
   for (const std::string& sole : soles) held.push_back({.name = sole, .tool = sole});
   ContactDynamics dynamics(model, held, {.mu = 1e-9});
@@ -167,6 +170,9 @@ TEST_F(Shoved, finds_nothing_wrong_with_motors_that_are_a_little_off) {
 
 TEST_F(Shoved, allocates_nothing_while_it_slips_and_while_it_holds) {
   BURNISH_SKIP_WITHOUT_ALLOCATION_GUARD();
+  MpcSpec spec = swaying(model, q);
+  spec.limits.torque_gap = infinity;
+  make(spec);
   steps(20, 0.0, 0.04);
   measured.time += tick_period;
   const AllocationGuard guard;

@@ -86,12 +86,15 @@ TEST_P(Supports, slide_while_the_ground_is_slippery) {
   const auto plant = make_mujoco_plant(model, scene, {.dt = 5e-4});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(plant->reset(robot.reference_configuration(), zero), Status::Ok);
+  RigidBody body(model);
   // Limp, it slumps, and its feet are drawn apart.
   double steady = 0.0, slippery = 0.0;
   for (int i = 0; i < 60; ++i) {
     ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
-    const Vector6 wrench = plant->support_wrenches().col(0);
-    const double used = wrench.head<2>().norm() / wrench[2];
+    ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+    const Eigen::Vector3d force_world = body.placement(body.frame(foot)).linear() *
+                                        plant->support_wrenches().col(0).head<3>();
+    const double used = force_world.head<2>().norm() / force_world.z();
     if (i > 10 && i < 39) steady = std::max(steady, used);
     if (i >= 41) slippery = std::max(slippery, used);
   }

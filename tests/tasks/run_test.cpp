@@ -133,23 +133,6 @@ TEST(PolishingRun, AFaultEndsItWithItsReport) {
   EXPECT_GT(result.trace.rows(), 400);
 }
 
-TEST(PolishingRun, WhatComesAfterAFaultIsRecordedAndChangesNoFigure) {
-  RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
-  spec.task.disturbances.pushes = {{3.0, 0.2, {0.0, 0.0, 1000.0}}};
-  const RunResult ended = run_task(spec);
-  spec.after_fault = 0.5;
-  const RunResult watched = run_task(spec);
-  ASSERT_NE(ended.fault.kind, FaultKind::None);
-  EXPECT_EQ(watched.outcome, ended.outcome);
-  ASSERT_TRUE(watched.metrics && ended.metrics);
-  EXPECT_EQ(watched.metrics->force_rmse, ended.metrics->force_rmse);
-  const auto last = [](const RunResult& run) {
-    const auto time = run.trace.column("time");
-    return time[time.size() - 1];
-  };
-  EXPECT_NEAR(last(watched), last(ended) + 0.5, 2e-3);
-}
-
 TEST(PolishingRun, ASurfaceThatIsNotThereIsGivenUp) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
   spec.task.disturbances.surface_height = -0.5;

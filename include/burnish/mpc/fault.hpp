@@ -35,11 +35,10 @@ struct FaultReport {
   FaultKind kind = FaultKind::None;
   double time = 0.0;  ///< s, of the measurement, or when it was due if there was none
   int joint = -1;     ///< entry of v that it is about, or -1
-  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm (N).
+  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.
   double value = 0.0;
   double limit = 0.0;         ///< what was allowed, in the same unit
-  /// of FaultKind::Watched: its name and unit; of FaultKind::SupportSlipped: the support
-  std::string quantity = {};
+  std::string quantity = {};  ///< of FaultKind::Watched: its name and unit
   Trace last_second;  ///< oldest row first, the fault's tick last; empty while there is no fault
 
   /// One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;

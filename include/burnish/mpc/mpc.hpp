@@ -33,27 +33,29 @@ struct SafetyLimits {
   double deadline = std::numeric_limits<double>::infinity();
   int late_solves = 5;      ///< in a row
   double base_lost = 0.05;  ///< s without anything that tells where a floating base is
-  /// m along the ground that what holds always (MpcSpec::supports) may have slid within the last
-  /// second, about
+  /// m along the ground that a foot may have slid within the last second, about
   double support_way = 0.2;
   /// of a joint's effort limit, that the measured torque may be off the commanded one, mean over 30
-  /// ms: a motor that fails. For measurements that have torques.
+  /// ms: a motor that fails; 0.6 of that where it gives less than a fifth of what it is told. For
+  /// measurements that have torques.
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
 /// What plans make of a support that holds always and slips all the same: they keep its forces
-/// within what it was felt to bear while it did, or, where that is not measured, within less and
-/// less. What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
+/// within what it was felt to bear while it did, or, where that is not measured, within the least.
+/// What they reckon with is the friction of its FrictionCone and CenterOfPressure, among the
 /// constraints; supports without a cone are left alone. It slips while it bears `load`, has slid by
 /// `way` along the ground within the last second and goes on faster than `speed`.
 struct SlipOptions {
-  bool enabled = true;
-  double way = 2.5e-3;    ///< m
-  double speed = 0.02;    ///< m/s, mean over 5 ms
-  double load = 30.0;     ///< N
-  double share = 0.7;     ///< of what was felt, that plans keep within
-  double least = 0.02;    ///< coefficient of friction that plans are always left
-  double easing = 0.05;   ///< s in which they are told: what changes at once has no good plan
+  bool enabled = true;  ///< plans are told of feet that slip
+  double way = 2.5e-3;  ///< m
+  double speed = 0.02;  ///< m/s, mean over 5 ms
+  double load = 30.0;   ///< N
+  double share = 0.7;   ///< of what was felt, that plans keep within
+  double least = 0.02;  ///< coefficient of friction that plans are always left
+  /// s in which they are told, twice that where it is not measured: what changes at once has
+  /// no good plan
+  double easing = 0.05;
   double recovery = 0.1;  ///< 1/s, coefficient by which they trust it again while it rests
   double radius = 0.0;    ///< m, of supports that are balls: that they roll is no slip
 };

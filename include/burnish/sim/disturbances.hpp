@@ -29,7 +29,7 @@ struct MotorLoss {
   double start = 0.0;                                         ///< s
   double duration = std::numeric_limits<double>::infinity();  ///< s
   std::string joint = {};                                     ///< by its name; all its entries
-  double share = 0.0;  ///< of its torque that it gives, 0 to 1
+  double share = 0.0;                                         ///< of its torque that it gives
 };
 
 /// What a plant carries at one of its frames and its controller does not know: a ball.
@@ -74,7 +74,7 @@ struct Disturbances {
   /// a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
   /// bandwidth; it follows the sensor's noise instead
   bool torque_loop = false;
-  double torque_sensor_noise = 0.0;           ///< Nm, deviation
+  double torque_sensor_noise = 0.0;          ///< Nm, deviation
   std::vector<MotorLoss> motor_losses = {};  ///< motors that fail, behind all that
 
   // In the joints of the plant.
@@ -119,7 +119,7 @@ struct Disturbances {
   SurfaceMotion surface_motion = {};            ///< of the surface along its normal
   std::optional<double> surface_friction = {};  ///< Coulomb coefficient in place of the scene's
   std::vector<SlipperyGround> slippery_ground = {};  ///< under what the robot stands on
-  std::vector<Push> pushes = {};                ///< on the robot
+  std::vector<Push> pushes = {};                     ///< on the robot
 };
 
 /// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N and 0.05 Nm of

@@ -41,10 +41,10 @@ struct Standing {
   /// how it is held at first and after a fault, in the place of the task's: a light foot on ground
   /// that gives way bears no stiffer one
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .give = 0.5};
-  /// s at first, within `settle`, in which a hoist that holds its base gives the weight to its feet
+  /// s at first, within settle, in which a hoist that holds its base gives the weight to its feet
   double hoist = 0.5;
   SlipOptions slip = {};  ///< what plans make of a foot that slips
-  double settle = 1.0;  ///< s that it is held at first, while the estimate of the base settles
+  double settle = 1.0;    ///< s that it is held at first, while the estimate of the base settles
   bool force_sensors = true;  ///< in the feet, of forces and moments
   /// s that a run goes on after a fault, to see what becomes of the robot; what the task's figures
   /// are about ends with the fault
