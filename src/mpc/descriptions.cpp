@@ -162,7 +162,8 @@ const Description& description_of(const SafetyLimits* /*of*/) {
                  limit)
           .in_code(
               "of a joint's effort limit, that the measured torque may be off the commanded one, "
-              "mean over 30 ms: a motor that fails; 0.6 of that where it gives less than a fifth of "
+              "mean over 30 ms: a motor that fails; 0.6 of that where it gives less than a fifth "
+              "of "
               "what it is told. For measurements that have torques.");
   return all;
 }

@@ -110,7 +110,8 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.time = measured.time;
   result.tool_force_world = measured.tool_force_world;
   result.imu = measured.imu;
-  // Room for those of feet is there from the start on; without sensors it is given up, and stays so.
+  // Room for those of feet is there from the start on; without sensors it is given up, and stays
+  // so.
   if (measured.support_wrenches.cols() >= d.feet_count)
     result.support_wrenches = measured.support_wrenches;
   else

@@ -43,7 +43,7 @@ class Holding {
   Eigen::VectorXd effort_;
   Tree tree_;
   bool is_closed_;
-  int lost_ = -1;  ///< entry of v
+  int lost_ = -1;         ///< entry of v
   ContactDynamics free_;  ///< the robot without contacts but its supports and loops
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;

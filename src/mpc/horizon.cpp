@@ -94,8 +94,7 @@ Horizon::Horizon(const MpcSpec& spec, Problem& problem, const Schedule& schedule
   const std::vector<ContactSpec> supports = supports_of(spec);
   cones_.resize(static_cast<Eigen::Index>(supports.size()));
   for (std::size_t i = 0; i < supports.size(); ++i)
-    cones_[static_cast<Eigen::Index>(i)] =
-        ground_figures(spec.problem, supports[i].name).friction;
+    cones_[static_cast<Eigen::Index>(i)] = ground_figures(spec.problem, supports[i].name).friction;
   support_friction_ = cones_;
 }
 

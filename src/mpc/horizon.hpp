@@ -94,8 +94,8 @@ class Horizon {
   std::vector<int> rubbing_;  ///< contacts_that_rub()
   double friction_;
   std::vector<std::vector<GroundTerm>> grounds_;  ///< per stage
-  Eigen::VectorXd cones_;             ///< per support, as the specification has them
-  Eigen::VectorXd support_friction_;  ///< per support
+  Eigen::VectorXd cones_;                         ///< per support, as the specification has them
+  Eigen::VectorXd support_friction_;              ///< per support
   bool corrects_force_;
   double force_error_ = 0.0;
   /// Per stage: contact forces of one row, points of the world that the tool is to come to.

@@ -52,7 +52,8 @@ std::size_t SupportGrip::longest_name() const {
   return longest;
 }
 
-/// How far it has slid, and how fast it goes on, both along the ground: at the lowest point of a ball.
+/// How far it has slid, and how fast it goes on, both along the ground: at the lowest point of a
+/// ball.
 void SupportGrip::follow(Support& support, const MeasurementGate& gate) const noexcept {
   constexpr double memory = 1.0, brief = 5e-3;  // s
   const Vector6 v = gate.body().velocity(support.frame, Reference::centered());
@@ -75,8 +76,8 @@ double SupportGrip::felt(const Support& support, const Eigen::Matrix<double, 6, 
       for (const double by_y : {1.0, -1.0}) {
         const double bears = (support.half_x + support.half_y) * wrench[2] +
                              side * (by_x * wrench[3] + by_y * wrench[4]);
-        const double takes = by_x * support.half_y * wrench[0] +
-                             by_y * support.half_x * wrench[1] - side * wrench[5];
+        const double takes = by_x * support.half_y * wrench[0] + by_y * support.half_x * wrench[1] -
+                             side * wrench[5];
         // At a corner nothing is borne, and what there is says nothing.
         if (bears > 0.1 * support.half_y * load) most = std::max(most, takes / bears);
       }

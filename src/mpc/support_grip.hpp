@@ -29,11 +29,11 @@ class SupportGrip {
   struct Support {
     std::string name;
     int frame;
-    int sensor;              ///< column of Measurement::support_wrenches; -1: none
-    double cone;             ///< friction that plans reckon with at first; infinite: no cone
-    double half_x, half_y;   ///< m, of the sole in plans; 0: a ball
-    Eigen::Vector3d slid;    ///< m, world, along the ground, what is longer ago forgotten
-    double speed, way;       ///< m/s along the ground, and how far it has slid, m
+    int sensor;             ///< column of Measurement::support_wrenches; -1: none
+    double cone;            ///< friction that plans reckon with at first; infinite: no cone
+    double half_x, half_y;  ///< m, of the sole in plans; 0: a ball
+    Eigen::Vector3d slid;   ///< m, world, along the ground, what is longer ago forgotten
+    double speed, way;      ///< m/s along the ground, and how far it has slid, m
     bool slips;
   };
   void follow(Support& support, const MeasurementGate& gate) const noexcept;

@@ -151,7 +151,7 @@ void PressureMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S
     for (const double by_x : {1.0, -1.0})
       for (const double by_y : {1.0, -1.0}) {
         const S fx(-by_x * half_y), fy(-by_y * half_x), mx = S(side * by_x) * friction,
-                my = S(side * by_y) * friction, mz(side);
+                                                        my = S(side * by_y) * friction, mz(side);
         *r++ = fx * w[0] + fy * w[1] + about_middle * w[2] + mx * w[3] + my * w[4] + mz * w[5];
         if (J == nullptr) continue;
         for (int c = 0; c < nz; ++c)

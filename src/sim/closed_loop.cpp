@@ -170,7 +170,7 @@ struct ClosedLoop::Impl {
   std::vector<int> pushed;  ///< frames of the pushes
   FrameDerivatives motion;
   HoistSpec hoist;
-  int hung;  ///< frame of the hoist; -1: none
+  int hung;                                                      ///< frame of the hoist; -1: none
   Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();  ///< of it, at first
   Eigen::VectorXd total;
   Trace trace;
@@ -267,8 +267,7 @@ void ClosedLoop::Impl::add_hoist(double share) noexcept {
   constexpr double arm = 0.3;                                  // m, of a robot's inertia, about
   const Eigen::Isometry3d now = body.placement(hung);
   const Vector6 v_hung_world = body.velocity(hung, Reference::centered());
-  const Eigen::AngleAxisd turn(
-      Eigen::Matrix3d(now.linear() * hung_world.linear().transpose()));
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * hung_world.linear().transpose()));
   Vector6 wrench_world;
   wrench_world.head<3>() = -mass * plant->model().gravity -
                            stiffness * (now.translation() - hung_world.translation()) -

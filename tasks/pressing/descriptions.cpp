@@ -118,7 +118,8 @@ const Description& description_of(const Standing* /*of*/) {
                  "how it is held at first and after a fault, in the place of the task's: a light "
                  "foot on ground that gives way bears no stiffer one")
           .field("hoist", &S::hoist,
-                 "{s} at first, within settle, in which a hoist that holds its base gives the weight to "
+                 "{s} at first, within settle, in which a hoist that holds its base gives the "
+                 "weight to "
                  "its feet",
                  size)
           .field("slip", &S::slip, "what plans make of a foot that slips")

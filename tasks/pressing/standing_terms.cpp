@@ -1,7 +1,6 @@
 #include "pressing/standing_terms.hpp"
 
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -229,9 +228,9 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
     if (!standing.has_soles()) continue;
     rows.push_back(
         {.name = "pressure of " + foot,
-         .residual = residual::CenterOfPressure{
-             foot, standing.plan_sole * standing.half_x, standing.plan_sole * standing.half_y,
-             standing.plan_friction / std::numbers::sqrt2}});
+         .residual = residual::CenterOfPressure{foot, standing.plan_sole * standing.half_x,
+                                                standing.plan_sole * standing.half_y,
+                                                standing.plan_friction / std::numbers::sqrt2}});
   }
   return rows;
 }

@@ -230,15 +230,16 @@ TEST_F(SoleWrenches, AreThoseThatFourCornersBearTogetherAndNoOthers) {
 TEST_F(ResidualValue, FrictionIsATargetThatAKnotMayBeGivenAnotherOf) {
   for (const int sides : {0, 4}) {
     ProblemSpec spec = bare_problem(OcpCase{arm.robot, false}, model);
-    spec.stages = {{.name = "go",
-                    .contacts = {"pad"},
-                    .costs = {{.residual = residual::Control{}}},
-                    .constraints = {{.name = "cone",
-                                     .residual = residual::FrictionCone{
-                                         .contact = "pad", .friction = 0.5, .sides = sides}},
-                                    {.name = "sole",
-                                     .residual = residual::CenterOfPressure{
-                                         .contact = "pad", .friction = 0.5}}}}};
+    spec.stages = {
+        {.name = "go",
+         .contacts = {"pad"},
+         .costs = {{.residual = residual::Control{}}},
+         .constraints = {
+             {.name = "cone",
+              .residual =
+                  residual::FrictionCone{.contact = "pad", .friction = 0.5, .sides = sides}},
+             {.name = "sole",
+              .residual = residual::CenterOfPressure{.contact = "pad", .friction = 0.5}}}}};
     spec.horizon = {{"go", 1}};
     Problem given(spec);
     for (Constraint& constraint : spec.stages[0].constraints) {

@@ -461,8 +461,9 @@ TEST(DisturbancesTest, are_refused_by_name) {
                           d.pushes.push_back({0.0, -1.0, {}});
                         }),
                         {"'pushes[0].duration'", "-1; wanted at least 0"});
-  testing::expect_words(refused([](Disturbances& d) { d.motor_losses = {{.joint = "arm_right_9"}}; }),
-                        {"'motor_losses'", "arm_right_9"});
+  testing::expect_words(
+      refused([](Disturbances& d) { d.motor_losses = {{.joint = "arm_right_9"}}; }),
+      {"'motor_losses'", "arm_right_9"});
   testing::expect_words(refused([](Disturbances& d) {
                           d.motor_losses = {{.joint = "arm_right_1_joint", .share = 1.5}};
                         }),

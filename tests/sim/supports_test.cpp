@@ -92,8 +92,8 @@ TEST_P(Supports, slide_while_the_ground_is_slippery) {
   for (int i = 0; i < 60; ++i) {
     ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
     ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-    const Eigen::Vector3d force_world = body.placement(body.frame(foot)).linear() *
-                                        plant->support_wrenches().col(0).head<3>();
+    const Eigen::Vector3d force_world =
+        body.placement(body.frame(foot)).linear() * plant->support_wrenches().col(0).head<3>();
     const double used = force_world.head<2>().norm() / force_world.z();
     if (i > 10 && i < 39) steady = std::max(steady, used);
     if (i >= 41) slippery = std::max(slippery, used);

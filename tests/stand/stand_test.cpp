@@ -35,9 +35,7 @@ Task short_task(const std::string& robot = quadruped, std::vector<std::string> o
   return read_task(shipped, overrides);
 }
 
-RunResult run(const Task& task) {
-  return run_task({.task = task, .plan_rate = 0.0});
-}
+RunResult run(const Task& task) { return run_task({.task = task, .plan_rate = 0.0}); }
 
 class Stand : public ::testing::Test {
  protected:

@@ -57,8 +57,8 @@ TEST_F(StandingFault, polishes_on_with_both_feet_on_ground_that_bears_a_little) 
 }
 
 TEST_F(StandingFault, stands_without_a_motor_of_its_leg_its_trunk_or_its_arm) {
-  for (const char* joint : {"leg_right_3_joint", "leg_left_5_joint", "torso_1_joint",
-                            "arm_right_4_joint"}) {
+  for (const char* joint :
+       {"leg_right_3_joint", "leg_left_5_joint", "torso_1_joint", "arm_right_4_joint"}) {
     task.disturbances.motor_losses = {{.start = 1.6, .joint = joint}};
     const polishing::RunResult result = run();
     EXPECT_NE(result.fault.kind, FaultKind::None) << joint << ": " << result.outcome;

@@ -36,8 +36,8 @@ class EstimatedBase {
   /// a time that stands still, see status()) leaves the base where it was.
   const Measurement& update(const Measurement& measured) noexcept;
 
-  /// Of the last update: WrongSize without a reading of the unit for a moment or with fewer supports
-  /// than feet, NotFinite for numbers that are none and a time that does not go on.
+  /// Of the last update: WrongSize without a reading of the unit for a moment or with fewer
+  /// supports than feet, NotFinite for numbers that are none and a time that does not go on.
   Status status() const;
   const GuardedBase& base() const;
   const BaseEstimator& estimator() const;  ///< of the base; it stands still while the feet tell it

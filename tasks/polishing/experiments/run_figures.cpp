@@ -123,9 +123,7 @@ ResultColumn figure_column(const std::string& figure, const std::string& title) 
   return {title.empty() ? figure : title, entry.unit.shown, entry.digits};
 }
 
-bool fell(const RunFigures& run) {
-  return run.standing && fell(*run.standing);
-}
+bool fell(const RunFigures& run) { return run.standing && fell(*run.standing); }
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result) {
   RunFigures f;
