@@ -264,6 +264,32 @@ void bind_mpc_plan(MpcClass& c) {
           "Cost of each term by its name at a knot of that plan; the knots' steps are in it.");
 }
 
+void bind_mpc_readings(MpcClass& c) {
+  c.def_property_readonly("torque_error",
+                          reading("MpcController.torque_error",
+                                  [](const MpcController& mpc) { return mpc.torque_error(); }),
+                          "(nv,), estimated, Nm or N.")
+      .def_property_readonly("force_error",
+                             reading("MpcController.force_error",
+                                     [](const MpcController& mpc) { return mpc.force_error(); }),
+                             "N, estimated (ModelErrorKind.FORCE).")
+      .def_property_readonly(
+          "support_friction",
+          reading("MpcController.support_friction",
+                  [](const MpcController& mpc) { return mpc.support_friction(); }),
+          "Per support that holds always: the coefficient of friction that plans reckon with, "
+          "SlipOptions; infinite without a cone.")
+      .def_property_readonly("schedule",
+                             reading("MpcController.schedule",
+                                     [](const MpcController& mpc) { return mpc.schedule(); }),
+                             "A copy of the schedule with its clock as it is now.")
+      .def_property_readonly("plan_age",
+                             reading("MpcController.plan_age",
+                                     [](const MpcController& mpc) { return mpc.plan_age(); }),
+                             "s from the measurement that the plan in use was made from to the "
+                             "last good one; infinite while there is none.");
+}
+
 void bind_mpc_controller(py::module_& m) {
   MpcClass c(
       m, "MpcController",
@@ -304,30 +330,8 @@ void bind_mpc_controller(py::module_& m) {
       .def("feedback",
            reading("MpcController.feedback",
                    [](const MpcController& mpc) { return mpc.feedback(); }),
-           "The policy of the last tick, a LinearFeedback.")
-      .def_property_readonly("torque_error",
-                             reading("MpcController.torque_error",
-                                     [](const MpcController& mpc) { return mpc.torque_error(); }),
-                             "(nv,), estimated, Nm or N.")
-      .def_property_readonly("force_error",
-                             reading("MpcController.force_error",
-                                     [](const MpcController& mpc) { return mpc.force_error(); }),
-                             "N, estimated (ModelErrorKind.FORCE).")
-      .def_property_readonly(
-          "support_friction",
-          reading("MpcController.support_friction",
-                  [](const MpcController& mpc) { return mpc.support_friction(); }),
-          "Per support that holds always: the coefficient of friction that plans reckon with, "
-          "SlipOptions; infinite without a cone.")
-      .def_property_readonly("schedule",
-                             reading("MpcController.schedule",
-                                     [](const MpcController& mpc) { return mpc.schedule(); }),
-                             "A copy of the schedule with its clock as it is now.")
-      .def_property_readonly("plan_age",
-                             reading("MpcController.plan_age",
-                                     [](const MpcController& mpc) { return mpc.plan_age(); }),
-                             "s from the measurement that the plan in use was made from to the "
-                             "last good one; infinite while there is none.");
+           "The policy of the last tick, a LinearFeedback.");
+  bind_mpc_readings(c);
   bind_mpc_plan(c);
 }
 

@@ -63,7 +63,7 @@ struct GuardedBase::Impl {
 
   UnitPose told_unit() const noexcept;
   Vector3d told_velocity() const noexcept;
-  void tell_unit(const UnitPose& unit, const Vector3d& v_unit, const Vector3d& w_unit) noexcept;
+  void tell_unit(const UnitPose& at, const Vector3d& v_unit, const Vector3d& w_unit) noexcept;
   void take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept;
   void begin_again(FootSet standing) noexcept;
   bool feet_agree(const UnitPose& unit, FootSet feet, FootSet& worst,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "mpc/closed_dynamics.hpp"
 
@@ -16,6 +17,9 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       tree_(spec.problem.model),
       is_closed_(!spec.problem.model.loops.empty() || !supports_of(spec).empty()),
       free_(closed_dynamics(spec.problem.model, supports_of(spec))),
+      open_(spec.problem.model),
+      share_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
+      weight_per_foot_(0.0),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
       zero_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
@@ -28,6 +32,21 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   scale_ = Eigen::VectorXd::Zero(count);
   fall_ = Eigen::VectorXd::Zero(count);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
+  if (!spec.support_sensors || !spec.problem.model.loops.empty()) return;
+  RigidBody body(spec.problem.model);
+  if (body.update(q_hold_, zero_) > Status::NotConverged) return;
+  FrameDerivatives by;
+  for (const ContactSpec& contact : supports_of(spec)) {
+    const auto at = std::find(spec.supports.begin(), spec.supports.end(), contact.name);
+    Foot& foot = feet_.emplace_back();
+    foot.sensor = at - spec.supports.begin();
+    body.frame_derivatives(body.frame(contact.tool), Reference::centered(), by);
+    for (Eigen::Index k = 0; k < zero_.size(); ++k)
+      foot.carries.push_back(by.jacobian.col(k).isZero(0.0) ? 0 : 1);
+  }
+  if (!feet_.empty())
+    weight_per_foot_ = spec.problem.model.total_mass() * spec.problem.model.gravity.norm() /
+                       static_cast<double>(feet_.size());
 }
 
 void Holding::reset() noexcept {
@@ -97,11 +116,46 @@ void Holding::leave_out_lost() noexcept {
   }
 }
 
+/// A foot that bears nothing carries nothing, and its leg hangs. To what moves it as if it stood,
+/// legs would kick. With the share s of its part of the weight that each foot bears, and for what
+/// is between no foot and the base that of all of them together, the entries move as a body of the
+/// inertia S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open (1 - S)^1/2, which is one again.
+void Holding::weigh_by_loads(const Eigen::VectorXd& q,
+                             const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept {
+  if (feet_.empty()) return;
+  double all = 0.0;
+  for (const Foot& foot : feet_) {
+    if (foot.sensor >= wrenches.cols()) return;
+    all += wrenches.col(foot.sensor).head<3>().norm();
+  }
+  // What bears some of its part stands: only the rest goes over into hanging.
+  constexpr double some = 0.3;
+  const auto part = [&](double load, double of) {
+    return std::isfinite(load) ? std::clamp(load / (some * of), 0.0, 1.0) : 1.0;
+  };
+  share_.setConstant(part(all, weight_per_foot_ * static_cast<double>(feet_.size())));
+  for (const Foot& foot : feet_) {
+    const double share = part(wrenches.col(foot.sensor).head<3>().norm(), weight_per_foot_);
+    for (const int k : actuated_)
+      if (foot.carries[static_cast<std::size_t>(k)] != 0) share_[k] = share;
+  }
+  if (share_.minCoeff() == 1.0 || open_.forward(q, zero_, zero_) > Status::NotConverged) return;
+  for (const int k : actuated_) {
+    const double s = share_[k];
+    weight_[k] = s * weight_[k] + (1.0 - s) * open_.bias()[k];
+    for (const int j : actuated_)
+      mass_(k, j) = std::sqrt(s * share_[j]) * mass_(k, j) +
+                    std::sqrt((1.0 - s) * (1.0 - share_[j])) * open_.mass_matrix()(k, j);
+  }
+}
+
 void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
+                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
                      Eigen::VectorXd& tau) noexcept {
   blind_for_ = fresh ? 0.0 : blind_for_ + tick_period_;
   tau.setZero();
   if (at_rest(q) == nullptr) return;
+  weigh_by_loads(q, wrenches);
   const bool held = stretch(q, fresh);
   for (const int k : actuated_) {
     tau[k] = weight_[k];

@@ -52,6 +52,8 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     if (stands_still || !take_state(m)) return false;
     if (std::isfinite(m.time)) last_.time = m.time;
     if (m.tau.size() == last_.tau.size() && m.tau.allFinite()) last_.tau = m.tau;
+    if (supports_ > 0 && m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite())
+      last_.support_wrenches = m.support_wrenches;
     return true;
   }
   if (stands_still) {

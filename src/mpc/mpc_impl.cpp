@@ -396,7 +396,8 @@ void MpcController::Impl::control() noexcept {
 void MpcController::Impl::fall_back() noexcept {
   holding_.do_without(motors_.lost());
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
-  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), command_.tau);
+  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.last().support_wrenches,
+                  command_.tau);
   error.joint_friction().rest();
 }
 

@@ -64,6 +64,8 @@ struct SlipOptions {
 ///   tau_a = b_a(q, 0) - M_aa (stiffness e + damping v_a),  e = (q (-) q_hold)_a,
 /// within the torque limits. No contact force is asked for. A motor that was found to fail
 /// (FaultKind::MotorLost) is left out: the others hold the robot as one whose joint is free there.
+/// A robot on supports (MpcSpec::supports) is held as one that they carry, and, where their sensors
+/// say that they do not, as one that hangs.
 /// q_hold is where the robot was at the
 /// fault, and slips: where the spring's torque M_aa stiffness e would exceed `give` times a joint's
 /// effort limit, q_hold follows q so that it does not. A fast robot is thereby braked and held
