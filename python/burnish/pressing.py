@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from . import mpc as _mpc
 from ._spec import Spec
 from .contact import SurfaceShape
-from .mpc import Fallback
+from .mpc import Fallback, SlipOptions
 
 __all__ = [
     "FoundPosture", "Phase", "PlanLimits", "PlanRecord", "PlantKind", "PostureLimits",

@@ -200,8 +200,8 @@ TEST_F(Shoved, allocates_nothing_while_it_slips_and_while_it_holds) {
   const AllocationGuard guard;
   for (int i = 0; i < 600; ++i) {
     measured.time += tick_period;
-    measured.q[0] += tick_period * 0.4;
-    measured.v[0] = 0.4;
+    measured.q[0] += tick_period * 0.8;
+    measured.v[0] = 0.8;
     (void)mpc->tick(measured);
   }
   EXPECT_EQ(guard.count(), 0);
