@@ -93,7 +93,7 @@ TEST(Fault, no_contact_where_the_surface_is_not) {
   EXPECT_EQ(endless.mpc().fault().kind, FaultKind::None) << endless.mpc().fault().text();
 }
 
-/// A controller that is told that nothing moves, in steps of its tick.
+/// A controller that is told that nothing moves, in steps of its tick, and its torques as sent.
 struct HandFed {
   explicit HandFed(const MpcCase& wanted)
       : setting(polishing::make_setting(wanted.task)),
@@ -105,7 +105,7 @@ struct HandFed {
   void feed(double until, double force) {
     for (; m.time < until - 1e-9; m.time = 5e-4 * static_cast<double>(++ticks)) {
       m.tool_force_world = force * setting.scene.surface.normal;
-      mpc.tick(m);
+      m.tau = mpc.tick(m).tau;
     }
   }
   polishing::Setting setting;
