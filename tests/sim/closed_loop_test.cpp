@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "burnish/robots/robot.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "support/allocation_guard.hpp"
+#include "support/biped.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 
@@ -117,16 +117,14 @@ class NoTorque final : public Controller {
 };
 
 TEST(ClosedLoop, hangs_a_robot_from_its_hoist_until_that_lets_go) {
-  const Robot robot = load_robot("quadruped");
+  const Model model = biped::model(Base::FreeFlyer);
   SceneSpec scene;
-  scene.tip.frame = "fl_foot";
   scene.surface.point.z() = -100.0;
-  scene.hoist = {.frame = "trunk", .duration = 0.4};
-  const auto plant = make_ideal_plant(robot.model, scene);
-  NoTorque limp(robot.model.nv);
+  scene.hoist = {.frame = "pelvis", .duration = 0.4};
+  const auto plant = make_ideal_plant(model, scene);
+  NoTorque limp(model.nv);
   ClosedLoop loop(*plant, limp, {});
-  ASSERT_EQ(loop.reset(robot.reference_configuration(), Eigen::VectorXd::Zero(robot.model.nv)),
-            Status::Ok);
+  ASSERT_EQ(loop.reset(biped::half_sitting(model), Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const double height = plant->q()[2];
   ASSERT_LE(loop.run(0.2), Status::NotConverged);
   EXPECT_NEAR(plant->q()[2], height, 0.01);
@@ -136,7 +134,7 @@ TEST(ClosedLoop, hangs_a_robot_from_its_hoist_until_that_lets_go) {
 }
 
 TEST(HoistSpec, gives_the_weight_away_in_its_second_half) {
-  const HoistSpec hoist{"trunk", 2.0};
+  const HoistSpec hoist{"pelvis", 2.0};
   EXPECT_EQ(hoist.share(0.0), 1.0);
   EXPECT_EQ(hoist.share(1.0), 1.0);
   EXPECT_NEAR(hoist.share(1.5), 0.5, 1e-12);
