@@ -32,7 +32,8 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   scale_ = Eigen::VectorXd::Zero(count);
   fall_ = Eigen::VectorXd::Zero(count);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
-  if (!spec.support_sensors || !spec.problem.model.loops.empty()) return;
+  const double weight = spec.problem.model.total_mass() * spec.problem.model.gravity.norm();
+  if (!spec.support_sensors || !spec.problem.model.loops.empty() || !(weight > 0.0)) return;
   RigidBody body(spec.problem.model);
   if (body.update(q_hold_, zero_) > Status::NotConverged) return;
   FrameDerivatives by;
@@ -44,9 +45,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
     for (Eigen::Index k = 0; k < zero_.size(); ++k)
       foot.carries.push_back(by.jacobian.col(k).isZero(0.0) ? 0 : 1);
   }
-  if (!feet_.empty())
-    weight_per_foot_ = spec.problem.model.total_mass() * spec.problem.model.gravity.norm() /
-                       static_cast<double>(feet_.size());
+  if (!feet_.empty()) weight_per_foot_ = weight / static_cast<double>(feet_.size());
 }
 
 void Holding::reset() noexcept {
@@ -134,10 +133,15 @@ void Holding::weigh_by_loads(const Eigen::VectorXd& q,
     return std::isfinite(load) ? std::clamp(load / (some * of), 0.0, 1.0) : 1.0;
   };
   share_.setConstant(part(all, weight_per_foot_ * static_cast<double>(feet_.size())));
-  for (const Foot& foot : feet_) {
-    const double share = part(wrenches.col(foot.sensor).head<3>().norm(), weight_per_foot_);
+  const auto each_carried = [&](const Foot& foot, const auto& see) {
     for (const int k : actuated_)
-      if (foot.carries[static_cast<std::size_t>(k)] != 0) share_[k] = share;
+      if (foot.carries[static_cast<std::size_t>(k)] != 0) see(share_[k]);
+  };
+  for (const Foot& foot : feet_) each_carried(foot, [](double& share) { share = 0.0; });
+  // Of a joint above several feet, as one of a spine, the one that bears most.
+  for (const Foot& foot : feet_) {
+    const double own = part(wrenches.col(foot.sensor).head<3>().norm(), weight_per_foot_);
+    each_carried(foot, [own](double& share) { share = std::max(share, own); });
   }
   if (share_.minCoeff() == 1.0 || open_.forward(q, zero_, zero_) > Status::NotConverged) return;
   for (const int k : actuated_) {

@@ -41,7 +41,6 @@ void SupportGrip::reset() noexcept {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     supports_[i].speed = supports_[i].way = 0.0;
     supports_[i].slid.setZero();
-    supports_[i].slips = false;
     friction_[static_cast<Eigen::Index>(i)] = supports_[i].cone;
   }
 }
@@ -84,7 +83,7 @@ double SupportGrip::felt(const Support& support, const Eigen::Matrix<double, 6, 
   return most;
 }
 
-void SupportGrip::judge(Support& support, const MeasurementGate& gate,
+void SupportGrip::judge(const Support& support, const MeasurementGate& gate,
                         double& friction) const noexcept {
   const double dt = gate.dt();
   const Eigen::Matrix3d R = gate.body().placement(support.frame).linear();
@@ -95,9 +94,9 @@ void SupportGrip::judge(Support& support, const MeasurementGate& gate,
     if (load > options_.load) most = options_.share * felt(support, wrench, R, load);
     easing = options_.easing;
   }
-  support.slips =
+  const bool slips =
       load > options_.load && support.way > options_.way && support.speed > options_.speed;
-  if (support.slips)
+  if (slips)
     friction += part(dt, easing) * (std::min(friction, most) - friction);
   else
     friction = std::min(support.cone, friction + options_.recovery * dt);

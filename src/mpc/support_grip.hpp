@@ -34,12 +34,11 @@ class SupportGrip {
     double half_x, half_y;  ///< m, of the sole in plans; 0: a ball
     Eigen::Vector3d slid;   ///< m, world, along the ground, what is longer ago forgotten
     double speed, way;      ///< m/s along the ground, and how far it has slid, m
-    bool slips;
   };
   void follow(Support& support, const MeasurementGate& gate) const noexcept;
   double felt(const Support& support, const Eigen::Matrix<double, 6, 1>& wrench,
               const Eigen::Matrix3d& R, double load) const noexcept;
-  void judge(Support& support, const MeasurementGate& gate, double& friction) const noexcept;
+  void judge(const Support& support, const MeasurementGate& gate, double& friction) const noexcept;
 
   SlipOptions options_;
   double allowed_;  ///< m, SafetyLimits::support_way

@@ -43,7 +43,7 @@ TEST(PushWall, holds_the_force_of_both_hands_and_finds_the_largest_on_its_feet) 
   const double bears = 0.13 * weight / 2.0 / (1.0 + task.lean.reserve);
   EXPECT_NEAR(result.push->lean_force, bears, 2.5);
   EXPECT_NEAR(result.push->largest_force, task.lean.share * result.push->lean_force, 1.0);
-  EXPECT_LT(result.push->hand_slip, 4e-3);  // its base is estimated
+  EXPECT_LT(result.push->hand_slip, 4e-3);
   EXPECT_LT(result.push->foot_slip, 3e-3);
   EXPECT_GT(result.push->lean, 5e-3) << "the body does not lean against the wall";
   // Off the wall in the end.
