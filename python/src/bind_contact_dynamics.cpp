@@ -189,6 +189,10 @@ void bind_results(DynamicsClass& of) {
             return self.machine.proximal_residual();
           },
           "Contact acceleration that the proximal iterations left, m/s^2.");
+  result(of, "unmet", &D::unmet, forward, false,
+         "(rows,), m/s^2 or rad/s^2: contact acceleration that no force can meet at the last "
+         "forward(), where redundant rows contradict each other. The status is then "
+         "NOT_CONVERGED, lambda_ the least-squares forces, of least norm. Zeros otherwise.");
 }
 
 void bind_forces(DynamicsClass& of) {
@@ -202,8 +206,9 @@ void bind_forces(DynamicsClass& of) {
           return reference ? self.machine.force(number, *reference) : self.machine.force(number);
         },
         py::arg("contact"), py::arg("reference") = py::none(),
-        "The force of a contact (name or number) at the last forward(), in a reference, by default "
-        "the contact's own; zero for one that is not active.")
+        "The force of a contact (name or number) at the last forward(), or of the lambda_ given to "
+        "the last inverse(), in a reference, by default the contact's own; zero for one that is "
+        "not active.")
       .def(
           "wrench",
           [](Dynamics& self, const NumberOrName& contact, const Reference& reference) {
@@ -364,6 +369,15 @@ void bind_contact_dynamics(py::module_& m) {
       .def_property_readonly(
           "row_names", [](const Dynamics& self) { return self.machine.row_names(); },
           "Names of the active rows, such as 'pad/z'.")
+      .def(
+          "explanation",
+          [](Dynamics& self) {
+            const Busy::Lock lock(self.busy, "ContactDynamics.explanation");
+            self.require_result("explanation", any, false);
+            return self.machine.explanation();
+          },
+          "The status of the last evaluation in one sentence that names what is to blame, such as "
+          "the contact rows that contradict each other.")
       .def("__repr__", [](const Dynamics& self) {
         std::string text = "<ContactDynamics of '" + self.robot +
                            "': nv = " + std::to_string(self.machine.nv()) + ", rows";

@@ -8,7 +8,7 @@ std::string_view describe(Status status) {
       return "ok";
     case Status::NotConverged:
       return "the proximal iterations stopped above their tolerance: allow more iterations or "
-             "lower mu";
+             "lower mu, unless contact rows contradict each other";
     case Status::SingularContacts:
       return "the contacts are redundant or cannot be held by the joints at this posture: call "
              "diagnose() for their names, or set mu > 0";

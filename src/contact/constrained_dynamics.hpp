@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "burnish/base/status.hpp"
+#include "contact/contradiction.hpp"
 #include "contact/delassus.hpp"
 #include "contact/friction_coupling.hpp"
 #include "dynamics/inverse_dynamics.hpp"
@@ -108,9 +109,12 @@ class ConstrainedDynamics {
   /// Of the last forward.
   FrictionCoupling<S>& friction() { return friction_; }
   const FrictionCoupling<S>& friction() const { return friction_; }
+  /// Of the last forward or impact: rows that contradict each other, which the forces leave unmet.
+  const Contradiction<S>& contradiction() const { return contradiction_; }
   InverseDynamics<S>& inverse_dynamics() { return id_; }
-  /// Loads `a` into the inverse dynamics stage and applies the contact forces to its bodies.
-  void apply_forces();
+  /// Loads `a` into the inverse dynamics stage and applies the contact forces to its bodies; with
+  /// `more` (rows), those of lambda + more, the friction of lambda alone.
+  void apply_forces(const S* more = nullptr);
   /// Zeroes the lanes whose status is above NotConverged: what they hold is finite but means
   /// nothing.
   void clear_failed(std::vector<S>& results) const;
@@ -126,6 +130,13 @@ class ConstrainedDynamics {
   void for_each_coupled(const auto& visit) const;
   /// lambda from column 0 of rho_, and the responses to friction from the others.
   void solve_lambda();
+  /// Calls visit(i, c) for every entry i of rho_ in a column c that is solved for.
+  void for_each_solved(const auto& visit);
+  /// Proximal iterations of the lanes in `open`. Returns those that did not converge.
+  auto refine(auto open);
+  /// Of the lanes in `open`, those whose rows contradict each other are solved again without what
+  /// no force can meet. Returns those that did not converge.
+  auto settle_contradiction(const auto& open);
   void update_friction();
   void add_friction();
 
@@ -153,6 +164,7 @@ class ConstrainedDynamics {
   MassMatrix<S> mass_;
   Delassus<S> delassus_;
   FrictionCoupling<S> friction_;
+  Contradiction<S> contradiction_;
   InverseDynamics<S> id_;
 };
 

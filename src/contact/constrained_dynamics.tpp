@@ -38,6 +38,8 @@ ConstrainedDynamics<S>::ConstrainedDynamics(const Model& model, const ContactSet
       mass_(tree_),
       delassus_(tree_, set_),
       friction_(tree_, set_),
+      contradiction_(tree_,
+                     solver.mu > 0.0 && solver.max_proximal_iterations > 0 ? set_ : ContactSet()),
       id_(tree_) {
   solver.check();
   for (int i = 0; i < model.nq; ++i) q_neutral_.push_back(S(model.q_neutral[i]));
@@ -177,41 +179,98 @@ void ConstrainedDynamics<S>::for_each_coupled(const auto& visit) const {
 }
 
 template <class S>
+void ConstrainedDynamics<S>::for_each_solved(const auto& visit) {
+  for (int r = 0; r < active_.rows; ++r)
+    for (const int c : columns_) visit(r * stride_ + c, c);
+}
+
+template <class S>
+auto ConstrainedDynamics<S>::refine(auto open) {
+  const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
+  int iterations = 0;
+  // Lanes that have converged are frozen, so that a lane's result does not depend on the others.
+  while (any(open) && iterations < solver_.max_proximal_iterations) {
+    ++iterations;
+    for_each_solved([&](int i, int) {
+      solved_before_[i] = solved_[i];
+      solved_[i] = rho_[i] + solved_[i] * mu;
+    });
+    solve_delassus(delassus_, active_.rows, std::span<const int>(columns_), solved_.data(),
+                   stride_);
+    S largest(0.0);
+    for_each_solved([&](int i, int c) {
+      S change = absolute(S((solved_[i] - solved_before_[i]) * mu));
+      // A response counts as what the normal force makes of it.
+      if (c > 0) change = change * absolute(solved_[friction_.rows[c - 1] * stride_]);
+      largest = select(less(largest, change), change, largest);
+      solved_[i] = select(open, solved_[i], solved_before_[i]);
+    });
+    proximal_residual[0] = select(open, largest, proximal_residual[0]);
+    lane_iterations[0] += select(open, S(1.0), S(0.0));
+    open = mask_and(open, less(tolerance, largest));
+  }
+  return open;
+}
+
+template <class S>
+auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
+  constexpr double rounding = 1e-12;  // of a null space, relative to the right-hand side
+  const int m = active_.rows;
+  const std::span<const int> columns(columns_), first = columns.first(1);
+  Contradiction<S>& c = contradiction_;
+  find_null_space(tree_, set_, active_, contact_states, mass_, delassus_, solver_.mu, c);
+  S size(0.0), largest(0.0);
+  for (int r = 0; r < m; ++r) c.unmet[r] = rho_[r * stride_];
+  remove_null_part(c, S(1.0), m, first, c.unmet.data(), 1);
+  for (int r = 0; r < m; ++r) {
+    c.unmet[r] -= rho_[r * stride_];
+    const S whole = absolute(rho_[r * stride_]), part = absolute(c.unmet[r]);
+    size = select(less(size, whole), whole, size);
+    largest = select(less(largest, part), part, largest);
+  }
+  const auto contradicts = mask_and(mask_and(open, less(S(solver_.proximal_tolerance), largest)),
+                                    less(size * S(rounding), largest));
+  c.found = any(contradicts);
+  c.present = select(contradicts, S(1.0), S(0.0));
+  for (int r = 0; r < m; ++r) c.unmet[r] = select(contradicts, c.unmet[r], S(0.0));
+  auto left = open;
+  if (!c.found) return left;
+  remove_null_part(c, c.present, m, columns, rho_.data(), stride_);
+  for_each_solved([&](int i, int) {
+    solved_before_[i] = solved_[i];
+    solved_[i] = rho_[i];
+  });
+  solve_delassus(delassus_, m, columns, solved_.data(), stride_);
+  for_each_solved(
+      [&](int i, int) { solved_[i] = select(contradicts, solved_[i], solved_before_[i]); });
+  lane_iterations[0] = select(contradicts, S(0.0), lane_iterations[0]);
+  left = mask_or(mask_and(open, mask_not(contradicts)), refine(contradicts));
+  remove_null_part(c, c.present, m, columns, solved_.data(), stride_);  // rounding adds up there
+  const auto more = mask_and(contradicts, less(proximal_residual[0], largest));
+  proximal_residual[0] = select(more, largest, proximal_residual[0]);
+  mark(contradicts, Status::NotConverged, status_);
+  return left;
+}
+
+template <class S>
 void ConstrainedDynamics<S>::solve_lambda() {
   const int m = active_.rows;
-  const std::span<const int> columns(columns_);
-  const auto for_each_entry = [&](const auto& visit) {
-    for (int r = 0; r < m; ++r)
-      for (const int c : columns_) visit(r * stride_ + c, c);
-  };
-  for_each_entry([&](int i, int) { solved_[i] = rho_[i]; });
-  solve_delassus(delassus_, m, columns, solved_.data(), stride_);
+  for_each_solved([&](int i, int) { solved_[i] = rho_[i]; });
+  solve_delassus(delassus_, m, std::span<const int>(columns_), solved_.data(), stride_);
   proximal_iterations = 0;
   lane_iterations[0] = proximal_residual[0] = S(0.0);
+  if (contradiction_.found) [[unlikely]] {
+    contradiction_.found = false;
+    std::fill(contradiction_.unmet.begin(), contradiction_.unmet.end(), S(0.0));
+  }
   if (solver_.mu > 0.0 && solver_.max_proximal_iterations > 0) {
-    const S mu(solver_.mu), tolerance(solver_.proximal_tolerance);
-    auto open = less(S(0.0), S(1.0));
-    // Lanes that have converged are frozen, so that a lane's result does not depend on the others.
-    while (any(open) && proximal_iterations < solver_.max_proximal_iterations) {
-      ++proximal_iterations;
-      for_each_entry([&](int i, int) {
-        solved_before_[i] = solved_[i];
-        solved_[i] = rho_[i] + solved_[i] * mu;
-      });
-      solve_delassus(delassus_, m, columns, solved_.data(), stride_);
-      S largest(0.0);
-      for_each_entry([&](int i, int c) {
-        S change = absolute(S((solved_[i] - solved_before_[i]) * mu));
-        // A response counts as what the normal force makes of it.
-        if (c > 0) change = change * absolute(solved_[friction_.rows[c - 1] * stride_]);
-        largest = select(less(largest, change), change, largest);
-        solved_[i] = select(open, solved_[i], solved_before_[i]);
-      });
-      proximal_residual[0] = select(open, largest, proximal_residual[0]);
-      lane_iterations[0] += select(open, S(1.0), S(0.0));
-      open = mask_and(open, less(tolerance, largest));
-    }
+    auto open = refine(less(S(0.0), S(1.0)));
+    if (any(open)) [[unlikely]]
+      open = settle_contradiction(open);
     mark(open, Status::NotConverged, status_);
+    for (int l = 0; l < lanes; ++l)
+      proximal_iterations =
+          std::max(proximal_iterations, static_cast<int>(Lanes<S>::get(lane_iterations[0], l)));
   }
   for (int r = 0; r < m; ++r) lambda[r] = solved_[r * stride_];
 }
@@ -329,11 +388,14 @@ void ConstrainedDynamics<S>::impact(const S* q, const S* v_before) {
 }
 
 template <class S>
-void ConstrainedDynamics<S>::apply_forces() {
+void ConstrainedDynamics<S>::apply_forces(const S* more) {
   accelerate(tree_, kinematics_, a.data(), id_);
   for (const int c : active_.contacts) {
     const CompiledContact& contact = set_.contacts()[c];
     set_contact_force(contact, lambda.data() + active_.first_row[c], contact_states[c]);
+    if (more != nullptr) [[unlikely]]
+      contact_states[c].force_world +=
+          wrench_of_rows(contact, more + active_.first_row[c], contact_states[c]);
     const Force<S>& force = contact_states[c].force_world;
     if (contact.tool_body >= 0) id_.force[contact.tool_body] -= force;
     if (contact.base_body >= 0) id_.force[contact.base_body] += force;

@@ -76,6 +76,11 @@ void contact_velocity(const CompiledContact& contact, const ContactState<S>& sta
 template <class S>
 void contact_error(const CompiledContact& contact, const ContactState<S>& state, S* out);
 
+/// The world wrench of lambda (held rows) alone, moment about the world's origin.
+template <class S>
+Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
+                        const ContactState<S>& state);
+
 /// The world wrench of lambda (held rows), and of the friction that goes with it: fills
 /// state.force_world and state.sliding.normal_force.
 template <class S>

@@ -196,11 +196,17 @@ void contact_acceleration(const CompiledContact& contact, const ContactState<S>&
 }
 
 template <class S>
-void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state) {
+BURNISH_INLINE Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
+                                       const ContactState<S>& state) {
   Vec3<S> parts[2] = {Vec3<S>::zero(), Vec3<S>::zero()};
   int r = 0;
   for (const int d : contact.directions) parts[d / 3] += column(state.axes, d % 3) * lambda[r++];
-  state.force_world = {parts[0], parts[1] + cross(state.origin, parts[0])};
+  return {parts[0], parts[1] + cross(state.origin, parts[0])};
+}
+
+template <class S>
+void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state) {
+  state.force_world = wrench_of_rows(contact, lambda, state);
   if (!contact.rubs) return;
   state.sliding.normal_force = lambda[0];
   state.force_world += state.sliding.per_normal * lambda[0];

@@ -39,19 +39,6 @@ double way(const Model& model, int from, int body, double offset) {
   return length;
 }
 
-/// The longest way from a joint that hangs on the world to the centre of a body's mass.
-double robot_size(const Model& model) {
-  std::vector<double> from_first(model.joints.size(), 0.0);
-  double longest = 0.0;
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    const Joint& joint = model.joints[i];
-    if (joint.parent >= 0)
-      from_first[i] = from_first[joint.parent] + joint.placement.translation().norm();
-    longest = std::max(longest, from_first[i] + joint.com.norm());
-  }
-  return longest;
-}
-
 /// A joint by which an entry of v moves a body: several where others follow it.
 struct Lever {
   double multiplier;  ///< absolute
@@ -73,6 +60,18 @@ std::vector<Lever> levers(const Model& model, int v, int body, double offset) {
 }
 
 }  // namespace
+
+double robot_size(const Model& model) {
+  std::vector<double> from_first(model.joints.size(), 0.0);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (joint.parent >= 0)
+      from_first[i] = from_first[joint.parent] + joint.placement.translation().norm();
+    longest = std::max(longest, from_first[i] + joint.com.norm());
+  }
+  return longest;
+}
 
 void set_reaches(const Model& model, CompiledContact& contact) {
   const auto length = [](const Vec3<double>& p) { return std::sqrt(dot(p, p)); };

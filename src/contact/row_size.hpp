@@ -11,6 +11,9 @@ namespace burnish {
 /// leans on rows that hardly differ from those before them, theirs comes on top.
 inline constexpr double pivot_rounding = 2e-15;
 
+/// The longest way from a joint that hangs on the world to the centre of a body's mass, m.
+double robot_size(const Model& model);
+
 /// Fills per_reach of the contact's support, and offset_weight. Where a contact is not about the
 /// tool's origin, all levers are judged beside the longest way of the robot.
 void set_reaches(const Model& model, CompiledContact& contact);

@@ -51,6 +51,11 @@ class ConstrainedDerivatives {
   void subtract_friction(ConstrainedDynamics<S>& dynamics);
   /// Turns the results of the system without friction into those with it.
   void add_friction(ConstrainedDynamics<S>& dynamics);
+  /// What rows that contradict each other add to the derivatives by q (contradiction.hpp): the rows
+  /// of rhs_q at other forces and accelerations, before they are filled, and what follows from
+  /// them.
+  void fill_shifted_rows(ConstrainedDynamics<S>& dynamics);
+  void add_contradiction(const ConstrainedDynamics<S>& dynamics);
   /// The same of an impact.
   void fill_impact_rows(ConstrainedDynamics<S>& dynamics);
   void adapt_to_active(const ConstrainedDynamics<S>& dynamics);
@@ -78,6 +83,7 @@ class ConstrainedDerivatives {
   std::vector<S> lambda_by_tau_;   ///< (dlambda/dtau)^T, nv x rows
   std::vector<S> by_friction_;     ///< da by each normal force of friction, nv entries each
   std::vector<S> solved_, before_, frozen_;
+  std::vector<S> shifted_, a_;  ///< of contradictions: as rhs_q, and nv; empty where none can be
 };
 
 }  // namespace burnish

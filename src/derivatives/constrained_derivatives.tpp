@@ -64,6 +64,10 @@ ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& 
   const auto contact_entries = static_cast<std::size_t>(set.rows() * n_);
   for (auto* matrix : {&Z_, &lambda_by_tau_, &solved_, &before_, &frozen_})
     matrix->assign(contact_entries, S(0.0));
+  if (!dynamics.contradiction().basis.empty()) {
+    shifted_.assign(entries, S(0.0));
+    a_.assign(static_cast<std::size_t>(n_), S(0.0));
+  }
   for (int k = 0; k < n_; ++k) all_columns_.push_back(k);
   for (const auto& [first, end] : tree.chains()) {
     const std::vector<int> above = ancestors(tree, end - 1);
@@ -254,6 +258,9 @@ template <class S>
 void ConstrainedDerivatives<S>::solve_contacts(const ConstrainedDynamics<S>& dynamics,
                                                const std::vector<int>& columns, S* x) {
   const int m = dynamics.rows();
+  const Contradiction<S>& contradiction = dynamics.contradiction();
+  if (contradiction.found) [[unlikely]]
+    remove_null_part(contradiction, contradiction.present, m, std::span<const int>(columns), x, n_);
   if (dynamics.proximal_iterations > 0)
     for (int i = 0; i < m * n_; ++i) before_[i] = x[i];
   solve_delassus(dynamics.delassus(), m, std::span<const int>(columns), x, n_);
@@ -367,9 +374,59 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
                   std::span<const int>(contact_rows_), 0, n_, 0, n_, Strided<S>{out.data(), n_});
 }
 
+// With n the part of rho in the null space of G = J M^-1 J^T, the forces are lambda = G^+ (rho -
+// n), J^T n = 0 and lambda is orthogonal to the null space. By q that gives dlambda, beside what
+// rho and G add at constant n and null space,
+//   G^+ G^+ Z d(J^T n)/dq,   and within the null space the part of d(J y)/dq, y = Z^T G^+ lambda.
+// Both are differences of the rows of rhs_q, by lambda and by a, which they are affine in.
+template <class S>
+void ConstrainedDerivatives<S>::fill_shifted_rows(ConstrainedDynamics<S>& dynamics) {
+  const int m = dynamics.rows();
+  by_torque(dynamics);
+  for (int r = 0; r < m; ++r)
+    for (const int j : all_columns_) solved_[r * n_ + j] = dynamics.lambda[r];
+  solve_contacts(dynamics, all_columns_, solved_.data());
+  a_ = dynamics.a;
+  for (int r = 0; r < m; ++r)
+    for (int k = 0; k < n_; ++k) dynamics.a[k] += Z_[r * n_ + k] * solved_[r * n_ + k];
+  dynamics.apply_forces();
+  fill_contact_rows(dynamics, dynamics.set().contacts());
+  dynamics.a = a_;
+  // unmet is -n.
+  dynamics.apply_forces(dynamics.contradiction().unmet.data());
+  fill_joint_rows(dynamics);
+  shifted_ = rhs_q;
+}
+
+template <class S>
+void ConstrainedDerivatives<S>::add_contradiction(const ConstrainedDynamics<S>& dynamics) {
+  const int m = dynamics.rows();
+  for (std::size_t i = 0; i < shifted_.size(); ++i) shifted_[i] -= rhs_q[i];
+  const std::span<const int> columns(all_columns_);
+  for (int r = 0; r < m; ++r)
+    for (int j = 0; j < n_; ++j) {
+      S sum(0.0);
+      for (int k = 0; k < n_; ++k) sum += Z_[r * n_ + k] * shifted_[k * n_ + j];
+      solved_[r * n_ + j] = sum;
+    }
+  for (int pass = 0; pass < 2; ++pass) solve_contacts(dynamics, all_columns_, solved_.data());
+  for (int r = 0; r < m; ++r)
+    for (int k = 0; k < n_; ++k)
+      for (int j = 0; j < n_; ++j) d_dq[k * n_ + j] += Z_[r * n_ + k] * solved_[r * n_ + j];
+  // The rows of lambda in shifted_ are -d(J y)/dq; their part in the null space is what goes.
+  S* const by_y = shifted_.data() + n_ * n_;
+  const Contradiction<S>& c = dynamics.contradiction();
+  for (int i = 0; i < m * n_; ++i) d_dq[n_ * n_ + i] += solved_[i] - by_y[i];
+  remove_null_part(c, c.present, m, columns, by_y, n_);
+  for (int i = 0; i < m * n_; ++i) d_dq[n_ * n_ + i] += by_y[i];
+}
+
 template <class S>
 void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   adapt_to_active(dynamics);
+  const bool contradicts = dynamics.contradiction().found;
+  if (contradicts) [[unlikely]]
+    fill_shifted_rows(dynamics);
   dynamics.apply_forces();
   fill_contact_rows(dynamics, dynamics.set().contacts());
   fill_joint_rows(dynamics);
@@ -377,6 +434,8 @@ void ConstrainedDerivatives<S>::forward(ConstrainedDynamics<S>& dynamics) {
   by_torque(dynamics);
   by_state(dynamics, rhs_q, d_dq);
   by_state(dynamics, rhs_v, d_dv);
+  if (contradicts) [[unlikely]]
+    add_contradiction(dynamics);
   if (dynamics.friction().size() > 0) add_friction(dynamics);
   for (auto* matrix : {&d_dq, &d_dv, &d_dtau}) dynamics.clear_failed(*matrix);
 }

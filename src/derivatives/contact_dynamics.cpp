@@ -35,7 +35,8 @@ struct ContactDynamics::Impl {
         negated_q(RowMatrix::Zero(set.rows(), nv)),
         negated_v(RowMatrix::Zero(set.rows(), nv)),
         velocity(Eigen::VectorXd::Zero(set.rows())),
-        error(Eigen::VectorXd::Zero(set.rows())) {
+        error(Eigen::VectorXd::Zero(set.rows())),
+        zeros(Eigen::VectorXd::Zero(set.rows())) {
     entries.reserve(static_cast<std::size_t>(nv));
     for (const CompiledContact& contact : set.contacts())
       references.push_back(contact.spec.reference);
@@ -52,6 +53,19 @@ struct ContactDynamics::Impl {
   }
   MatrixView rows_of_lambda(const std::vector<double>& stacked) const {
     return {stacked.data() + nv * nv, dynamics.rows(), nv};
+  }
+
+  /// Rows that contradict each other leave this at the last forward(); zeros where none can.
+  VectorView unmet() const {
+    const std::vector<double>& found = dynamics.contradiction().unmet;
+    return {evaluated == Evaluated::Forward && !found.empty() ? found.data() : zeros.data(),
+            dynamics.rows()};
+  }
+  /// Throws Error unless lambda is that of the last evaluation.
+  void require_forces(const char* call) const {
+    if (evaluated == Evaluated::Forward || evaluated == Evaluated::Inverse) return;
+    throw Error(std::string(call) +
+                ": forces are those of forward() or inverse(), and the last evaluation is neither");
   }
 
   /// What was evaluated is not that of the robot any more.
@@ -138,7 +152,7 @@ struct ContactDynamics::Impl {
   std::vector<Reference> references;  ///< per contact, turned as they are
   RowMatrix mass, jacobian;           ///< dense copies: nv x nv, rows x nv
   RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
-  Eigen::VectorXd velocity, error;
+  Eigen::VectorXd velocity, error, zeros;
   Evaluated evaluated = Evaluated::Nothing;
   bool differentiated = false;           ///< it was
   RowMatrix regressor;                   ///< of the last inertia_derivatives()
@@ -225,7 +239,8 @@ std::string ContactDynamics::explanation() const {
   std::vector<std::string> jammed;
   for (int c = 0; c < impl_->set.size(); ++c)
     if (impl_->dynamics.jams(c, 0)) jammed.push_back(impl_->set.contacts()[c].spec.name);
-  return explain(impl_->dynamics.status(), joints, rows, jammed);
+  return explain(impl_->dynamics.status(), joints, rows, jammed,
+                 unmet_rows(names, {impl_->unmet().data(), names.size()}));
 }
 
 Status ContactDynamics::forward(const ConstVectorRef& q, const ConstVectorRef& v,
@@ -316,8 +331,10 @@ VectorView ContactDynamics::contact_error() const {
 }
 int ContactDynamics::proximal_iterations() const { return impl_->dynamics.proximal_iterations; }
 double ContactDynamics::proximal_residual() const { return impl_->dynamics.proximal_residual[0]; }
+VectorView ContactDynamics::unmet() const { return impl_->unmet(); }
 
 Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
+  impl_->require_forces("wrench");
   const int first = impl_->dynamics.active().first_row.at(contact);
   if (first < 0) return Vector6::Zero();
   const CompiledContact& compiled = impl_->set.contacts()[contact];
@@ -336,6 +353,7 @@ ContactForce ContactDynamics::force(int contact) const {
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
+  impl_->require_forces("force");
   const CompiledContact& compiled = impl_->set.contacts().at(contact);
   const ContactState<double>& state = impl_->dynamics.contact_states[contact];
   const Kinematics<double>& kinematics = impl_->dynamics.kinematics();
@@ -367,6 +385,10 @@ ContactForce ContactDynamics::force(const std::string& contact) const {
 
 void ContactDynamics::wrench_derivatives(int contact, const Reference& reference,
                                          WrenchDerivatives& out) const {
+  if (impl_->evaluated != Evaluated::Forward || !impl_->differentiated)
+    throw Error(
+        "wrench_derivatives: they are those of forward_derivatives() at the last forward(), which "
+        "was not called since the last evaluation or change of contacts");
   const int nv = impl_->nv;
   for (RowMatrix* matrix : {&out.dq, &out.dv, &out.dtau}) {
     if (matrix->rows() != 6 || matrix->cols() != nv) matrix->resize(6, nv);

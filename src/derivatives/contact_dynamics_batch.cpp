@@ -77,11 +77,12 @@ struct ContactDynamicsBatch::Impl {
     workers.reserve(static_cast<std::size_t>(threads));
     for (int w = 0; w < threads; ++w) workers.emplace_back(model, set, solver);
     const auto states = static_cast<std::size_t>(room);
-    status.assign(states, Status::Ok);
+    forget();
     blamed.assign(states * (nv + set.rows()), 0);
     for (const int joint : model.joint_of_v) joint_names.push_back(model.joints[joint].name);
     a.assign(states * nv, 0.0);
     lambda.assign(states * set.rows(), 0.0);
+    unmet.assign(states * set.rows(), 0.0);
     for (auto* matrix : {&d_dq, &d_dv, &d_dtau})
       matrix->assign(states * (nv + set.rows()) * nv, 0.0);
   }
@@ -100,6 +101,7 @@ struct ContactDynamicsBatch::Impl {
         run_pack(workers[static_cast<std::size_t>(worker)], q_in, v_in, tau_in, first,
                  with_derivatives);
     });
+    std::fill(status.begin() + n, status.end(), Status::NotEvaluated);
     Status worst_of_all = Status::Ok;
     for (int i = 0; i < n; ++i) worst_of_all = worst(worst_of_all, status[i]);
     return worst_of_all;
@@ -117,8 +119,12 @@ struct ContactDynamicsBatch::Impl {
     store(with, first, lanes, with_derivatives);
     for (int l = 0; l < lanes; ++l) {
       status[first + l] = with.dynamics.status(l);
-      if (status[first + l] != Status::Ok) [[unlikely]]
-        blame(with.dynamics, l, blamed.data() + (first + l) * (nv + set.rows()));
+      if (status[first + l] == Status::Ok) [[likely]]
+        continue;
+      blame(with.dynamics, l, blamed.data() + (first + l) * (nv + set.rows()));
+      const std::vector<NativePack>& left = with.dynamics.contradiction().unmet;
+      for (std::size_t r = 0; r < left.size(); ++r)
+        unmet[static_cast<std::size_t>((first + l) * set.rows()) + r] = left[r].v[l];
     }
   }
 
@@ -143,6 +149,8 @@ struct ContactDynamicsBatch::Impl {
     scatter(from.derivatives.d_dtau.data(), count, d_dtau.data() + block(first), stride, lanes);
   }
 
+  /// Results so far are not those of the robot and its contacts any more.
+  void forget() { status.assign(static_cast<std::size_t>(capacity), Status::NotEvaluated); }
   int rows() const { return workers.front().dynamics.rows(); }
   /// Where the derivatives of a state begin; wide, since those of many states are far apart.
   std::ptrdiff_t block(std::ptrdiff_t state) const { return state * (nv + set.rows()) * nv; }
@@ -162,6 +170,7 @@ struct ContactDynamicsBatch::Impl {
   std::vector<char> blamed;                ///< per state: nv and rows; of those that failed
   std::vector<std::string> joint_names;    ///< per entry of v
   std::vector<double> a, lambda;           ///< per state: nv and rows
+  std::vector<double> unmet;               ///< per state: rows; of those that are not Ok
   std::vector<double> d_dq, d_dv, d_dtau;  ///< per state: (nv + rows) x nv, row-major
 };
 
@@ -179,12 +188,14 @@ void ContactDynamicsBatch::set_active(int contact, bool active) {
     throw Error("set_active: there is no contact " + std::to_string(contact) + "; the set has " +
                 std::to_string(impl_->set.size()));
   for (Impl::Worker& worker : impl_->workers) worker.dynamics.set_active(contact, active);
+  impl_->forget();
 }
 Status ContactDynamicsBatch::set_payload(std::string_view frame, const InertiaSpec& payload) {
   const LoadedBody loaded = loaded_body("set_payload", impl_->robot, frame, payload);
   if (loaded.status != Status::Ok) return loaded.status;
   for (Impl::Worker& worker : impl_->workers)
     worker.dynamics.set_body_inertia(loaded.body, body_inertia(loaded.inertia));
+  impl_->forget();
   return Status::Ok;
 }
 int ContactDynamicsBatch::rows() const { return impl_->rows(); }
@@ -206,8 +217,9 @@ std::string ContactDynamicsBatch::explanation(int state) const {
   const Status status = impl_->status.at(state);
   const char* const blamed =
       impl_->blamed.data() + static_cast<std::ptrdiff_t>(state) * (impl_->nv + impl_->set.rows());
-  std::vector<std::string> joints, rows, jammed;
-  if (status == Status::Ok) return explain(status, joints, rows, jammed);
+  std::vector<std::string> joints, rows, jammed, names;
+  if (status == Status::Ok || status == Status::NotEvaluated)
+    return explain(status, joints, rows, jammed);
   for (int k = 0; k < impl_->nv; ++k)
     if (blamed[k] != 0) joints.push_back(impl_->joint_names[k]);
   int row = 0;
@@ -215,10 +227,13 @@ std::string ContactDynamicsBatch::explanation(int state) const {
     for (const int d : impl_->set.contacts()[c].directions) {
       const ContactSpec& spec = impl_->set.contacts()[c].spec;
       const char blame = blamed[impl_->nv + row++];
-      if (blame == 1) rows.push_back(spec.name + "/" + std::string(direction_names[d]));
+      names.push_back(spec.name + "/" + std::string(direction_names[d]));
+      if (blame == 1) rows.push_back(names.back());
       if (blame == 2) jammed.push_back(spec.name);
     }
-  return explain(status, joints, rows, jammed);
+  const double* const left =
+      impl_->unmet.data() + static_cast<std::ptrdiff_t>(state) * impl_->set.rows();
+  return explain(status, joints, rows, jammed, unmet_rows(names, {left, names.size()}));
 }
 VectorView ContactDynamicsBatch::a(int state) const {
   return {impl_->a.data() + static_cast<std::ptrdiff_t>(state) * impl_->nv, impl_->nv};

@@ -1,12 +1,54 @@
 #include "derivatives/explanation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "base/sentence.hpp"
 
 namespace burnish {
+namespace {
+
+/// An angular row is named after its axis: "pad/rx".
+bool is_angular(const std::string& row) { return row[row.rfind('/') + 1] == 'r'; }
+
+std::string with_amount(const UnmetRow& row) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", row.acceleration);
+  return row.name + " (" + text + (is_angular(row.name) ? " rad/s^2)" : " m/s^2)");
+}
+
+}  // namespace
+
+std::string contradicting(std::vector<UnmetRow> rows) {
+  constexpr std::size_t most = 12;
+  std::stable_sort(rows.begin(), rows.end(), [](const UnmetRow& a, const UnmetRow& b) {
+    return std::abs(a.acceleration) > (1.0 + 1e-6) * std::abs(b.acceleration);
+  });
+  std::string text = "contact rows ";
+  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i)
+    text += (i == 0 ? "" : i + 1 == rows.size() ? " and " : ", ") + with_amount(rows[i]);
+  return rows.size() > most ? text + " and " + std::to_string(rows.size() - most) + " more" : text;
+}
+
+std::vector<UnmetRow> unmet_rows(const std::vector<std::string>& names,
+                                 std::span<const double> unmet) {
+  double largest = 0.0;
+  for (const double x : unmet) largest = std::max(largest, std::abs(x));
+  std::vector<UnmetRow> rows;
+  for (std::size_t r = 0; r < unmet.size(); ++r)
+    if (std::abs(unmet[r]) > 1e-6 * largest) rows.push_back({names[r], unmet[r]});
+  return rows;
+}
+
 std::string explain(Status status, const std::vector<std::string>& joints,
-                    const std::vector<std::string>& rows, const std::vector<std::string>& jammed) {
+                    const std::vector<std::string>& rows, const std::vector<std::string>& jammed,
+                    const std::vector<UnmetRow>& unmet) {
+  if (status == Status::NotConverged && !unmet.empty())
+    return contradicting(unmet) +
+           " contradict each other: no acceleration of the joints meets all of them, and what is "
+           "in brackets stays; the forces are the least-squares ones, which more iterations or "
+           "another mu do not change: let the contacts ask for the same, or hold fewer rows";
   if (status == Status::SingularMass && !joints.empty()) {
     std::vector<std::string> once = joints;
     once.erase(std::unique(once.begin(), once.end()), once.end());

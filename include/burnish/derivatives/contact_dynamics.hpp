@@ -37,9 +37,14 @@ struct InertiaDerivatives {
 /// the active contacts, in the order of the set. Views stay valid while the object lives and hold
 /// the result of the last call that fills them.
 ///
+/// Results belong to the last evaluation, which is forward(), inverse() or acceleration(). A view
+/// that it does not fill keeps what an earlier call left there, at another state and perhaps of
+/// other rows: lambda() after acceleration(), tau() and dtau_dq() after forward(), and derivatives
+/// until they are made again. Calls refuse it: derivatives of another evaluation with NotEvaluated,
+/// forces of another with an Error. Python refuses the views, too.
+///
 /// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
-/// but for WrongSize and NotEvaluated, which leave them as they were. Derivatives belong to the
-/// last evaluation: those of another are refused with NotEvaluated.
+/// but for WrongSize and NotEvaluated, which leave them as they were.
 class ContactDynamics {
  public:
   /// Compiles the contacts against the model; throws Error as ContactSet does.
@@ -132,17 +137,24 @@ class ContactDynamics {
   /// Proximal iterations of the last forward() and the contact acceleration they left, m/s^2.
   int proximal_iterations() const;
   double proximal_residual() const;
+  /// Contact acceleration of the active rows that no force can meet at the last forward(), m/s^2 or
+  /// rad/s^2: redundant rows that contradict each other, found by proximal iterations. The status
+  /// is then NotConverged, lambda() the least-squares forces, of least norm, and all derivatives
+  /// are theirs. Zeros otherwise.
+  VectorView unmet() const;
 
-  /// The force of an active contact at the last forward(), in its own reference. Allocates strings;
-  /// inside a tick use wrench().
+  /// The force of an active contact at the last forward(), or of the lambda that the last inverse()
+  /// was given, in the contact's own reference. Throws Error after anything else. Allocates
+  /// strings; inside a tick use wrench().
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;
-  /// In any other. Throws Error with the nearest known name where that names no frame of the robot,
-  /// as the two below do.
+  /// In any other. Throws Error also where that names no frame of the robot, with the nearest known
+  /// name, as the two below do.
   ContactForce force(int contact, const Reference& reference) const;
   /// The same as numbers: force, then moment.
   Vector6 wrench(int contact, const Reference& reference) const;
-  /// Its derivatives at the last forward_derivatives(); `out` is resized on first use.
+  /// Its derivatives at the last forward_derivatives(); `out` is resized on first use. Throws Error
+  /// unless those are of the last evaluation.
   void wrench_derivatives(int contact, const Reference& reference, WrenchDerivatives& out) const;
 
  private:

@@ -42,6 +42,9 @@ class ContactDynamicsBatch {
   Status forward_with_derivatives(const ConstMatrixRef& q, const ConstMatrixRef& v,
                                   const ConstMatrixRef& tau);
 
+  /// Of a state of the last call. NotEvaluated for one that it did not have, and for all after
+  /// set_active() and set_payload(). The views below hold nothing of such a state; derivatives are
+  /// those of the last forward_with_derivatives(), whatever came after it.
   Status status(int state) const;
   /// The same in one sentence that names what is to blame, as ContactDynamics::explanation does.
   std::string explanation(int state) const;
