@@ -203,10 +203,12 @@ void bind_rigid_body(py::module_& m) {
             const Busy::Lock lock(self.busy, call);
             check_payload(call, payload);
             require(self.machine.set_payload(frame, payload), call);
+            self.differentiated = false;
           },
           py::arg("frame"), py::arg("payload"),
           "What the robot carries at a frame, an InertiaSpec in the frame's axes, in the place of "
-          "what that frame's body carried before; of states updated from then on.")
+          "what that frame's body carried before. Results of the last state are those with it; its "
+          "derivatives are gone.")
       .def(
           "update_derivatives",
           [](Body& self) {

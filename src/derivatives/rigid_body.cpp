@@ -63,6 +63,7 @@ struct RigidBody::Impl {
         passive_dv(passive_dq),
         q(robot.q_neutral),
         v(Eigen::VectorXd::Zero(robot.nv)),
+        a(v),
         at_rest(Eigen::VectorXd::Zero(robot.nv)),
         gravity(Eigen::VectorXd::Zero(robot.nv)),
         friction(Eigen::VectorXd::Zero(robot.nv)),
@@ -75,18 +76,20 @@ struct RigidBody::Impl {
   }
 
   Status check(const ConstVectorRef& new_q, const ConstVectorRef& new_v,
-               const ConstVectorRef& a) const {
-    if (new_q.size() != tree.nq || new_v.size() != tree.nv || a.size() != tree.nv)
+               const ConstVectorRef& new_a) const {
+    if (new_q.size() != tree.nq || new_v.size() != tree.nv || new_a.size() != tree.nv)
       return Status::WrongSize;
-    if (!new_q.allFinite() || !new_v.allFinite() || !a.allFinite()) return Status::NotFinite;
+    if (!new_q.allFinite() || !new_v.allFinite() || !new_a.allFinite()) return Status::NotFinite;
     return is_normalized(tree, new_q) ? Status::Ok : Status::NotNormalized;
   }
 
-  void evaluate(const ConstVectorRef& new_q, const ConstVectorRef& new_v, const ConstVectorRef& a) {
+  void evaluate(const ConstVectorRef& new_q, const ConstVectorRef& new_v,
+                const ConstVectorRef& new_a) {
     q = new_q;
     v = new_v;
+    a = new_a;
     update_kinematics(tree, q.data(), v.data(), kinematics);
-    accelerate(tree, kinematics, a.data(), inverse_dynamics);
+    accelerate(tree, kinematics, new_a.data(), inverse_dynamics);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       update_frame(frames[i], kinematics, states[i]);
       update_frame_acceleration(tree, frames[i], kinematics, inverse_dynamics, states[i]);
@@ -138,7 +141,7 @@ struct RigidBody::Impl {
   std::vector<FrameState<double>> states;  ///< per frame
   std::vector<double> slopes;              ///< of the springs' places
   RowMatrix passive_dq, passive_dv;        ///< zero but at places and the diagonal
-  Eigen::VectorXd q, v, at_rest;
+  Eigen::VectorXd q, v, a, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;
   InverseDynamics<double> inverse_dynamics;
@@ -165,6 +168,7 @@ Status RigidBody::set_payload(std::string_view frame, const InertiaSpec& payload
   if (loaded.status != Status::Ok) return loaded.status;
   set_body_inertia(impl_->tree, loaded.body, body_inertia(loaded.inertia));
   impl_->momentum.set_mass(impl_->tree);
+  impl_->evaluate(impl_->q, impl_->v, impl_->a);
   return Status::Ok;
 }
 

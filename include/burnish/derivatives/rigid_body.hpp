@@ -59,10 +59,10 @@ class RigidBody {
   int frame(const std::string& name) const;
 
   /// What the robot carries at a frame (any of the model's) from now on, in the frame's axes, in
-  /// the place of what that frame's body carried before; of states updated from then on. Allocates
-  /// nothing. Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes
-  /// nothing. Throws Error with the nearest known name for a frame that there is not, and for one
-  /// that is fixed to the world.
+  /// the place of what that frame's body carried before; results of the last accepted state are
+  /// made anew, derivatives by update_derivatives(). Allocates nothing. Returns Ok, or NotFinite or
+  /// NotPhysical as check_inertia() does, which changes nothing. Throws Error with the nearest
+  /// known name for a frame that there is not, and for one that is fixed to the world.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Evaluates the state: q has nq entries, v and a nv (rad/s, m/s; rad/s^2, m/s^2). Without `a`
@@ -98,7 +98,8 @@ class RigidBody {
   VectorView passive_torque() const;
   double spring_energy() const;  ///< in springs of joints and tendons, J
 
-  /// Fills the views below, at the last accepted state.
+  /// Fills the views below, at the last accepted state. They stay what they are when update() or
+  /// set_payload() changes it, until this is called again; Python refuses them.
   void update_derivatives();
   MatrixView com_dq() const;                  ///< 3 x nv; d(com_velocity)/dv too
   MatrixView com_velocity_dq() const;         ///< 3 x nv

@@ -1,0 +1,101 @@
+// Results belong to the last evaluation: forces, derivatives and states of another are refused.
+#include <gtest/gtest.h>
+
+#include "burnish/derivatives/contact_dynamics_batch.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "support/contact_states.hpp"
+#include "support/refusal.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+using burnish::testing::expect_words;
+using burnish::testing::refusal;
+
+class LastEvaluation : public ::testing::Test {
+ protected:
+  LastEvaluation() : s_(regular_state(model_, dynamics_, generator_)) {}
+
+  std::mt19937_64 generator_{21};
+  Model model_ = named_robot("arm7");
+  std::vector<ContactSpec> contacts_{
+      contact("tool", "world", Reference::centered(), Directions::z())};
+  ContactDynamics dynamics_{model_, contacts_};
+  RobotState s_;
+  Eigen::VectorXd ten_ = Eigen::VectorXd::Constant(1, 10.0);  // N
+};
+
+TEST_F(LastEvaluation, Inverse_HasTheForceThatWasAskedFor) {
+  ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
+  ASSERT_GT(std::abs(dynamics_.lambda()[0] - 10.0), 1.0);
+  ASSERT_EQ(dynamics_.inverse(s_.q, s_.v, s_.tau, ten_), Status::Ok);
+  EXPECT_NEAR(dynamics_.force(0).value[2], 10.0, 1e-12);
+  EXPECT_NEAR(dynamics_.wrench(0, Reference::centered())[2], 10.0, 1e-12);
+}
+
+TEST_F(LastEvaluation, Acceleration_HasNoForces) {
+  expect_words(refusal([&] { dynamics_.wrench(0, Reference::local()); }), {"wrench", "neither"});
+  ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
+  ASSERT_EQ(dynamics_.acceleration(s_.q, s_.v, s_.tau), Status::Ok);
+  expect_words(refusal([&] { dynamics_.force(0); }), {"force", "forward() or inverse()"});
+  expect_words(refusal([&] { dynamics_.wrench(0, Reference::local()); }), {"wrench"});
+}
+
+TEST_F(LastEvaluation, WrenchDerivatives_OfAnotherStateAreRefused) {
+  WrenchDerivatives out;
+  const auto of_another = [&] {
+    return refusal([&] { dynamics_.wrench_derivatives(0, Reference::world(), out); });
+  };
+  expect_words(of_another(), {"wrench_derivatives", "forward_derivatives()"});
+  ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
+  expect_words(of_another(), {"forward_derivatives()"});
+  ASSERT_EQ(dynamics_.forward_derivatives(), Status::Ok);
+  dynamics_.wrench_derivatives(0, Reference::world(), out);
+  const RowMatrix here = out.dq;
+  ASSERT_EQ(dynamics_.forward(s_.q, 2.0 * s_.v, s_.tau), Status::Ok);
+  expect_words(of_another(), {"forward_derivatives()"});
+  ASSERT_EQ(dynamics_.inverse(s_.q, s_.v, s_.tau, ten_), Status::Ok);
+  ASSERT_EQ(dynamics_.inverse_derivatives(), Status::Ok);
+  expect_words(of_another(), {"forward_derivatives()"});
+  EXPECT_EQ(out.dq, here) << "a refusal leaves it as it was";
+}
+
+TEST_F(LastEvaluation, Batch_HasStatusesOfTheStatesOfItsLastCall) {
+  ContactDynamicsBatch batch(model_, contacts_, 3);
+  EXPECT_EQ(batch.status(0), Status::NotEvaluated);
+  const Eigen::MatrixXd q = s_.q.replicate(1, 3), v = s_.v.replicate(1, 3),
+                        tau = s_.tau.replicate(1, 3);
+  ASSERT_EQ(batch.forward(q, v, tau), Status::Ok);
+  EXPECT_EQ(batch.status(2), Status::Ok);
+  ASSERT_EQ(batch.forward(q.leftCols(2), v.leftCols(2), tau.leftCols(2)), Status::Ok);
+  EXPECT_EQ(batch.status(1), Status::Ok);
+  EXPECT_EQ(batch.status(2), Status::NotEvaluated);
+  EXPECT_EQ(batch.explanation(2), describe(Status::NotEvaluated));
+  batch.set_active(0, false);
+  EXPECT_EQ(batch.status(0), Status::NotEvaluated);
+  ASSERT_EQ(batch.forward(q, v, tau), Status::Ok);
+  ASSERT_EQ(batch.set_payload("tool", {}), Status::Ok);
+  EXPECT_EQ(batch.status(0), Status::NotEvaluated);
+}
+
+TEST_F(LastEvaluation, RigidBody_WithAPayloadIsThatOfItsState) {
+  InertiaSpec brick;
+  brick.mass = 2.0;
+  brick.com = {0.05, 0.0, 0.1};
+  brick.inertia_at_com = 0.01 * Eigen::Matrix3d::Identity();
+  RigidBody body(model_), loaded(with_payload(model_, {"tool", brick}));
+  ASSERT_EQ(body.update(s_.q, s_.v), Status::Ok);
+  ASSERT_EQ(body.set_payload("tool", brick), Status::Ok);
+  ASSERT_EQ(loaded.update(s_.q, s_.v), Status::Ok);
+  body.update_derivatives();
+  loaded.update_derivatives();
+  EXPECT_NEAR(body.mass(), loaded.mass(), 1e-12);
+  EXPECT_LT((body.com() - loaded.com()).norm(), 1e-12);
+  EXPECT_LT(relative_error(body.gravity_torque(), loaded.gravity_torque()), 1e-12);
+  EXPECT_LT(relative_error(body.com_dq(), loaded.com_dq()), 1e-12);
+  EXPECT_LT(relative_error(body.momentum_dq(), loaded.momentum_dq()), 1e-12);
+}
+
+}  // namespace
+}  // namespace burnish::test
