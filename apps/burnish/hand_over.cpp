@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 #include "burnish/base/error.hpp"
 
@@ -25,9 +26,71 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return list;
 }
 
+/// The entries of a search path that begin with a slash. An empty entry, `.` and every other
+/// relative one mean the working folder, which may hold anything.
+std::string absolute_entries(const std::string& path) {
+  std::string kept;
+  std::istringstream stream(path);
+  for (std::string entry; std::getline(stream, entry, ':');)
+    if (entry.starts_with('/')) kept += (kept.empty() ? "" : ":") + entry;
+  return kept;
+}
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+/// The program's own folder is build/apps/burnish in a build, whose Python package is in
+/// build/python. Empty for an installed program.
+std::string package_of_the_build(const fs::path& self) {
+  const fs::path folder = self.parent_path(), apps = folder.parent_path();
+  const fs::path built = apps.parent_path() / "python";
+  std::error_code unknown;
+  const bool is_build = folder.filename() == "burnish" && apps.filename() == "apps" &&
+                        fs::exists(built / "burnish" / "campaign", unknown);
+  return is_build ? built.string() : std::string();
+}
+
+/// Sets what Python and its own processes look programs and modules up by. Nothing is found through
+/// the working folder.
+void set_search_paths() {
+  std::string modules = absolute_entries(variable("PYTHONPATH"));
+  std::error_code unknown;
+  if (const fs::path self = fs::read_symlink("/proc/self/exe", unknown); !unknown) {
+    setenv("BURNISH_PROGRAM", self.c_str(), 1);
+    if (const std::string built = package_of_the_build(self); !built.empty())
+      modules = modules.empty() ? built : built + ":" + modules;
+  }
+  // An empty PYTHONPATH would mean the working folder.
+  modules.empty() ? unsetenv("PYTHONPATH") : setenv("PYTHONPATH", modules.c_str(), 1);
+  setenv("PYTHONSAFEPATH", "1", 1);  // from Python 3.11 on
+  const std::string programs = absolute_entries(variable("PATH"));
+  setenv("PATH", programs.empty() ? "/usr/local/bin:/usr/bin:/bin" : programs.c_str(), 1);
+}
+
+/// The first python3 of PATH, then Debian's, which Debian's packages are for.
+std::vector<std::string> pythons() {
+  std::vector<std::string> found;
+  std::istringstream stream(variable("PATH"));
+  for (std::string folder; std::getline(stream, folder, ':');)
+    if (const std::string file = folder + "/python3"; access(file.c_str(), X_OK) == 0) {
+      found.push_back(file);
+      break;
+    }
+  found.emplace_back("/usr/bin/python3");
+  return found;
+}
+
+/// A command for `python3 -c`: `code` without the working folder among the folders of modules,
+/// where Pythons before 3.11 put it.
+std::string safely(const std::string& code) {
+  return "import sys; sys.path[:] = [p for p in sys.path if p]; " + code;
+}
+
 /// Whether a Python can import a module. It says nothing.
 bool has(const std::string& python, const std::string& module) {
-  std::vector<std::string> words{python, "-c", "import " + module};
+  std::vector<std::string> words{python, "-c", safely("import " + module)};
   posix_spawn_file_actions_t silence;
   posix_spawn_file_actions_init(&silence);
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
@@ -35,34 +98,19 @@ bool has(const std::string& python, const std::string& module) {
   pid_t child = 0;
   int status = 0;
   const int failed =
-      posix_spawnp(&child, python.c_str(), &silence, nullptr, pointers(words).data(), environ);
+      posix_spawn(&child, python.c_str(), &silence, nullptr, pointers(words).data(), environ);
   posix_spawn_file_actions_destroy(&silence);
   return failed == 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
          WEXITSTATUS(status) == 0;
 }
 
-/// The program itself, and the package of the build that it stands in.
-void tell_python() {
-  std::error_code unknown;
-  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
-  if (unknown) return;
-  setenv("BURNISH_PROGRAM", self.c_str(), 1);
-  const fs::path built = self.parent_path().parent_path().parent_path() / "python";
-  if (!fs::exists(built / "burnish" / "campaign", unknown)) return;
-  const char* const path = std::getenv("PYTHONPATH");
-  const std::string longer =
-      built.string() + (path != nullptr ? std::string(":") + path : std::string());
-  setenv("PYTHONPATH", longer.c_str(), 1);
-}
-
 }  // namespace
 
 void hand_over_to_python(const std::vector<std::string>& words, const std::string& module) {
-  tell_python();
-  // Debian's packages are for Debian's Python, which need not be the first one.
+  set_search_paths();
   std::string python;
   bool has_package = false;
-  for (const char* candidate : {"python3", "/usr/bin/python3"}) {
+  for (const std::string& candidate : pythons()) {
     if (!has(candidate, "burnish.campaign")) continue;
     has_package = true;
     if (!has(candidate, module)) continue;
@@ -75,9 +123,10 @@ void hand_over_to_python(const std::vector<std::string>& words, const std::strin
                           ", which this needs; wanted: apt install python3-" + module
                     : "this is handed over to the Python package burnish, which python3 does not "
                       "find; wanted: apt install python3-burnish, or pip install . in the sources");
-  std::vector<std::string> all{python, "-m", "burnish.campaign"};
+  std::vector<std::string> all{
+      python, "-c", safely("from burnish.campaign.__main__ import main; sys.exit(main())")};
   all.insert(all.end(), words.begin(), words.end());
-  execvp(python.c_str(), pointers(all).data());
+  execv(python.c_str(), pointers(all).data());
   throw Error("cannot start '" + python + "': " + std::strerror(errno));
 }
 

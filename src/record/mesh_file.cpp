@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "burnish/robots/robot.hpp"
+#include "robots/known_robots.hpp"
 #ifdef BURNISH_HAS_ASSIMP
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -74,18 +74,9 @@ Mesh read_mesh(const fs::path&) { return {}; }
 }  // namespace
 
 fs::path robot_folder(const std::string& robot) {
-  const auto folder_of = [](const fs::path& path) -> fs::path {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return path;
-    if (fs::exists(path, ignored)) return fs::absolute(path, ignored).parent_path();
-    return {};
-  };
-  for (const std::string& name : {robot, robot.substr(0, robot.rfind(':'))}) {
-    if (name.empty()) continue;
-    if (fs::path found = folder_of(name); !found.empty()) return found;
-    for (const fs::path& folder : robot_search_path())
-      if (fs::path found = folder_of(folder / name); !found.empty()) return found;
-  }
+  std::error_code ignored;
+  for (const std::string& name : {robot, robot.substr(0, robot.rfind(':'))})
+    if (const auto file = robot_file(name)) return fs::absolute(*file, ignored).parent_path();
   return {};
 }
 

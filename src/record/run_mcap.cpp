@@ -221,12 +221,8 @@ class Recorder {
     const std::vector<Eigen::Isometry3d> frames = frame_placements(model_, q);
     Eigen::Isometry3d tool = frames[static_cast<std::size_t>(model_.frame_index(run_.tool_frame))];
     write_pose(tool_, time, tool);
-    const auto tangents = run_.surface.axes.leftCols<2>();
-    tool.translation() =
-        run_.path_origin_world +
-        tangents * Eigen::Vector2d((*task_.columns[3])[row], (*task_.columns[4])[row]);
-    tool.linear() = run_.surface.axes;
-    write_pose(target_, time, tool);
+    write_pose(target_, time,
+               moved(frames) * target_at({(*task_.columns[3])[row], (*task_.columns[4])[row]}));
     Json transforms = Json::array();
     for (const int main : links_.main())
       if (main >= 0)
@@ -234,6 +230,24 @@ class Recorder {
                                             model_.frames[static_cast<std::size_t>(main)].name,
                                             frames[static_cast<std::size_t>(main)]));
     write(transforms_, time, {{"transforms", std::move(transforms)}});
+  }
+  /// The tip's centre for a place of the path, as the surface stands at the start.
+  Eigen::Isometry3d target_at(const Eigen::Vector2d& place) const {
+    Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
+    target.linear() = run_.surface.axes;
+    target.translation() = run_.path_origin_world + run_.surface.axes.leftCols<2>() * place;
+    if (const auto& surface = run_.surface.known) {
+      const Eigen::Vector3d n = run_.surface.axes.col(2);
+      const Eigen::Vector3d on = surface->along_normal(target.translation() - run_.tip_radius * n);
+      target.translation() = on + run_.tip_radius * surface->at(on).normal;
+    }
+    return target;
+  }
+  /// What a surface that the robot carries has moved by since the start.
+  Eigen::Isometry3d moved(const std::vector<Eigen::Isometry3d>& frames) const {
+    if (run_.surface.frame.empty()) return Eigen::Isometry3d::Identity();
+    const auto carrier = static_cast<std::size_t>(model_.frame_index(run_.surface.frame));
+    return frames[carrier] * frame_placements(model_, run_.robot.q)[carrier].inverse();
   }
   /// Links that do not move against the main one of their body, or against the world.
   void write_fixed(std::uint64_t time) {

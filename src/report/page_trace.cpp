@@ -1,9 +1,11 @@
 // From the trace of a run to the columns of its page.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "burnish/mpc/controller.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "report/foot_rows.hpp"
 #include "report/moving_mean.hpp"
 #include "report/run_page.hpp"
@@ -91,28 +93,59 @@ void add_forces(PageFiller& fill, const RunPage& page, const Trace& trace) {
   fill.add("force_t2", "N", fill.along("tool_force", axes.col(1)));
 }
 
+/// Where a surface that the robot carries is in the first row; the world's axes for one that
+/// stands.
+Eigen::Isometry3d surface_at_start(const Trace& trace) {
+  Eigen::Isometry3d start = Eigen::Isometry3d::Identity();
+  if (!trace.has("surface_rx_world") || trace.rows() == 0) return start;
+  const int at = trace.index("surface_x_world"), turn = trace.index("surface_rx_world");
+  const Eigen::Vector3d turned(trace.at(0, turn), trace.at(0, turn + 1), trace.at(0, turn + 2));
+  start.translation() << trace.at(0, at), trace.at(0, at + 1), trace.at(0, at + 2);
+  if (const double angle = turned.norm(); angle > 0.0)
+    start.linear() = Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
+  return start;
+}
+
+/// Places in the plane of the path, of the page's rows: of the tip's centre or, on a curved
+/// surface, of the point where the tip touches. A surface that the robot carries is seen where it
+/// starts.
+class Places {
+ public:
+  Places(const RunPage& page, const Trace& trace)
+      : page_(page), start_(surface_at_start(trace)), seen_(seen_from_surface(trace, room_)) {}
+
+  void add(PageFiller& fill, const std::string& what, const std::string& name) const {
+    const int at = seen_.index(what + "_x_world");
+    const std::vector<int>& rows = fill.rows();
+    Eigen::MatrixXd places(rows.size(), 2);
+    for (Eigen::Index i = 0; i < places.rows(); ++i) {
+      const int row = rows[static_cast<std::size_t>(i)];
+      places.row(i) = in_plane({seen_.at(row, at), seen_.at(row, at + 1), seen_.at(row, at + 2)});
+    }
+    fill.add_chosen(name + "_u", "m", places.col(0));
+    fill.add_chosen(name + "_w", "m", places.col(1));
+  }
+
+ private:
+  Eigen::Vector2d in_plane(const Eigen::Vector3d& p_seen) const {
+    Eigen::Vector3d p = start_ * p_seen;
+    if (page_.surface.known) p -= page_.tip_radius * page_.surface.known->at(p).normal;
+    return page_.surface.axes.leftCols<2>().transpose() * (p - page_.path_origin_world);
+  }
+
+  const RunPage& page_;
+  Eigen::Isometry3d start_;
+  Trace room_ = {};
+  const Trace& seen_;
+};
+
 void add_motion(PageFiller& fill, const RunPage& page, const Trace& trace) {
   for (const char* axis : {"x", "y", "z"})
     fill.copy(std::string("tool_") + axis, std::string("tool_") + axis + "_world");
-  const Eigen::Vector3d t1 = page.surface.axes.col(0), t2 = page.surface.axes.col(1);
-  const Eigen::Vector3d origin = page.path_origin_world;
-  const auto in_plane = [&](const std::string& what, const Eigen::Vector3d& t) {
-    return Eigen::VectorXd(fill.along(what, t).array() - t.dot(origin));
-  };
-  fill.add("path_u", "m", in_plane("tool", t1));
-  fill.add("path_w", "m", in_plane("tool", t2));
-  fill.add("target_u", "m", in_plane("target", t1));
-  fill.add("target_w", "m", in_plane("target", t2));
-  // Across the true normal, as it is measured.
-  Eigen::ArrayXd off = Eigen::ArrayXd::Zero(trace.rows());
-  for (const char* axis : {"_x_world", "_y_world", "_z_world"})
-    off += (trace.column(std::string("tool") + axis) - trace.column(std::string("target") + axis))
-               .array()
-               .square();
-  const Eigen::ArrayXd above =
-      (fill.along_rows("tool", "surface_normal") - fill.along_rows("target", "surface_normal"))
-          .array();
-  fill.add_with_envelope("path_error", "m", (off - above.square()).max(0.0).sqrt());
+  const Places places(page, trace);
+  places.add(fill, "tool", "path");
+  places.add(fill, "target", "target");
+  fill.add_with_envelope("path_error", "m", off_target(trace));
   fill.add_with_envelope(
       "normal_error", "rad",
       fill.along_rows("believed_normal", "surface_normal").array().min(1.0).max(-1.0).acos());

@@ -77,6 +77,9 @@ struct PageSurface {
   /// m, half its side about the path's origin; infinite: it has no end.
   double extent = std::numeric_limits<double>::infinity();
   std::optional<PagePatch> patch = {};  ///< of a curved one as the plant has it
+  /// A curved one as the controller knows it. The tip touches at its radius along the normal there.
+  std::optional<Surface> known = {};
+  std::string frame = {};  ///< of the robot, that carries it; empty: the world
 };
 
 /// One entry per plan, or the fastest and slowest of a few that follow each other.
@@ -150,10 +153,11 @@ int page_stride(const Trace& trace, const Model& model, int record_every,
 
 /// Fills time, columns, envelopes, phases, duration and the solver's entries from a trace of
 /// ClosedLoop. Forces are taken along the surface's true axes, the path along its axes as the
-/// controller knows them. Robot, surface and path_origin_world have to be there. Throws Error for
-/// a column that is missing. Of a robot that stands the supports have to be there too, and columns
-/// of their wrenches, of its centre of mass and of its momentum about that come along; where the
-/// plant failed and left no state, they are NaN.
+/// controller knows them: of the place where the tip touches, seen from the surface, as if one that
+/// the robot carries stood where it starts. Robot, surface and path_origin_world have to be there.
+/// Throws Error for a column that is missing. Of a robot that stands the supports have to be there
+/// too, and columns of their wrenches, of its centre of mass and of its momentum about that come
+/// along; where the plant failed and left no state, they are NaN.
 void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSize& size = {});
 
 /// The figures of a run with what they mean; all of them, with no value, without metrics.

@@ -27,6 +27,18 @@ inline Eigen::VectorXd along_normal(const Trace& trace, const std::string& what)
   return sum;
 }
 
+/// Distance of the tool from its target across the surface's true normal, as it is in each row [m].
+inline Eigen::VectorXd off_target(const Trace& trace) {
+  Eigen::ArrayXd off = Eigen::ArrayXd::Zero(trace.rows());
+  for (const char* axis : {"_x_world", "_y_world", "_z_world"})
+    off += (trace.column(std::string("tool") + axis) - trace.column(std::string("target") + axis))
+               .array()
+               .square();
+  const Eigen::ArrayXd above =
+      (along_normal(trace, "tool") - along_normal(trace, "target")).array();
+  return (off - above.square()).max(0.0).sqrt();
+}
+
 /// First row of a phase and the one behind its last; equal if there is none.
 inline std::pair<Eigen::Index, Eigen::Index> rows_of_phase(const Trace& trace, double phase) {
   const Eigen::VectorXd phases = trace.column("phase");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace burnish {
@@ -14,5 +15,10 @@ std::map<std::string, std::filesystem::path> known_robots();
 /// Whether load_robot takes the name for a path whatever lies there: it has a slash in it, or ends
 /// in .urdf, .xml, .mjcf, .yaml or .yml, in capitals or not, with no variant behind.
 bool is_robot_path(const std::string& name);
+
+/// File of a robot without a variant: a path means what lies there; a bare name means a robot of
+/// robot_search_path(), and only then a file or folder of the working folder. Nothing where neither
+/// exists.
+std::optional<std::filesystem::path> robot_file(const std::string& name);
 
 }  // namespace burnish

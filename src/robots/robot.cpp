@@ -54,21 +54,6 @@ std::optional<fs::path> file_at(const fs::path& path) {
   return fs::exists(path, ignored) ? std::optional(path) : std::nullopt;
 }
 
-std::optional<fs::path> file_of(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  std::error_code ignored;
-  // A file beside that has a robot's name and no extension is not that robot.
-  if (is_robot_path(name) || fs::is_directory(name, ignored)) {
-    if (auto file = file_at(name)) return file;
-    if (is_robot_path(name)) return std::nullopt;
-  }
-  for (const fs::path& folder : robot_search_path()) {
-    if (!fs::is_directory(folder / name, ignored)) continue;
-    if (auto file = file_at(folder / name)) return file;
-  }
-  return fs::is_regular_file(name, ignored) ? std::optional<fs::path>(name) : std::nullopt;
-}
-
 template <class Value>
 std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
   std::vector<std::string> names;
@@ -96,12 +81,12 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& named) {
 }
 
 Place find_robot(const std::string& name) {
-  if (const auto file = file_of(name)) return {*file, ""};
+  if (const auto file = robot_file(name)) return {*file, ""};
   const std::size_t colon = name.rfind(':');
   if (colon == std::string::npos) refuse_name(name);
   const std::string robot = name.substr(0, colon);
   const std::string variant = name.substr(colon + 1);
-  const auto file = file_of(robot);
+  const auto file = robot_file(robot);
   if (!file) refuse_name(robot);
   if (variant.empty()) {
     throw Error("robot " + in_quotes(name) + " ends with a colon; wanted a variant behind it");
@@ -401,6 +386,19 @@ bool is_robot_path(const std::string& name) {
   const std::string extension = lower_extension(name);
   return name.find('/') != std::string::npos || extension == ".urdf" || extension == ".xml" ||
          extension == ".mjcf" || is_settings(name);
+}
+
+std::optional<fs::path> robot_file(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  std::error_code ignored;
+  if (is_robot_path(name)) return file_at(name);
+  // A file or folder of the working folder that has a known robot's name is not that robot.
+  for (const fs::path& folder : robot_search_path()) {
+    if (!fs::is_directory(folder / name, ignored)) continue;
+    if (auto file = file_at(folder / name)) return file;
+  }
+  return fs::is_directory(name, ignored) || fs::is_regular_file(name, ignored) ? file_at(name)
+                                                                               : std::nullopt;
 }
 
 std::vector<fs::path> robot_search_path() {

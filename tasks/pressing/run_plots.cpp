@@ -29,14 +29,13 @@ Curve thinned(Curve curve) {
 PlotSpec force_plot(const PlottedRun& run) {
   Trace room;
   const Trace& trace = seen_from_surface(run.run.trace, room);
-  const Eigen::Vector3d n = run.surface_axes.col(2);
-  const Eigen::VectorXd time = trace.column("time"), force = along(trace, "tool_force", n);
+  const Eigen::VectorXd time = trace.column("time"), force = along_normal(trace, "tool_force");
   const Eigen::VectorXd target = trace.column("target_force");
   const double dt = trace.rows() > 1 ? time[1] - time[0] : 1.0;
   const int width = samples_in(MetricsSpec{}.average, dt);
   const Eigen::VectorXd smooth = moving_mean(force, width);
   const std::string mean = width > 1 ? fmt::format("mean over {:g} ms", 1e3 * width * dt) : "true";
-  const Eigen::VectorXd estimated = along(trace, "estimated_force", n);
+  const Eigen::VectorXd estimated = along_normal(trace, "estimated_force");
   PlotSpec plot{.title = "Normal force, " + run.name};
   plot.panel_width = 900;
   const auto panel = [&](const std::string& title, Eigen::Index first, Eigen::Index last,
@@ -95,9 +94,8 @@ PlotSpec path_plot(const PlottedRun& run) {
       {.name = "target", .x = some(u_target), .y = some(w_target), .color = black, .dashed = true});
   plot.panels.push_back(std::move(panel));
   Panel off{.title = "distance from the target", .x_label = time_axis, .y_label = "[mm]"};
-  off.curves.push_back(
-      thinned({.x = trace.column("time").segment(from, size),
-               .y = ((u - u_target).cwiseAbs2() + (w - w_target).cwiseAbs2()).cwiseSqrt()}));
+  off.curves.push_back(thinned({.x = trace.column("time").segment(from, size),
+                                .y = 1e3 * off_target(trace).segment(from, size)}));
   plot.panels.push_back(std::move(off));
   return plot;
 }

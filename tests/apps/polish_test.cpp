@@ -1,8 +1,10 @@
 // burnish polish from outside: files, exit codes, bad input, Ctrl-C.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
+#include "record/page_data.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -46,6 +48,45 @@ TEST(Polish, WritesWhatItSays) {
       EXPECT_EQ(text.find("nan"), std::string::npos) << plot;
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "fault.txt"));
+  }
+}
+
+TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
+  for (const char* shape :
+       {"{kind: cylinder, radius: 0.2}", "{kind: sphere, radius: 0.3, hollow: true}"}) {
+    SCOPED_TRACE(shape);
+    const Scratch scratch;
+    const auto out = scratch.folder / "out";
+    const Outcome outcome =
+        run("polish --surface table --controller baseline --duration 1.2 --quiet "
+            "--set path.radius=0.05 --set path.start_up=0.3 --set path.rate=4 --set shape='" +
+            std::string(shape) + "' --out " + quoted(out));
+    if (outcome.err.find("this build has no MuJoCo") != std::string::npos ||
+        outcome.err.find("knows planes alone") != std::string::npos)
+      GTEST_SKIP() << "a curved surface needs MuJoCo";
+    EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+    const Json page = Json::parse(contents(out / "table_baseline" / "run.json"))["runs"][0];
+    const auto column = [&](const std::string& name) {
+      for (const Json& each : page["series"]["columns"])
+        if (each["name"] == name) return floats_of(each["data"]);
+      ADD_FAILURE() << name;
+      return std::vector<float>();
+    };
+    const std::vector<float> asked_u = floats_of(page["path"]["u"]),
+                             asked_w = floats_of(page["path"]["w"]);
+    const std::vector<float> u = column("path_u"), w = column("path_w"), phase = column("phase"),
+                             error = column("path_error");
+    float widest = 0.0F;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      if (phase[i] != 3.0F) continue;
+      float nearest = 1.0F;
+      for (std::size_t k = 0; k < asked_u.size(); ++k)
+        nearest = std::min(nearest, std::hypot(u[i] - asked_u[k], w[i] - asked_w[k]));
+      // Points asked for are 2 mm apart. The tip's centre is 3 mm or more off the point it touches.
+      EXPECT_LT(nearest, 1.2F * error[i] + 2e-3F);
+      widest = std::max(widest, std::hypot(u[i], w[i]));
+    }
+    EXPECT_NEAR(widest, 0.05F, 1e-3F);
   }
 }
 

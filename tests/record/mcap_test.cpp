@@ -323,5 +323,25 @@ TEST(Mcap, ARunIsThereWithItsFramesForcesAndFigures) {
   std::filesystem::remove(file);
 }
 
+TEST(Mcap, CurvedSurface_Target_IsTheTipOnIt) {
+  const std::filesystem::path file = scratch_file();
+  RunPage run = page_of_run(400, 10);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Surface surface(SurfaceShape::parse("sphere:0.2"),
+                        run.path_origin_world - run.tip_radius * up, up);
+  run.surface.known = surface;
+  write_run_mcap(run, file);
+  int poses = 0;
+  for (const Message& message : Reader(file).messages) {
+    if (message.topic != "/target_pose") continue;
+    const Json& p = message.json["pose"]["position"];
+    const Eigen::Vector3d tip(p["x"].get<double>(), p["y"].get<double>(), p["z"].get<double>());
+    EXPECT_NEAR(surface.at(tip).distance, run.tip_radius, 1e-9);
+    ++poses;
+  }
+  EXPECT_GT(poses, 10);
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace burnish::testing

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "record/figures_json.hpp"
+#include "record/mesh_file.hpp"
 #include "record/page_data.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
@@ -51,6 +52,17 @@ TEST(RunFiles, AreThoseOfAnyTask) {
   EXPECT_EQ(figures["metrics"]["position_rmse_m"], 0.0);
   EXPECT_TRUE(figures["metrics"]["overshoot_N"].is_null());
   EXPECT_FALSE(figures["metrics"].contains("solver"));
+}
+
+TEST(RobotFolders, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
+  const Scratch scratch;
+  scratch.write("arm7/robot.yaml", "urdf: arm7.urdf\n");
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch.folder);
+  EXPECT_EQ(robot_folder("arm7").parent_path().filename(), "robots");
+  EXPECT_EQ(robot_folder("./arm7"), fs::current_path() / "." / "arm7");
+  EXPECT_EQ(robot_folder("nowhere"), fs::path());
+  fs::current_path(before);
 }
 
 TEST(RunFiles, HavePlotsWhereThereIsNoPageOrTheyAreAskedFor) {

@@ -197,6 +197,89 @@ TEST(RunPage, CurvedSurfacesAreGridsOfTheirPoints) {
   EXPECT_TRUE(Json::parse(run_page_json(page_of_run()))["surface"]["patch"].is_null());
 }
 
+/// A trace with other places of tool and target in every row, and with further columns.
+template <class Change>
+Trace changed_trace(const Trace& trace, const std::vector<std::string>& more,
+                    const Change& change) {
+  std::vector<TraceColumn> columns = trace.columns();
+  for (const std::string& name : more) columns.push_back({name, "m"});
+  Trace changed(columns, trace.rows());
+  for (int row = 0; row < trace.rows(); ++row) {
+    double* const values = changed.add_row();
+    for (std::size_t c = 0; c < trace.columns().size(); ++c)
+      values[c] = trace.at(row, static_cast<int>(c));
+    const auto set = [&](const std::string& name, const Eigen::Vector3d& v) {
+      Eigen::Map<Eigen::Vector3d>(values + changed.index(name)) = v;
+    };
+    change(row, set);
+  }
+  return changed;
+}
+
+/// The largest distance of a page's rows from a circle of 50 mm about the path's origin [m].
+double largest_off_circle(const RunPage& page, const char* u, const char* w) {
+  const Json run = Json::parse(run_page_json(page));
+  const std::vector<float> along = floats_of(named(run["series"]["columns"], u)["data"]);
+  const std::vector<float> across = floats_of(named(run["series"]["columns"], w)["data"]);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < along.size(); ++i)
+    largest = std::max(largest, std::abs(std::hypot(along[i], across[i]) - 0.05));
+  return largest;
+}
+
+TEST(RunPage, CurvedSurface_TipOverItsPath_IsDrawnOnThePath) {
+  for (const char* text :
+       {"plane", "sphere:0.3", "sphere:0.2:hollow", "cylinder:0.2", "cylinder:0.2:hollow",
+        "cone:0.2:0.3", "torus:0.1:0.5", "ellipsoid:0.4:0.3:0.3", "saddle:1:-2", "ridge"}) {
+    SCOPED_TRACE(text);
+    RunPage page = page_of_run();
+    const Eigen::Vector3d up = Eigen::Vector3d(0.1, -0.2, 1.0).normalized();
+    page.surface.axes = Reference::surface_with_normal(up).rotation;
+    const Eigen::Vector3d point = page.path_origin_world - page.tip_radius * up;
+    const Surface surface(SurfaceShape::parse(text), point, up);
+    if (!surface.shape().is_flat()) page.surface.known = surface;
+    const Trace trace =
+        changed_trace(page_trace(page.robot.model, 500), {}, [&](int row, const auto& set) {
+          const Eigen::Vector2d circle(0.05 * std::cos(0.02 * row), 0.05 * std::sin(0.02 * row));
+          const Eigen::Vector3d on =
+              surface.along_normal(point + page.surface.axes.leftCols<2>() * circle);
+          const Eigen::Vector3d center = on + page.tip_radius * surface.at(on).normal;
+          set("tool_x_world", center);
+          set("target_x_world", center);
+        });
+    add_trace(page, trace, 1);
+    EXPECT_LT(largest_off_circle(page, "path_u", "path_w"), 1e-7);
+    EXPECT_LT(largest_off_circle(page, "target_u", "target_w"), 1e-7);
+  }
+}
+
+TEST(RunPage, SurfaceThatTheRobotCarries_TipOverItsPath_IsDrawnOnThePath) {
+  RunPage page = page_of_run();
+  const Eigen::Vector3d origin = page.path_origin_world;
+  const Trace trace = changed_trace(
+      page_trace(page.robot.model, 500),
+      {"surface_x_world", "surface_y_world", "surface_z_world", "surface_rx_world",
+       "surface_ry_world", "surface_rz_world", "push_x_world", "push_y_world", "push_z_world"},
+      [&](int row, const auto& set) {
+        const Eigen::Vector3d turned(0.0, 0.3, 0.2 + 1e-3 * row);
+        const Eigen::Vector3d place(0.1, 1e-3 * row, 0.2);
+        const auto rotation = [](const Eigen::Vector3d& v) {
+          return Eigen::AngleAxisd(v.norm(), v.normalized()).toRotationMatrix();
+        };
+        const Eigen::Vector3d at_start =
+            origin + Eigen::Vector3d(0.05 * std::cos(0.02 * row), 0.05 * std::sin(0.02 * row), 0.0);
+        const Eigen::Vector3d held = rotation(Eigen::Vector3d(0.0, 0.3, 0.2)).transpose() *
+                                     (at_start - Eigen::Vector3d(0.1, 0.0, 0.2));
+        set("surface_x_world", place);
+        set("surface_rx_world", turned);
+        set("tool_x_world", place + rotation(turned) * held);
+        set("target_x_world", place + rotation(turned) * held);
+      });
+  add_trace(page, trace, 1);
+  EXPECT_LT(largest_off_circle(page, "path_u", "path_w"), 1e-7);
+  EXPECT_LT(largest_off_circle(page, "target_u", "target_w"), 1e-7);
+}
+
 /// The rows of a run of a robot that stands, with a tool's columns from those of page_trace().
 void fill_that_stands(RunPage& page, const StandingTrace& standing,
                       const StandingTrace::Change& change) {

@@ -176,6 +176,21 @@ TEST_F(RobotFolder, SearchesInOrder) {
   EXPECT_EQ(load_robot("smallarm").model.nv, 2);
 }
 
+TEST_F(RobotFolder, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
+  fs::create_directories(folder_ / "here" / "smallarm");
+  fs::create_directories(folder_ / "here" / "ownarm");
+  for (const char* name : {"here/smallarm/", "here/ownarm/"}) {
+    write(name + std::string("arm.urdf"), arm_urdf);
+    write(name + std::string("robot.yaml"), "urdf: arm.urdf\nlock: [slide]\n");
+  }
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_ / "here");
+  EXPECT_EQ(load_robot("smallarm").model.nv, 2);
+  EXPECT_EQ(load_robot("./smallarm").model.nv, 1);
+  EXPECT_EQ(load_robot("ownarm").model.nv, 1) << "no other robot has that name";
+  fs::current_path(before);
+}
+
 struct BadSettings {
   std::string name;
   std::string yaml;

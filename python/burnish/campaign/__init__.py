@@ -14,7 +14,6 @@ back by the scheduler. docs/campaigns.md says more."""
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -22,7 +21,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Union
 
 from . import _parts
 from ._bar import Bar
-from ._dask import TOGETHER, Job, dask, hand_over, make_runs
+from ._dask import TOGETHER, Job, dask, find_program, hand_over, make_runs
 from ._points import Point
 from ._results import CampaignError, RunFolder, list_runs
 from ._sweep import Row, Shard, SweepResult, make_sweep, read_sweep
@@ -37,13 +36,14 @@ __all__ = ["CampaignError", "Outcome", "Point", "Row", "SweepResult", "Tuned", "
 
 def program() -> str:
     """The program burnish: the one in BURNISH_PROGRAM, in the build that this package is of, beside
-    this Python, or in PATH. Raises CampaignError where there is none."""
-    built = Path(__file__).resolve().parents[3] / "apps" / "burnish" / "burnish"
-    beside = Path(sys.executable).parent / "burnish"
-    found = os.environ.get("BURNISH_PROGRAM") or shutil.which("burnish")
-    for place in (beside, built):
-        if not os.environ.get("BURNISH_PROGRAM") and os.access(place, os.X_OK):
-            found = str(place)
+    this Python, or in an absolute folder of PATH. Raises CampaignError where there is none."""
+    package = Path(__file__).resolve().parents[1]
+    build = package.parents[1] if package.parent.name == "python" else None
+    places = [build / "apps" / "burnish" / "burnish"] if build and (build / "CMakeCache.txt").is_file() else []
+    if sys.executable:
+        places.append(Path(sys.executable).parent / "burnish")
+    beside = [str(place) for place in places if place.is_file() and os.access(place, os.X_OK)]
+    found = os.environ.get("BURNISH_PROGRAM") or (beside[0] if beside else find_program("burnish"))
     if not found:
         raise CampaignError("the program burnish is not there (Debian: the package burnish); wanted it in "
                             "PATH, or named by BURNISH_PROGRAM")

@@ -22,24 +22,33 @@ TOGETHER = 6.0
 """s of computing that runs of an experiment are handed over for at once"""
 
 
+def find_program(name: str) -> Optional[str]:
+    """The program of this name in PATH. Relative entries, and empty ones, would mean the working folder,
+    and are left out. Sent to workers by value."""
+    import os
+    import shutil
+
+    folders = [entry for entry in os.environ.get("PATH", os.defpath).split(os.pathsep) if os.path.isabs(entry)]
+    return shutil.which(name, path=os.pathsep.join(folders)) if folders else None
+
+
 def make_runs(program: str, words: List[str], folder: str, numbers: List[int], count: int, names: List[str],
               limit: float, clock: float) -> Dict[str, Result]:
     """What a worker does: some runs, shards of one run each, in a process of its own that ends with its
     time. Sent by value: workers need the program and Dask, and no Python package of burnish."""
     import os
     import pathlib
-    import shutil
     import subprocess
     import tempfile
 
-    found = program if os.access(program, os.X_OK) else shutil.which("burnish")
+    found = program if os.access(program, os.X_OK) else find_program("burnish")
     if found is None:
         raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
                            f"or as '{program}'")
     there: str = found
     with tempfile.TemporaryDirectory(prefix="burnish_") as scratch:
         def attempt(to: pathlib.Path, which: List[int], seconds: float, of_clock: float) -> Any:
-            command = ["timeout", "-k", "10", str(of_clock), there, *words, "--shard",
+            command = [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(of_clock), there, *words, "--shard",
                        f"{','.join(map(str, which))}/{count}", "--threads", "1", "--quiet", "--out", str(to)]
             if seconds > 0:
                 command += ["--time-limit", str(seconds)]
@@ -91,7 +100,8 @@ def dask() -> Any:
 
 def _by_value(function: Callable[..., Any]) -> None:
     cloudpickle = importlib.import_module("cloudpickle")
-    cloudpickle.register_pickle_by_value(sys.modules[function.__module__])
+    for module in {function.__module__, find_program.__module__}:
+        cloudpickle.register_pickle_by_value(sys.modules[module])
 
 
 @dataclass

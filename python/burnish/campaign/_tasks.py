@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 import burnish
 
 from .. import _core
-from ._dask import Job, Limit, Result, hand_over
+from ._dask import Job, Limit, Result, find_program, hand_over
 from ._results import CampaignError, Listed
 
 
@@ -104,11 +104,10 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
     import json
     import os
     import pathlib
-    import shutil
     import subprocess
     import tempfile
 
-    found = program if os.access(program, os.X_OK) else shutil.which("burnish")
+    found = program if os.access(program, os.X_OK) else find_program("burnish")
     if found is None:
         raise RuntimeError(f"the worker on {os.uname().nodename} has no burnish; wanted it in its PATH, "
                            f"or as '{program}'")
@@ -118,7 +117,7 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
         words_said = pathlib.Path(scratch) / "said"
         with open(words_said, "w") as errors:
             process = subprocess.Popen(
-                ["timeout", "-k", "10", str(clock), found, words[0], str(task), *words[1:], "--no-page", "--quiet",
+                [find_program("timeout") or "/usr/bin/timeout", "-k", "10", str(clock), found, words[0], str(task), *words[1:], "--no-page", "--quiet",
                  "--record-every", "1000000", "--out", str(pathlib.Path(scratch) / "out")],
                 cwd=folder if os.path.isdir(folder) else None, stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL, stderr=errors)

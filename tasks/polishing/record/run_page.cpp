@@ -79,6 +79,7 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
         scene.surface,
         surface_placement(result.setting.robot.model, result.setting.q_start, scene.surface));
   pressing::add_run(page, result, scene, task.disturbances, record_every);
+  page.surface.frame = result.setting.scene.surface.frame;
   return page;
 }
 
