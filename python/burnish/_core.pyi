@@ -58,10 +58,12 @@ from .model import (
     Frame,
     InertiaSpec,
     Joint,
+    JointConvention,
     Loop,
     ModelOptions,
     Posture,
     RobotOverrides,
+    StatedJoint,
     Tendon,
     TreeSpec,
     Visual,
@@ -88,6 +90,8 @@ class Model:
     def gravity(self) -> Array: ...  # (3,)
     @property
     def locked_joints(self) -> List[str]: ...
+    @property
+    def stated_joints(self) -> List[StatedJoint]: ...
     @property
     def warnings(self) -> List[str]: ...
     @property
@@ -158,6 +162,28 @@ def random_configuration(
 ) -> Array: ...  # (nq,) or (count, nq)
 def check_configuration(model: Model, q: ArrayLike, argument: str = "q") -> None: ...
 def check_tangent(model: Model, v: ArrayLike, argument: str = "v") -> None: ...
+
+class JointOrder:
+    def __init__(
+        self,
+        model: Model,
+        names: Sequence[str],
+        convention: Union[JointConvention, str] = JointConvention.ANGLES,
+    ) -> None: ...
+    @staticmethod
+    def mujoco(model: Model) -> JointOrder: ...
+    @property
+    def names(self) -> List[str]: ...
+    @property
+    def nq(self) -> int: ...
+    @property
+    def nv(self) -> int: ...
+    def q_from(self, positions: ArrayLike, tolerance: float = 0.01) -> Array: ...  # (nq,)
+    def q_to(self, q: ArrayLike) -> Array: ...
+    def v_from(self, velocities: ArrayLike, q: ArrayLike) -> Array: ...  # (nv,)
+    def v_to(self, v: ArrayLike, q: ArrayLike) -> Array: ...
+    def tau_from(self, torques: ArrayLike, q: ArrayLike) -> Array: ...  # (nv,)
+    def tau_to(self, tau: ArrayLike, q: ArrayLike) -> Array: ...
 
 # (end of model)
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import (
+    JointOrder,
     Model,
     Robot,
     build_model,
@@ -32,12 +33,12 @@ from ._spec import Spec, items
 
 __all__ = [
     "Base", "BoxShape", "CylinderShape", "Following", "Frame", "FrameKind", "FrameSpec", "InertiaSpec", "Joint",
-    "JointKind", "JointSpec", "JointType", "LinkSpec", "Loop", "LoopSpec", "MeshShape", "MimicSpec", "Model",
-    "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape", "SphereShape", "Tendon",
-    "TendonEntry", "TendonPart", "TendonSpec", "TreeSpec",
-    "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
-    "difference", "integrate", "load_robot", "normalized", "parse_mjcf",
-    "parse_urdf", "placement", "random_configuration", "read_mjcf", "read_urdf", "robot_search_path", "tangent_map",
+    "JointConvention", "JointKind", "JointOrder", "JointSpec", "JointType", "LinkSpec", "Loop", "LoopSpec",
+    "MeshShape", "MimicSpec", "Model", "ModelOptions", "Posture", "Robot", "RobotOverrides", "Shape",
+    "SiblingOrder", "SphereShape", "StatedJoint", "Tendon", "TendonEntry", "TendonPart", "TendonSpec",
+    "TreeSpec", "Visual", "VisualSpec", "build_model", "check_configuration", "check_tangent", "configuration",
+    "difference", "integrate", "load_robot", "normalized", "parse_mjcf", "parse_urdf", "placement",
+    "random_configuration", "read_mjcf", "read_urdf", "robot_search_path", "tangent_map",
 ]
 
 Posture = Dict[str, List[float]]

@@ -1,6 +1,7 @@
 // Robots: descriptions, compiled models, configurations.
 #include "bind.hpp"
 #include "burnish/mjcf/mjcf.hpp"
+#include "burnish/model/joint_order.hpp"
 #include "burnish/model/state.hpp"
 #include "burnish/urdf/urdf.hpp"
 #include "specs_model.hpp"
@@ -34,6 +35,7 @@ void for_each_member(Visit&& visit) {
   visit("joint_of_v", &Model::joint_of_v);
   visit("parent_of_v", &Model::parent_of_v);
   visit("locked_joints", &Model::locked_joints);
+  visit("stated_joints", &Model::stated_joints);
   visit("warnings", &Model::warnings);
   visit("notes", &Model::notes);
   visit("support_entries", &Model::support_entries);
@@ -216,6 +218,50 @@ void bind_configurations(py::module_& m) {
       "Raises Error with a sentence if v has not nv finite entries.");
 }
 
+void bind_joint_order(py::module_& m) {
+  py::class_<JointOrder>(
+      m, "JointOrder",
+      "Maps vectors between a list of joint names and a model: q, v and tau of another program to "
+      "those of the model, and back. Followers and held joints may be in the list; the model has "
+      "no entries for them.")
+      .def(
+          py::init<const Model&, std::vector<std::string>, JointConvention>(), py::arg("model"),
+          py::arg("names"), py::arg("convention") = JointConvention::Angles,
+          "Order of `names`; `convention` is \"angles\", \"same\" or \"mujoco\". Raises Error with "
+          "the nearest known name for a joint that the model does not have, and for a name that is "
+          "empty or listed twice.")
+      .def_static("mujoco", &JointOrder::mujoco, py::arg("model"),
+                  "Order and values of MuJoCo's qpos, qvel and qfrc for a model that was read from "
+                  "MJCF.")
+      .def_property_readonly("names", &JointOrder::names, "As given.")
+      .def_property_readonly("nq", &JointOrder::nq, "Entries of a vector of positions.")
+      .def_property_readonly("nv", &JointOrder::nv, "Entries of a vector of velocities or torques.")
+      .def("q_from", &JointOrder::q_from, py::arg("positions"),
+           py::arg("tolerance") = coupling_tolerance,
+           "q of the model (nq,). Raises Error for a wrong size, a number that is not finite, a "
+           "joint of the model that the names leave out, and a follower or held joint that is "
+           "further than `tolerance` (rad or m) from where the model has it.")
+      .def("q_to", &JointOrder::q_to, py::arg("q"),
+           "Positions in this order; of followers and held joints where the model has them.")
+      .def("v_from", &JointOrder::v_from, py::arg("velocities"), py::arg("q"),
+           "v of the model (nv,) at its configuration q. Velocities of followers and held joints "
+           "are passed over.")
+      .def(
+          "v_to", &JointOrder::v_to, py::arg("v"), py::arg("q"),
+          "Velocities in this order: of held joints zero, of followers as their leaders move them.")
+      .def("tau_from", &JointOrder::tau_from, py::arg("torques"), py::arg("q"),
+           "tau of the model (nv,) at its configuration q: zero for joints that the names leave "
+           "out. "
+           "The torque of a follower, times its multiplier, is added to its leader's.")
+      .def("tau_to", &JointOrder::tau_to, py::arg("tau"), py::arg("q"),
+           "Torques in this order: of followers and held joints zero.")
+      .def("__repr__", [](const JointOrder& order) {
+        return "<JointOrder: " + std::to_string(order.names().size()) +
+               " joints, nq = " + std::to_string(order.nq()) +
+               ", nv = " + std::to_string(order.nv()) + ">";
+      });
+}
+
 void bind_descriptions(py::module_& m) {
   m.def(
       "build_model",
@@ -320,6 +366,10 @@ void bind_model(py::module_& m) {
           "gravity", [](const Model& self) { return self.gravity; }, "(3,), m/s^2, world.")
       .def_readonly("locked_joints", &Model::locked_joints,
                     "Moving joints of the description that were locked.")
+      .def_property_readonly(
+          "stated_joints", [](const Model& self) { return self.stated_joints; },
+          "All joints with a position in the description, followers and held ones too, in the "
+          "order of `joints`.")
       .def_readonly("warnings", &Model::warnings,
                     "What is odd about the description but computes, one sentence each.")
       .def_readonly("notes", &Model::notes,
@@ -342,6 +392,7 @@ void bind_model(py::module_& m) {
 
   bind_descriptions(m);
   bind_configurations(m);
+  bind_joint_order(m);
   bind_robot(m);
 }
 

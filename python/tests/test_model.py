@@ -245,6 +245,40 @@ class TestDescriptions:
         with pytest.raises(burnish.Error, match="here.xml"):
             burnish.parse_mjcf("<mujoco", source="here.xml")
 
+    def test_of_mjcf_have_the_order_of_qpos(self) -> None:
+        tree = burnish.parse_mjcf(
+            '<mujoco><worldbody><body name="z"><freejoint name="base"/><geom size="0.1"/><body name="y">'
+            '<joint name="first"/><geom size="0.1"/></body><body name="x"><joint name="afterwards"/>'
+            '<geom size="0.1"/></body><body name="w"><joint name="held"/><geom size="0.1"/></body></body>'
+            '</worldbody><equality><joint joint1="held" polycoef="0.3 0 0 0 0"/></equality></mujoco>')
+        assert tree.sibling_order is burnish.SiblingOrder.AS_LISTED
+        model = burnish.build_model(tree)
+        assert [j.name for j in model.joints] == ["base", "first", "afterwards"]
+        assert [j.name for j in model.stated_joints] == ["base", "first", "afterwards", "held"]
+        assert model.stated_joints[3].joint == -1 and model.stated_joints[3].held == [0.3]
+        order = burnish.JointOrder.mujoco(model)
+        qpos = np.array([1.0, 2.0, 3.0, 0.8, 0.0, 0.0, 0.6, 0.1, 0.2, 0.3])
+        q = order.q_from(qpos)
+        np.testing.assert_allclose(q, [1.0, 2.0, 3.0, 0.0, 0.0, 0.6, 0.8, 0.1, 0.2])
+        np.testing.assert_allclose(order.q_to(q), qpos)
+        v = order.v_from(np.arange(9.0), q)
+        np.testing.assert_allclose(order.v_to(v, q), [0, 1, 2, 3, 4, 5, 6, 7, 0], atol=1e-14)
+        assert pickle.loads(pickle.dumps(model)) == model
+
+    def test_take_vectors_of_other_orders_by_name(self) -> None:
+        model = burnish.load_robot("arm7").model
+        names = [f"joint_{k}" for k in (7, 6, 5, 4, 3, 2, 1)]
+        order = burnish.JointOrder(model, names)
+        values = np.arange(7.0) / 10.0
+        np.testing.assert_array_equal(order.q_from(values), values[::-1])
+        np.testing.assert_array_equal(order.tau_to(values, model.q_neutral), values[::-1])
+        part = burnish.JointOrder(model, names[:2], "mujoco")
+        np.testing.assert_array_equal(part.tau_from([1.0, 2.0], model.q_neutral), [0, 0, 0, 0, 0, 2, 1])
+        with pytest.raises(burnish.Error, match="leaves out joints 'joint_1'"):
+            part.q_from([0.0, 0.0])
+        with pytest.raises(burnish.Error, match="did you mean 'joint_1'"):
+            burnish.JointOrder(model, ["jiont_1"])
+
     def test_keep_shapes_to_draw(self) -> None:
         tree = two_links(joint(JointType.FIXED))
         shapes = [burnish.BoxShape([1.0, 2.0, 3.0]), burnish.CylinderShape(0.5, 2.0),

@@ -143,7 +143,7 @@ void fix(JointSpec& joint, double value, Reading& reading) {
   joint.placement = joint.placement * displacement(joint, std::vector<double>{value});
   joint.type = JointType::Fixed;
   joint.mimic.reset();
-  reading.held_at[joint.name] = value;
+  joint.held = {value};
   for (TendonSpec& tendon : reading.tree.tendons) {
     for (const TendonSpec::Part& part : tendon.parts)
       if (part.joint == joint.name) tendon.rest -= part.coefficient * value;
@@ -172,11 +172,11 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {
-    const double value = reading.held_at.at(second.name);
+    const double value = second.held.front();
     return hold(first, (value - coupling.offset) / coupling.multiplier, item, reading);
   }
   if (second.type != JointType::Fixed) {
-    const double value = reading.held_at.at(first.name);
+    const double value = first.held.front();
     return hold(second, coupling.multiplier * value + coupling.offset, item, reading);
   }
   reading.said.note("equalities of joints that are held already are passed over",

@@ -216,6 +216,7 @@ TreeSpec read_model(const std::string& xml, const std::string& name,
   TreeSpec& tree = reading.tree;
   tree.source = name;
   tree.name = model_name(reading);
+  tree.sibling_order = SiblingOrder::AsListed;
   const Sections& sections = reading.part_of(reading.source.root()).sections;
   if (!sections.contains("worldbody"))
     refuse(name, "it has no <worldbody>; the bodies of a robot were wanted in one");

@@ -92,7 +92,6 @@ struct Reading {
   std::map<std::string, Eigen::Isometry3d> link_at_start;  ///< in the world at qpos0
   std::map<std::string, std::size_t> joint_by_name;
   std::vector<Coordinate> coordinates;
-  std::map<std::string, double> held_at;  ///< values of joints that equalities hold
   std::vector<Drawn> drawn;
   std::map<std::string, int> passed_over;  ///< elements that say nothing here, by name
 

@@ -1,6 +1,7 @@
 // Compiling a tree: one walk over the links lumps what is fixed together into bodies and places
 // every frame; the tables over q and v follow from the joints.
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include "burnish/model/model.hpp"
@@ -32,31 +33,15 @@ struct Walk {
   std::unordered_map<std::string, const LinkSpec*> link_by_name;
   std::unordered_map<std::string, std::vector<const JointSpec*>> joints_below;  // by parent link
   std::vector<const JointSpec*> spec_of_joint;  // nullptr for a free-flying base
+  const std::map<std::string, StatedJoint>& held;
 };
 
-JointKind kind_of(JointType type) {
-  switch (type) {
-    case JointType::Revolute:
-      return JointKind::Revolute;
-    case JointType::Continuous:
-      return JointKind::Continuous;
-    case JointType::Prismatic:
-      return JointKind::Prismatic;
-    case JointType::Planar:
-      return JointKind::Planar;
-    case JointType::Ball:
-      return JointKind::Ball;
-    case JointType::Fixed:
-    case JointType::Floating:
-      break;
-  }
-  return JointKind::FreeFlyer;
-}
-
-Walk prepare(const TreeSpec& tree, const ModelOptions& options) {
-  Walk walk{tree, options, {}, {}, {}};
+Walk prepare(const LockedTree& locked, const ModelOptions& options) {
+  const TreeSpec& tree = locked.tree;
+  Walk walk{tree, options, {}, {}, {}, locked.held};
   for (const LinkSpec& link : tree.links) walk.link_by_name.emplace(link.name, &link);
   for (const JointSpec& joint : tree.joints) walk.joints_below[joint.parent_link].push_back(&joint);
+  if (tree.sibling_order == SiblingOrder::AsListed) return walk;
   for (auto& [parent, joints] : walk.joints_below) {
     std::sort(joints.begin(), joints.end(),
               [](const JointSpec* a, const JointSpec* b) { return a->name < b->name; });
@@ -81,6 +66,8 @@ int add_joint(Walk& walk, Model& model, const JointSpec* spec, Joint joint) {
   joint.v_index = model.nv;
   model.nq += joint.nq;
   model.nv += joint.nv;
+  model.stated_joints.push_back(
+      {joint.name, joint.kind, static_cast<int>(model.joints.size()), {}});
   model.joints.push_back(std::move(joint));
   walk.spec_of_joint.push_back(spec);
   return static_cast<int>(model.joints.size()) - 1;
@@ -111,7 +98,7 @@ void lump(Joint& body, const InertiaSpec& link, const Eigen::Isometry3d& link_in
 }
 
 /// The link's mass, frame and solids go to the body; the joints below it wait for their turn, the
-/// first by name on top.
+/// first on top.
 void place_link(Walk& walk, Model& model, const LinkSpec& link, int body,
                 const Eigen::Isometry3d& link_in_body, std::vector<Pending>& stack) {
   model.frames.push_back({link.name, FrameKind::Link, body, link_in_body});
@@ -158,6 +145,8 @@ void place_child(Walk& walk, Model& model, const Pending& pending, std::vector<P
     joint.placement = link_in_body * turn;
     body = add_joint(walk, model, &spec, std::move(joint));
     link_in_body = turn.inverse();
+  } else if (const auto held = walk.held.find(spec.name); held != walk.held.end()) {
+    model.stated_joints.push_back(held->second);
   }
   model.frames.push_back({spec.name, FrameKind::Joint, body, link_in_body});
   place_link(walk, model, *walk.link_by_name.at(spec.child_link), body, link_in_body, stack);
@@ -287,7 +276,7 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   findings.refuse_problems();
   check_options(tree, options);
   LockedTree locked = lock_joints(tree, options);
-  Walk walk = prepare(locked.tree, options);
+  Walk walk = prepare(locked, options);
   Model model;
   model.name = tree.name;
   model.gravity = options.gravity;

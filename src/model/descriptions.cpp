@@ -36,6 +36,27 @@ const Words& words_of(Base /*of*/) {
   return all;
 }
 
+const Words& words_of(SiblingOrder /*of*/) {
+  static const Words all{"model",
+                         "SiblingOrder",
+                         "Order in a Model of joints that share a parent link.",
+                         {{"by_name"}, {"as_listed"}}};
+  return all;
+}
+
+const Words& words_of(JointConvention /*of*/) {
+  static const Words all{
+      "model",
+      "JointConvention",
+      "How vectors of another program write the joints.",
+      {{"angles", "one angle of a continuous joint; else as in q, v and tau here"},
+       {"same", "as in q, v and tau here, (cos, sin) of a continuous joint included"},
+       {"mujoco",
+        "one angle of a continuous joint; quaternions w x y z; the linear velocity of a floating "
+        "joint along the axes of its parent"}}};
+  return all;
+}
+
 const Description& description_of(const InertiaSpec* /*of*/) {
   using I = InertiaSpec;
   static const Description all =
@@ -142,6 +163,9 @@ const Description& description_of(const JointSpec* /*of*/) {
           .field("rest", &J::rest,
                  "where that spring is at rest, {rad} or m; a ball's is at no rotation")
           .field("mimic", &J::mimic)
+          .field("held", &J::held,
+                 "Value of a fixed joint that moves in the description and is held there, as "
+                 "equalities of MJCF hold hinges and slides, {rad} or m; empty of others.")
           .field("line", &J::line, "of the file, for sentences about it; 0: none");
   return all;
 }
@@ -205,6 +229,9 @@ const Description& description_of(const TreeSpec* /*of*/) {
                  "file it was read from, used in error sentences; may be empty")
           .field("links", &T::links)
           .field("joints", &T::joints)
+          .field("sibling_order", &T::sibling_order,
+                 "Order in the Model of joints that share a parent link: by name as of URDF, or as "
+                 "in `joints`, as of MJCF.")
           .field("loops", &T::loops)
           .field("tendons", &T::tendons)
           .field("frames", &T::frames, "that the file names beside links and joints")
@@ -285,6 +312,20 @@ const Description& description_of(const Joint* /*of*/) {
           .field("com", &J::com, "of the body, in the joint frame, m")
           .field("inertia_at_com", &J::inertia_at_com, "of the body, about com, joint axes, kg m^2")
           .field("follows", &J::follows);
+  return all;
+}
+
+const Description& description_of(const StatedJoint* /*of*/) {
+  using S = StatedJoint;
+  static const Description all =
+      Describe<S>("model", "StatedJoint",
+                  "A joint that has a position in the description: it moves in the model too, or "
+                  "is held.")
+          .result()
+          .field("name", &S::name)
+          .field("kind", &S::kind)
+          .field("joint", &S::joint, "index in Model.joints, -1: held")
+          .field("held", &S::held, "where it is held, in the coordinates of a Posture");
   return all;
 }
 

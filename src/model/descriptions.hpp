@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/description.hpp"
+#include "burnish/model/joint_order.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -9,6 +10,8 @@ const Words& words_of(JointKind);
 const Words& words_of(JointType);
 const Words& words_of(FrameKind);
 const Words& words_of(Base);
+const Words& words_of(SiblingOrder);
+const Words& words_of(JointConvention);
 const Description& description_of(const InertiaSpec*);
 const Description& description_of(const BoxShape*);
 const Description& description_of(const CylinderShape*);
@@ -26,6 +29,7 @@ const Description& description_of(const FrameSpec*);
 const Description& description_of(const ModelOptions*);
 const Description& description_of(const Following*);
 const Description& description_of(const Joint*);
+const Description& description_of(const StatedJoint*);
 const Description& description_of(const Tendon::Entry*);
 const Description& description_of(const Tendon*);
 const Description& description_of(const Frame*);

@@ -108,11 +108,13 @@ LockedTree lock_joints(const TreeSpec& stated_tree, const ModelOptions& options)
   choose_locked(locking);
   check_posture(locking);
   Courses courses(tree, locking.joint_by_name, locking.locked, options.posture);
-  LockedTree result{tree, {}};
+  LockedTree result{tree, {}, {}};
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const JointSpec& stated = tree.joints[i];
     JointSpec& joint = result.tree.joints[i];
     joint.mimic.reset();
+    if (!stated.held.empty())
+      result.held[stated.name] = {stated.name, JointKind::Revolute, -1, stated.held};
     if (!moves(stated)) continue;
     bool is_locked = locking.locked.contains(stated.name);
     if (stated.mimic && !is_locked) {
@@ -122,7 +124,9 @@ LockedTree lock_joints(const TreeSpec& stated_tree, const ModelOptions& options)
         joint.mimic = MimicSpec{course.leader->name, course.multiplier, course.offset};
     }
     if (!is_locked) continue;
-    joint.placement = joint.placement * displacement(joint, locked_value(locking, stated, courses));
+    const std::vector<double> value = locked_value(locking, stated, courses);
+    joint.placement = joint.placement * displacement(joint, value);
+    result.held[stated.name] = {stated.name, kind_of(stated.type), -1, value};
     joint.type = JointType::Fixed;
     result.locked.push_back(joint.name);
   }

@@ -1,6 +1,7 @@
 // Turning joints into fixed ones before a tree is compiled.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace burnish {
 struct LockedTree {
   TreeSpec tree;
   std::vector<std::string> locked;
+  std::map<std::string, StatedJoint> held;  ///< by name: those locked and those that the tree holds
 };
 
 /// Locks what the options ask for, and what follows it. Assumes that the tree passed its checks.

@@ -20,6 +20,25 @@ Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis) {
   return shortest * Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
 }
 
+JointKind kind_of(JointType type) {
+  switch (type) {
+    case JointType::Revolute:
+      return JointKind::Revolute;
+    case JointType::Continuous:
+      return JointKind::Continuous;
+    case JointType::Prismatic:
+      return JointKind::Prismatic;
+    case JointType::Planar:
+      return JointKind::Planar;
+    case JointType::Ball:
+      return JointKind::Ball;
+    case JointType::Fixed:
+    case JointType::Floating:
+      break;
+  }
+  return JointKind::FreeFlyer;
+}
+
 std::size_t posture_size(JointType type) {
   switch (type) {
     case JointType::Fixed:

@@ -18,6 +18,9 @@ inline constexpr double posture_tolerance = 1e-3;
 /// Rotation that takes z to the unit vector `axis`; the identity for z itself.
 Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis);
 
+/// Kind of a joint that moves.
+JointKind kind_of(JointType type);
+
 /// How many numbers a posture states for a joint: 1, 3 (x, y, angle), 4 (quaternion),
 /// 7 (p, quaternion), or 0.
 std::size_t posture_size(JointType type);

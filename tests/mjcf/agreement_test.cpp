@@ -5,12 +5,14 @@
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/model/state.hpp"
 #include "mjcf/comparison.hpp"
+#include "mjcf/joint_map.hpp"
 #include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
 
 using Eigen::Vector3d;
+using namespace std::string_literals;
 
 struct Text {
   std::string name;
@@ -112,6 +114,83 @@ INSTANTIATE_TEST_SUITE_P(
                        "0.01'/>"),
              1e-6}),
     [](const auto& test) { return test.param.name; });
+
+/// Siblings whose names, and those of their joints, are not in the order of the file.
+const char* const unsorted =
+    "<worldbody><body name='zeta'><joint name='z' axis='0 1 0'/><joint name='a' type='slide'/>"
+    "<geom size='0.1'/><body name='y' pos='1 0 0'><joint name='q'/><geom size='0.1'/></body><body "
+    "name='w' pos='0 1 0'><joint name='c' type='ball'/><geom size='0.1'/></body></body><body "
+    "name='alpha' pos='0 1 0'><freejoint name='m'/><geom size='0.1' pos='0.1 0 0'/><body name='l'>"
+    "<joint name='k'/><geom size='0.1'/></body></body><body name='last'><joint name='f'/><geom "
+    "size='0.1'/></body></worldbody>";
+
+INSTANTIATE_TEST_SUITE_P(
+    Orders, MjcfAgreement,
+    ::testing::Values(
+        Text{"siblings", unsorted},
+        Text{"two_worlds", two_bodies("<joint/>", "<joint/>") + unsorted},
+        Text{"held_and_coupled",
+             std::string(unsorted) +
+                 "<equality><joint joint1='z' polycoef='0.3 0 0 0 0'/><joint joint1='q' joint2='k' "
+                 "polycoef='0.1 -2 0 0 0'/></equality>"}),
+    [](const auto& test) { return test.param.name; });
+
+/// Names of all joints of MuJoCo's reading.
+std::vector<std::string> joint_names(const mjModel& model) {
+  std::vector<std::string> names;
+  for (int j = 0; j < model.njnt; ++j) names.push_back(name_in(model, mjOBJ_JOINT, j));
+  return names;
+}
+std::vector<std::string> joint_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const StatedJoint& joint : model.stated_joints) names.push_back(joint.name);
+  return names;
+}
+
+TEST(MjcfOrder, IsMujocos) {
+  for (const std::string& text :
+       {"<mujoco>" + std::string(unsorted) + "</mujoco>",
+        // a prefix that sorts before what stands in front of it
+        "<mujoco><worldbody><body name='zeta'><joint name='first' axis='0 1 0'/><geom "
+        "type='capsule' fromto='0 0 0 0.5 0 0' size='0.02'/></body><body name='alpha' pos='0 1 "
+        "0'><joint name='afterwards' axis='0 1 0'/><geom type='capsule' fromto='0 0 0 0.2 0 0' "
+        "size='0.02'/></body></worldbody></mujoco>"s})
+    EXPECT_EQ(joint_names(build_model(parse_mjcf(text))), joint_names(*mujoco::compile(text)));
+}
+
+TEST(MjcfOrder, OfFilesIsMujocos) {
+  int compared = 0;
+  const std::filesystem::path folder = BURNISH_ROBOTS_DIR "/../tests/fuzz/corpus/mjcf";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".xml") continue;
+    mujoco::ModelPointer theirs;
+    try {
+      theirs = load(entry.path());
+    } catch (const Error&) {
+      continue;  // newer than this MuJoCo
+    }
+    EXPECT_LE(compare(read_mjcf(entry.path()), *theirs, 5).coordinates, 1e-12) << entry.path();
+    ++compared;
+  }
+  EXPECT_GE(compared, 1);
+}
+
+TEST(MjcfOrder, OfIncludedFilesIsWhereTheyAreIncluded) {
+  const Scratch scratch;
+  const std::string body = "<body name='%'><joint name='%_joint'/><geom size='0.1'/></body>";
+  const auto named = [&](const std::string& name) {
+    std::string text = body;
+    for (std::size_t at; (at = text.find('%')) != text.npos;) text.replace(at, 1, name);
+    return text;
+  };
+  scratch.write("part.xml",
+                "<mujoco><worldbody>" + named("m") + named("b") + "</worldbody></mujoco>");
+  const auto file = scratch.write("all.xml", "<mujoco><worldbody>" + named("z") +
+                                                 "</worldbody><include file='part.xml'/>"
+                                                 "<worldbody>" +
+                                                 named("a") + "</worldbody></mujoco>");
+  EXPECT_EQ(joint_names(build_model(read_mjcf(file))), joint_names(*load(file)));
+}
 
 /// Three branches that loops and couplings tie, with references off zero.
 const std::string& branches() {

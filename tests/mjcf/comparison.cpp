@@ -11,6 +11,7 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/model/joint_order.hpp"
 #include "burnish/model/state.hpp"
 #include "mjcf/joint_map.hpp"
 #include "support/contact_states.hpp"
@@ -43,6 +44,21 @@ double placement_error(const mjModel& theirs, const mjData& data, const RigidBod
   return worst;
 }
 
+/// How far qpos and qvel are from what the order of the model's joints makes of a state.
+double coordinate_error(const JointOrder& order, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                        const mjModel& theirs, const mjData& data) {
+  if (order.nq() != theirs.nq || order.nv() != theirs.nv)
+    throw Error("MuJoCo has " + std::to_string(theirs.nq) + " positions, the model's order " +
+                std::to_string(order.nq()));
+  const auto largest = [](const Eigen::VectorXd& x) {
+    return x.size() == 0 ? 0.0 : x.cwiseAbs().maxCoeff();
+  };
+  const Eigen::VectorXd qpos = Eigen::Map<const Eigen::VectorXd>(data.qpos, theirs.nq);
+  const Eigen::VectorXd qvel = Eigen::Map<const Eigen::VectorXd>(data.qvel, theirs.nv);
+  return std::max({largest(order.q_to(q) - qpos), largest(order.v_to(v, q) - qvel),
+                   largest(order.q_from(qpos) - q), largest(order.v_from(qvel, q) - v)});
+}
+
 }  // namespace
 
 Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
@@ -51,6 +67,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
   const Model model = build_model(tree, options);
   const mujoco::DataPointer data(mj_makeData(&theirs));
   const JointMap map(tree, model, theirs);
+  const JointOrder order = JointOrder::mujoco(model);
   std::set<std::string> links;
   for (const LinkSpec& link : tree.links) links.insert(link.name);
   ContactDynamics ours(model);
@@ -68,6 +85,7 @@ Agreement compare(const TreeSpec& tree, mjModel& theirs, int states) {
     if (model.nv > 0) ours.forward(q, v, Eigen::VectorXd::Zero(model.nv));
     body.update(q, v);
     map.store(q, v, *data, B, drift);
+    worst.coordinates = std::max(worst.coordinates, coordinate_error(order, q, v, theirs, *data));
     mj_fwdPosition(&theirs, data.get());
     mj_fwdVelocity(&theirs, data.get());
     worst.placement = std::max(worst.placement, placement_error(theirs, *data, body, links));

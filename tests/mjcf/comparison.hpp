@@ -14,13 +14,14 @@ namespace burnish::testing {
 struct Agreement {
   double mass_matrix = 0.0;
   double bias = 0.0;
-  double placement = 0.0;  ///< of bodies, m and entries of rotations
-  double passive = 0.0;    ///< torques of springs and dampers, of joints and tendons
-  double worst() const { return std::max({mass_matrix, bias, placement}); }
+  double placement = 0.0;    ///< of bodies, m and entries of rotations
+  double passive = 0.0;      ///< torques of springs and dampers, of joints and tendons
+  double coordinates = 0.0;  ///< of qpos and qvel as vectors, mapped there and back
+  double worst() const { return std::max({mass_matrix, bias, placement, coordinates}); }
 };
 
 /// Followers and held joints of the tree move by themselves in MuJoCo; what it says is reduced.
-/// Throws Error where the two have other joints.
+/// Throws Error where the two have other joints, or have them in another order.
 Agreement compare(const TreeSpec& tree, mjModel& theirs, int states);
 
 /// MuJoCo's reading of a file. Throws Error with its sentence.

@@ -57,6 +57,14 @@ struct Joint {
       Eigen::Matrix3d::Zero();  ///< of the body, about com, joint axes, kg m^2
 };
 
+/// A joint that has a position in the description: it moves in the model too, or is held.
+struct StatedJoint {
+  std::string name;
+  JointKind kind = JointKind::Revolute;
+  int joint = -1;            ///< index in Model::joints, -1: held
+  std::vector<double> held;  ///< where it is held, in the coordinates of a Posture
+};
+
 /// Joints coupled by the length of a tendon, the sum of coefficient times position over its parts,
 /// which has a spring, a damper or both. What locked joints add to the length is taken off `rest`,
 /// and what followers add stands at their leaders.
@@ -125,7 +133,9 @@ struct ModelOptions {
 /// The vectors over q have nq entries, those over v nv; infinite where the file states no limit.
 struct Model {
   std::string name;
-  std::vector<Joint> joints;  ///< depth-first, children in the order of joint names
+  /// Depth-first. Joints of one parent link are in the order of their names, or as the description
+  /// lists them (TreeSpec::sibling_order): as in MuJoCo of an MJCF file.
+  std::vector<Joint> joints;
   std::vector<Frame> frames;
   std::vector<Visual> visuals;
   std::vector<Loop> loops;  ///< that the description closes, in its order
@@ -163,6 +173,9 @@ struct Model {
   double total_mass() const;
 
   std::vector<std::string> locked_joints;  ///< moving joints of the description that were locked
+  /// All joints with a position in the description, followers and held ones too, in the order of
+  /// `joints`; JointOrder maps vectors over them.
+  std::vector<StatedJoint> stated_joints;
   /// What is odd about the description but computes, one sentence each: that of the TreeSpec, then
   /// inertias that no solid has and joints that move no mass.
   std::vector<std::string> warnings;

@@ -80,6 +80,9 @@ struct JointSpec {
   double stiffness = 0.0;  ///< of a spring in the joint, Nm/rad or N/m
   double rest = 0.0;       ///< where that spring is at rest, rad or m; a ball's is at no rotation
   std::optional<MimicSpec> mimic;
+  /// Value of a fixed joint that moves in the description and is held there, as equalities of MJCF
+  /// hold hinges and slides [rad or m]; empty of others.
+  std::vector<double> held;
   int line = 0;  ///< of the file, for sentences about it; 0: none
 };
 
@@ -122,6 +125,9 @@ struct TendonSpec {
   int line = 0;            ///< of the file, for sentences about it; 0: none
 };
 
+/// Order in a Model of joints that share a parent link.
+enum class SiblingOrder { ByName, AsListed };
+
 /// A tree of links. Valid when every joint names known links, each link but one has exactly one
 /// parent joint and there is no cycle; build_model checks this and says what is wrong.
 struct TreeSpec {
@@ -129,6 +135,9 @@ struct TreeSpec {
   std::string source;  ///< file it was read from, used in error sentences; may be empty
   std::vector<LinkSpec> links;
   std::vector<JointSpec> joints;
+  /// Order in the Model of joints that share a parent link: by name as of URDF, or as in `joints`,
+  /// as of MJCF.
+  SiblingOrder sibling_order = SiblingOrder::ByName;
   std::vector<LoopSpec> loops;
   std::vector<TendonSpec> tendons;
   std::vector<FrameSpec> frames;            ///< that the file names beside links and joints
