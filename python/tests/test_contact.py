@@ -92,6 +92,7 @@ class TestReferences:
             flat.set_surface("pad", plane)
 
     def test_rub_where_they_slide(self) -> None:
+        assert burnish.SlidingFriction().speed is None
         friction = burnish.SlidingFriction(coefficient=0.3, speed=0.01)
         spec = ContactSpec("pad", tool="tool", directions="z", friction=friction)
         smooth, rubbing = dynamics_of(spec.replace(friction=None)), dynamics_of(spec)

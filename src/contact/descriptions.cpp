@@ -33,8 +33,10 @@ const Description& description_of(const SlidingFriction* /*of*/) {
                   "acts.")
           .field("coefficient", &F::coefficient, "0: none, until it is set", range::not_negative)
           .field("speed", &F::speed,
-                 "{m/s}, below which it fades, so that it has a derivative at rest",
+                 "{m/s}, below which it fades, so that it has a derivative at rest; none: in a "
+                 "problem what its steps tolerate, elsewhere 0.01",
                  range::positive)
+          .word("none")
           .field("radius", &F::radius,
                  "{m} from the tool's origin against the normal to where it acts: of a round tip",
                  range::not_negative);

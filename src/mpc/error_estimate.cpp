@@ -32,7 +32,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
   if (!rubbing.empty()) {
     friction_.emplace(spec.friction_estimate);
     planned_speed_ =
-        spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->speed;
+        spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->fade_speed();
   }
   smoothing_ =
       joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;

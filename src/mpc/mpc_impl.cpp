@@ -13,10 +13,10 @@ namespace {
 /// Of specifications without one.
 struct NoTask final : MpcTask {};
 
-/// With a normal of length one, and the loops of the robot among the contacts.
+/// With a normal of length one, the loops of the robot among the contacts, and fade speeds.
 MpcSpec completed(MpcSpec spec) {
   spec.normal_world.normalize();
-  spec.problem = with_loops(std::move(spec.problem));
+  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
   return spec;
 }
 

@@ -10,7 +10,8 @@
 
 namespace burnish {
 
-Problem::Problem(const ProblemSpec& spec) : impl_(std::make_unique<Impl>(with_loops(spec))) {}
+Problem::Problem(const ProblemSpec& spec)
+    : impl_(std::make_unique<Impl>(with_fade_speeds(with_loops(spec)))) {}
 Problem::~Problem() = default;
 Problem::Problem(Problem&&) noexcept = default;
 Problem& Problem::operator=(Problem&&) noexcept = default;

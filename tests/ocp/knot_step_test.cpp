@@ -175,7 +175,7 @@ TEST_F(KnotSteps, ThatAreLongerThanTheStagesSoftenWhatIsNumerical) {
   soft.stages[0].step = 0.04;
   for (ContactSpec& contact : soft.contacts) {
     contact.with_gains(9.0, 3.0);
-    if (contact.friction) contact.friction->speed *= 2.0;
+    if (contact.friction) contact.friction->speed = 2.0 * contact.friction->fade_speed();
   }
   soft.actuation.slip_velocity *= 2.0;
   Problem problem(spec), wanted(soft);

@@ -42,9 +42,14 @@ PoseError parse_pose_error(const std::string& name);
 /// that hold one direction of translation, their normal. Impacts are without friction.
 struct SlidingFriction {
   double coefficient = 0.3;  ///< 0: none, until it is set
-  double speed = 0.01;       ///< m/s, below which it fades, so that it has a derivative at rest
+  /// m/s, below which it fades, so that it has a derivative at rest; none: in a problem what its
+  /// steps tolerate, elsewhere 0.01
+  std::optional<double> speed = {};
   /// m from the tool's origin against the normal to where it acts: of a round tip
   double radius = 0.0;
+
+  /// The speed, m/s, where none is stated the least that is ever taken.
+  double fade_speed() const { return speed.value_or(0.01); }
 };
 
 /// The contact holds alpha + kd nu + kp e = 0 along its directions, where nu and alpha are velocity

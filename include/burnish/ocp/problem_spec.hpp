@@ -174,6 +174,14 @@ struct ProblemSpec {
 /// name.
 ProblemSpec with_loops(ProblemSpec spec);
 
+/// The problem with a fade speed for each friction of a tool that states none: four times what
+/// friction takes from the tool's speed in one step, at the initial state, and at least 0.01 m/s,
+///   4 coefficient N step / m,
+/// of the stages that hold the contact the largest. N is the largest force along the normal that
+/// costs and constraints of the stage ask for, else what the mass weighs; m the least mass that the
+/// tool moves with across the normal. A coefficient of zero counts as 0.3.
+ProblemSpec with_fade_speeds(ProblemSpec spec);
+
 /// s, of each knot of the horizon; 0 at impacts. Throws Error for segments that cannot be.
 std::vector<double> knot_steps(const ProblemSpec& spec);
 
