@@ -62,8 +62,13 @@ std::string residual_text(const LimitProblem& p, const Limit& limit) {
 std::string constraint_text(const LimitProblem& p, const Limit& limit) {
   const std::string residual = residual_text(p, limit);
   if (limit.kind == LimitKind::Cone) return "{" + residual + "}";
+  // Rows without limits have no range to be scaled by.
+  const std::string scale =
+      limit.rows.empty()
+          ? ""
+          : ", scale: " + rows_text(limit, 0.5 * (limit.upper - limit.lower), ", other: 1");
   return "{" + residual + ", lower: " + rows_text(limit, limit.lower) +
-         ", upper: " + rows_text(limit, limit.upper) + "}";
+         ", upper: " + rows_text(limit, limit.upper) + scale + "}";
 }
 
 /// The square of violations over their scales as a cost.
