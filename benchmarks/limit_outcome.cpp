@@ -105,6 +105,10 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
   if (!by_construction) {
     o.judgement = judge(o.problem, limited.problem());
     o.sort = sort_of(o.judgement);
+    if (options.verbose)
+      fmt::print("judged: {} with violations of {:.3g}, then {:.3g}{}\n", name_of(o.sort),
+                 o.judgement.before, o.judgement.violation,
+                 o.judgement.settled ? "" : ", not converged");
   }
   if (options.verbose) fmt::print("{}\n", o.text_of_problem());
   DdpSolver solver(limited.problem(), options_of(options));
@@ -114,6 +118,11 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
   o.iterations = summary.iterations;
   o.seconds = summary.seconds.total;
   o.text = solver.text();
+  for (const DdpProgress& p : summary.log) {
+    o.cut_short += p.factors >= solver.options().limits.max_factors;
+    o.zero_steps += p.step_length == 0.0;
+    o.regularization = std::max(o.regularization, p.regularization);
+  }
   const TrajectoryGuess end{solver.xs(), solver.us()};
   o.violation = violation(limited.problem(), end);
   o.gap = largest_gap(limited.problem(), end);

@@ -32,8 +32,11 @@ struct Outcome {
   StopReason reason = StopReason::MaxIterations;
   int iterations = 0;
   double seconds = 0.0;
-  double violation = 0.0;  ///< of the end, the largest as a share of a row's scale
-  double gap = 0.0;        ///< of the end
+  double violation = 0.0;       ///< of the end, the largest as a share of a row's scale
+  double gap = 0.0;             ///< of the end
+  int cut_short = 0;            ///< iterations whose linear-quadratic problem spent its recursions
+  int zero_steps = 0;           ///< iterations without an acceptable step
+  double regularization = 0.0;  ///< the largest
   Judgement judgement = {};
   std::string text = {};  ///< the solver's sentence
 

@@ -188,6 +188,7 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
   std::vector<Limit> limits = kinds;
   const Model model = load_robot(p.robot).model;
   for (Limit& limit : limits) {
+    const double moved = limit.late && draws.chance(0.5) ? 1.0 : 0.0;
     const auto symmetric = [&](const Eigen::VectorXd& size) {
       limit.upper = size;
       limit.lower = -size;
@@ -203,7 +204,7 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         symmetric(Eigen::VectorXd::Constant(1, draws.uniform(0.05, 0.5)));
         break;
       case LimitKind::Speed:
-        symmetric(stated(model.velocity_limit) * draws.log_uniform(0.03, 0.5));
+        symmetric(stated(model.velocity_limit) * draws.log_uniform(0.01, 0.3));
         break;
       case LimitKind::Range: {
         const double half = draws.uniform(0.02, 0.3);
@@ -213,7 +214,8 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         for (const Joint& joint : model.joints)
           if (joint.nq == 1 && std::isfinite(model.q_upper[joint.q_index])) {
             limit.rows.push_back(joint.name);
-            middle[count++] = p.start[joint.q_index] + draws.uniform(-0.8, 0.8) * half;
+            middle[count++] =
+                p.start[joint.q_index] + draws.uniform(-0.8, 0.8) * (half + 0.2 * moved);
           }
         middle.conservativeResize(count);
         limit.lower = middle.array() - half;
@@ -221,12 +223,16 @@ std::vector<Limit> free_limits(Draws& draws, const LimitProblem& p,
         break;
       }
       case LimitKind::Effort:
-        symmetric(stated(model.effort_limit) * draws.uniform(0.1, 1.0));
+        symmetric(stated(model.effort_limit) * draws.log_uniform(0.05, 0.7));
         break;
-      case LimitKind::Box:
-        limit.lower = Eigen::Vector2d(-draws.uniform(0.0, 0.1), -draws.uniform(0.0, 0.1));
-        limit.upper = Eigen::Vector2d(draws.uniform(0.0, 0.1), draws.uniform(0.0, 0.1));
+      case LimitKind::Box: {
+        // A box that is for later may be one to go to.
+        const Eigen::Vector2d middle =
+            moved * Eigen::Vector2d(draws.uniform(-0.15, 0.15), draws.uniform(-0.15, 0.15));
+        limit.lower = middle - Eigen::Vector2d(draws.uniform(0.0, 0.1), draws.uniform(0.0, 0.1));
+        limit.upper = middle + Eigen::Vector2d(draws.uniform(0.0, 0.1), draws.uniform(0.0, 0.1));
         break;
+      }
       case LimitKind::Cone:
         limit.friction = draws.uniform(0.1, 0.8);
         break;

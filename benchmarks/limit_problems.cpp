@@ -99,6 +99,9 @@ void print_failures(const std::vector<Outcome>& outcomes) {
   for (const Outcome& o : outcomes) {
     if (!o.failed()) continue;
     fmt::print("{}\n  {} iterations: {}\n", o.text_of_problem(), o.iterations, o.text);
+    fmt::print(
+        "  {} linear-quadratic problems cut short, {} steps of zero, regularisation {:.1g}\n",
+        o.cut_short, o.zero_steps, o.regularization);
     if (!o.by_construction())
       fmt::print("  judged with violations of {:.2g}, and {:.2g} of its scale\n",
                  o.judgement.before, o.judgement.violation);

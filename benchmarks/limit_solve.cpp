@@ -25,6 +25,9 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
+/// Violation at the first knot from which no trajectory keeps the limits, as a share of a scale.
+constexpr double kept_at_start = 1e-6;
+
 TrajectoryGuess trajectory_of(const DdpSolver& solver) { return {solver.xs(), solver.us()}; }
 
 /// Least range of a row that a limit is laid around, in its unit: limits are no thinner.
@@ -83,6 +86,36 @@ double steepest(const LimitProblem& p, const Limit& limit, Problem& measured,
   return largest;
 }
 
+bool is_of_state(LimitKind kind) {
+  return kind == LimitKind::Lean || kind == LimitKind::Speed || kind == LimitKind::Range ||
+         kind == LimitKind::Box;
+}
+
+/// Violations of a knot's rows, as shares of their scales.
+std::vector<double> violations_at(Problem& limited, int k, const TrajectoryGuess& at) {
+  if (limited.rows(k) == 0) return {};
+  const Eigen::VectorXd x = at.xs.row(k), u = at.us.row(std::min(k, limited.knots() - 1));
+  std::vector<double> values = limited.row_values(k, x.data(), u.data());
+  for (int r = 0; r < limited.rows(k); ++r) {
+    double& y = values[static_cast<std::size_t>(r)];
+    y = std::max({y - limited.row_upper(k)[r], limited.row_lower(k)[r] - y, 0.0}) /
+        limited.row_scale(k)[r];
+  }
+  return values;
+}
+
+/// Of rows of the first knot that the state alone decides.
+double outside_at_start(const LimitProblem& problem, Problem& limited, const TrajectoryGuess& at) {
+  const std::vector<double> violations = violations_at(limited, 0, at);
+  const std::vector<std::string> names = limited.row_names(0);
+  double largest = 0.0;
+  for (std::size_t r = 0; r < violations.size(); ++r)
+    for (const Limit& limit : problem.limits)
+      if (is_of_state(limit.kind) && names[r].starts_with(std::string(name_of(limit.kind)) + "/"))
+        largest = std::max(largest, violations[r]);
+  return largest;
+}
+
 bool is_symmetric(LimitKind kind) {
   return kind == LimitKind::Lean || kind == LimitKind::Speed || kind == LimitKind::Effort;
 }
@@ -106,17 +139,8 @@ std::optional<TrajectoryGuess> solve_without_limits(const LimitProblem& problem)
 
 double violation(Problem& limited, const TrajectoryGuess& at) {
   double largest = 0.0;
-  for (int k = 0; k <= limited.knots(); ++k) {
-    const int rows = limited.rows(k);
-    if (rows == 0) continue;
-    const Eigen::VectorXd x = at.xs.row(k), u = at.us.row(std::min(k, limited.knots() - 1));
-    const std::vector<double> values = limited.row_values(k, x.data(), u.data());
-    for (int r = 0; r < rows; ++r) {
-      const double y = values[static_cast<std::size_t>(r)];
-      const double v = std::max(y - limited.row_upper(k)[r], limited.row_lower(k)[r] - y);
-      largest = std::max(largest, v / limited.row_scale(k)[r]);
-    }
-  }
+  for (int k = 0; k <= limited.knots(); ++k)
+    for (const double v : violations_at(limited, k, at)) largest = std::max(largest, v);
   return largest;
 }
 
@@ -169,13 +193,19 @@ Judgement judge(const LimitProblem& problem, Problem& limited) {
   const Case free(problem, {.limits = false});
   TrajectoryGuess at = free.guess();
   Judgement result;
-  bool settled = true;
+  result.start = outside_at_start(problem, limited, at);
+  if (result.start > kept_at_start) {
+    result.verdict = Judgement::Verdict::Infeasible;
+    return result;
+  }
+  result.violation = 1.0;
   // In units of cost: from one that costs do not feel to one that feels no costs.
   for (const double weight : {1e1, 1e3, 1e5, 1e7}) {
     Case elastic(problem, {.penalty = weight});
-    DdpSolver solver(elastic.problem(), {.max_iterations = 300, .stop_tolerance = 1e-9 * weight});
+    const double resolution = 1e-8 + 1e-10 * weight * result.violation * result.violation;
+    DdpSolver solver(elastic.problem(), {.max_iterations = 300, .stop_tolerance = resolution});
     solver.set_guess(at.xs, at.us);
-    settled = solver.solve().reason == StopReason::Converged;
+    result.settled = solver.solve().reason == StopReason::Converged;
     at = trajectory_of(solver);
     result.before = result.violation;
     result.violation = violation(limited, at);
@@ -183,7 +213,7 @@ Judgement judge(const LimitProblem& problem, Problem& limited) {
   const double left = result.before > 0.0 ? result.violation / result.before : 0.0;
   if (result.violation < 1e-6 || (result.violation < 1e-3 && left < 0.2))
     result.verdict = Judgement::Verdict::Feasible;
-  else if (settled && result.violation > 2e-3 && left > 0.7)
+  else if (result.settled && result.violation > 2e-3 && left > 0.7)
     result.verdict = Judgement::Verdict::Infeasible;
   return result;
 }

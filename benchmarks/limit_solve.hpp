@@ -45,8 +45,10 @@ std::optional<std::vector<Limit>> limits_around(Draws& draws, const LimitProblem
 struct Judgement {
   enum class Verdict { Feasible, Infeasible, Unclear };
   Verdict verdict = Verdict::Unclear;
+  double start = 0.0;      ///< violation that the initial state alone decides
   double violation = 0.0;  ///< with the largest weight, as a share of a row's scale
   double before = 0.0;     ///< with a weight of a hundredth of that
+  bool settled = false;    ///< the solve with the largest weight converged
 };
 Judgement judge(const LimitProblem& problem, Problem& limited);
 
