@@ -14,6 +14,11 @@ constexpr double sure = 1e-3;
 /// Problems that are drawn until one can be solved without limits.
 constexpr int most_attempts = 100;
 
+Error unsolved() {
+  return Error("of " + std::to_string(most_attempts) +
+               " problems without limits none could be solved");
+}
+
 /// A problem with limits that a known trajectory keeps; several are drawn where that of one cannot
 /// be solved.
 LimitProblem draw_feasible(Draws& draws, const RobotChoice& choice, Sort& sort) {
@@ -40,14 +45,17 @@ LimitProblem draw_feasible(Draws& draws, const RobotChoice& choice, Sort& sort) 
     sort = violation(limited.problem(), *optimum) > sure ? Sort::Beyond : Sort::Near;
     return problem;
   }
-  throw Error("of " + std::to_string(most_attempts) +
-              " problems without limits none could be solved");
+  throw unsolved();
 }
 
+/// A problem with limits that know nothing of a solution; several are drawn likewise.
 LimitProblem draw_freely(Draws& draws, const RobotChoice& choice) {
-  LimitProblem problem = draw_problem(draws, choice);
-  problem.limits = free_limits(draws, problem, draw_kinds(draws, problem));
-  return problem;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    LimitProblem problem = draw_problem(draws, choice);
+    problem.limits = free_limits(draws, problem, draw_kinds(draws, problem));
+    if (solve_without_limits(problem)) return problem;
+  }
+  throw unsolved();
 }
 
 DdpOptions options_of(const OutcomeOptions& wanted) {

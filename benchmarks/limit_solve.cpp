@@ -25,6 +25,10 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
+/// Iterations within which problems without limits have to converge to be among those that get
+/// limits: half of what limits are given. What takes longer has other reasons than limits.
+constexpr int most_without_limits = 25;
+
 /// Violation at the first knot from which no trajectory keeps the limits, as a share of a scale.
 constexpr double kept_at_start = 1e-6;
 
@@ -131,7 +135,7 @@ Case::Case(const LimitProblem& problem, const TextForm& form) {
 
 std::optional<TrajectoryGuess> solve_without_limits(const LimitProblem& problem) {
   Case free(problem, {.limits = false});
-  DdpSolver solver(free.problem(), {.max_iterations = 200});
+  DdpSolver solver(free.problem(), {.max_iterations = most_without_limits});
   solver.set_guess(free.guess().xs, free.guess().us);
   if (solver.solve().reason != StopReason::Converged) return {};
   return trajectory_of(solver);

@@ -26,7 +26,7 @@ class Case {
   TrajectoryGuess guess_;
 };
 
-/// The optimum without limits; nothing where the solver does not find it.
+/// The optimum without limits; nothing where the solver does not find it within 25 iterations.
 std::optional<TrajectoryGuess> solve_without_limits(const LimitProblem& problem);
 
 /// The largest violation of a row along a trajectory, as a share of its scale, the first knot's
