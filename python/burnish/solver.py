@@ -11,7 +11,7 @@ from .base import Status
 
 __all__ = ["ActiveLimit", "CostEntry", "CostKnot", "CostReport", "DdpOptions", "DdpProgress", "DdpSolver",
            "DdpSummary", "LimitOptions", "LimitedRow", "LineSearch", "NamedMatrix", "PhaseTimes", "Regularization",
-           "RowPlace", "StepUpdate", "StopReason"]
+           "RowPlace", "StartRow", "StepUpdate", "StopReason"]
 
 
 # Described classes stand here (scripts/describe).

@@ -356,7 +356,8 @@ bool MpcController::Impl::solve(double schedule_time) {
   horizon.solved_from(schedule_time);
   return summary.reason == StopReason::Converged || summary.reason == StopReason::Infeasible ||
          summary.reason == StopReason::MaxIterations ||
-         (summary.reason == StopReason::NoStep && summary.given_way > 0 && summary.feasible) ||
+         (summary.reason == StopReason::NoStep && summary.given_way > 0 &&
+          summary.largest_gap <= solver.options().gap_tolerance) ||
          (summary.reason == StopReason::TimeBudget && summary.iterations > 0);
 }
 

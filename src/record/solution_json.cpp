@@ -68,6 +68,19 @@ Json rows_json(const Problem& problem, const CostReport& report) {
   return rows;
 }
 
+/// Rows that the initial state alone puts outside their limits.
+Json start_json(const Problem& problem, const DdpSummary& summary) {
+  Json rows = Json::array();
+  if (summary.start_outside.empty()) return rows;
+  const std::vector<std::string> names = problem.row_names(0);
+  for (const StartRow& row : summary.start_outside)
+    rows.push_back({{"row", names.at(static_cast<std::size_t>(row.row))},
+                    {"value", number_json(row.value)},
+                    {"lower", number_json(row.lower)},
+                    {"upper", number_json(row.upper)}});
+  return rows;
+}
+
 }  // namespace
 
 Json gains_json(Problem& problem, DdpSolver& solver) {
@@ -133,6 +146,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
           {"feasible", s.feasible},
           {"largest_gap", number_json(s.largest_gap)},
           {"outside", number_json(s.outside)},
+          {"start_outside", start_json(problem, s)},
           {"pushing", s.pushing},
           {"expected_improvement", number_json(s.expected_improvement)},
           {"stop_tolerance", s.options.stop_tolerance},

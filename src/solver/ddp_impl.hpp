@@ -22,6 +22,10 @@ inline double signed_outside_of(double value, double lower, double upper) {
   return value > upper ? value - upper : std::min(value - lower, 0.0);
 }
 
+inline double outside_of(double value, double lower, double upper) {
+  return std::max(std::max(lower - value, value - upper), 0.0);
+}
+
 /// A trajectory, and what is known of it.
 struct Iterate {
   std::vector<double> xs, us;
@@ -58,6 +62,8 @@ struct DdpSolver::Impl {
   void iterate();
   bool make_direction();
   bool judge_direction(bool& again);
+  bool ends_elastic(bool& again);
+  bool ends_still(bool& again);
   bool line_search(double& length);
   bool after_search(double length);
 
@@ -88,7 +94,7 @@ struct DdpSolver::Impl {
   void take_trial(double length);
   double merit(const Iterate& of) const { return of.cost + penalty * of.gap_sum + of.outside_cost; }
 
-  // Rows with limits, in ddp_limits.cpp.
+  // Rows with limits, in ddp_limits.cpp and ddp_elastic.cpp.
   void allocate_rows();
   void start_rows();
   void place_rows();
@@ -117,10 +123,22 @@ struct DdpSolver::Impl {
   bool become_elastic();
   bool after_elastic();
   bool is_least_violation() const;
+  /// Sums of the hard rows' violations over their scales.
+  struct Violations {
+    double now = 0.0;
+    double after = 0.0;  ///< the whole step, by the linear model
+  };
+  Violations violations() const;
+  void note_stillness();
+  bool is_still() const;
+  bool violations_can_fall();
+  void close_gaps();
   bool starts_outside() const;
   bool keeps_limits(const Iterate& at) const { return at.outside <= options.limits.tolerance; }
   bool accept_limited(double length) const;
   void note_outside();
+  void note_conflict();
+  void note_start();
   /// visit(knot, row of the knot, row of all, lower, upper)
   template <class Visit>
   void for_each_row(Visit&& visit) const {
@@ -211,6 +229,8 @@ struct DdpSolver::Impl {
     bool stays = false;       ///< it does, however large the weight
     int lost = 0;             ///< iterations in a row whose rows could not all be kept
     int stood = 0;            ///< iterations without anything to gain, with limits broken
+    int still = 0;            ///< iterations in a row in which violations stand still
+    double still_from = 0.0;  ///< their sum at the first of those
   } elastic;
   bool bent = false;                 ///< the expansions' Hessians have the bends of rows
   double cost_unit = 1.0;            ///< curvature_unit() without those

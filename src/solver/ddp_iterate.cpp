@@ -63,11 +63,13 @@ bool DdpSolver::Impl::make_direction() {
 /// nothing, so that only the least that the recursion accepts counts; `again` asks for that one.
 bool DdpSolver::Impl::judge_direction(bool& again) {
   again = false;
-  if (limited && elastic.on) {
-    again = current.feasible && after_elastic();
-    if (again || !current.feasible || !is_least_violation())
-      return !out_of_time() || stop(StopReason::TimeBudget);
-    return stop(StopReason::Infeasible);
+  if (limited) {
+    note_stillness();
+    if (elastic.on ? ends_elastic(again) : ends_still(again)) {
+      close_gaps();
+      return stop(StopReason::Infeasible);
+    }
+    if (again || elastic.on) return !out_of_time() || stop(StopReason::TimeBudget);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
   // What the merit cannot resolve is left to another step of Newton's.
@@ -182,11 +184,11 @@ void DdpSolver::Impl::finish() {
   if (summary.reason == StopReason::NoStep && trial_failure_knot >= 0)
     fail_at(trial_failure_knot, trial_failure);
   summary.cost = current.cost;
-  summary.feasible = current.feasible;
   summary.largest_gap = current.largest_gap;
   summary.gap_knot = current.gap_knot;
   summary.gap_entry = current.gap_entry;
   if (limited) note_outside();
+  summary.feasible = current.feasible && summary.outside_knot < 0;
   summary.seconds.total = since(began);
 }
 

@@ -5,10 +5,7 @@
 // multipliers, its minimum is the solution.
 //
 // Hard rows have a price too, a high one, so that an iteration whose rows cannot all be kept has a
-// direction. Where that price leaves some broken for good, hard rows become elastic: violations
-// cost 1/2 S v^2 alone, without multipliers. Where that has a minimum S is raised. Violations that
-// fall with S are those of a problem that can be solved: its multipliers are S v, and limits are
-// hard again, at a higher price. Violations that stay are the least that there are.
+// direction; ddp_elastic.cpp has what follows where that price leaves some broken for good.
 #include <algorithm>
 #include <cmath>
 
@@ -21,12 +18,6 @@ namespace {
 /// Limits stay open by so much, in their scale, for so many iterations, where they cannot be kept.
 constexpr double wide_open = 1e-3;
 constexpr int lost_patience = 20;
-/// By so much do violations fall that another, a hundred times larger weight is to thank for.
-constexpr double fall = 0.1, raise = 100.0;
-
-double outside_of(double value, double lower, double upper) {
-  return std::max(std::max(lower - value, value - upper), 0.0);
-}
 }  // namespace
 
 void DdpSolver::Impl::allocate_rows() {
@@ -52,6 +43,8 @@ void DdpSolver::Impl::allocate_rows() {
     of_rows->assign(all, 0.0);
   row_multipliers.assign(all, 0.0);
   summary.conflict.reserve(all);
+  summary.stopping.reserve(all);
+  summary.start_outside.reserve(static_cast<std::size_t>(rows_max));
   start_is_fixed.assign(static_cast<std::size_t>(rows_max), 0);
   allocate_correction();
   allocate_bends();
@@ -310,47 +303,6 @@ bool DdpSolver::Impl::solve_limited_with(const double* gaps, int max_factors) {
   return true;
 }
 
-/// Hard rows lose their multipliers. False where they have, or where there are none.
-bool DdpSolver::Impl::become_elastic() {
-  if (elastic.on || elastic.weight > options.limits.largest_price) return false;
-  bool any = false;
-  for_each_row([&](int k, int r, std::size_t i, double, double) {
-    any = any || (is_hard(row_prices[i]) && !is_fixed(k, r));
-  });
-  if (!any) return false;
-  elastic.on = true;
-  limited_before = false;
-  // Bounds' multipliers held against those that are gone.
-  for (int k = 0; k < N; ++k)
-    std::fill_n(row_views[static_cast<std::size_t>(k)].multiplier,
-                controls[static_cast<std::size_t>(k)], 0.0);
-  return true;
-}
-
-/// Near a minimum of the squares: limits are hard again, or the weight is larger. False where
-/// neither helps or it is not near.
-bool DdpSolver::Impl::after_elastic() {
-  const double near = std::max(options.stop_tolerance, 1e-3 * current.outside_cost);
-  if (elastic.stays || summary.expected_improvement >= near) return false;
-  const double before = elastic.violation, now = current.outside;
-  const bool kept = keeps_limits(current), falls = before > 0.0 && now < fall * before;
-  elastic.violation = now;
-  elastic.stays = !kept && !falls && elastic.weight * raise > options.limits.largest_price;
-  if (elastic.stays) return false;
-  if (kept || falls) {
-    for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-      if (!is_hard(row_prices[i]) || is_fixed(k, r)) return;
-      row_views[static_cast<std::size_t>(k)].multiplier[row_slots[i]] =
-          square_of(i) * signed_outside_of(current.rows[i], low, high);
-    });
-    elastic.on = false;
-    elastic.lost = elastic.stood = 0;
-    hard_price *= raise;
-  }
-  elastic.weight *= raise;
-  return true;
-}
-
 /// Prices of the merit follow the multipliers up, to those of the rows: what lies far above a
 /// multiplier would weigh what is left of a violation, to the tolerance, as if it were one.
 void DdpSolver::Impl::raise_prices() {
@@ -409,12 +361,6 @@ void DdpSolver::Impl::model_of_limited() {
   merit_change = direction.slope + 0.5 * curvature;
 }
 
-/// Whether squares of violations have their minimum, and no larger weight would make them less.
-bool DdpSolver::Impl::is_least_violation() const {
-  return elastic.stays &&
-         summary.expected_improvement < options.stop_tolerance + 1e-9 * current.outside_cost;
-}
-
 /// Where the trajectory that is returned breaks a hard limit most, and which rows push as hard as
 /// those that are broken.
 void DdpSolver::Impl::note_outside() {
@@ -422,12 +368,11 @@ void DdpSolver::Impl::note_outside() {
   summary.outside_knot = summary.outside_row = -1;
   summary.pushing = summary.given_way = 0;
   summary.conflict.clear();
-  const auto violation = [&](int /*knot*/, int /*row*/, std::size_t i, double low, double high) {
-    return is_hard(row_prices[i]) ? outside_of(current.rows[i], low, high) / row_scales[i] : 0.0;
-  };
+  summary.stopping.clear();
+  note_start();
   for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-    if (outside_of(current.rows[i], low, high) == 0.0) return;
-    const double v = violation(k, r, i, low, high);
+    if (!is_hard(row_prices[i])) return;
+    const double v = outside_of(current.rows[i], low, high) / row_scales[i];
     if (v <= std::max(summary.outside, options.limits.tolerance)) return;
     summary.outside = v;
     summary.outside_knot = k;
@@ -446,22 +391,7 @@ void DdpSolver::Impl::note_outside() {
         is_hard(row_prices[i]) && rows.price[at] != 0.0 && push >= (1.0 - 1e-9) * rows.price[at];
   });
   summary.limits_open = limited_result.open;
-  if (summary.reason != StopReason::Infeasible) return;
-  const double least = std::max(0.01 * current.outside, options.limits.tolerance);
-  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-    if (violation(k, r, i, low, high) > least) summary.conflict.push_back({k, r});
-  });
-}
-
-/// Whether the initial state alone breaks a hard limit.
-bool DdpSolver::Impl::starts_outside() const {
-  bool found = false;
-  for_each_row([&](int k, int r, std::size_t i, double low, double high) {
-    found = found ||
-            (is_fixed(k, r) && is_hard(row_prices[i]) &&
-             outside_of(current.rows[i], low, high) > options.limits.tolerance * row_scales[i]);
-  });
-  return found;
+  if (summary.reason == StopReason::Infeasible) note_conflict();
 }
 
 bool DdpSolver::Impl::accept_limited(double length) const {

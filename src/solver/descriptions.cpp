@@ -203,6 +203,20 @@ const Description& description_of(const RowPlace* /*of*/) {
   return all;
 }
 
+const Description& description_of(const StartRow* /*of*/) {
+  using S = StartRow;
+  static const Description all =
+      Describe<S>("solver", "StartRow",
+                  "A hard row of the first knot that the initial state alone puts outside its "
+                  "limits.")
+          .field("row", &S::row, "of those of the first knot")
+          .field("value", &S::value, "in the row's unit")
+          .field("lower", &S::lower, "infinite where there is none")
+          .field("upper", &S::upper, "likewise")
+          .result();
+  return all;
+}
+
 const Description& description_of(const DdpSummary* /*of*/) {
   using D = DdpSummary;
   static const Description all =
@@ -210,7 +224,8 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("reason", &D::reason)
           .field("iterations", &D::iterations, "line searches made")
           .field("cost", &D::cost, "of the trajectory that is returned")
-          .field("feasible", &D::feasible)
+          .field("feasible", &D::feasible,
+                 "No gap is above gap_tolerance, and every hard row is within its limits.")
           .field("expected_improvement", &D::expected_improvement, "the last one computed")
           .field("regularization", &D::regularization, "the last one used")
           .field("largest_gap", &D::largest_gap, "of the trajectory that is returned")
@@ -227,7 +242,10 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("pushing", &D::pushing, "rows that push")
           .field("given_way", &D::given_way,
                  "hard rows that push with all that their price allows, since they cannot be kept")
-          .field("conflict", &D::conflict, "Infeasible: rows that cannot hold together")
+          .field("conflict", &D::conflict, "Infeasible: rows outside their limits, worst first")
+          .field("stopping", &D::stopping,
+                 "Infeasible: rows that push against those in conflict, from the hardest down.")
+          .field("start_outside", &D::start_outside, "whatever the reason")
           .field("status", &D::status,
                  "NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be "
                  "evaluated: where and what.")

@@ -15,6 +15,7 @@ const Description& description_of(const DdpProgress*);
 const Description& description_of(const DdpOptions*);
 const Description& description_of(const PhaseTimes*);
 const Description& description_of(const RowPlace*);
+const Description& description_of(const StartRow*);
 const Description& description_of(const DdpSummary*);
 const Description& description_of(const CostReport::Entry*);
 const Description& description_of(const CostReport::Knot*);

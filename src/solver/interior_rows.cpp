@@ -54,21 +54,28 @@ InteriorRows::InteriorRows(int rows)
 }
 
 void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale, const Lane& y,
-                         double mu) {
+                         double mu, bool outside) {
   const Lane price = load(rows.price + r), target(mu), one(1.0);
   const auto priced = less(zero(), price);
+  const Lane square = square_of(rows, r);
   for (const Side& side : sides_) {
     const auto there = less(zero(), exists(rows, side.sign, r));
-    const Lane s = larger(distance(rows, side.sign, r, y), scale);
+    const auto elastic = mask_and(there, less(price, Lane(no_price)));
+    const Lane d = distance(rows, side.sign, r, y), s = larger(d, scale);
     const Lane wanted = target / select(there, s, one), most = (one - Lane(least_share)) * price;
     // A square without a price has no multiplier but that of its violation.
     const Lane m = select(priced, select(less(wanted, most), wanted, most), wanted);
     const Lane n = select(priced, price - m, target / scale);
+    // In balance with the cost of the violation.
+    const Lane violation = s - d, most_outside = outside ? zero() : Lane(-no_price);
+    const auto begins = mask_and(mask_and(elastic, priced), less(d, most_outside));
+    const Lane rest = clip(target / violation, Lane(least_share) * price, most);
+    const Lane balanced = price + square * violation - rest;
     store(side.s + at, select(there, s, zero()));
-    store(side.m + at, select(there, m, zero()));
-    const auto elastic = mask_and(there, less(price, Lane(no_price)));
-    store(side.n + at, select(elastic, n, zero()));
-    store(side.v + at, select(elastic, target / select(elastic, n, one), zero()));
+    store(side.m + at, select(there, select(begins, balanced, m), zero()));
+    store(side.n + at, select(elastic, select(begins, rest, n), zero()));
+    const Lane small = target / select(elastic, n, one);
+    store(side.v + at, select(elastic, select(begins, violation, small), zero()));
   }
   store(equality_ + at, zero());
 }
@@ -171,6 +178,28 @@ void InteriorRows::advance(int at, double length) {
     move(side.n, side.dn);
   }
   move(equality_, equality_step_);
+}
+
+Lane InteriorRows::piece(int at, const RowArrays& rows, int r, double length) const {
+  const Lane share(length), price = load(rows.price + r);
+  // A row whose limits meet pushes whichever way its multiplier does.
+  const Lane equal = multiplier(at);
+  Lane all = select(less(zero(), meets(rows, r)),
+                    select(less(zero(), equal), Lane(1.0), Lane(-1.0)), zero());
+  all = select(less(zero(), load(rows.weight + r)),
+               select(less(absolute(equal), price), all, all + all), zero());
+  for (const Side& side : sides_) {
+    const Lane s = load(side.s + at), m = load(side.m + at), v = load(side.v + at),
+               n = load(side.n + at);
+    const auto stays = [&](const Lane& x, const double* dx, const Lane& y, const double* dy) {
+      return less(y * (x - share * load(dx + at)), x * (y - share * load(dy + at)));
+    };
+    const auto pushes = mask_and(less(zero(), s), stays(m, side.dm, s, side.ds));
+    const auto broken = mask_and(less(zero(), n), stays(v, side.dv, n, side.dn));
+    const Lane most = select(broken, Lane(2.0), select(less(zero(), price), Lane(1.0), Lane(2.0)));
+    all += Lane(side.sign) * select(pushes, most, zero());
+  }
+  return all;
 }
 
 Lane InteriorRows::multiplier(int at) const {

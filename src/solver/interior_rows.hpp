@@ -28,9 +28,10 @@ class InteriorRows {
     double equality = 1.0;  ///< of their weights, that equalities have
   };
 
-  /// Every function is of the vector of rows from `at` on; `rows` are theirs.
+  /// Every function is of the vector of rows from `at` on; `rows` are theirs. `outside`: rows that
+  /// are outside their limits begin with the violation that they have, and not with next to none.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
-             double mu);
+             double mu, bool outside);
   /// What the rows add to the gradient, by the next value.
   RowLines lines(int at, const RowArrays& rows, int r, const dense::Lane& y,
                  const Target& target) const;
@@ -46,6 +47,9 @@ class InteriorRows {
   Products products(int at, double length) const;
   void advance(int at, double length);
   dense::Lane multiplier(int at) const;
+  /// The piece that a row goes to, as row_piece() says it: of two factors of a product the one that
+  /// falls less in the last step, of this length, is the one that stays (Tapia's indicators).
+  dense::Lane piece(int at, const RowArrays& rows, int r, double length) const;
 
  private:
   /// Values and steps of a side, all rows; zeros where there is none.

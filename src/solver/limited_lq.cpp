@@ -40,8 +40,8 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
       interior_(row_count_ * (knots + 1)) {
   const int nz = max_controls + state.ndx;
   const int padded = dense::round_up(nz);
-  const int row_vectors = 13;
-  const int of_knot = 2 * padded + row_vectors * row_count_ + control_stride_ * control_stride_ +
+  const int row_vectors = 15;
+  const int of_knot = 3 * padded + row_vectors * row_count_ + control_stride_ * control_stride_ +
                       control_stride_ + padded * row_stride_ + padded * velocity_stride_ +
                       dense::round_up(state.ndx) * control_stride_;
   memory_ =
@@ -52,9 +52,11 @@ LimitedLq::LimitedLq(const StateShape& state, int knots, int max_controls, int m
     Knot knot;
     knot.z = take(padded);
     knot.z_before = take(padded);
-    for (double** row : {&knot.y, &knot.y_before, &knot.multiplier, &knot.lower, &knot.upper,
-                         &knot.scale, &knot.weight, &knot.price, &knot.beyond, &knot.slope,
-                         &knot.offset, &knot.piece, &knot.found})
+    knot.z_kept = take(padded);
+    for (double** row :
+         {&knot.y, &knot.y_before, &knot.multiplier, &knot.multiplier_kept, &knot.piece_kept,
+          &knot.lower, &knot.upper, &knot.scale, &knot.weight, &knot.price, &knot.beyond,
+          &knot.slope, &knot.offset, &knot.piece, &knot.found})
       *row = take(row_count_);
     knot.factor = take(control_stride_ * control_stride_);
     knot.inverse_diagonal = take(control_stride_);
@@ -385,15 +387,15 @@ bool LimitedLq::begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm
 
 /// At a minimum of the pieces: multipliers, and a step with them. False at the end.
 bool LimitedLq::update(const LqHorizon& h, RiccatiRecursion& recursion,
-                       const LimitedLqBudget& budget, GrowthWatch& growth,
+                       const LimitedLqBudget& budget, GrowthWatch& growth, bool& whole,
                        LimitedLqResult& result) {
   using Cure = GrowthWatch::Cure;
   const Cure cure = growth.look(result);
   result.open = update_multipliers(h, cure == Cure::Prices ? 0.5 * result.open : no_limit);
   result.converged = result.open <= budget.tolerance;
   if (result.converged || result.sweeps >= budget.sweeps) return false;
-  if (cure == Cure::Interior && pays(budget, result)) return restart(h, recursion, budget, result);
-  const bool heavier = cure == Cure::Weights && result.factors < budget.factors;
+  if (cure == Cure::Interior && pays(budget, result)) return restart(h, recursion, whole, result);
+  const bool heavier = cure == Cure::Weights && result.semismooth() < budget.factors;
   if (heavier) raise_weights(h);
   keep();
   take_pieces(h);
@@ -408,13 +410,11 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   LimitedLqResult result;
   GrowthWatch growth;
   bool approached = !warm && budget.interior_after == 0 && pays(budget, result);
-  if (approached) {
-    transpose(h);
-    if (!restart(h, recursion, budget, result)) return result;
-  } else if (!begin(h, recursion, warm, result)) {
+  if (approached) transpose(h);
+  const bool done = approached && approach(h, recursion, result);
+  if (!(done ? factor_pieces(h, recursion, result) : begin(h, recursion, warm, result)))
     return result;
-  }
-  bool whole = !warm && !approached;  // the first step of a start from nothing comes from nowhere
+  bool whole = !warm;  // the first step of a start from nothing comes from nowhere
   for (;;) {
     follow_policy(h);
     int from = find_pieces(h);
@@ -424,17 +424,17 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
     }
     whole = false;
     if (from < 0) {
-      if (!update(h, recursion, budget, growth, result)) return result;
+      if (!update(h, recursion, budget, growth, whole, result)) return result;
       continue;
     }
-    if (result.factors >= budget.factors) {
-      result.open = left_open(h);
+    if (result.semismooth() >= budget.factors) {
+      cut_short(h, recursion, result);
       return result;
     }
     growth.pieces_changed();
     if (!approached && result.factors >= budget.interior_after && pays(budget, result)) {
       approached = true;
-      if (!restart(h, recursion, budget, result)) return result;
+      if (!restart(h, recursion, whole, result)) return result;
       continue;
     }
     keep_pieces();
@@ -444,18 +444,44 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
   }
 }
 
-/// Whether an interior-point method would have the recursions that it takes.
-bool LimitedLq::pays(const LimitedLqBudget& budget, const LimitedLqResult& result) {
-  constexpr int enough = 20;
-  return budget.factors - result.factors >= enough;
+/// Where recursions are spent: the solution of the interior-point method, with its pieces'
+/// policies, if less of it is open.
+void LimitedLq::cut_short(const LqHorizon& h, RiccatiRecursion& recursion,
+                          LimitedLqResult& result) {
+  result.open = left_open(h);
+  if (!result.approached) return;
+  swap_solution(h);
+  const double open = left_open(h);
+  if (open >= result.open) {
+    swap_solution(h);
+    return;
+  }
+  result.open = open;
+  take_pieces(h);
+  if (factor(h, recursion, N_, result)) return;
+  result.failed_knot = result.failed_control = -1;
 }
 
-/// The pieces and multipliers that an interior-point method ends with.
-bool LimitedLq::restart(const LqHorizon& h, RiccatiRecursion& recursion,
-                        const LimitedLqBudget& budget, LimitedLqResult& result) {
-  if (!approach(h, recursion, budget, result)) return false;
-  find_pieces(h);
-  keep_pieces();
+/// Whether the budget is one that an interior-point method may add its recursions to.
+bool LimitedLq::pays(const LimitedLqBudget& budget, const LimitedLqResult& result) {
+  return budget.factors - result.semismooth() >= enough_for_interior;
+}
+
+/// The pieces and multipliers of an interior-point method, and a step from there that is `whole`.
+/// Where it does not end the present ones stay.
+bool LimitedLq::restart(const LqHorizon& h, RiccatiRecursion& recursion, bool& whole,
+                        LimitedLqResult& result) {
+  whole = approach(h, recursion, result);
+  if (!whole) {
+    find_pieces(h);
+    keep_pieces();
+  }
+  return factor_pieces(h, recursion, result);
+}
+
+/// New factors with the present pieces.
+bool LimitedLq::factor_pieces(const LqHorizon& h, RiccatiRecursion& recursion,
+                              LimitedLqResult& result) {
   keep();
   take_pieces(h);
   return factor(h, recursion, N_, result);

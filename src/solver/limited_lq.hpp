@@ -34,10 +34,12 @@ struct LqHorizon {
 };
 
 struct LimitedLqBudget {
-  int factors = 100;  ///< recursions with new factors, of the whole horizon or its first part
-  int sweeps = 200;   ///< with kept factors
-  /// Of these after which an interior-point method finds out which rows push, where it can still
-  /// have 20; 0: at once, where the start is from nothing.
+  /// Recursions with new factors, of the whole horizon or its first part; those of an
+  /// interior-point method are not counted.
+  int factors = 100;
+  int sweeps = 200;  ///< with kept factors
+  /// Recursions after which an interior-point method finds out which rows push, where 20 are left;
+  /// 0: at once, where the start is from nothing.
   int interior_after = 8;
   /// Of what limits are exceeded by, and multipliers change by over their weight, in a row's scale.
   double tolerance = 1e-9;
@@ -45,6 +47,9 @@ struct LimitedLqBudget {
 
 struct LimitedLqResult {
   int factors = 0, sweeps = 0;
+  int interior = 0;         ///< factors of an interior-point method
+  bool approached = false;  ///< by one that came to its end
+  int semismooth() const { return factors - interior; }
   bool converged = false;
   double open = 0.0;  ///< what the tolerance is held against, at the last minimum
   /// Where Quu is not positive definite; -1: nowhere.
@@ -54,6 +59,8 @@ struct LimitedLqResult {
 class LimitedLq {
  public:
   LimitedLq(const StateShape& state, int knots, int max_controls, int max_rows);
+  /// Recursions that have to be left in a budget for an interior-point method to be asked.
+  static constexpr int enough_for_interior = 20;
 
   /// A knot's rows, first_row() + max_rows of them. A solve reads all and writes multipliers.
   struct Rows {
@@ -91,9 +98,9 @@ class LimitedLq {
   void take_over(std::span<const int> controls, int knot, int source) noexcept;
   /// Places of a knot's vectors in memory_.
   struct Knot {
-    double *z, *z_before, *y, *y_before, *multiplier, *lower, *upper, *scale, *weight, *price,
-        *beyond, *slope, *offset, *piece, *found, *factor, *inverse_diagonal, *transposed_rows,
-        *transposed_dynamics, *transposed_gain;
+    double *z, *z_before, *z_kept, *y, *y_before, *multiplier, *multiplier_kept, *piece_kept,
+        *lower, *upper, *scale, *weight, *price, *beyond, *slope, *offset, *piece, *found, *factor,
+        *inverse_diagonal, *transposed_rows, *transposed_dynamics, *transposed_gain;
     RowArrays arrays() const { return {lower, upper, weight, price, beyond, multiplier}; }
   };
 
@@ -118,21 +125,28 @@ class LimitedLq {
   void blend(double length);
   template <class Function>
   void for_each_vector(const LqHorizon& h, const Function& function) const;
-  bool begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, double& mu,
+  bool begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool outside, double& mu,
                       LimitedLqResult& result);
   bool interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
                      const InteriorRows::Target& target, LimitedLqResult& result);
+  void keep_solution();
+  void swap_solution(const LqHorizon& h);
+  void cut_short(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result);
+  void take_interior_rows(const LqHorizon& h, double length);
+  enum class Steps { Done, Short, Failed };
+  Steps interior_steps(const LqHorizon& h, RiccatiRecursion& recursion, bool outside,
+                       LimitedLqResult& result);
   double interior_length(const LqHorizon& h) const;
   double mean_product(const LqHorizon& h, double length) const;
   static bool pays(const LimitedLqBudget& budget, const LimitedLqResult& result);
-  bool restart(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
+  bool restart(const LqHorizon& h, RiccatiRecursion& recursion, bool& whole,
                LimitedLqResult& result);
-  bool approach(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
-                LimitedLqResult& result);
+  bool factor_pieces(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result);
+  bool approach(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result);
   class GrowthWatch;
   bool begin(const LqHorizon& h, RiccatiRecursion& recursion, bool warm, LimitedLqResult& result);
   bool update(const LqHorizon& h, RiccatiRecursion& recursion, const LimitedLqBudget& budget,
-              GrowthWatch& growth, LimitedLqResult& result);
+              GrowthWatch& growth, bool& whole, LimitedLqResult& result);
   double left_open(const LqHorizon& h) const;
   void raise_weights(const LqHorizon& h);
   double update_multipliers(const LqHorizon& h, double to_price);

@@ -25,6 +25,9 @@ constexpr double enough = 1e-8;
 constexpr double heavier = 100.0, heaviest = 1e6;
 constexpr int most_steps = 40;
 constexpr double shortest = 1e-8, kept_back = 0.995;
+/// Steps below this length, so many in a row, get nowhere.
+constexpr double short_length = 0.1;
+constexpr int short_patience = 3;
 
 }  // namespace
 
@@ -38,8 +41,8 @@ void LimitedLq::for_each_vector(const LqHorizon& h, const Function& function) co
 }
 
 /// Where to: from the trajectory that nothing limits.
-bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, double& mu,
-                               LimitedLqResult& result) {
+bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, bool outside,
+                               double& mu, LimitedLqResult& result) {
   Lane sum(0.0), count(0.0);
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int /*at*/) {
     const Lane scale = load(mine.scale + r), weight = load(rows.weight + r);
@@ -60,13 +63,13 @@ bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, 
   }
   keep();
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu);
+    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, false);
   });
   if (!interior_step(h, recursion, {.equality = heavier}, result)) return false;
   mu = mean_product(h, 1.0);
   keep();
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu);
+    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, outside);
   });
   return true;
 }
@@ -115,35 +118,91 @@ double LimitedLq::mean_product(const LqHorizon& h, double length) const {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// Multipliers and pieces of the interior-point method. False where the recursion fails.
-bool LimitedLq::approach(const LqHorizon& h, RiccatiRecursion& recursion,
-                         const LimitedLqBudget& budget, LimitedLqResult& result) {
+/// Trajectory, multipliers and pieces of the interior-point method, which are kept. False, with the
+/// first two as they were, where it does not end.
+bool LimitedLq::approach(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result) {
+  keep_solution();
+  const int factors_before = result.factors;
+  Steps steps = interior_steps(h, recursion, false, result);
+  if (steps == Steps::Short) steps = interior_steps(h, recursion, true, result);
+  const bool done = steps == Steps::Done;
+  result.interior += result.factors - factors_before;
+  result.failed_knot = result.failed_control = -1;
+  result.approached = result.approached || done;
+  if (done)
+    keep_solution();
+  else
+    swap_solution(h);
+  return done;
+}
+
+void LimitedLq::keep_solution() {
+  for (const Knot& k : knots_) {
+    dense::copy(k.z, stride_, k.z_kept);
+    dense::copy(k.multiplier, row_count_, k.multiplier_kept);
+    dense::copy(k.piece, row_count_, k.piece_kept);
+  }
+}
+
+/// The kept trajectory and multipliers for the present ones.
+void LimitedLq::swap_solution(const LqHorizon& h) {
+  for (int k = 0; k <= N_; ++k) {
+    const Knot& mine = knot_at(k);
+    std::swap_ranges(mine.z, mine.z + stride_, mine.z_kept);
+    std::swap_ranges(mine.multiplier, mine.multiplier + row_count_, mine.multiplier_kept);
+    std::swap_ranges(mine.piece, mine.piece + row_count_, mine.piece_kept);
+    row_values(h, k);
+  }
+}
+
+/// Multipliers, and the pieces that rows go to; the last step's length is `length`.
+void LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
+  for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
+    const Lane price = load(rows.price + r), zero(0.0);
+    const auto has_one = mask_and(less(zero, load(rows.weight + r)), less(zero, price));
+    const Lane piece = interior_.piece(at, rows, r, length), multiplier = interior_.multiplier(at);
+    const auto broken = less(Lane(1.0), absolute(piece));
+    // Beyond the price is the square of the violation.
+    const Lane beyond = larger(price, absolute(multiplier));
+    const Lane at_price = select(less(zero, piece), beyond, -beyond);
+    const Lane pushing = select(broken, at_price, clip(multiplier, -price, price));
+    const auto pushes = less(zero, absolute(piece));
+    store(mine.multiplier + r,
+          select(has_one, select(pushes, pushing, zero), load(mine.multiplier + r)));
+    store(mine.piece + r, piece);
+  });
+}
+
+/// Steps until products and distances from slacks are small. Short: some in a row are, since
+/// violations begin far below what they have to be; nothing is lost with a start that has them.
+LimitedLq::Steps LimitedLq::interior_steps(const LqHorizon& h, RiccatiRecursion& recursion,
+                                           bool outside, LimitedLqResult& result) {
   double begun = 0.0, left = 1.0;
-  if (!begin_interior(h, recursion, begun, result)) return result.failed_knot < 0;
+  if (!begin_interior(h, recursion, outside, begun, result)) return Steps::Failed;
   double mu = mean_product(h, 0.0);
-  for (int step = 0; step < most_steps && result.factors < budget.factors; ++step) {
-    if (mu <= enough * begun && left <= enough) break;
+  int in_a_row = 0;
+  for (int step = 0; step < most_steps; ++step) {
     const double equality = std::min(heaviest, heavier * begun / mu);
-    if (!interior_step(h, recursion, {.equality = equality}, result)) return false;
+    if (!interior_step(h, recursion, {.equality = equality}, result)) return Steps::Failed;
     const double share = mean_product(h, interior_length(h)) / mu;
     if (!interior_step(h, recursion, {share * share * share * mu, true, equality}, result))
-      return false;
+      return Steps::Failed;
     const double length = std::min(1.0, kept_back * interior_length(h));
-    if (!(length > shortest)) break;
+    if (!(length > shortest)) return Steps::Failed;
     blend(length);
     for_each_vector(
         h, [&](const Knot&, const RowArrays&, int, int at) { interior_.advance(at, length); });
     keep();
     left *= 1.0 - length;
     mu = mean_product(h, 0.0);
+    if (mu <= enough * begun && left <= enough) {
+      take_interior_rows(h, length);
+      return Steps::Done;
+    }
+    in_a_row = length < short_length ? in_a_row + 1 : 0;
+    if (in_a_row == short_patience && !outside) return Steps::Short;
   }
-  for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    const Lane price = load(rows.price + r);
-    const auto has_one = mask_and(less(Lane(0.0), load(rows.weight + r)), less(Lane(0.0), price));
-    store(mine.multiplier + r, select(has_one, clip(interior_.multiplier(at), -price, price),
-                                      load(mine.multiplier + r)));
-  });
-  return true;
+  return Steps::Failed;
 }
 
 }  // namespace burnish

@@ -40,19 +40,58 @@ std::string failure(const DdpSummary& s, const ShootingProblem& problem) {
   return "not evaluated" + where + ": " + std::string(describe(s.status));
 }
 
-/// The rows that cannot hold together, each once.
-std::string conflict_text(const DdpSummary& s, const ShootingProblem& problem) {
-  std::vector<std::string> names;
-  for (const RowPlace& place : s.conflict) {
+/// Names of rows, each once, and the first and last knot of each.
+std::string row_list(const std::vector<RowPlace>& places, const ShootingProblem& problem) {
+  struct Named {
+    std::string name;
+    int first, last;
+  };
+  std::vector<Named> rows;
+  for (const RowPlace& place : places) {
     const std::string name = name_or_number(problem.row_names(place.knot), place.row);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    const auto known =
+        std::find_if(rows.begin(), rows.end(), [&](const Named& r) { return r.name == name; });
+    if (known == rows.end()) {
+      rows.push_back({name, place.knot, place.knot});
+    } else {
+      known->first = std::min(known->first, place.knot);
+      known->last = std::max(known->last, place.knot);
+    }
   }
   constexpr std::size_t most = 5;
   std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-    list += (i == 0 ? ": " : ", ") + names[i];
-  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) {
+    list += (i == 0 ? "" : ", ") + rows[i].name + " (knot " + std::to_string(rows[i].first);
+    if (rows[i].last > rows[i].first) list += " to " + std::to_string(rows[i].last);
+    list += ")";
+  }
+  if (rows.size() > most) list += " and " + std::to_string(rows.size() - most) + " more";
   return list;
+}
+
+/// "'lean/tilt' is 0.398, allowed -0.3 to 0.3"
+std::string start_text(const DdpSummary& s, const ShootingProblem& problem) {
+  std::string list;
+  for (const StartRow& row : s.start_outside) {
+    list += (list.empty() ? "" : "; ") + name_or_number(problem.row_names(0), row.row) + " is " +
+            short_number(row.value) + ", allowed ";
+    if (std::isinf(row.upper))
+      list += "at least " + short_number(row.lower);
+    else if (std::isinf(row.lower))
+      list += "at most " + short_number(row.upper);
+    else
+      list += short_number(row.lower) + " to " + short_number(row.upper);
+  }
+  return list;
+}
+
+/// The rows that are broken, and the rows that stop them.
+std::string conflict_text(const DdpSummary& s, const ShootingProblem& problem) {
+  if (s.conflict.empty()) return "no trajectory keeps all limits from this start";
+  std::string text =
+      "no trajectory near this one keeps all limits: " + row_list(s.conflict, problem);
+  if (!s.stopping.empty()) text += ", stopped by " + row_list(s.stopping, problem);
+  return text;
 }
 
 std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
@@ -79,7 +118,7 @@ std::string reason_text(const DdpSummary& s, const ShootingProblem& problem) {
              name_or_number(problem.control_names(), s.control) + ", though regularised with " +
              largest;
     case StopReason::Infeasible:
-      return "no trajectory near this one keeps all limits" + conflict_text(s, problem);
+      return conflict_text(s, problem);
     case StopReason::NoStep:
       return "no step length lowers the cost, though regularised with " +
              short_number(s.regularization) +
@@ -126,6 +165,8 @@ std::string rows_text(const std::vector<CostReport::Row>& rows) {
 std::string DdpSummary::text(const ShootingProblem& problem) const {
   std::string sentence = reason_text(*this, problem);
   if (reason == StopReason::NotEvaluated) return sentence;
+  if (!start_outside.empty())
+    sentence += "; the start is outside its limits: " + start_text(*this, problem);
   sentence += "; cost " + short_number(cost) + ", ";
   if (outside_knot >= 0)
     return sentence +

@@ -9,16 +9,16 @@ namespace {
 
 class SolutionLimits : public ::testing::Test {
  protected:
-  static Problem problem() {
+  static Problem problem(const std::string& start = "") {
     const Scratch scratch;
     const auto file = scratch.write(
         "swing.yaml",
-        "robot: pendulum\n"
-        "stages:\n"
-        "  swing: {step: 0.25, costs: {torque: {type: control}},\n"
-        "          constraints: {speed: {type: joint_velocity, lower: -1, upper: 1}}}\n"
-        "  hold: {step: 0.5, costs: {torque: {type: control}}}\n"
-        "horizon: [swing: 4, hold: 2]\n");
+        "robot: pendulum\n" + start +
+            "stages:\n"
+            "  swing: {step: 0.25, costs: {torque: {type: control}},\n"
+            "          constraints: {speed: {type: joint_velocity, lower: -1, upper: 1}}}\n"
+            "  hold: {step: 0.5, costs: {torque: {type: control}}}\n"
+            "horizon: [swing: 4, hold: 2]\n");
     return Problem(read_problem_file(file).spec);
   }
 
@@ -56,6 +56,35 @@ TEST_F(SolutionLimits, PushInRangesOfConsecutiveKnots) {
   ASSERT_EQ(times.size(), 2U);
   EXPECT_EQ(times.at("speed").dump(), "[[0.0,0.25],[0.75,1.5]]");
   EXPECT_EQ(times.at("range").dump(), "[[0.25,0.5]]");
+}
+
+TEST_F(SolutionLimits, SummaryOfAStartOutside_SaysSoInItsFieldsAndItsSentence) {
+  Problem fast = problem("start: {velocity: {pivot: 3}}\n");
+  DdpSolver solver(fast);
+  solver.solve();
+  const auto summary = summary_json("swing.yaml", fast, solver);
+  EXPECT_EQ(summary["reason"], "infeasible");
+  EXPECT_EQ(summary["converged"], false);
+  EXPECT_EQ(summary["feasible"], false);
+  EXPECT_EQ(summary["largest_gap"], 0.0);
+  EXPECT_EQ(summary["outside"], 2.0);
+  ASSERT_EQ(summary["start_outside"].size(), 1U);
+  EXPECT_EQ(summary["start_outside"][0]["row"], "speed/pivot");
+  EXPECT_EQ(summary["start_outside"][0]["value"], 3.0);
+  EXPECT_EQ(summary["start_outside"][0]["upper"], 1.0);
+  const std::string sentence = summary["sentence"];
+  EXPECT_NE(sentence.find("the start is outside its limits: 'speed/pivot' is 3, allowed -1 to 1"),
+            std::string::npos)
+      << sentence;
+  EXPECT_NE(sentence.find("not feasible: 'speed/pivot'"), std::string::npos) << sentence;
+}
+
+TEST_F(SolutionLimits, SummaryOfASolution_IsFeasible) {
+  DdpSolver solver(swing);
+  ASSERT_EQ(solver.solve().reason, StopReason::Converged);
+  const auto summary = summary_json("swing.yaml", swing, solver);
+  EXPECT_EQ(summary["feasible"], true);
+  EXPECT_EQ(summary["start_outside"].size(), 0U);
 }
 
 }  // namespace

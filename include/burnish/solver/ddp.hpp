@@ -47,10 +47,19 @@ struct RowPlace {
   int row = 0;  ///< of those of the knot
 };
 
+/// A hard row of the first knot that the initial state alone puts outside its limits.
+struct StartRow {
+  int row = 0;         ///< of those of the first knot
+  double value = 0.0;  ///< in the row's unit
+  double lower = 0.0;  ///< infinite where there is none
+  double upper = 0.0;  ///< likewise
+};
+
 struct DdpSummary {
   StopReason reason = StopReason::MaxIterations;
   int iterations = 0;  ///< line searches made
   double cost = 0.0;   ///< of the trajectory that is returned
+  /// No gap is above gap_tolerance, and every hard row is within its limits.
   bool feasible = false;
   double expected_improvement = 0.0;  ///< the last one computed
   double regularization = 0.0;        ///< the last one used
@@ -65,7 +74,10 @@ struct DdpSummary {
   int pushing = 0;           ///< rows that push
   /// hard rows that push with all that their price allows, since they cannot be kept
   int given_way = 0;
-  std::vector<RowPlace> conflict = {};  ///< Infeasible: rows that cannot hold together
+  std::vector<RowPlace> conflict = {};  ///< Infeasible: rows outside their limits, worst first
+  /// Infeasible: rows that push against those in conflict, from the hardest down.
+  std::vector<RowPlace> stopping = {};
+  std::vector<StartRow> start_outside = {};  ///< whatever the reason
   /// NotEvaluated, NotPositiveDefinite, and NoStep where the last trial could not be evaluated:
   /// where and what.
   Status status = Status::Ok;

@@ -1,0 +1,144 @@
+#include "limit_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace burnish::bench {
+namespace {
+
+/// A violation, as a share of the scale, and a gap that a converged trajectory may have.
+constexpr double kept = 1e-6, closed = 1e-6;
+/// Violation of the optimum without limits above which limits count as sure to be active.
+constexpr double sure = 1e-3;
+/// Problems that are drawn until one can be solved without limits.
+constexpr int most_attempts = 100;
+
+Error unsolved() {
+  return Error("of " + std::to_string(most_attempts) +
+               " problems without limits none could be solved");
+}
+
+/// A problem with limits that a known trajectory keeps; several are drawn where that of one cannot
+/// be solved.
+LimitProblem draw_feasible(Draws& draws, const RobotChoice& choice, Sort& sort) {
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    LimitProblem problem = draw_problem(draws, choice);
+    problem.limits = draw_kinds(draws, problem);
+    const bool near = draws.chance(0.5);
+    LimitProblem other = problem;
+    if (!near) other.aims = other_aims(draws, problem.aims);
+    const auto known = solve_without_limits(other);
+    if (!known) continue;
+    const bool touching = draws.chance(0.3);
+    const auto limits = near && touching ? limits_around(draws, problem, *known, 1e-9, 1e-5)
+                                         : limits_around(draws, problem, *known, 1e-3, 0.3);
+    if (!limits) continue;
+    problem.limits = *limits;
+    Case limited(problem, {});
+    const double outside = violation(limited.problem(), *known);
+    if (outside > 1e-9)
+      throw Error("a known trajectory is outside of the limits laid around it by " +
+                  std::to_string(outside));
+    const auto optimum = near ? known : solve_without_limits(problem);
+    if (!optimum) continue;
+    sort = violation(limited.problem(), *optimum) > sure ? Sort::Beyond : Sort::Near;
+    return problem;
+  }
+  throw unsolved();
+}
+
+/// A problem with limits that know nothing of a solution; several are drawn likewise.
+LimitProblem draw_freely(Draws& draws, const RobotChoice& choice) {
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    LimitProblem problem = draw_problem(draws, choice);
+    problem.limits = free_limits(draws, problem, draw_kinds(draws, problem));
+    if (solve_without_limits(problem)) return problem;
+  }
+  throw unsolved();
+}
+
+DdpOptions options_of(const OutcomeOptions& wanted) {
+  DdpOptions options{.max_iterations = wanted.iterations};
+  if (wanted.shooting) options.update = StepUpdate::MultipleShooting;
+  if (wanted.verbose)
+    options.callback = [](const DdpProgress& p) {
+      fmt::print(
+          "{:4d} cost {:12.7g} expected {:9.2g} gap {:8.1g} step {:7.3g} regular. {:7.1g} "
+          "outside {:8.2g} recursions {}\n",
+          p.iteration, p.cost, p.expected_improvement, p.largest_gap, p.step_length,
+          p.regularization, p.outside, p.factors);
+      return true;
+    };
+  return options;
+}
+
+Sort sort_of(const Judgement& judgement) {
+  if (judgement.verdict == Judgement::Verdict::Feasible) return Sort::Feasible;
+  return judgement.verdict == Judgement::Verdict::Infeasible ? Sort::Infeasible : Sort::Unclear;
+}
+
+}  // namespace
+
+std::string_view name_of(Sort sort) {
+  constexpr std::string_view names[] = {"limits near the optimum", "optimum outside the limits",
+                                        "free draw, feasible", "free draw, infeasible",
+                                        "free draw, unclear"};
+  return names[static_cast<std::size_t>(sort)];
+}
+
+bool Outcome::is_wrongly_converged() const {
+  return converged() && (violation > kept || gap > closed);
+}
+
+std::string Outcome::text_of_problem() const {
+  std::string kinds;
+  for (const Limit& limit : problem.limits)
+    kinds += fmt::format(" {}{}", name_of(limit.kind), limit.late ? " (late)" : "");
+  return fmt::format("seed {}: {}, {}, {} knots of {:.2g} ms, {};{}", seed, problem.robot,
+                     problem.holds ? "holds" : "slides", problem.knots, 1e3 * problem.step,
+                     name_of(sort), kinds);
+}
+
+Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
+  Draws draws(seed);
+  Outcome o{.seed = seed};
+  const bool by_construction = seed % 2 == 0;
+  o.problem = by_construction ? draw_feasible(draws, options.choice, o.sort)
+                              : draw_freely(draws, options.choice);
+  if (!options.write.empty())
+    std::ofstream(options.write) << text_of(
+        o.problem, {.description = "seed " + std::to_string(seed) + " of burnish_limit_problems"});
+  Case limited(o.problem, {});
+  if (!by_construction) {
+    o.judgement = judge(o.problem, limited.problem());
+    o.sort = sort_of(o.judgement);
+    if (options.verbose)
+      fmt::print("judged: {} with violations of {:.3g}, then {:.3g}{}\n", name_of(o.sort),
+                 o.judgement.before, o.judgement.violation,
+                 o.judgement.settled ? "" : ", not converged");
+  }
+  if (options.verbose) fmt::print("{}\n", o.text_of_problem());
+  DdpSolver solver(limited.problem(), options_of(options));
+  solver.set_guess(limited.guess().xs, limited.guess().us);
+  const DdpSummary& summary = solver.solve();
+  o.reason = summary.reason;
+  o.iterations = summary.iterations;
+  o.seconds = summary.seconds.total;
+  o.text = solver.text();
+  for (const DdpProgress& p : summary.log) {
+    o.cut_short += p.factors >= solver.options().limits.max_factors;
+    o.zero_steps += p.step_length == 0.0;
+    o.regularization = std::max(o.regularization, p.regularization);
+  }
+  const TrajectoryGuess end{solver.xs(), solver.us()};
+  o.violation = violation(limited.problem(), end);
+  o.gap = largest_gap(limited.problem(), end);
+  // What keeps all limits proves that they can be kept.
+  if (!by_construction && o.converged() && o.violation <= kept && o.gap <= closed)
+    o.sort = Sort::Feasible;
+  if (options.verbose) fmt::print("{}\n", solver.cost_report().text());
+  return o;
+}
+
+}  // namespace burnish::bench
