@@ -75,6 +75,8 @@ int run_as(const RunArguments& a) {
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
     });
   });
+  for (const std::string& note : task_notes(spec.task))
+    fmt::print(stderr, "burnish: note: {}\n", note);
   const StopRequest stop("the run ends, and what there is of it is written");
   RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
   folder.claim(pressing::run_file_names());

@@ -85,7 +85,18 @@ DescribedFile& DescribedFile::word(const std::string& section, const std::string
 
 DescribedFile& DescribedFile::gone(const std::string& section, const std::string& name,
                                    const std::string& instead) {
-  section_named(section).gone[name] = instead;
+  section_named(section).gone[name] = "is gone; wanted " + instead;
+  return *this;
+}
+
+DescribedFile& DescribedFile::without(const std::string& section,
+                                      const std::vector<std::string>& names,
+                                      const std::string& reason) {
+  Section& of = section_named(section);
+  for (const std::string& name : names) {
+    std::erase_if(of.keys, [&](const Key& key) { return key.name == name; });
+    of.gone[name] = "does nothing in this task: " + reason + "; wanted the key left out";
+  }
   return *this;
 }
 
@@ -133,9 +144,9 @@ void DescribedFile::read_section(void* spec, const Section& section, const Reade
     })->reading(spec, reader);
     return;
   }
-  for (const auto& [name, instead] : section.gone)
+  for (const auto& [name, sentence] : section.gone)
     if (const auto value = reader.find(name))
-      value->refuse("key " + in_quotes(name) + " is gone; wanted " + instead);
+      value->refuse("key " + in_quotes(name) + " " + sentence);
   std::vector<std::string> names;
   for (const Key& key : section.keys) names.push_back(key.name);
   reader.allow_only(names);
@@ -176,6 +187,14 @@ std::string DescribedFile::text(const void* spec) const {
     text += lines;
   }
   return text;
+}
+
+std::optional<Reader> stated(const Reader& text, const std::string& key) {
+  std::optional<Reader> value = text;
+  std::istringstream names(key);
+  for (std::string name; value && std::getline(names, name, '.');)
+    value = value->is_map() ? value->find(name) : std::nullopt;
+  return value;
 }
 
 Reader parse_override(const std::string& word) {

@@ -40,6 +40,19 @@ class DescribedFile {
   /// A key that there was: refused with what is in its place.
   DescribedFile& gone(const std::string& section, const std::string& name,
                       const std::string& instead);
+  /// Keys of the description that do nothing in this file, neither read nor written: one that is
+  /// stated is refused with the reason, such as "the robot stands on no feet".
+  DescribedFile& without(const std::string& section, const std::vector<std::string>& names,
+                         const std::string& reason);
+  /// Called with the specification and the texts that changed it, a file or all overrides of a
+  /// command, once all of them are read.
+  template <class Spec>
+  DescribedFile& settles(std::function<void(Spec& spec, const std::vector<Reader>& texts)> settle) {
+    settle_ = [settle = std::move(settle)](void* spec, const std::vector<Reader>& texts) {
+      settle(*static_cast<Spec*>(spec), texts);
+    };
+    return *this;
+  }
   /// These keys of the section go before its others.
   DescribedFile& first(const std::string& section, const std::vector<std::string>& names);
 
@@ -52,6 +65,10 @@ class DescribedFile {
   /// Reads what the file, or a change of it, states, over the specification. Throws Error with the
   /// place.
   void read(void* spec, const Reader& file) const;
+  /// What settles() asks for, behind read() of all these texts.
+  void settle(void* spec, const std::vector<Reader>& texts) const {
+    if (settle_) settle_(spec, texts);
+  }
   /// The whole specification as such a file.
   std::string text(const void* spec) const;
 
@@ -64,7 +81,7 @@ class DescribedFile {
   struct Section {
     std::string name, meaning, word = {};
     std::vector<Key> keys = {};
-    std::map<std::string, std::string> gone = {};
+    std::map<std::string, std::string> gone = {};  ///< what is refused, and the end of the sentence
   };
   DescribedFile& set(const std::string& section, const std::string& name, Read reading);
   Section& section_named(const std::string& name);
@@ -73,10 +90,14 @@ class DescribedFile {
   std::string head_, task_;
   bool says_task_;
   std::vector<Section> sections_;
+  std::function<void(void*, const std::vector<Reader>&)> settle_ = {};
 };
 
 /// "key.path=value" as a text that says it. Throws Error where the word is none.
 Reader parse_override(const std::string& word);
+
+/// The value of "section.key" where the text states it.
+std::optional<Reader> stated(const Reader& text, const std::string& key);
 
 /// A specification and the texts that said it, the one that counts last.
 template <class Spec>
@@ -103,10 +124,14 @@ decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
 /// says.
 template <class Spec>
 void change(Said<Spec>& said, const std::vector<std::string>& overrides) {
+  const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
+  std::vector<Reader> changes;
   for (const std::string& word : overrides) {
-    said.texts.push_back(parse_override(word));
-    file_of(static_cast<const Spec*>(nullptr)).read(&said.spec, said.texts.back());
+    changes.push_back(parse_override(word));
+    said.texts.push_back(changes.back());
+    form.read(&said.spec, changes.back());
   }
+  form.settle(&said.spec, changes);
 }
 /// Reads a text and then overrides. Throws Error naming file (or override), line, key and what was
 /// wanted.
@@ -117,6 +142,7 @@ Said<Spec> parse_said(const std::string& text, const std::string& name,
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));
   form.check_task(said.texts.front());
   form.read(&said.spec, said.texts.front());
+  form.settle(&said.spec, said.texts);
   change(said, overrides);
   return said;
 }

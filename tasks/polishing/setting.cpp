@@ -69,6 +69,21 @@ void check_carrier(const Task& task, const Model& model) {
 }
 }  // namespace
 
+namespace {
+/// A posture that was not searched is the user's, and the tool's axis too.
+Setting checked_axis(const Task& task, Setting setting) {
+  if (!task.tool_axis) return setting;
+  const Model& model = setting.robot.model;
+  const SurfaceSpec& surface = setting.scene.surface;
+  const Eigen::Matrix3d R_tool =
+      surface_placement(model, setting.q_start, surface).linear().transpose() *
+      frame_placement(model, setting.q_start, task.tool).linear();
+  pressing::check_tool_axis(R_tool * task.tool_axis->normalized(), surface.normal,
+                            task.search.tilt);
+  return setting;
+}
+}  // namespace
+
 Setting make_setting(const Task& task, const Robot& robot) {
   const bool searched = searches_posture(task, robot);
   if (searched && !task.surface_frame.empty())
@@ -80,12 +95,15 @@ Setting make_setting(const Task& task, const Robot& robot) {
       throw EntryError("posture",
                        "none is searched for a robot that stands; wanted one of the robot's "
                        "settings, with the tool before the surface");
-    return make_setting(task, robot, robot.reference_configuration());  // it has no other
+    return checked_axis(task,
+                        make_setting(task, robot, robot.reference_configuration()));  // no other
   }
-  return make_setting(
-      task, robot, pressing::start_posture(robot, searched ? searched_posture : task.posture, [&] {
-        return find_posture(task, robot, posture_options(task)).q;
-      }));
+  if (!searched)
+    return checked_axis(
+        task, make_setting(task, robot, pressing::start_posture(robot, task.posture, nullptr)));
+  return make_setting(task, robot, pressing::start_posture(robot, searched_posture, [&] {
+                        return find_posture(task, robot, posture_options(task)).q;
+                      }));
 }
 
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {

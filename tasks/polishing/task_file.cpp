@@ -137,7 +137,7 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
                      [](Task& task, const Reader& reader) { read_points(task.path, reader); })
         .word("path", "kind")
         .word("force_profile", "kind");
-    pressing::read_presets<Task>(form);
+    pressing::read_presets<Task>(form, "surface.friction");
     form.gone("weights", "position_limits", "constraints.joint_margin, which plans keep")
         .gone("weights", "velocity_limits", "constraints.joint_speed, which plans keep")
         .gone("weights", "torque_limits", "constraints.torque, which plans keep");

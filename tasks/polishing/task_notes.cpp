@@ -4,6 +4,7 @@
 #include "base/sentence.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/verdict.hpp"
+#include "pressing/task_checks.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -55,6 +56,8 @@ std::vector<std::string> task_notes(const Task& task) {
   note_lag(task, notes);
   note_force_error(task, notes);
   note_short_time(task, notes);
+  pressing::note_friction("surface.friction", task.friction, Task{}.friction, task.disturbances,
+                          notes);
   return notes;
 }
 

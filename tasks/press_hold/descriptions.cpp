@@ -79,7 +79,10 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         "Press at a point and hold the force while the rest of the arm moves aside: `burnish "
         "run`.\nSI units, angles in rad. A key that is left out has its default.",
         "press_hold");
-    pressing::read_presets<Task>(form);
+    pressing::read_presets<Task>(form, "surface.friction");
+    const std::string fixed = "the robot's base is fixed";
+    form.without("disturbances", pressing::disturbances_of_standing(), fixed)
+        .without("limits", {"base_lost", "support_way"}, fixed);
     form.first("limits", {"force", "slip"});
     return form;
   }();

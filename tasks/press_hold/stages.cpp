@@ -171,6 +171,12 @@ Setting make_setting(const Task& task, const Robot& robot) {
   Setting setting = setting_from(task, robot, pressing::start_posture(robot, task.posture, [&] {
                                    return search_start(task, robot);
                                  }));
+  const bool searched =
+      task.posture.empty() ? robot.default_posture.empty() : !robot.postures.contains(task.posture);
+  if (task.tool_axis && !searched)
+    pressing::check_tool_axis(frame_placement(robot.model, setting.q_start, task.tool).linear() *
+                                  task.tool_axis->normalized(),
+                              setting.scene.surface.normal, task.search.tilt);
   setting.q_aside = way_aside(task, robot.model, setting.q_start);
   return setting;
 }

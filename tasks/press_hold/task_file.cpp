@@ -2,6 +2,7 @@
 
 #include "base/sentence.hpp"
 #include "press_hold/descriptions.hpp"
+#include "pressing/task_checks.hpp"
 
 namespace burnish::press_hold {
 
@@ -43,6 +44,13 @@ void check_task(const Task& task) {
     if (!(time <= longest))
       throw EntryError(std::string("phases.") + key,
                        "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
+}
+
+std::vector<std::string> task_notes(const Task& task) {
+  std::vector<std::string> notes;
+  pressing::note_friction("surface.friction", task.friction, Task{}.friction, task.disturbances,
+                          notes);
+  return notes;
 }
 
 }  // namespace burnish::press_hold

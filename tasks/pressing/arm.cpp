@@ -1,6 +1,7 @@
 #include "pressing/arm.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
@@ -84,6 +85,16 @@ Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
       return search();
     return posture.empty() ? robot.reference_configuration() : robot.posture(posture);
   });
+}
+
+void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double most) {
+  const double off = std::atan2(axis.cross(normal).norm(), -axis.dot(normal));
+  if (off <= most) return;
+  throw EntryError("tool.axis",
+                   "in the posture at the start it is " + number(off) +
+                       " rad off the way into the surface; wanted at most " + number(most) +
+                       " rad (search.tilt), the axis that this posture presses along, or another "
+                       "posture");
 }
 
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot) {

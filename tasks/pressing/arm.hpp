@@ -29,6 +29,10 @@ void refuse_floating_base(const Model& model);
 Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
                               const std::function<Eigen::VectorXd()>& search);
 
+/// Throws EntryError, "tool.axis", where the direction that a tool presses in is more than `most`
+/// [rad] off the way into a surface, against its normal. Both in the same axes, of length one.
+void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double most);
+
 /// Of the robot's named postures, to search from.
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot);
 

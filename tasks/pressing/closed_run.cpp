@@ -71,9 +71,11 @@ std::optional<BaseEstimatorOptions> estimator_of(const ClosedRun& run) {
   return run.standing != nullptr ? base_estimator(*run.standing) : std::nullopt;
 }
 
-/// s that the plant goes on after a fault.
+/// How long the plant goes on after a fault [s]: until an arm has come to rest.
 double after_fault_of(const ClosedRun& run) {
-  return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : 0.0;
+  constexpr double arm = 0.3;
+  if (run.mpc == nullptr) return 0.0;
+  return run.standing != nullptr && run.standing->stands() ? run.standing->after_fault : arm;
 }
 
 /// Rows of a trace: 100 s of the plants' usual steps, 130 MB for six joints.

@@ -44,6 +44,7 @@ Describe<Task>& describe_tool(Describe<Task>& task) {
       .in_code(
           "that the tool presses along, in its frame, any length; without it see "
           "pressing_direction()")
+      .more("a posture that is given must agree with it, within search.tilt")
       .key("axis")
       .word("auto")
       .field("tip_radius", &Task::tip_radius, "{m}", range::positive);
@@ -53,7 +54,9 @@ Describe<Task>& describe_tool(Describe<Task>& task) {
 template <class Task>
 Describe<Task>& describe_material(Describe<Task>& task) {
   return task
-      .field("friction", &Task::friction, "Coulomb coefficient of the plant", range::not_negative)
+      .field("friction", &Task::friction,
+             "Coulomb coefficient of the plant, unless disturbances.surface_friction says another",
+             range::not_negative)
       .field("stiffness", &Task::stiffness, "{N/m}, of the plant", range::positive)
       .field("damping", &Task::damping, "{Ns/m}, of the plant", range::not_negative);
 }

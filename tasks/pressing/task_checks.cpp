@@ -32,4 +32,13 @@ void check_plan_times(const PlanTimes& times) {
                                              number(times.horizon) + " s; wanted fewer");
 }
 
+void note_friction(const std::string& key, double friction, double usual,
+                   const Disturbances& disturbances, std::vector<std::string>& notes) {
+  const std::optional<double>& instead = disturbances.surface_friction;
+  if (!instead || *instead == friction || friction == usual) return;
+  notes.push_back(key + " of " + number(friction) +
+                  " has no effect: disturbances.surface_friction of " + number(*instead) +
+                  " stands in its place; set that to none for the surface's own");
+}
+
 }  // namespace burnish::pressing

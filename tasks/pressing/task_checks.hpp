@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/sim/disturbances.hpp"
+
 namespace burnish::pressing {
 
 /// Entries and the s that they take. Throws EntryError for one that takes longer than 1e4 s.
@@ -25,5 +27,10 @@ template <class Task>
 PlanTimes plan_times_of(const Task& task) {
   return {task.tick_rate, task.update_rate, task.solver_delay, task.horizon, task.step, task.knots};
 }
+
+/// Adds a sentence where a friction of the surface that is not its default has no effect, because
+/// disturbances say another. `key`: such as "surface.friction".
+void note_friction(const std::string& key, double friction, double usual,
+                   const Disturbances& disturbances, std::vector<std::string>& notes);
 
 }  // namespace burnish::pressing

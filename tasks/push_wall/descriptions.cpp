@@ -197,7 +197,9 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         "Push with both hands against a wall, and lean to the largest force: `burnish run`.\nSI "
         "units, angles in rad. A key that is left out has its default.",
         "push_wall");
-    pressing::read_presets<Task>(form);
+    pressing::read_presets<Task>(form, "wall.friction");
+    form.without("disturbances", {"surface_curvature", "surface_shape", "surface_motion"},
+                 "the wall is a plane that stands");
     return form;
   }();
   return all;

@@ -81,4 +81,11 @@ void check_task(const Task& task) {
   pressing::check_plan_times(pressing::plan_times_of(task));
 }
 
+std::vector<std::string> task_notes(const Task& task) {
+  std::vector<std::string> notes;
+  pressing::note_friction("wall.friction", task.wall.friction, Wall{}.friction, task.disturbances,
+                          notes);
+  return notes;
+}
+
 }  // namespace burnish::push_wall

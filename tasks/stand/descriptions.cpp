@@ -126,6 +126,13 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         "angles in rad. A key that is left out has its default.",
         "stand");
     pressing::read_presets<Task>(form);
+    const std::string nothing = "nothing is pressed";
+    form.without("disturbances",
+                 {"surface_tilt_deg", "surface_height", "surface_curvature", "surface_shape",
+                  "surface_motion", "surface_friction"},
+                 nothing)
+        .without("model_error", {"sliding_bandwidth"}, nothing)
+        .without("constraints", {"force_band"}, nothing);
     return form;
   }();
   return all;

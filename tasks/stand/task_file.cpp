@@ -40,4 +40,6 @@ void check_task(const Task& task) {
   pressing::check_plan_times(pressing::plan_times_of(task));
 }
 
+std::vector<std::string> task_notes(const Task& /*task*/) { return {}; }
+
 }  // namespace burnish::stand

@@ -182,6 +182,37 @@ TEST_F(TaskFile, PresetsAddUp) {
   EXPECT_EQ(task.disturbances.encoder_bits, 17);
 }
 
+TEST_F(TaskFile, SurfaceFriction_BesideAPreset_IsTheSurfacesOwn) {
+  const auto friction = [&](const std::string& text, const std::vector<std::string>& overrides) {
+    const Task task = read_task(write(text), overrides);
+    return task.disturbances.surface_friction.value_or(task.friction);
+  };
+  EXPECT_EQ(friction("disturbances: mismatch\n", {}), 0.3);
+  EXPECT_EQ(friction("surface: {friction: 0.8}\ndisturbances: mismatch\n", {}), 0.8);
+  EXPECT_EQ(friction("disturbances: {surface_friction: 0.3}\n", {"surface.friction=0"}), 0.0);
+  EXPECT_EQ(friction("force: 30\n", {"surface.friction=0.8", "disturbances=mismatch"}), 0.8);
+  EXPECT_EQ(friction("surface: {friction: 0.8}\n", {"disturbances=mismatch"}), 0.3);
+  EXPECT_EQ(friction("surface: {friction: 0.8}\ndisturbances: {surface_friction: 0.1}\n", {}), 0.1);
+  for (const char* value : {"0", "0.8"}) {
+    const Task task = read_task(fs::path(BURNISH_TASKS_DIR) / "polishing" / "table.yaml",
+                                {"surface.friction=" + std::string(value)});
+    EXPECT_EQ(task.friction, std::stod(value));
+    EXPECT_FALSE(task.disturbances.surface_friction.has_value());
+  }
+}
+
+TEST_F(TaskFile, ToolAxis_OffTheGivenPosture_IsRefused) {
+  const auto axis = [](const char* text) {
+    Task task = parse_task("surface: table\n", "my.yaml", {"tool.axis=" + std::string(text)});
+    (void)make_setting(task);
+  };
+  for (const char* text : {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0, -1, 0.5]"})
+    expect_words(refusal([&] { axis(text); }),
+                 {"tool.axis", "rad off the way into the surface", "search.tilt"});
+  axis("[0, 0, -1]");
+  axis("[0.3, 0, -2]");
+}
+
 TEST_F(TaskFile, OverridesComeLastAndInOrder) {
   const fs::path file = write("force: 20\ndisturbances: {seed: 3}\n");
   const Task task = read_task(file, {"force=25", "weights.rotation=2", "disturbances=sensors",
@@ -319,6 +350,13 @@ TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
   Task task;
   task.disturbances = disturbance_preset("mismatch");
   EXPECT_TRUE(task_notes(task).empty());
+  task.friction = 0.5;
+  ASSERT_EQ(task_notes(task).size(), 1U);
+  expect_words(task_notes(task)[0], {"surface.friction of 0.5 has no effect",
+                                     "disturbances.surface_friction of 0.3 stands in its place"});
+  task.friction = 0.3;
+  EXPECT_TRUE(task_notes(task).empty());
+  task.friction = 0.0;
   task.path.rate = 3.0;
   EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 60.0;

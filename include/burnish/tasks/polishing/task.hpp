@@ -75,7 +75,8 @@ struct Task {
   PostureLimits search = {};
   Standing standing = {};     ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip
-  /// that the tool presses along, in its frame, any length; without it see pressing_direction()
+  /// that the tool presses along, in its frame, any length; without it see pressing_direction(); a
+  /// posture that is given must agree with it, within search.tilt
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< m
 
@@ -90,7 +91,8 @@ struct Task {
   /// m that there is surface beyond the path, on all four sides of a square about the path's
   /// origin; infinite: it has no end
   double extent = 0.1;
-  double friction = 0.0;   ///< Coulomb coefficient of the plant
+  /// Coulomb coefficient of the plant, unless disturbances.surface_friction says another
+  double friction = 0.0;
   double stiffness = 1e5;  ///< N/m, of the plant
   double damping = 500.0;  ///< Ns/m, of the plant
 

@@ -28,13 +28,15 @@ struct Task {
   std::map<std::string, double> aside = {};
 
   std::string tool = "tool";  ///< its origin is the centre of a round tip
-  /// that the tool presses along, in its frame, any length; without it see pressing_direction()
+  /// that the tool presses along, in its frame, any length; without it see pressing_direction(); a
+  /// posture that is given must agree with it, within search.tilt
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< m
 
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();  ///< out of the surface, any length
   double extent = 0.1;  ///< m that there is surface beyond the point, on all four sides; or endless
-  double friction = 0.0;   ///< Coulomb coefficient of the plant
+  /// Coulomb coefficient of the plant, unless disturbances.surface_friction says another
+  double friction = 0.0;
   double stiffness = 1e5;  ///< N/m, of the plant
   double damping = 500.0;  ///< Ns/m, of the plant
   PostureLimits search = {};
@@ -78,6 +80,8 @@ void override_task(Task& task, const std::vector<std::string>& overrides);
 void check_task(const Task& task);
 /// The whole task as such a file, every key with its unit and meaning; reads back as it was.
 std::string task_text(const Task& task);
+/// What is possible in a task, but without effect: sentences for the user before a run.
+std::vector<std::string> task_notes(const Task& task);
 
 /// The task with everything resolved.
 struct Setting {
