@@ -9,6 +9,7 @@
 #include "model/lock.hpp"
 #include "model/loops.hpp"
 #include "model/mass_check.hpp"
+#include "model/plausibility.hpp"
 #include "model/posture.hpp"
 #include "model/tendons.hpp"
 #include "model/tree_check.hpp"
@@ -296,6 +297,7 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options) {
   fill_neutral(walk, model);
   fill_support(model);
   check_inertia_along_joints(model, findings);
+  check_plausibility(tree, options, findings);
   findings.refuse_problems();
   model.notes = tree.notes;
   model.warnings = tree.warnings;

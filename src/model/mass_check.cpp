@@ -199,4 +199,24 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
   oddities.warn(findings);
 }
 
+std::string simulation_problem(const Model& model) {
+  if (model.joints.empty()) return "";
+  std::vector<std::string> names;
+  for (const Joint& joint : model.joints) names.push_back(joint.name);
+  if (model.total_mass() <= 0.0)
+    return listed("joint", names) + (names.size() == 1 ? " moves" : " move") +
+           " no mass, so that it cannot be simulated; give the links beyond a mass";
+  Findings findings("");
+  check_inertia_along_joints(model, findings);
+  std::string text;
+  for (const std::string& warning : findings.warnings())
+    text += (text.empty() ? "" : "; ") + warning.substr(std::string_view(": ").size());
+  return text;
+}
+
+void require_simulable(const Model& model) {
+  const std::string problem = simulation_problem(model);
+  if (!problem.empty()) refuse("robot " + in_quotes(model.name), problem);
+}
+
 }  // namespace burnish

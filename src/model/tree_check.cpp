@@ -6,17 +6,12 @@
 
 #include "base/sentence.hpp"
 #include "model/loops.hpp"
+#include "model/tree_sentence.hpp"
 
 namespace burnish {
 namespace {
 
 using IndexByName = std::unordered_map<std::string, std::size_t>;
-
-std::string label(const std::string& kind, const std::string& name, int line) {
-  return (line > 0 ? "line " + std::to_string(line) + ": " : "") + kind + " " + in_quotes(name);
-}
-std::string label_of(const JointSpec& joint) { return label("joint", joint.name, joint.line); }
-std::string label_of(const LinkSpec& link) { return label("link", link.name, link.line); }
 
 template <class Element>
 IndexByName index_names(const std::vector<Element>& elements, const std::string& kind,

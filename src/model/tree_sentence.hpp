@@ -12,6 +12,15 @@ inline std::string origin_of(const TreeSpec& tree) {
   return tree.name.empty() ? "tree" : "robot " + in_quotes(tree.name);
 }
 
+/// "line 12: joint 'a'"
+inline std::string label(const std::string& kind, const std::string& name, int line) {
+  return (line > 0 ? "line " + std::to_string(line) + ": " : "") + kind + " " + in_quotes(name);
+}
+inline std::string label_of(const JointSpec& joint) {
+  return label("joint", joint.name, joint.line);
+}
+inline std::string label_of(const LinkSpec& link) { return label("link", link.name, link.line); }
+
 [[noreturn]] inline void refuse(const TreeSpec& tree, const std::string& what) {
   refuse(origin_of(tree), what);
 }

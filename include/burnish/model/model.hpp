@@ -193,11 +193,11 @@ struct Model {
 /// negative masses, moments of inertia, limits, damping, friction, armature or stiffness; inertias
 /// that are not symmetric; zero axes (others are normalised); lower limits above upper ones.
 ///
-/// Warnings, which ModelOptions::strict turns into refusals, are: inertias that belong to no solid
-/// (principal moments may break the triangle inequality by 5 % of the largest, since published
-/// figures are rounded; what vanishes beside mass x (1 cm)^2 is rounding too); joints that move no
-/// mass at any posture and have no armature, whose mass matrix is singular: Status::SingularMass;
-/// position limits of a ball and springs in planar and floating joints, which are passed over.
+/// Warnings, which ModelOptions::strict turns into refusals, are: figures that no robot has, as
+/// those of a wrong unit (docs/robots.md); inertias that belong to no solid (principal moments may
+/// break the triangle inequality by 5 % of the largest, since published figures are rounded);
+/// joints that move no mass at any posture and have no armature: Status::SingularMass; position
+/// limits of a ball and springs in planar and floating joints, which are passed over.
 ///
 /// A loop adds two frames, NAME/first and NAME/second, that hang on its links or stand in the
 /// world. Refused are loops without a name, directions or known links, two of one name, and one of
