@@ -7,8 +7,10 @@
 
 #include "base/yaml_word.hpp"
 #include "burnish/tasks/polishing/run.hpp"
+#include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
+#include "plan_steps.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
 #include "progress_bar.hpp"
@@ -191,9 +193,11 @@ void check(const std::vector<PolishJob>& jobs, const Texts& texts,
     if (arguments.unchecked) continue;
     const polishing::Task& task = job.spec.task;
     polishing::ReachReport& reach = places.back().second;
-    reach = polishing::check_reach(task, files::placed(texts.at(job.place), [&] {
-                                     return polishing::make_setting(task, *job.spec.robot);
-                                   }));
+    const polishing::Setting setting = files::placed(
+        texts.at(job.place), [&] { return polishing::make_setting(task, *job.spec.robot); });
+    if (job.spec.controller == ControllerKind::Mpc)
+      print_step_complaints(job.place, polishing::make_mpc(task, setting));
+    reach = polishing::check_reach(task, setting);
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
   }
   for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);

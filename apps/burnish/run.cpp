@@ -9,6 +9,7 @@
 #include "base/yaml_word.hpp"
 #include "command.hpp"
 #include "named_tasks.hpp"
+#include "plan_steps.hpp"
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
 #include "progress_bar.hpp"
@@ -73,6 +74,8 @@ int run_as(const RunArguments& a) {
       print_warnings(robot, a.strict);
       spec.setting = make_setting(spec.task, robot);
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
+      if constexpr (requires { spec.task.step; })
+        print_step_complaints(run.name, make_mpc(spec.task, *spec.setting));
     });
   });
   for (const std::string& note : task_notes(spec.task))

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "burnish/ocp/check.hpp"
+#include "burnish/ocp/step_check.hpp"
 #include "command.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -77,7 +78,8 @@ int solve(const SolveArguments& arguments) {
   const bool talks = !arguments.quiet && !arguments.json;
   if (talks) print_start(problem, arguments.file);
   const DdpSummary& summary = solver.solve();
-  const auto report = summary_json(arguments.file, problem, solver);
+  const StepReport steps = check_steps(problem, solver.xs(), solver.us());
+  const auto report = summary_json(arguments.file, problem, solver, steps);
   std::vector<std::string> names;
   std::string unwritten;  // why files are missing
   try {
@@ -91,9 +93,12 @@ int solve(const SolveArguments& arguments) {
   } else {
     if (talks) fmt::print("\n{}\n", solver.cost_report().text());
     fmt::print("{}\n", solver.text());
+    if (talks) fmt::print("{}\n", steps.text());
     if (talks && unwritten.empty())
       fmt::print("in {}: {}\n", folder.path().string(), fmt::join(names, ", "));
   }
+  if (steps.coarse)
+    fmt::print(stderr, "burnish: {}: warning: {}\n", arguments.file, steps.warning());
   if (!unwritten.empty()) throw Error(unwritten);
   return summary.reason == StopReason::Converged ? exit_ok : exit_failed;
 }

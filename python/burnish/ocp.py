@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Model, NodeView, Problem, check_problem, complaints
+from ._core import Model, NodeView, Problem, check_problem, check_steps, complaints, step_complaints
 from ._signal import OverTime, Signal, over_time
 from ._spec import Spec
 from .base import Status
@@ -20,8 +20,8 @@ from .residual import Residual
 __all__ = ["ActuationSpec", "Constraint", "CostTerm", "Discretization", "HorizonSegment", "Integrator", "NodeView",
            "OverTime", "Penalty", "PenaltyKind", "Problem", "ProblemCheckOptions", "ProblemCheckRow",
            "ProblemReport", "ProblemSpec", "QuasiStatic", "Residual", "Signal", "Stage",
-           "StateLayout", "TorqueModel", "TrajectoryExpansion", "TrajectoryValues",
-           "check_problem", "complaints", "over_time"]
+           "StateLayout", "StepError", "StepReport", "TorqueModel", "TrajectoryExpansion", "TrajectoryValues",
+           "check_problem", "check_steps", "complaints", "over_time", "step_complaints"]
 
 
 # Described classes stand here (scripts/describe).
@@ -127,3 +127,14 @@ class ProblemReport(Spec):
     def text(self) -> str:
         """A table of all rows, the worst entries of those that fail, and the verdict."""
         return _core.problem_report_text(self)
+
+
+@dataclass(eq=False, repr=False)
+class StepReport(Spec):
+    def text(self) -> str:
+        """One sentence with both errors."""
+        return _core.step_report_text(self)
+
+    def warning(self) -> str:
+        """One sentence that says where and by how much the steps are too coarse; empty: they are not."""
+        return _core.step_report_warning(self)

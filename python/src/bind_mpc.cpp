@@ -1,5 +1,6 @@
 // Model predictive control.
 #include "bind.hpp"
+#include "burnish/mpc/plan_check.hpp"
 #include "loop_parts.hpp"
 #include "machine_solver.hpp"
 
@@ -344,6 +345,14 @@ void bind_mpc(py::module_& m) {
   bind_schedule(m);
   bind_observer(m);
   m.def("fault_text", &FaultReport::text, py::arg("report"));
+  m.def(
+      "step_complaints",
+      [](const MpcSpec& spec) {
+        const py::gil_scoped_release release;
+        return step_complaints(spec);
+      },
+      py::arg("spec"),
+      "The same of a controller's plans, and of the first one what check_steps() says. Solves it.");
 }
 
 }  // namespace burnish::python

@@ -100,6 +100,30 @@ void bind_check(py::module_& m) {
       "states outside limits, bounds that cannot hold the initial posture, redundant contacts with "
       "mu = 0. Empty when nothing was found.");
   m.def("problem_report_text", &ProblemReport::text, py::arg("report"));
+  m.def(
+      "check_steps",
+      [](ProblemMachine& machine, const Eigen::Ref<const RowMatrix>& xs,
+         const Eigen::Ref<const RowMatrix>& us) {
+        const Busy::Lock lock(machine.busy, "check_steps");
+        const py::gil_scoped_release release;
+        return check_steps(machine.problem, {xs.data(), xs.rows(), xs.cols()},
+                           {us.data(), us.rows(), us.cols()});
+      },
+      py::arg("problem"), py::arg("xs"), py::arg("us"),
+      "Integrates every knot of a trajectory (xs: (N + 1, nx), us: (N, nu)) again in small steps, "
+      "from its state with its control held, and compares with the problem's own step: a "
+      "StepReport. Raises Error for other sizes.");
+  m.def(
+      "step_complaints",
+      [](ProblemMachine& machine) {
+        const Busy::Lock lock(machine.busy, "step_complaints");
+        return step_complaints(machine.problem);
+      },
+      py::arg("problem"), py::call_guard<py::gil_scoped_release>(),
+      "Of the complaints() those about what the steps of a stage are too long for: gains of "
+      "contacts, friction of tools, damping, friction and springs of joints.");
+  m.def("step_report_text", &StepReport::text, py::arg("report"));
+  m.def("step_report_warning", &StepReport::warning, py::arg("report"));
 }
 
 }  // namespace

@@ -288,6 +288,28 @@ def test_complaints_are_sentences(robot):
     assert any("tool" in sentence for sentence in bn.complaints(bn.Problem(far)))
 
 
+def test_steps_that_are_too_coarse_are_a_sentence(robot):
+    def report_of(step):
+        spec = spec_of(robot, base_costs(), knots=3)
+        spec.stages[0].step = step
+        problem = bn.Problem(spec)
+        us = np.tile(problem.quasi_static(0, problem.initial_state).control + 3.0, (3, 1))
+        xs = [problem.initial_state]
+        for knot in range(3):
+            xs.append(problem.roll(knot, xs[-1], us[knot])[0])
+        assert bn.step_complaints(problem) == []
+        return bn.check_steps(problem, np.array(xs), us)
+
+    fine, coarse = report_of(0.001), report_of(0.3)
+    assert fine.status == bn.Status.OK and not fine.coarse and fine.warning() == ""
+    assert fine.position.unit == "rad" and fine.velocity.unit == "rad/s" and "off" in fine.text()
+    assert coarse.coarse and coarse.position.error > coarse.position.limit
+    assert "too coarse" in coarse.warning() and 0.0 < coarse.step_enough < 0.3
+    with pytest.raises(bn.Error, match="check_steps: xs is 2 x"):
+        problem = bn.Problem(spec_of(robot, base_costs()))
+        bn.check_steps(problem, np.zeros((2, 14)), np.zeros((6, 7)))
+
+
 def over_a_ball(robot, below=0.4):
     """A contact that follows a ball, whose top is `below` m under the tool, and costs that do."""
     tool = bn.frame_placement(robot.model, robot.reference_configuration(), "tool")[:3, 3]

@@ -228,6 +228,16 @@ class TestSetting:
         assert baseline.path.task(1.0).force == 22.0
         np.testing.assert_array_equal(baseline.path.posture, setting.q_start)
 
+    def test_its_plans_have_steps_that_are_short_enough(self):
+        task = polishing.make_task("table")
+        mpc = polishing.make_mpc(task, polishing.make_setting(task))
+        assert burnish.step_complaints(mpc) == []
+        for stage in mpc.problem.stages:
+            stage.step = 0.2
+        assert any("kd 40" in sentence for sentence in burnish.step_complaints(mpc))
+        with pytest.raises(burnish.Error, match="controller.step"):
+            polishing.run_task(polishing.RunSpec(task.replace(step=0.2)))
+
     def test_a_controller_made_from_it_polishes_in_a_loop_of_one_s_own(self):
         task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
         setting = polishing.make_setting(task)

@@ -9,6 +9,7 @@
 #include "burnish/derivatives/diagnosis.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/check.hpp"
+#include "burnish/ocp/step_check.hpp"
 #include "ocp/problem_impl.hpp"
 #include "ocp/reach.hpp"
 
@@ -281,7 +282,9 @@ std::vector<std::string> complaints(const Problem& problem) {
   about_bounds(problem, sentences);
   about_springs(problem, sentences);
   about_surfaces(problem, sentences);
-  if (about_mass(problem, sentences)) about_contacts(problem, sentences);
+  if (!about_mass(problem, sentences)) return sentences;
+  about_contacts(problem, sentences);
+  for (std::string& sentence : step_complaints(problem)) sentences.push_back(std::move(sentence));
   return sentences;
 }
 

@@ -283,4 +283,41 @@ const Description& description_of(const ProblemReport* /*of*/) {
   return all;
 }
 
+const Description& description_of(const StepError* /*of*/) {
+  using E = StepError;
+  static const Description all =
+      Describe<E>("ocp", "StepError",
+                  "How far the end of one step of a plan is from the motion that small steps lead "
+                  "to.")
+          .result()
+          .field("knot", &E::knot, "at which the step begins; -1: no time passes in the problem")
+          .field("place", &E::place, "the knot's name, such as \"press, knot 3\"")
+          .field("time", &E::time, "{s}, of that knot")
+          .field("step", &E::step, "{s}")
+          .field("entry", &E::entry, "the entry of v, as the model names it")
+          .field("unit", &E::unit, "\"rad\" or \"m\"; of velocities \"rad/s\" or \"m/s\"")
+          .field("error", &E::error, "size, in that unit")
+          .field("limit", &E::limit, "largest error that is no warning, in that unit");
+  return all;
+}
+
+const Description& description_of(const StepReport* /*of*/) {
+  using R = StepReport;
+  static const Description all =
+      Describe<R>("ocp", "StepReport",
+                  "What check_steps() found: the largest error of a position and of a velocity, of "
+                  "those above their limits where there are any.")
+          .result()
+          .field("status", &R::status,
+                 "ok, or why the errors of `knot` cannot be computed: the smallest steps do not "
+                 "agree, a number is not finite, or what the contacts say")
+          .field("knot", &R::knot, "the first one with that status; -1: none")
+          .field("position", &R::position, "by the model's difference")
+          .field("velocity", &R::velocity)
+          .field("coarse", &R::coarse, "an error is above its limit, or cannot be computed")
+          .field("step_enough", &R::step_enough,
+                 "{s}, a step that would do at the worst knot; 0: not coarse, or none was found");
+  return all;
+}
+
 }  // namespace burnish

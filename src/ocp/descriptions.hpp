@@ -4,6 +4,7 @@
 #include "base/descriptions.hpp"
 #include "burnish/ocp/check.hpp"
 #include "burnish/ocp/problem.hpp"
+#include "burnish/ocp/step_check.hpp"
 #include "derivatives/descriptions.hpp"
 
 namespace burnish {
@@ -46,5 +47,7 @@ const Description& description_of(const Problem::QuasiStatic*);
 const Description& description_of(const ProblemCheckOptions*);
 const Description& description_of(const ProblemCheckRow*);
 const Description& description_of(const ProblemReport*);
+const Description& description_of(const StepError*);
+const Description& description_of(const StepReport*);
 
 }  // namespace burnish

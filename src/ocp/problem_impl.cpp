@@ -282,7 +282,7 @@ KnotValue Problem::Impl::roll(int index, int knot, const double* x, const double
 }
 
 void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView at,
-                           ocp::KnotTime<NativePack>& time) {
+                           ocp::KnotTime<NativePack>& time) const {
   const int nx = compiled.layout.nx(), nu = compiled.layout.nu;
   const int target_count = stage(range.begin).targets;
   for (int l = 0; l < native_lanes; ++l) {

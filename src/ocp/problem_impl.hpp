@@ -38,6 +38,9 @@ struct Problem::Impl {
   double* targets_of(int knot) {
     return targets.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
   }
+  const double* targets_of(int knot) const {
+    return targets.data() + static_cast<std::ptrdiff_t>(knot) * compiled.largest_targets;
+  }
   ocp::Worker& worker(int index) { return *workers[static_cast<std::size_t>(index)]; }
 
   Status set_initial_state(const ConstVectorRef& x);
@@ -69,7 +72,7 @@ struct Problem::Impl {
   void run(int index, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
            double* rows, KnotExpansion* out);
   void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at,
-              ocp::KnotTime<NativePack>& time);
+              ocp::KnotTime<NativePack>& time) const;
   void store_expansion(const ocp::Worker& worker, const ocp::CompiledStage& stage, KnotRange range,
                        KnotExpansion* out) const;
 

@@ -9,6 +9,7 @@
 
 #include "burnish/base/trace.hpp"
 #include "burnish/files/problem_file.hpp"
+#include "burnish/ocp/step_check.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish {
@@ -39,8 +40,9 @@ std::string limits_csv(const Problem& problem, const CostReport& report);
 std::map<std::string, nlohmann::ordered_json> active_times(const Problem& problem,
                                                            const CostReport& report);
 
+/// `steps`: what check_steps() says of the solver's trajectory.
 nlohmann::ordered_json summary_json(const std::string& file, Problem& problem,
-                                    const DdpSolver& solver);
+                                    const DdpSolver& solver, const StepReport& steps);
 
 /// Writes trajectory.csv, gains.json, summary.json (`summary`), the plots, and where the problem
 /// has constraints limits.csv; their names. Throws Error if a file cannot be written.

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "base/descriptions.hpp"
 #include "base/whole_file.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -81,6 +82,26 @@ Json start_json(const Problem& problem, const DdpSummary& summary) {
   return rows;
 }
 
+Json step_error_json(const StepError& error) {
+  return {{"error", number_json(error.error)},
+          {"limit", number_json(error.limit)},
+          {"unit", error.unit},
+          {"entry", error.entry},
+          {"knot", error.knot},
+          {"time", number_json(error.time)},
+          {"step", number_json(error.step)}};
+}
+
+Json steps_json(const StepReport& steps) {
+  Json json{{"status", words_of(Status()).list()[static_cast<std::size_t>(steps.status)]},
+            {"coarse", steps.coarse},
+            {"position", step_error_json(steps.position)},
+            {"velocity", step_error_json(steps.velocity)},
+            {"sentence", steps.coarse ? steps.warning() : steps.text()}};
+  if (steps.step_enough > 0.0) json["step_enough"] = number_json(steps.step_enough);
+  return json;
+}
+
 }  // namespace
 
 Json gains_json(Problem& problem, DdpSolver& solver) {
@@ -118,7 +139,8 @@ Json gains_json(Problem& problem, DdpSolver& solver) {
   return json;
 }
 
-Json summary_json(const std::string& file, Problem& problem, const DdpSolver& solver) {
+Json summary_json(const std::string& file, Problem& problem, const DdpSolver& solver,
+                  const StepReport& steps) {
   const DdpSummary& s = solver.summary();
   const CostReport report = solver.cost_report();
   Json terms = Json::object();
@@ -157,6 +179,7 @@ Json summary_json(const std::string& file, Problem& problem, const DdpSolver& so
             {"expand", s.seconds.expand},
             {"backward", s.seconds.backward},
             {"trial", s.seconds.trial}}},
+          {"discretization", steps_json(steps)},
           {"cost_by_term", terms},
           {"constraints", rows_json(problem, report)},
           {"log", log}};

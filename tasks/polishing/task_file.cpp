@@ -10,6 +10,7 @@
 #include "files/read_values.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/horizon.hpp"
+#include "pressing/task_checks.hpp"
 #include "pressing/task_form.hpp"
 
 namespace burnish::polishing {
@@ -79,6 +80,9 @@ void check_times(const Task& task) {
 
 /// That the plan's knots can be.
 void check_knots(const Task& task) {
+  pressing::check_contact_step(task.step, "controller.contact_kd", task.contact_kd);
+  if (task.standing.stands())
+    pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
   if (task.knots > 0) {
     ProblemSpec spec;
     spec.stages = {{.name = "plan", .step = task.step}};

@@ -15,6 +15,15 @@ void check_durations(const std::vector<std::pair<std::string, double>>& duration
                        "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
 }
 
+void check_contact_step(double step, const std::string& named, double kd) {
+  if (step * kd < 2.0) return;
+  throw EntryError("controller.step",
+                   "it is " + number(step) + " s and " + named + " " + number(kd) +
+                       " 1/s: errors of the contact grow in such steps, and it is not held; wanted "
+                       "a step below " +
+                       number(2.0 / kd) + " s, or better of at most " + number(0.5 / kd) + " s");
+}
+
 void check_plan_times(const PlanTimes& times) {
   const double ticks = times.tick_rate / times.update_rate;
   if (!(ticks >= 1.0 - 1e-9) || std::abs(ticks - std::round(ticks)) > 1e-6)

@@ -12,6 +12,11 @@ namespace burnish::pressing {
 /// Entries and the s that they take. Throws EntryError for one that takes longer than 1e4 s.
 void check_durations(const std::vector<std::pair<std::string, double>>& durations);
 
+/// Throws EntryError, of `controller.step`, for plans in whose steps (s) a contact that is held
+/// with the damping kd (1/s) of the entry `named` does not come to rest: errors grow from 2 / kd
+/// on.
+void check_contact_step(double step, const std::string& named, double kd);
+
 /// When plans are made, and over which knots that grow.
 struct PlanTimes {
   double tick_rate, update_rate;       ///< Hz

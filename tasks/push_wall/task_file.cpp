@@ -79,6 +79,8 @@ void check_task(const Task& task) {
                              {"phases.release_duration", task.release_duration},
                              {"phases.retreat_duration", task.retreat_duration}});
   pressing::check_plan_times(pressing::plan_times_of(task));
+  pressing::check_contact_step(task.step, "wall.contact_kd", task.wall.contact_kd);
+  pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
 }
 
 std::vector<std::string> task_notes(const Task& task) {

@@ -38,6 +38,7 @@ void check_task(const Task& task) {
                          number(task.sway_duration) +
                          " s (phases.sway_duration); wanted half of that at most");
   pressing::check_plan_times(pressing::plan_times_of(task));
+  pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
 }
 
 std::vector<std::string> task_notes(const Task& /*task*/) { return {}; }

@@ -45,6 +45,13 @@ TEST(Solve, WritesWhatItSays) {
   EXPECT_EQ(summary["reason"], "converged");
   EXPECT_EQ(summary["log"].size(), summary["iterations"].get<std::size_t>());
   EXPECT_LE(summary["largest_gap"].get<double>(), 1e-9);
+  const Json& steps = summary["discretization"];
+  EXPECT_EQ(steps["status"], "ok");
+  EXPECT_FALSE(steps["coarse"].get<bool>());
+  EXPECT_EQ(steps["position"]["unit"], "rad");
+  EXPECT_LT(steps["position"]["error"].get<double>(), steps["position"]["limit"].get<double>());
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("discretisation: a step ends at most"), std::string::npos);
 
   const Json gains = Json::parse(contents(out / "gains.json"));
   ASSERT_EQ(gains["knots"].size(), 20U);
@@ -95,6 +102,22 @@ TEST(Solve, TellsWhereLimitsPushAlongTheHorizon) {
     EXPECT_LE(range[0].get<double>(), range[1].get<double>());
   EXPECT_GT(row["active_times"].size(), 0U);
   EXPECT_NE(contents(out / "limits.svg").find("class='curve'"), std::string::npos);
+}
+
+TEST(Solve, StepsThatAreTooCoarse_AreAWarningAndInTheSummary) {
+  const Scratch scratch;
+  std::string coarse = problem;
+  coarse.replace(coarse.find("    contacts: [table]\n"), 0, "    step: 0.5\n");
+  coarse.replace(coarse.find("kd: 20"), 6, "kd: 2");
+  const auto out = scratch.folder / "out";
+  const Outcome outcome = run("solve " + quoted(scratch.write("coarse.yaml", coarse)) +
+                              " --quiet --out " + quoted(out));
+  for (const char* word : {"warning: the steps are too coarse", "0.5 s", "would do"})
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  const Json steps = Json::parse(contents(out / "summary.json"))["discretization"];
+  EXPECT_TRUE(steps["coarse"].get<bool>());
+  EXPECT_LT(steps["step_enough"].get<double>(), 0.5);
+  EXPECT_GT(steps["step_enough"].get<double>(), 0.0);
 }
 
 TEST(Solve, NotConvergedIsExitCodeOneAndFilesAreThere) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "burnish/files/problem_file.hpp"
+#include "burnish/ocp/step_check.hpp"
 #include "burnish/solver/ddp.hpp"
 
 namespace burnish::testing {
@@ -120,6 +121,9 @@ TEST_P(ExampleProblem, ConvergesFromItsOwnStart) {
   const TrajectoryGuess guess = make_guess(problem, file.guess);
   solver.set_guess(guess.xs, guess.us);
   EXPECT_EQ(solver.solve().reason, StopReason::Converged) << solver.text();
+  const StepReport steps = check_steps(problem, solver.xs(), solver.us());
+  EXPECT_FALSE(steps.coarse) << steps.warning();
+  EXPECT_EQ(step_complaints(problem), std::vector<std::string>{});
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProblem, ::testing::ValuesIn(examples()),

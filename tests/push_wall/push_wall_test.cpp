@@ -167,6 +167,8 @@ TEST(PushWall, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "controller: {update_rate: 300}\n"),
                {"line 4: controller.update_rate: it is 300 Hz"});
   expect_words(refused(head + "controller: {knots: 300}\n"), {"line 4: controller.knots"});
+  expect_words(refused(head + "controller: {step: 0.05, knots: 10}\n"),
+               {"line 4: controller.step", "wall.contact_kd 40", "below 0.05 s"});
   expect_words(refused("task: push_wall\nrobot: tallos\n"), {"line 2: robot", "talos"});
 }
 

@@ -238,6 +238,8 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "controller: {solver_delay: 0.02}\n"),
                {"line 3: controller.solver_delay"});
   expect_words(refused(head + "controller: {knots: 300}\n"), {"line 3: controller.knots"});
+  expect_words(refused(head + "controller: {step: 0.1, knots: 5}\n"),
+               {"line 3: controller.step", "standing.contact_kd 20", "below 0.1 s"});
   expect_words(refused(head + "phases: {rest_duration: 1e5}\n"),
                {"line 3: phases.rest_duration: it takes"});
   expect_words(refused("task: stand\nrobot: quadrupd\n"), {"line 2: robot", "quadruped"});

@@ -75,7 +75,8 @@ ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options
 ///  - an initial state outside the limits of joints: position, velocity, torque;
 ///  - control bounds that cannot hold the initial posture at rest;
 ///  - joints that move no mass at the initial posture;
-///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0.
+///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0;
+///  - what the steps of a stage are too long for: step_complaints().
 /// Targets are those of the present horizon.
 std::vector<std::string> complaints(const Problem& problem);
 

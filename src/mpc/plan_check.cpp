@@ -1,0 +1,41 @@
+#include "burnish/mpc/plan_check.hpp"
+
+#include <limits>
+
+#include "burnish/ocp/step_check.hpp"
+#include "burnish/solver/ddp.hpp"
+#include "mpc/horizon.hpp"
+
+namespace burnish {
+namespace {
+
+/// Those of the controller's first solve.
+DdpOptions first_options(const MpcSpec& spec) {
+  DdpOptions options = spec.solver;
+  options.limits.largest_price = 0.0;
+  options.max_iterations = spec.first_iterations;
+  options.limits.max_factors = options.limits.max_sweeps = spec.first_factors;
+  options.time_budget = std::numeric_limits<double>::infinity();
+  return options;
+}
+
+}  // namespace
+
+std::vector<std::string> step_complaints(const MpcSpec& given) {
+  MpcSpec spec = given;
+  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
+  Problem problem(spec.problem);
+  std::vector<std::string> sentences = step_complaints(problem);
+  Horizon horizon(spec, problem, Schedule(spec.schedule));
+  horizon.place(0.0);
+  const Eigen::VectorXd& x = spec.problem.initial_state;
+  horizon.guess_rest(x, problem.quasi_static(problem.stage_of(0), x).control);
+  DdpSolver solver(problem, first_options(spec));
+  solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
+  solver.solve();
+  const StepReport report = check_steps(problem, solver.xs(), solver.us());
+  if (report.coarse) sentences.push_back("the first plan: " + report.warning());
+  return sentences;
+}
+
+}  // namespace burnish
