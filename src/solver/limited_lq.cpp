@@ -449,14 +449,9 @@ LimitedLqResult LimitedLq::solve(const LqHorizon& h, RiccatiRecursion& recursion
 void LimitedLq::cut_short(const LqHorizon& h, RiccatiRecursion& recursion,
                           LimitedLqResult& result) {
   result.open = left_open(h);
-  if (!result.approached) return;
-  swap_solution(h);
-  const double open = left_open(h);
-  if (open >= result.open) {
-    swap_solution(h);
-    return;
-  }
-  result.open = open;
+  if (!result.approached || result.interior_open >= result.open) return;
+  take_kept(h);
+  result.open = result.interior_open;
   take_pieces(h);
   if (factor(h, recursion, N_, result)) return;
   result.failed_knot = result.failed_control = -1;

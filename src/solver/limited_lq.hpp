@@ -47,8 +47,9 @@ struct LimitedLqBudget {
 
 struct LimitedLqResult {
   int factors = 0, sweeps = 0;
-  int interior = 0;         ///< factors of an interior-point method
-  bool approached = false;  ///< by one that came to its end
+  int interior = 0;            ///< factors of an interior-point method
+  bool approached = false;     ///< by one that came to its end
+  double interior_open = 0.0;  ///< of its solution
   int semismooth() const { return factors - interior; }
   bool converged = false;
   double open = 0.0;  ///< what the tolerance is held against, at the last minimum
@@ -130,9 +131,11 @@ class LimitedLq {
   bool interior_step(const LqHorizon& h, RiccatiRecursion& recursion,
                      const InteriorRows::Target& target, LimitedLqResult& result);
   void keep_solution();
-  void swap_solution(const LqHorizon& h);
+  void take_kept(const LqHorizon& h);
   void cut_short(const LqHorizon& h, RiccatiRecursion& recursion, LimitedLqResult& result);
-  void take_interior_rows(const LqHorizon& h, double length);
+  double take_interior_rows(const LqHorizon& h, double length);
+  double advance_interior(const LqHorizon& h, RiccatiRecursion& recursion, double mu,
+                          double equality, LimitedLqResult& result);
   enum class Steps { Done, Short, Failed };
   Steps interior_steps(const LqHorizon& h, RiccatiRecursion& recursion, bool outside,
                        LimitedLqResult& result);

@@ -28,6 +28,8 @@ constexpr double shortest = 1e-8, kept_back = 0.995;
 /// Steps below this length, so many in a row, get nowhere.
 constexpr double short_length = 0.1;
 constexpr int short_patience = 3;
+/// Steps at most from then on that products are small.
+constexpr int most_after = 10;
 
 }  // namespace
 
@@ -132,7 +134,8 @@ bool LimitedLq::approach(const LqHorizon& h, RiccatiRecursion& recursion, Limite
   if (done)
     keep_solution();
   else
-    swap_solution(h);
+    take_kept(h);
+  result.interior_open = left_open(h);
   return done;
 }
 
@@ -144,19 +147,20 @@ void LimitedLq::keep_solution() {
   }
 }
 
-/// The kept trajectory and multipliers for the present ones.
-void LimitedLq::swap_solution(const LqHorizon& h) {
+void LimitedLq::take_kept(const LqHorizon& h) {
   for (int k = 0; k <= N_; ++k) {
     const Knot& mine = knot_at(k);
-    std::swap_ranges(mine.z, mine.z + stride_, mine.z_kept);
-    std::swap_ranges(mine.multiplier, mine.multiplier + row_count_, mine.multiplier_kept);
-    std::swap_ranges(mine.piece, mine.piece + row_count_, mine.piece_kept);
+    dense::copy(mine.z_kept, stride_, mine.z);
+    dense::copy(mine.multiplier_kept, row_count_, mine.multiplier);
+    dense::copy(mine.piece_kept, row_count_, mine.piece);
     row_values(h, k);
   }
 }
 
-/// Multipliers, and the pieces that rows go to; the last step's length is `length`.
-void LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
+/// Multipliers, and the pieces that rows go to; the last step's length is `length`. Returns by how
+/// much pieces have changed, summed.
+double LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
+  Lane changed(0.0);
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
     const Lane price = load(rows.price + r), zero(0.0);
     const auto has_one = mask_and(less(zero, load(rows.weight + r)), less(zero, price));
@@ -169,40 +173,61 @@ void LimitedLq::take_interior_rows(const LqHorizon& h, double length) {
     const auto pushes = less(zero, absolute(piece));
     store(mine.multiplier + r,
           select(has_one, select(pushes, pushing, zero), load(mine.multiplier + r)));
+    changed += absolute(piece - load(mine.piece + r));
     store(mine.piece + r, piece);
   });
+  double sum = 0.0;
+  for (int l = 0; l < lanes; ++l) sum += changed.lane(l);
+  return sum;
 }
 
-/// Steps until products and distances from slacks are small. Short: some in a row are, since
-/// violations begin far below what they have to be; nothing is lost with a start that has them.
+/// A step of predictor and corrector, and its length; 0 where there is none.
+double LimitedLq::advance_interior(const LqHorizon& h, RiccatiRecursion& recursion, double mu,
+                                   double equality, LimitedLqResult& result) {
+  if (!interior_step(h, recursion, {.equality = equality}, result)) return 0.0;
+  const double share = mean_product(h, interior_length(h)) / mu;
+  if (!interior_step(h, recursion, {share * share * share * mu, true, equality}, result))
+    return 0.0;
+  const double length = std::min(1.0, kept_back * interior_length(h));
+  if (!(length > shortest)) return 0.0;
+  blend(length);
+  for_each_vector(
+      h, [&](const Knot&, const RowArrays&, int, int at) { interior_.advance(at, length); });
+  keep();
+  return length;
+}
+
+/// Steps until products and distances from slacks are small, and on until the pieces that rows go
+/// to are those of the step before; where they do not become so, those of the step that changed
+/// fewest are taken. Short: some in a row are, since violations begin far below what they have to
+/// be; nothing is lost with a start that has them.
 LimitedLq::Steps LimitedLq::interior_steps(const LqHorizon& h, RiccatiRecursion& recursion,
                                            bool outside, LimitedLqResult& result) {
   double begun = 0.0, left = 1.0;
   if (!begin_interior(h, recursion, outside, begun, result)) return Steps::Failed;
   double mu = mean_product(h, 0.0);
-  int in_a_row = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  int in_a_row = 0, after = 0;
+  double fewest = 0.0;  // changes of pieces
+  for (int step = 0; step < most_steps && after <= most_after; ++step) {
     const double equality = std::min(heaviest, heavier * begun / mu);
-    if (!interior_step(h, recursion, {.equality = equality}, result)) return Steps::Failed;
-    const double share = mean_product(h, interior_length(h)) / mu;
-    if (!interior_step(h, recursion, {share * share * share * mu, true, equality}, result))
-      return Steps::Failed;
-    const double length = std::min(1.0, kept_back * interior_length(h));
-    if (!(length > shortest)) return Steps::Failed;
-    blend(length);
-    for_each_vector(
-        h, [&](const Knot&, const RowArrays&, int, int at) { interior_.advance(at, length); });
-    keep();
+    const double length = advance_interior(h, recursion, mu, equality, result);
+    if (length == 0.0) break;
     left *= 1.0 - length;
     mu = mean_product(h, 0.0);
     if (mu <= enough * begun && left <= enough) {
-      take_interior_rows(h, length);
-      return Steps::Done;
+      const double changes = take_interior_rows(h, length);
+      if (changes == 0.0) return Steps::Done;
+      if (after++ == 0 || changes <= fewest) {
+        fewest = changes;
+        keep_solution();
+      }
     }
     in_a_row = length < short_length ? in_a_row + 1 : 0;
-    if (in_a_row == short_patience && !outside) return Steps::Short;
+    if (in_a_row == short_patience && !outside && after == 0) return Steps::Short;
   }
-  return Steps::Failed;
+  if (after == 0) return Steps::Failed;
+  take_kept(h);
+  return Steps::Done;
 }
 
 }  // namespace burnish
