@@ -96,6 +96,8 @@ class Pacer final : public Controller {
       times->reserve(room);
   }
   int nv() const override { return mpc_->nv(); }
+  bool carries_payload() const noexcept override { return mpc_->carries_payload(); }
+  void expect_estimated_base() noexcept override { mpc_->expect_estimated_base(); }
   void reset() noexcept override { mpc_->reset(); }
   const Command& tick(const Measurement& measurement) noexcept override;
 

@@ -324,7 +324,9 @@ void bind_mpc_controller(py::module_& m) {
           },
           py::arg("frame"), py::arg("payload"),
           "What the robot carries at a frame from the next tick on: an InertiaSpec in the frame's "
-          "axes, in the place of what that frame's body carried before.")
+          "axes, in the place of what that frame's body carried before. Raises Error where the "
+          "base "
+          "is estimated (ClosedLoop.estimate_base), which a payload does not reach.")
       .def("fault",
            reading("MpcController.fault", [](const MpcController& mpc) { return mpc.fault(); }),
            "A FaultReport; its kind is NONE until there is a fault.")

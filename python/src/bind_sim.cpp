@@ -341,7 +341,8 @@ void bind_loop(py::module_& m) {
           "From the next reset() on the controller is given an estimate of where the base is, in "
           "place of the plant's own entries: from a measurement unit, the joints and the feet. It "
           "starts where the robot does. known: the Model as the controller knows it. Raises Error "
-          "for a robot without a floating base, unknown frames and options out of range.")
+          "for a robot without a floating base, unknown frames, options out of range, and a "
+          "controller that carries a payload, which the estimate would not know of.")
       .def("reset", &BoundLoop::reset, py::arg("q"), py::arg("v") = py::none(),
            "Puts the plant at q (nq,) with the velocity v (nv,), None: at rest, and everything "
            "else to its start. Empties the trace: views of it are then of the new run.")

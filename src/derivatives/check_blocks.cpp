@@ -19,15 +19,21 @@ BlockMismatch compare(const DerivativeBlock& block) {
       block.expected.rows() != rows || block.expected.cols() != columns) {
     throw Error("block " + block.name + ": the sizes of derivatives, differences and names differ");
   }
+  const auto in_units = [&](Eigen::Index i, Eigen::Index j, double x) {
+    const double by = block.column_units.size() > 0 ? block.column_units[j] : 1.0;
+    const double of = block.row_units.size() > 0 ? block.row_units[i] : 1.0;
+    return std::abs(x) * by / of;
+  };
   double scale = block.floor;
-  for (const double x : block.expected.reshaped()) {
-    if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
-  }
+  for (Eigen::Index j = 0; j < columns; ++j)
+    for (Eigen::Index i = 0; i < rows; ++i)
+      if (const double x = in_units(i, j, block.expected(i, j)); std::isfinite(x))
+        scale = std::max(scale, x);
   scale = std::max(scale, block.noise / usual_tolerance);
   BlockMismatch worst;
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const double apart = std::abs(block.value(i, j) - block.expected(i, j));
+      const double apart = in_units(i, j, block.value(i, j) - block.expected(i, j));
       double error = apart == 0.0 ? 0.0 : apart / scale;
       if (!std::isfinite(error)) error = std::numeric_limits<double>::infinity();
       if (worst.entry.block.empty() || error > worst.error) {

@@ -12,6 +12,8 @@ struct DerivativeBlock {
   Eigen::MatrixXd expected;  ///< from differences
   double floor = 0.0;        ///< what the error is relative to where the block itself is smaller
   double noise = 0.0;        ///< by how much `expected` is uncertain through rounding
+  /// Units of the rows' values and of what columns are by; floor and noise are in them. Empty: 1.
+  Eigen::VectorXd row_units = {}, column_units = {};
 };
 
 struct BlockMismatch {
@@ -19,9 +21,9 @@ struct BlockMismatch {
   CheckEntry entry;    ///< the worst one; its state is not set
 };
 
-/// Where the noise is more than 1e-6 of the largest entry, the error is relative to as much more,
-/// so that noise passes with the default tolerance. Throws Error when the two sides or the names
-/// differ in size.
+/// Entries are compared in their units. Where the noise is more than 1e-6 of the largest entry, the
+/// error is relative to as much more, so that noise passes with the default tolerance. Throws Error
+/// when the two sides or the names differ in size.
 BlockMismatch compare(const DerivativeBlock& block);
 
 }  // namespace burnish

@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::array<double, 3> first_steps{0.02, 0.002, 4.0 * smallest_difference};  // rad or m
+constexpr std::array<double, 3> first_steps{0.02, 0.002, 4.0 * smallest_difference};
 
 struct Estimate {
   Eigen::MatrixXd value, uncertainty;
@@ -82,11 +82,11 @@ Eigen::MatrixXd central_differences(const MovedValues& values, int n, double ste
 }
 
 Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,
-                                         const std::vector<DifferenceGroup>& groups,
-                                         double wanted) {
+                                         const std::vector<DifferenceGroup>& groups, double wanted,
+                                         double finer) {
   Estimate best;
   for (const double step : first_steps) {
-    const Estimate next = extrapolate(values, step);
+    const Estimate next = extrapolate(values, finer * step);
     if (best.value.size() == 0) {
       best = next;
     } else {

@@ -28,15 +28,16 @@ struct DifferenceGroup {
 /// m x n: per entry the best of several extrapolations of central differences, by the estimate of
 /// its own error (C. Ridders, Accurate computation of F'(x), 1982). Smaller steps are tried only
 /// while the estimate exceeds `wanted`, relative to the largest entry of a group of rows, and the
-/// group's noise. Rows behind the last group are one more.
+/// group's noise. Rows behind the last group are one more. With `finer` below 1 all steps are that
+/// part of what they are.
 Eigen::MatrixXd extrapolated_differences(const AllMovedValues& values,
                                          const std::vector<DifferenceGroup>& groups,
-                                         double wanted = 1e-9);
+                                         double wanted = 1e-9, double finer = 1.0);
 /// With two groups, of which the first has `split` rows.
 Eigen::MatrixXd extrapolated_differences(const MovedValues& values, int n, int split,
                                          double wanted = 1e-9);
 
-/// The smallest step that those take, rad or m.
+/// The smallest step that those take, in units of what is moved.
 inline constexpr double smallest_difference = 0.0002 / 4.0;
 
 }  // namespace burnish

@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr double exact_step = 0.5;  // of central differences of quadratic functions
+constexpr double exact_step = 0.5;  // of central differences of quadratic functions, in units
 
 /// What central differences with a step leave of the rounding of sums of this size, some of which
 /// the extrapolation multiplies.
@@ -18,41 +18,66 @@ double noise_of(double size, double step) {
   return 16.0 * std::numeric_limits<double>::epsilon() * size / step;
 }
 
-/// Differences of the values at one state. Columns are entries of what is moved, rows those of
-/// CheckValues::at.
+/// How much finer differences by q are where a contact follows a surface that bends within the
+/// robot's length.
+double finer_on(const CheckState& state, const ContactSet& set, const ContactDynamics& dynamics,
+                double length) {
+  double sharpest = 1.0;
+  for (int c = 0; c < set.size(); ++c) {
+    const std::optional<Quadric>& stated = set.contacts()[c].spec.reference.quadric;
+    const std::optional<Quadric>& surface = c == 0 && state.surface ? state.surface : stated;
+    if (!surface) continue;
+    const ContactForce at = dynamics.force(c);
+    const Eigen::Vector3d tool =
+        at.base_rotation.transpose() * (at.tool_position - at.base_position);
+    const double slope = surface->gradient(tool).norm();
+    if (slope > 0.0) sharpest = std::max(sharpest, surface->Q.norm() / slope * length);
+  }
+  return 1.0 / sharpest;
+}
+
+/// Differences of the values at one state. Columns are entries of what is moved, in its units, rows
+/// those of CheckValues::at.
 class Differences {
  public:
   Differences(const Model& model, CheckValues& values, const CheckState& state, bool forward)
       : model_(model), values_(values), state_(state), forward_(forward) {}
 
   /// By q, in the tangent space, as exactly as the comparison needs it.
-  Eigen::MatrixXd by_q(const CheckSizes& sizes) {
+  Eigen::MatrixXd by_q(const CheckSizes& sizes, double finer) {
+    const CheckUnits& units = values_.units();
+    const int nv = values_.nv(), m = values_.rows();
+    Eigen::VectorXd rows(2 * (nv + m));
+    rows << units.motion, units.row_force, units.torque, units.row;
     const auto moved = [&](double h) {
       CheckColumns columns(state_);
       columns.q.resize(model_.nq, model_.nv);
       for (int k = 0; k < model_.nv; ++k)
-        columns.q.col(k) = integrate(model_, state_.q, h * Eigen::VectorXd::Unit(model_.nv, k));
-      return values_.at(columns, model_.nv, {forward_, true, true});
+        columns.q.col(k) =
+            integrate(model_, state_.q, h * units.motion[k] * Eigen::VectorXd::Unit(model_.nv, k));
+      return Eigen::MatrixXd(rows.cwiseInverse().asDiagonal() *
+                             values_.at(columns, model_.nv, {forward_, true, true}));
     };
-    const int nv = values_.nv(), m = values_.rows();
-    const auto noise = [](double size) { return noise_of(size, smallest_difference); };
-    return extrapolated_differences(moved,
-                                    {{nv, noise(sizes.a)},
-                                     {m, noise(sizes.lambda)},
-                                     {nv, noise(sizes.tau)},
-                                     {m, noise(sizes.alpha)}},
-                                    1e-8);
+    const auto noise = [&](double size) { return noise_of(size, finer * smallest_difference); };
+    const Eigen::MatrixXd in_units = extrapolated_differences(moved,
+                                                              {{nv, noise(sizes.a)},
+                                                               {m, noise(sizes.lambda)},
+                                                               {nv, noise(sizes.tau)},
+                                                               {m, noise(sizes.alpha)}},
+                                                              1e-8, finer);
+    return rows.asDiagonal() * in_units * units.motion.cwiseInverse().asDiagonal();
   }
-  /// By another argument, in which the values are at most quadratic.
-  Eigen::MatrixXd by(Eigen::MatrixXd CheckColumns::*argument, const Evaluations& wanted) {
+  /// By another argument, in which the values are at most quadratic, with a step for each entry.
+  Eigen::MatrixXd by(Eigen::MatrixXd CheckColumns::*argument, const Eigen::VectorXd& steps,
+                     const Evaluations& wanted) {
     const auto moved = [&](double h) {
       CheckColumns columns(state_);
       const Eigen::VectorXd at = (columns.*argument).col(0);
       (columns.*argument) = at.replicate(1, at.size());
-      (columns.*argument).diagonal().array() += h;
+      (columns.*argument).diagonal() += h * steps;
       return values_.at(columns, static_cast<int>(at.size()), wanted);
     };
-    return central_differences(moved, exact_step);
+    return central_differences(moved, 1.0) * steps.cwiseInverse().asDiagonal();
   }
 
  private:
@@ -62,9 +87,10 @@ class Differences {
   bool forward_;
 };
 
-/// Errors of entries far below the values themselves are rounding.
-double floor_of(const Eigen::VectorXd& values) {
-  return std::max(1e-12, 1e-3 * (values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0));
+/// Errors of entries far below the values themselves, in units, are rounding.
+double floor_of(const Eigen::VectorXd& values, const Eigen::VectorXd& units) {
+  return std::max(
+      1e-12, 1e-3 * (values.size() > 0 ? values.cwiseQuotient(units).cwiseAbs().maxCoeff() : 0.0));
 }
 
 /// The blocks of one state, put together.
@@ -72,15 +98,23 @@ class Blocks {
  public:
   Blocks(const Model& model, ContactDynamics& dynamics, CheckValues& values,
          const CheckState& state)
-      : dynamics_(dynamics), state_(state), nv_(dynamics.nv()), m_(dynamics.rows()) {
+      : dynamics_(dynamics),
+        state_(state),
+        units_(values.units()),
+        nv_(dynamics.nv()),
+        m_(dynamics.rows()) {
     forward_ = dynamics.forward(state.q, state.v, state.tau) != Status::SingularMass;
+    finer_ = finer_on(state, dynamics.contacts(), dynamics, units_.length);
     sizes_ = values.sizes(state);
     Differences differences(model, values, state, forward_);
-    by_q_ = differences.by_q(sizes_);
-    by_v_ = differences.by(&CheckColumns::v, {forward_, true, true});
-    if (forward_) by_tau_ = differences.by(&CheckColumns::tau, {.forward = true});
-    by_a_ = differences.by(&CheckColumns::a, {.inverse = true, .acceleration = true});
-    by_lambda_ = differences.by(&CheckColumns::lambda, {.inverse = true});
+    by_q_ = differences.by_q(sizes_, finer_);
+    by_v_ = differences.by(&CheckColumns::v, exact_step * units_.motion, {forward_, true, true});
+    if (forward_)
+      by_tau_ = differences.by(&CheckColumns::tau, exact_step * units_.torque, {.forward = true});
+    by_a_ = differences.by(&CheckColumns::a, exact_step * units_.motion,
+                           {.inverse = true, .acceleration = true});
+    by_lambda_ =
+        differences.by(&CheckColumns::lambda, exact_step * units_.row_force, {.inverse = true});
     for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
     row_names_ = dynamics_.row_names();
   }
@@ -93,65 +127,78 @@ class Blocks {
   }
 
  private:
-  void add(const char* name, const std::vector<std::string>& rows,
-           const std::vector<std::string>& columns, const Eigen::MatrixXd& value,
+  /// Rows or columns of a block: their names and units.
+  struct Side {
+    const std::vector<std::string>& names;
+    const Eigen::VectorXd& units;
+  };
+  void add(const char* name, const Side& rows, const Side& columns, const Eigen::MatrixXd& value,
            const Eigen::MatrixXd& expected, double floor, double noise) {
-    blocks_.push_back({name, rows, columns, value, expected, floor, noise});
+    blocks_.push_back({name, rows.names, columns.names, value, expected, floor, noise, rows.units,
+                       columns.units});
     if (!good_) blocks_.back().value.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   /// What has no result has no derivatives either: its blocks fail.
   void require(Status status) { good_ = status == Status::Ok; }
+  double q_step() const { return finer_ * smallest_difference; }
 
   void add_forward() {
     require(dynamics_.forward(state_.q, state_.v, state_.tau));
-    const double a_floor = floor_of(dynamics_.a()), lambda_floor = floor_of(dynamics_.lambda());
+    const double a_floor = floor_of(dynamics_.a(), units_.motion);
+    const double lambda_floor = floor_of(dynamics_.lambda(), units_.row_force);
     require(dynamics_.forward_derivatives());
-    const auto pair = [&](const char* a, const char* lambda, const Eigen::MatrixXd& by,
-                          const Eigen::MatrixXd& da, const Eigen::MatrixXd& dlambda, double step) {
-      add(a, v_names_, v_names_, da, by.topRows(nv_), a_floor, noise_of(sizes_.a, step));
-      add(lambda, row_names_, v_names_, dlambda, by.middleRows(nv_, m_), lambda_floor,
+    const auto pair = [&](const char* a, const char* lambda, const Side& columns,
+                          const Eigen::MatrixXd& by, const Eigen::MatrixXd& da,
+                          const Eigen::MatrixXd& dlambda, double step) {
+      add(a, motion_, columns, da, by.topRows(nv_), a_floor, noise_of(sizes_.a, step));
+      add(lambda, row_forces_, columns, dlambda, by.middleRows(nv_, m_), lambda_floor,
           noise_of(sizes_.lambda, step));
     };
-    pair("da_dq", "dlambda_dq", by_q_, dynamics_.da_dq(), dynamics_.dlambda_dq(),
-         smallest_difference);
-    pair("da_dv", "dlambda_dv", by_v_, dynamics_.da_dv(), dynamics_.dlambda_dv(), exact_step);
-    pair("da_dtau", "dlambda_dtau", by_tau_, dynamics_.da_dtau(), dynamics_.dlambda_dtau(),
+    pair("da_dq", "dlambda_dq", motion_, by_q_, dynamics_.da_dq(), dynamics_.dlambda_dq(),
+         q_step());
+    pair("da_dv", "dlambda_dv", motion_, by_v_, dynamics_.da_dv(), dynamics_.dlambda_dv(),
+         exact_step);
+    pair("da_dtau", "dlambda_dtau", torque_, by_tau_, dynamics_.da_dtau(), dynamics_.dlambda_dtau(),
          exact_step);
   }
 
   void add_inverse() {
     require(dynamics_.inverse(state_.q, state_.v, state_.a, state_.lambda));
-    const double floor = floor_of(dynamics_.tau());
+    const double floor = floor_of(dynamics_.tau(), units_.torque);
     const double noise = noise_of(sizes_.tau, exact_step);
     require(dynamics_.inverse_derivatives());
     const auto rows = [&](const Eigen::MatrixXd& by) { return by.middleRows(nv_ + m_, nv_); };
-    add("dtau_dq", v_names_, v_names_, dynamics_.dtau_dq(), rows(by_q_), floor,
-        noise_of(sizes_.tau, smallest_difference));
-    add("dtau_dv", v_names_, v_names_, dynamics_.dtau_dv(), rows(by_v_), floor, noise);
-    add("dtau_da", v_names_, v_names_, dynamics_.mass_matrix(), rows(by_a_), 1e-3 * floor, noise);
-    add("dtau_dlambda", v_names_, row_names_, -dynamics_.jacobian().transpose(), rows(by_lambda_),
+    add("dtau_dq", torque_, motion_, dynamics_.dtau_dq(), rows(by_q_), floor,
+        noise_of(sizes_.tau, q_step()));
+    add("dtau_dv", torque_, motion_, dynamics_.dtau_dv(), rows(by_v_), floor, noise);
+    add("dtau_da", torque_, motion_, dynamics_.mass_matrix(), rows(by_a_), 1e-3 * floor, noise);
+    add("dtau_dlambda", torque_, row_forces_, -dynamics_.jacobian().transpose(), rows(by_lambda_),
         1e-3 * floor, noise);
   }
 
   void add_acceleration() {
     require(dynamics_.acceleration(state_.q, state_.v, state_.a));
-    const double floor = floor_of(dynamics_.alpha());
+    const double floor = floor_of(dynamics_.alpha(), units_.row);
     const double noise = noise_of(sizes_.alpha, exact_step);
     require(dynamics_.acceleration_derivatives());
     const auto rows = [&](const Eigen::MatrixXd& by) { return by.bottomRows(m_); };
-    add("dalpha_dq", row_names_, v_names_, dynamics_.dalpha_dq(), rows(by_q_), floor,
-        noise_of(sizes_.alpha, smallest_difference));
-    add("dalpha_dv", row_names_, v_names_, dynamics_.dalpha_dv(), rows(by_v_), floor, noise);
-    add("dalpha_da", row_names_, v_names_, dynamics_.jacobian(), rows(by_a_), floor, noise);
+    add("dalpha_dq", rows_, motion_, dynamics_.dalpha_dq(), rows(by_q_), floor,
+        noise_of(sizes_.alpha, q_step()));
+    add("dalpha_dv", rows_, motion_, dynamics_.dalpha_dv(), rows(by_v_), floor, noise);
+    add("dalpha_da", rows_, motion_, dynamics_.jacobian(), rows(by_a_), floor, noise);
   }
 
   ContactDynamics& dynamics_;
   const CheckState& state_;
+  const CheckUnits& units_;
   int nv_, m_;
+  double finer_ = 1.0;  ///< part of their usual length that steps of q have
   bool forward_ = true, good_ = true;
   Eigen::MatrixXd by_q_, by_v_, by_tau_, by_a_, by_lambda_;
   CheckSizes sizes_;
   std::vector<std::string> v_names_, row_names_;
+  Side motion_{v_names_, units_.motion}, torque_{v_names_, units_.torque};
+  Side rows_{row_names_, units_.row}, row_forces_{row_names_, units_.row_force};
   std::vector<DerivativeBlock> blocks_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double largest_angle = std::numbers::pi - 0.1;  // rad, to the target
 constexpr double largest_condition = 1e5;                 // of J M^-1 J^T, rows by their reach
 constexpr int tries_per_state = 20;
-constexpr double nearest_surface = 0.02;  // m, of the tool in each direction, at most
+constexpr double nearest_surface = 0.02;  // of the robot's length, in each direction, at most
 constexpr double most_tilted = 0.6;       // added to each entry of a normal of length one, at most
 constexpr double half_turn = -0.9;        // cosine from which axes that follow a normal jump
 
@@ -59,7 +59,7 @@ Quadric CheckStates::surface_near(const ContactSpec& contact, const Eigen::Vecto
   const Eigen::Vector3d normal =
       contact.reference.rotation.col(2) + Eigen::Vector3d(uniform(3, most_tilted));
   const double bend = Surface(*shape_, tool, normal).at(tool).bend.norm();
-  const double reach = std::min(nearest_surface, 0.1 / std::max(bend, 1e-6));
+  const double reach = std::min(nearest_surface * units_.length, 0.1 / std::max(bend, 1e-6));
   const Surface near(*shape_, tool + Eigen::Vector3d(uniform(3, reach)), normal);
   return near.at(tool).quadric(tool, 0.0);
 }
@@ -67,8 +67,7 @@ Quadric CheckStates::surface_near(const ContactSpec& contact, const Eigen::Vecto
 std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynamics, int count,
                                                          bool rigid) {
   const ContactSet& set = dynamics.contacts();
-  const double weight = model_.total_mass() * model_.gravity.norm();
-  const double push = weight > 0.0 ? 0.1 * weight : 1.0;
+  const CheckUnits units(model_, set);
   ContactDynamics free(model_);
   std::vector<CheckState> states;
   for (int left = tries_per_state * count; static_cast<int>(states.size()) < count; --left) {
@@ -83,10 +82,10 @@ std::optional<std::vector<CheckState>> CheckStates::draw(ContactDynamics& dynami
     if (rigid &&
         !(condition_by_reach(set, contact_rows(model_, dynamics, state.q)) < largest_condition))
       continue;
-    state.v = uniform(model_.nv, 1.0);
-    state.a = uniform(model_.nv, 5.0);
-    state.lambda = uniform(set.rows(), push);
-    const Eigen::VectorXd asked = uniform(model_.nv, 5.0);
+    state.v = uniform(model_.nv, 1.0).cwiseProduct(units.motion);
+    state.a = uniform(model_.nv, 5.0).cwiseProduct(units.motion);
+    state.lambda = uniform(set.rows(), 0.1).cwiseProduct(units.row_force);
+    const Eigen::VectorXd asked = uniform(model_.nv, 5.0).cwiseProduct(units.motion);
     const Status status = free.inverse(state.q, state.v, asked, Eigen::VectorXd());
     if (status != Status::Ok) {
       throw Error("check: the model has no inverse dynamics: " + std::string(describe(status)));

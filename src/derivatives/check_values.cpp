@@ -27,7 +27,8 @@ void load(const Eigen::MatrixXd& from, int first, int n, std::vector<NativePack>
 }  // namespace
 
 CheckValues::CheckValues(const Model& model, const ContactSet& set, const ContactSolver& solver)
-    : dynamics_(model, set, solver),
+    : units_(model, set),
+      dynamics_(model, set, solver),
       q_(static_cast<std::size_t>(model.nq)),
       v_(static_cast<std::size_t>(model.nv)),
       tau_(v_),
@@ -129,11 +130,14 @@ CheckSizes CheckValues::sizes(const CheckState& state) {
     for (int r = 0; r < rows(); ++r) J(r, k) = delassus.jacobian_by_v[k * delassus.stride + r].v[0];
   const Eigen::MatrixXd moved = J.cwiseAbs();
   const Eigen::VectorXd bias = bias_sizes(), drift = drift_sizes();
-  const auto largest = [](const Eigen::VectorXd& x) { return x.size() > 0 ? x.maxCoeff() : 0.0; };
+  const auto largest = [](const Eigen::VectorXd& x, const Eigen::VectorXd& units) {
+    return x.size() > 0 ? x.cwiseQuotient(units).maxCoeff() : 0.0;
+  };
   CheckSizes sizes;
-  sizes.tau = largest(M.cwiseAbs() * state.a.cwiseAbs() + bias +
-                      moved.transpose() * state.lambda.cwiseAbs());
-  sizes.alpha = largest(moved * state.a.cwiseAbs() + drift);
+  sizes.tau = largest(
+      M.cwiseAbs() * state.a.cwiseAbs() + bias + moved.transpose() * state.lambda.cwiseAbs(),
+      units_.torque);
+  sizes.alpha = largest(moved * state.a.cwiseAbs() + drift, units_.row);
   if (dynamics_.status(0) >= Status::SingularMass) return sizes;
   const Eigen::MatrixXd inverse =
       solve_positive(M, Eigen::MatrixXd::Identity(nv(), nv())).cwiseAbs();
@@ -144,10 +148,10 @@ CheckSizes CheckValues::sizes(const CheckState& state) {
     const Eigen::VectorXd lambda =
         solve_positive(G, Eigen::MatrixXd::Identity(rows(), rows())).cwiseAbs() *
         (moved * a + drift);
-    sizes.lambda = largest(lambda);
+    sizes.lambda = largest(lambda, units_.row_force);
     a += inverse * (moved.transpose() * lambda);
   }
-  sizes.a = largest(a);
+  sizes.a = largest(a, units_.motion);
   return sizes;
 }
 

@@ -19,8 +19,8 @@ struct CheckColumns {
   Eigen::MatrixXd q, v, tau, a, lambda;
 };
 
-/// How large the numbers are that the values of a state are sums of: what is left of them where
-/// they cancel is rounding.
+/// How large the numbers are that the values of a state are sums of, in units of the check: what is
+/// left of them where they cancel is rounding.
 struct CheckSizes {
   double a = 0.0, lambda = 0.0, tau = 0.0, alpha = 0.0;
 };
@@ -38,6 +38,7 @@ class CheckValues {
 
   /// At one state; a and lambda zero where M is singular.
   CheckSizes sizes(const CheckState& state);
+  const CheckUnits& units() const { return units_; }
 
   int nv() const { return dynamics_.nv(); }
   int rows() const { return dynamics_.rows(); }
@@ -48,6 +49,7 @@ class CheckValues {
   Eigen::VectorXd bias_sizes() const;
   Eigen::VectorXd drift_sizes() const;
 
+  CheckUnits units_;
   ConstrainedDynamics<NativePack> dynamics_;
   std::vector<NativePack> q_, v_, tau_, a_, lambda_;
 };

@@ -124,6 +124,7 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   result.q.head<7>() = d.base.q().head<7>();
   result.v.head<6>() = d.base.v().head<6>();
   result.base_lost_for = d.base.lost_for();
+  result.base_is_estimated = true;
   return result;
 }
 

@@ -19,6 +19,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       free_(closed_dynamics(spec.problem.model, supports_of(spec))),
       open_(spec.problem.model),
       share_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
+      gravity_(spec.problem.model.gravity.norm()),
       weight_per_foot_(0.0),
       weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       mass_(Eigen::MatrixXd::Zero(spec.problem.model.nv, spec.problem.model.nv)),
@@ -32,7 +33,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
   scale_ = Eigen::VectorXd::Zero(count);
   fall_ = Eigen::VectorXd::Zero(count);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(count);
-  const double weight = spec.problem.model.total_mass() * spec.problem.model.gravity.norm();
+  const double weight = spec.problem.model.total_mass() * gravity_;
   if (!spec.support_sensors || !spec.problem.model.loops.empty() || !(weight > 0.0)) return;
   RigidBody body(spec.problem.model);
   if (body.update(q_hold_, zero_) > Status::NotConverged) return;
@@ -46,6 +47,17 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       foot.carries.push_back(by.jacobian.col(k).isZero(0.0) ? 0 : 1);
   }
   if (!feet_.empty()) weight_per_foot_ = weight / static_cast<double>(feet_.size());
+}
+
+void Holding::set_payload(std::string_view frame, const InertiaSpec& payload,
+                          const LoadedBody& loaded) {
+  (void)free_.set_payload(frame, payload);
+  (void)open_.set_payload(frame, payload);
+  const double before = tree_.joints[static_cast<std::size_t>(loaded.body)].mass;
+  set_body_inertia(tree_, loaded.body, body_inertia(loaded.inertia));
+  if (!feet_.empty())
+    weight_per_foot_ +=
+        (loaded.inertia.mass - before) * gravity_ / static_cast<double>(feet_.size());
 }
 
 void Holding::reset() noexcept {

@@ -14,11 +14,9 @@ class Holding {
   Holding(const MpcSpec& spec, std::vector<int> actuated);
 
   void reset() noexcept;
-  /// What the robot carries at a frame: as ContactDynamics::set_payload, whose status it is.
-  void set_payload(std::string_view frame, const InertiaSpec& payload) {
-    (void)free_.set_payload(frame, payload);
-    (void)open_.set_payload(frame, payload);
-  }
+  /// What the robot carries at a frame: as ContactDynamics::set_payload. `loaded`: the frame's body
+  /// with it, of status Ok.
+  void set_payload(std::string_view frame, const InertiaSpec& payload, const LoadedBody& loaded);
   /// The motor of an entry of v gives nothing from now on, until reset(); -1: all do.
   void do_without(int entry) noexcept { lost_ = entry; }
   /// The next time it holds, it holds where the robot is then.
@@ -58,7 +56,8 @@ class Holding {
   std::vector<Foot> feet_;
   ContactDynamics open_;    ///< the robot in the air
   Eigen::VectorXd share_;   ///< nv, of what stands: 1, of what hangs: 0
-  double weight_per_foot_;  ///< N
+  double gravity_;          ///< m/s^2
+  double weight_per_foot_;  ///< N, with what is carried
   /// At the last at_rest(): torques that hold, and what moves the actuated entries (nv x nv).
   Eigen::VectorXd weight_;
   Eigen::MatrixXd mass_;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/sentence.hpp"
 #include "mpc/mpc_check.hpp"
 
 namespace burnish {
@@ -68,6 +69,7 @@ MpcController::Impl::Impl(MpcSpec given)
       passing_(v_ahead_),
       x_plan_(x_),
       u_plan_(u_) {
+  loaded_.assign(problem.model().joints.size(), 0);
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
   command_.normal_world = spec.normal_world;
   std::size_t longest = grip.longest_name();
@@ -82,12 +84,23 @@ MpcController::Impl::Impl(MpcSpec given)
 
 Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpec& payload) {
   await_plan();
+  const LoadedBody loaded = loaded_body("set_payload", problem.model(), frame, payload);
+  if (loaded.status != Status::Ok) return loaded.status;
+  if (base_is_estimated_ && payload.mass > 0.0)
+    throw Error("set_payload: a payload of " + number(payload.mass) + " kg at " + in_quotes(frame) +
+                " does not reach the estimate of the base, which goes by the weight on the feet; "
+                "wanted a model that has it already, by with_payload()");
   const Status status = problem.set_payload(frame, payload);
   if (status != Status::Ok) return status;
+  loaded_[static_cast<std::size_t>(loaded.body)] = payload.mass > 0.0 ? 1 : 0;
   error.set_payload(frame, payload);
   gate.set_payload(frame, payload);
-  holding_.set_payload(frame, payload);
+  holding_.set_payload(frame, payload, loaded);
   return status;
+}
+
+bool MpcController::Impl::carries_payload() const noexcept {
+  return std::find(loaded_.begin(), loaded_.end(), 1) != loaded_.end();
 }
 
 void MpcController::Impl::reset() noexcept {
@@ -127,9 +140,12 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   command_.status = Status::Ok;
   due_ = due_ || tick_ % ticks_per_update_ == 0;
   gate.take(m, fault, command_.status);
+  base_is_estimated_ = base_is_estimated_ || m.base_is_estimated;
+  const bool misled = base_is_estimated_ && carries_payload();
+  if (misled) command_.status = worst(command_.status, Status::NotPhysical);
   if (gate.is_fresh()) motors_.look(gate, command_.tau);
-  if (gate.is_fresh() && !fault.is_set() && has_settled()) see();
-  const bool controls = !fault.is_set() && solved_;
+  if (gate.is_fresh() && !fault.is_set() && !misled && has_settled()) see();
+  const bool controls = !fault.is_set() && solved_ && !misled;
   if (controls) {
     control();
   } else {

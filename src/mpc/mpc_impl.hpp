@@ -25,6 +25,8 @@ struct MpcController::Impl {
   void reset() noexcept;
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   const Command& tick(const Measurement& m) noexcept;
+  bool carries_payload() const noexcept;
+  void expect_estimated_base() noexcept { base_is_estimated_ = true; }
 
  private:
   // The steps of a tick.
@@ -77,8 +79,10 @@ struct MpcController::Impl {
     std::exception_ptr thrown = {};
   };
   Making making_;
-  Policy in_use_;    ///< as it was when the plan was begun
-  double expected_;  ///< s that a plan takes, about
+  Policy in_use_;                   ///< as it was when the plan was begun
+  std::vector<char> loaded_;        ///< per joint: its body carries a payload
+  bool base_is_estimated_ = false;  ///< by an EstimatedBase, at a tick or as was said
+  double expected_;                 ///< s that a plan takes, about
   /// s, of measured timing
   double busy_until_ = -std::numeric_limits<double>::infinity();
   bool is_making_ = false;

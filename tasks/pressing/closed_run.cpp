@@ -25,6 +25,8 @@ class Stopwatch final : public Controller {
     times_.reserve(static_cast<std::size_t>(ticks / static_cast<double>(every_)) + 2);
   }
   int nv() const override { return timed_->nv(); }
+  bool carries_payload() const noexcept override { return timed_->carries_payload(); }
+  void expect_estimated_base() noexcept override { timed_->expect_estimated_base(); }
   void reset() noexcept override {
     timed_->reset();
     times_.clear();

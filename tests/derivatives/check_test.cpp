@@ -10,6 +10,7 @@
 #include "derivatives/check_run.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"
+#include "support/scaled.hpp"
 
 namespace burnish {
 namespace {
@@ -53,6 +54,50 @@ INSTANTIATE_TEST_SUITE_P(Robots, CheckRobots,
                              std::vector<std::string>{"arm7", "arm7:six", "arm7:floating", "crane",
                                                       "crane:left_only", "talos:right_arm"},
                              [](const std::string& name) { return name; })));
+
+/// Of another size and mass.
+struct OtherSize {
+  std::string robot;
+  double length, mass;
+};
+
+class CheckSizesOf : public ::testing::TestWithParam<OtherSize> {};
+
+TEST_P(CheckSizesOf, PassWithMargin) {
+  const auto& [robot, length, mass] = GetParam();
+  CheckOptions options;
+  options.states = 1;
+  const CheckReport report =
+      check_derivatives(test::scaled(model_of(robot), length, mass), options);
+  EXPECT_TRUE(report.pass) << report.text();
+  for (const CheckRow& row : report.rows) EXPECT_LT(row.worst_error, 2e-7) << report.text();
+}
+
+/// A wrong entry is found on robots of every size as on those of 1 m.
+TEST_P(CheckSizesOf, FindWhatIsWrong) {
+  const auto& [robot, length, mass] = GetParam();
+  for (const std::string& name : all_blocks) {
+    const auto spoil = [&](std::vector<DerivativeBlock>& blocks) {
+      DerivativeBlock& block = block_named(blocks, name);
+      Eigen::Index row = 0, column = 0;
+      block.value.cwiseAbs().maxCoeff(&row, &column);
+      block.value(row, column) *= 1.001;
+    };
+    EXPECT_FALSE(run_check(test::scaled(model_of(robot), length, mass), quick(), spoil).pass)
+        << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Robots, CheckSizesOf,
+    ::testing::ValuesIn(test::available(std::vector<OtherSize>{{"arm7", 100.0, 5000.0},
+                                                               {"arm7", 1e-3, 1e-4},
+                                                               {"arm7:floating", 100.0, 1.0},
+                                                               {"arm7:floating", 1e-3, 1e-5},
+                                                               {"every_joint", 50.0, 1e4},
+                                                               {"every_joint", 1e-3, 1e-3}},
+                                        [](const OtherSize& other) { return other.robot; })),
+    [](const auto& test) { return "n" + std::to_string(test.index); });
 
 /// A robot with two tips.
 struct TwoTips {

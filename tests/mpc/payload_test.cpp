@@ -3,11 +3,17 @@
 
 #include <limits>
 
+#include "burnish/sim/closed_loop.hpp"
+#include "burnish/sim/ideal_plant.hpp"
 #include "support/allocation_guard.hpp"
+#include "support/refusal.hpp"
 #include "support/toy_task.hpp"
 
 namespace burnish::test {
 namespace {
+
+using burnish::testing::expect_words;
+using burnish::testing::refusal;
 
 InertiaSpec brick(double mass) {
   InertiaSpec result;
@@ -52,6 +58,47 @@ TEST(MpcPayload, IsAsIfItHadBeenInTheModel) {
   told.reset(), made.reset(), bare.reset();
   m = toy_measurement(plain);
   for (tick = 0; tick < 5; ++tick) tick_all(tick);
+}
+
+TEST(MpcPayload, DoesNotReachAnEstimatedBase_AndIsRefusedThere) {
+  MpcController mpc(spec_of());
+  Measurement m = toy_measurement(spec_of());
+  m.base_is_estimated = true;
+  (void)mpc.tick(m);
+  expect_words(refusal([&] { (void)mpc.set_payload("tool", brick(2.0)); }),
+               {"payload of 2 kg", "'tool'", "estimate of the base", "with_payload()"});
+  EXPECT_FALSE(mpc.carries_payload());
+  EXPECT_EQ(mpc.set_payload("tool", {}), Status::Ok) << "none is no payload";
+  MpcController said(spec_of());
+  said.expect_estimated_base();
+  EXPECT_THROW((void)said.set_payload("tool", brick(2.0)), Error);
+}
+
+TEST(MpcPayload, BeforeAnEstimatedBase_HoldsTheRobotWithAStatus) {
+  MpcController mpc(spec_of());
+  ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
+  EXPECT_TRUE(mpc.carries_payload());
+  Measurement m = toy_measurement(spec_of());
+  EXPECT_NE(mpc.tick(m).status, Status::NotPhysical);
+  m.base_is_estimated = true;
+  m.time = 1e-3;
+  const Command& command = mpc.tick(m);
+  EXPECT_EQ(command.status, Status::NotPhysical);
+  EXPECT_TRUE(command.tau.allFinite());
+  EXPECT_GT(command.tau.norm(), 1.0) << "the fallback holds it";
+  ASSERT_EQ(mpc.set_payload("tool", {}), Status::Ok);
+  m.time = 2e-3;
+  EXPECT_NE(mpc.tick(m).status, Status::NotPhysical);
+}
+
+TEST(MpcPayload, OfTheController_IsRefusedByALoopThatEstimatesTheBase) {
+  MpcController mpc(spec_of());
+  const Model model = mpc.problem().model();
+  const std::unique_ptr<Plant> plant = make_ideal_plant(model, {});
+  ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
+  ClosedLoop loop(*plant, mpc);
+  expect_words(refusal([&] { loop.estimate_base(model, {}); }),
+               {"estimate_base", "carries a payload", "with_payload()"});
 }
 
 TEST(MpcPayload, AllocatesNothingAndWhatIsNoneChangesNothing) {

@@ -25,6 +25,7 @@ struct Measurement {
   /// s since nothing tells where a floating base is, whose entries of q and v are old; 0: it is
   /// told
   double base_lost_for = 0.0;
+  bool base_is_estimated = false;  ///< by an EstimatedBase, which knows nothing of payloads
 };
 
 /// What a controller sends. Only `tau` reaches the plant; the rest says what the controller aims at
@@ -63,6 +64,12 @@ class Controller {
   /// The command that follows a measurement, at once; valid until the next call. Numerical trouble
   /// shows in its status, and its torque is then one that can be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
+
+  /// Whether it was told of a payload that the model which it was made from does not have.
+  virtual bool carries_payload() const noexcept { return false; }
+  /// Says that an EstimatedBase of the same model makes its measurements, so that it refuses
+  /// payloads.
+  virtual void expect_estimated_base() noexcept {}
 
  protected:
   Controller() = default;

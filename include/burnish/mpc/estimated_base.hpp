@@ -17,6 +17,10 @@ namespace burnish {
 /// (FootForces) where not; the base then by GuardedBase: by a BaseEstimator, and by the feet alone
 /// where the unit is silent or wrong. Ticks throw nothing, and allocate nothing but what the first
 /// of such further columns takes.
+///
+/// The robot is the model's: what a controller is told to carry later (MpcController::set_payload)
+/// does not reach the forces of the feet here, so that the two refuse each other. A payload that
+/// is known from the start belongs into the model, by with_payload().
 class EstimatedBase {
  public:
   /// Throws Error as BaseEstimator and FootContacts do.

@@ -203,9 +203,13 @@ class MpcController final : public Controller {
   /// what that frame's body carried before: plans, estimates and the fallback all have it, and
   /// reset() keeps it. Between ticks; allocates nothing; waits for a plan that a thread makes.
   /// Returns Ok, or NotFinite or NotPhysical as check_inertia() does, which changes nothing. Throws
-  /// Error with the nearest known name for a frame that there is not, and for one that is fixed to
-  /// the world.
+  /// Error with the nearest known name for a frame that there is not, for one that is fixed to the
+  /// world, and where the base is estimated (EstimatedBase), which a payload does not reach: put it
+  /// into the model with with_payload() instead. Where such a measurement comes first after a
+  /// payload, the command's status is NotPhysical and the fallback holds the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
+  bool carries_payload() const noexcept override;
+  void expect_estimated_base() noexcept override;
 
   /// Its kind is None until there is one. reset() clears it.
   const FaultReport& fault() const;

@@ -64,7 +64,8 @@ class ClosedLoop {
   /// From the next reset() on the controller is given an estimate of where the base is, in place of
   /// the plant's own entries: from a measurement unit, which is mounted where the options say, the
   /// joints and the feet. It starts where the robot does. `known`: the robot as the controller
-  /// knows it. Throws Error as EstimatedBase does.
+  /// knows it. Throws Error as EstimatedBase does, and for a controller that carries a payload
+  /// (MpcController::set_payload), which the estimate would not know of.
   void estimate_base(const Model& known, const BaseEstimatorOptions& estimator,
                      const FootContactOptions& feet = {});
 
