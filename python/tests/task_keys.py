@@ -244,7 +244,7 @@ def _stand() -> Dict[str, Case]:
 def _push_wall() -> Dict[str, Case]:
     unit = ("standing.estimate=true",)
     return {
-        **_on_feet("left_sole_link", "arm_left_2_joint", 38, "base_link"),
+        **_on_feet("left_sole_link", "arm_left_2_joint", 36, "base_link"),
         "robot": at(to=["quadruped"], refused=True), "posture": at(to=["standing_board"], refused=True),
         "hands": at(to=["[tool, left_tool]"]), "wall.normal": at(to=["[-1, 0, 0.01]"]),
         "wall.friction": at(to=["0.05"]),
@@ -254,9 +254,9 @@ def _push_wall() -> Dict[str, Case]:
         "lean.force_max": at(to=["60"]), "lean.reserve": at("lean.rate=100", to=["5"]),
         "lean.give": at("lean.rate=100", to=["0.01"]), "lean.slip": at("lean.rate=100", to=["1e-6"]),
         "limits.sink": at(to=["1e-6"]), "limits.late_contact": at("disturbances.surface_height=-0.01", to=["0.001"]),
-        "limits.contact_lost": at("disturbances.pushes=[{start: 0.9, duration: 0.1, force: [-400, 0, 0], "
-                                  "frame: left_tool}]", "limits.slip=never", to=["0.001"]),
-        "limits.contact_threshold": at(to=["4"]), "limits.force": at(to=["75"]),
+        "limits.contact_lost": at("limits.contact_threshold=24", to=["0.001"]),
+        "limits.contact_threshold": at(to=["45"]),
+        "limits.force": at(push("[500, 0, 0]", 0.15, 0.6, "left_tool"), "limits.slip=never", to=["75"]),
         **{f"disturbances.{key}": at(*unit, to=["0.5"]) for key in _OF_UNIT},
         "disturbances.gyro_step": at(*unit, to=["0.01"]), "disturbances.accelerometer_step": at(*unit, to=["0.1"]),
         "disturbances.imu_faults": at(*unit, to=[_IMU_FAULT]),

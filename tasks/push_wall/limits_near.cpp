@@ -44,10 +44,13 @@ std::string limits_near(const ProblemSpec& spec, const PlanAt& plan) {
       if (is_at(values[r], problem.row_lower(k)[r], problem.row_upper(k)[r],
                 problem.row_scale(k)[r]))
         ++met[names[r]];
+    const double* const lower = problem.control_lower(k);
+    const double* const upper = problem.control_upper(k);
+    if (lower == nullptr || upper == nullptr)
+      continue;  // torques are limited by rows, or not at all
     const std::vector<std::string> controls = problem.control_names();
     for (int c = 0; c < problem.controls(k); ++c)
-      if (is_at(u[c], problem.control_lower(k)[c], problem.control_upper(k)[c],
-                problem.control_scale(k)[c]))
+      if (is_at(u[c], lower[c], upper[c], problem.control_scale(k)[c]))
         ++met["torque/" + controls[static_cast<std::size_t>(c)]];
   }
   std::vector<std::pair<int, std::string>> order;
