@@ -8,6 +8,7 @@
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
+#include "model/mass_check.hpp"
 #include "record/json_text.hpp"
 #include "robot_arguments.hpp"
 
@@ -194,6 +195,7 @@ int bench(const BenchArguments& arguments) {
   BenchSpec spec = arguments.spec;
   spec.seconds = arguments.seconds.value_or(spec.seconds);
   spec.robot = arguments.robot.load();
+  require_simulable(spec.robot.model);
   const BenchReport report = measure_speed(spec);
   fmt::print("{}", arguments.json ? json_text(report_json(report)) + "\n" : report_text(report));
   return exit_ok;

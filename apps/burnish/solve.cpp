@@ -4,6 +4,7 @@
 #include "burnish/ocp/check.hpp"
 #include "burnish/ocp/step_check.hpp"
 #include "command.hpp"
+#include "model/mass_check.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
 #include "record/solution.hpp"
@@ -59,6 +60,7 @@ void print_start(const Problem& problem, const std::string& file) {
 int solve(const SolveArguments& arguments) {
   const ProblemFile file = read_problem_file(arguments.file);
   print_warnings(file.robot, arguments.strict);
+  named_by(arguments.file, [&] { require_simulable(file.robot.model); });
   Problem problem = named_by(arguments.file, [&] { return Problem(file.spec); });
   for (const std::string& complaint : complaints(problem))
     fmt::print(stderr, "burnish: {}: note: {}\n", arguments.file, complaint);

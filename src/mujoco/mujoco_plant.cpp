@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/springs.hpp"
+#include "model/mass_check.hpp"
 #include "mujoco/exact_contact.hpp"
 #include "mujoco/mujoco_engine.hpp"
 #include "sim/state_check.hpp"
@@ -212,6 +213,7 @@ Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
 
 std::unique_ptr<Plant> make_mujoco_plant(const Model& model, const SceneSpec& scene,
                                          const MujocoPlantOptions& options) {
+  require_simulable(model);
   return std::make_unique<MujocoPlant>(model, scene, options);
 }
 

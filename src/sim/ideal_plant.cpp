@@ -12,6 +12,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "dynamics/springs.hpp"
+#include "model/mass_check.hpp"
 #include "sim/coulomb.hpp"
 #include "sim/descriptions.hpp"
 #include "sim/manifold_step.hpp"
@@ -424,6 +425,7 @@ Status IdealPlant::restore(const PlantSnapshot& snapshot) noexcept {
 
 std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
                                         const IdealPlantOptions& options) {
+  require_simulable(model);
   return std::make_unique<IdealPlant>(model, scene, options);
 }
 

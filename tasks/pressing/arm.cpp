@@ -6,6 +6,7 @@
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
+#include "model/mass_check.hpp"
 
 namespace burnish::pressing {
 namespace {
@@ -49,21 +50,31 @@ std::string none_of(const Model& model, const std::string& frame) {
          (near.empty() ? frames_of(model) : near);
 }
 
+namespace {
+
+/// Refuses a robot of which nothing has a mass, or a joint moves none.
+Robot simulable(Robot robot) {
+  about("robot", [&] { require_simulable(robot.model); });
+  return robot;
+}
+
+}  // namespace
+
 Robot load_floating(const std::string& robot) {
   Robot loaded = about("robot", [&] { return load_robot(robot); });
   // A description may have a floating base of its own, as those in MJCF do.
   if (!loaded.model.joints.empty() && loaded.model.joints.front().kind == JointKind::FreeFlyer)
-    return loaded;
+    return simulable(std::move(loaded));
   RobotOverrides overrides;
   overrides.base = Base::FreeFlyer;
-  return about("robot", [&] { return load_robot(robot, overrides); });
+  return simulable(about("robot", [&] { return load_robot(robot, overrides); }));
 }
 
 Robot load_arm(const std::string& robot, const std::string& tool, bool stands) {
   RobotOverrides overrides;
   overrides.carrying = tool;
-  Robot loaded =
-      stands ? load_floating(robot) : about("robot", [&] { return load_robot(robot, overrides); });
+  Robot loaded = stands ? load_floating(robot)
+                        : simulable(about("robot", [&] { return load_robot(robot, overrides); }));
   if (!loaded.model.has_frame(tool))
     throw EntryError("tool.frame", "the tool's frame " + none_of(loaded.model, tool));
   return loaded;

@@ -140,6 +140,22 @@ TEST(Strict, HoldsForEveryCommandWithARobot) {
   }
 }
 
+TEST(SingularMass, IsRefusedByWhatSimulates) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write("odd.urdf", odd_robot));
+  const std::string out = " --out " + quoted(scratch.folder / "out");
+  const std::string problem =
+      quoted(scratch.write("problem.yaml",
+                           "robot: odd.urdf\nstages: {s: {costs: {r: {type: joint_velocity}}}}\n"
+                           "horizon: [s: 2]\n"));
+  for (const std::string& command : {"bench " + file, "solve " + problem + out,
+                                     "polish --plant ideal --tool finger --robot " + file + out}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_NE(outcome.err.find("': joint 'grip' moves no mass"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST(Show, ReadsPipes) {
   const std::string program = "'" BURNISH_PROGRAM "' ";
   for (const std::string& command : {"cat | " + program + "show /dev/stdin",

@@ -176,6 +176,24 @@ TEST_F(IdealPlant, slides_on_a_viscous_surface_with_a_force_proportional_to_the_
   EXPECT_LE((sliding + 40.0 * slip).norm(), 0.05 * sliding.norm());
 }
 
+TEST(IdealPlantOfASingularMass, IsRefusedByItsJoint) {
+  TreeSpec tree;
+  tree.name = "bare";
+  tree.links.resize(2);
+  tree.links[0].name = "base";
+  tree.links[1].name = "tip";
+  JointSpec hinge;
+  hinge.name = "hinge";
+  hinge.type = JointType::Revolute;
+  hinge.parent_link = "base";
+  hinge.child_link = "tip";
+  tree.joints = {hinge};
+  SceneSpec scene;
+  scene.tip.frame = "tip";
+  testing::expect_words(testing::refusal([&] { make_ideal_plant(build_model(tree), scene); }),
+                        {"robot 'bare'", "joint 'hinge' moves no mass"});
+}
+
 TEST_F(IdealPlant, refuses_options_with_a_sentence) {
   IdealPlantOptions options;
   options.dt = 0.0;
