@@ -102,7 +102,6 @@ CompiledContact compile(const Model& model, const ContactSpec& spec) {
   c.target_R = from_eigen(Eigen::Matrix3d(spec.target.linear()));
   c.target_p = from_eigen(Eigen::Vector3d(spec.target.translation()));
   c.rubs = spec.friction.has_value();
-  if (c.spec.friction) c.spec.friction->speed = c.spec.friction->fade_speed();
   c.proportional = c.damped = c.holds_rotation = false;
   for (int d = 0; d < 6; ++d) {
     if (!spec.directions.has(d)) continue;

@@ -27,8 +27,8 @@ struct Sliding {
   S normal_force = S(0.0);  ///< N, lambda along n: set_contact_force
 };
 
-/// Fills all but the normal force. p, m: the tool's origin. The speed is friction.speed / pace; a
-/// compiled contact states it.
+/// Fills all but the normal force. p, m: the tool's origin. The speed is friction.fade_speed() /
+/// pace.
 template <class S>
 BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coefficient,
                                    const Vec3<S>& normal, const S& pace, const Vec3<S>& p,
@@ -39,7 +39,7 @@ BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coe
   at.nu = nu;
   at.v = at_point(nu, at.c).linear;
   const Vec3<S> across = at.v - normal * dot(normal, at.v);
-  const S speed = S(*friction.speed) / pace;
+  const S speed = S(friction.fade_speed()) / pace;
   at.per_speed = S(1.0) / square_root(S(dot(across, across) + speed * speed));
   at.s = across * at.per_speed;
   const Vec3<S> force = at.s * -coefficient;
