@@ -1,7 +1,7 @@
 #include "limit_outcome.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <cstdio>
 #include <fstream>
 
 namespace burnish::bench {
@@ -63,9 +63,9 @@ DdpOptions options_of(const OutcomeOptions& wanted) {
   if (wanted.shooting) options.update = StepUpdate::MultipleShooting;
   if (wanted.verbose)
     options.callback = [](const DdpProgress& p) {
-      fmt::print(
-          "{:4d} cost {:12.7g} expected {:9.2g} gap {:8.1g} step {:7.3g} regular. {:7.1g} "
-          "outside {:8.2g} recursions {}\n",
+      std::printf(
+          "%4d cost %12.7g expected %9.2g gap %8.1g step %7.3g regular. %7.1g outside %8.2g "
+          "recursions %d\n",
           p.iteration, p.cost, p.expected_improvement, p.largest_gap, p.step_length,
           p.regularization, p.outside, p.factors);
       return true;
@@ -94,10 +94,12 @@ bool Outcome::is_wrongly_converged() const {
 std::string Outcome::text_of_problem() const {
   std::string kinds;
   for (const Limit& limit : problem.limits)
-    kinds += fmt::format(" {}{}", name_of(limit.kind), limit.late ? " (late)" : "");
-  return fmt::format("seed {}: {}, {}, {} knots of {:.2g} ms, {};{}", seed, problem.robot,
-                     problem.holds ? "holds" : "slides", problem.knots, 1e3 * problem.step,
-                     name_of(sort), kinds);
+    kinds += " " + std::string(name_of(limit.kind)) + (limit.late ? " (late)" : "");
+  char knots[64];
+  std::snprintf(knots, sizeof knots, "%d knots of %.2g ms", problem.knots, 1e3 * problem.step);
+  return "seed " + std::to_string(seed) + ": " + problem.robot +
+         (problem.holds ? ", holds, " : ", slides, ") + knots + ", " + std::string(name_of(sort)) +
+         ";" + kinds;
 }
 
 Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
@@ -114,11 +116,11 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
     o.judgement = judge(o.problem, limited.problem());
     o.sort = sort_of(o.judgement);
     if (options.verbose)
-      fmt::print("judged: {} with violations of {:.3g}, then {:.3g}{}\n", name_of(o.sort),
-                 o.judgement.before, o.judgement.violation,
-                 o.judgement.settled ? "" : ", not converged");
+      std::printf("judged: %s with violations of %.3g, then %.3g%s\n",
+                  std::string(name_of(o.sort)).c_str(), o.judgement.before, o.judgement.violation,
+                  o.judgement.settled ? "" : ", not converged");
   }
-  if (options.verbose) fmt::print("{}\n", o.text_of_problem());
+  if (options.verbose) std::printf("%s\n", o.text_of_problem().c_str());
   DdpSolver solver(limited.problem(), options_of(options));
   solver.set_guess(limited.guess().xs, limited.guess().us);
   const DdpSummary& summary = solver.solve();
@@ -137,7 +139,7 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
   // What keeps all limits proves that they can be kept.
   if (!by_construction && o.converged() && o.violation <= kept && o.gap <= closed)
     o.sort = Sort::Feasible;
-  if (options.verbose) fmt::print("{}\n", solver.cost_report().text());
+  if (options.verbose) std::printf("%s\n", solver.cost_report().text().c_str());
   return o;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 namespace burnish::bench {
 namespace {
@@ -172,7 +173,7 @@ std::optional<std::vector<Limit>> limits_around(Draws& draws, const LimitProblem
       const double slope = steepest(problem, limit, measured.problem(), trajectory);
       if (!std::isfinite(slope)) return {};
       // The pyramid inside a cone of this coefficient holds the cone of the slope.
-      const double inside = limit.sides > 0 ? std::cos(M_PI / limit.sides) : 1.0;
+      const double inside = limit.sides > 0 ? std::cos(std::numbers::pi / limit.sides) : 1.0;
       limit.friction = (1.0 + margin) * std::max(slope, 0.01) / inside + 1e-3;
       continue;
     }
