@@ -168,7 +168,7 @@ class JointOrder:
         self,
         model: Model,
         names: Sequence[str],
-        convention: Union[JointConvention, str] = JointConvention.ANGLES,
+        convention: Optional[Union[JointConvention, str]] = None,
     ) -> None: ...
     @staticmethod
     def mujoco(model: Model) -> JointOrder: ...

@@ -225,9 +225,14 @@ void bind_joint_order(py::module_& m) {
       "those of the model, and back. Followers and held joints may be in the list; the model has "
       "no entries for them.")
       .def(
-          py::init<const Model&, std::vector<std::string>, JointConvention>(), py::arg("model"),
-          py::arg("names"), py::arg("convention") = JointConvention::Angles,
-          "Order of `names`; `convention` is \"angles\", \"same\" or \"mujoco\". Raises Error with "
+          py::init([](const Model& model, std::vector<std::string> names,
+                      std::optional<JointConvention> convention) {
+            return JointOrder(model, std::move(names),
+                              convention.value_or(JointConvention::Angles));
+          }),
+          py::arg("model"), py::arg("names"), py::arg("convention") = py::none(),
+          "Order of `names`; `convention` is \"angles\" (None), \"same\" or \"mujoco\". Raises "
+          "Error with "
           "the nearest known name for a joint that the model does not have, and for a name that is "
           "empty or listed twice.")
       .def_static("mujoco", &JointOrder::mujoco, py::arg("model"),

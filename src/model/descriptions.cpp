@@ -324,7 +324,7 @@ const Description& description_of(const StatedJoint* /*of*/) {
           .result()
           .field("name", &S::name)
           .field("kind", &S::kind)
-          .field("joint", &S::joint, "index in Model.joints, -1: held")
+          .field("joint", &S::joint, "index in the model's joints, -1: held")
           .field("held", &S::held, "where it is held, in the coordinates of a Posture");
   return all;
 }

@@ -61,7 +61,7 @@ struct Joint {
 struct StatedJoint {
   std::string name;
   JointKind kind = JointKind::Revolute;
-  int joint = -1;            ///< index in Model::joints, -1: held
+  int joint = -1;            ///< index in the model's joints, -1: held
   std::vector<double> held;  ///< where it is held, in the coordinates of a Posture
 };
 

@@ -81,7 +81,7 @@ struct JointSpec {
   double rest = 0.0;       ///< where that spring is at rest, rad or m; a ball's is at no rotation
   std::optional<MimicSpec> mimic;
   /// Value of a fixed joint that moves in the description and is held there, as equalities of MJCF
-  /// hold hinges and slides [rad or m]; empty of others.
+  /// hold hinges and slides, rad or m; empty of others.
   std::vector<double> held;
   int line = 0;  ///< of the file, for sentences about it; 0: none
 };
