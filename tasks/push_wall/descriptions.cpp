@@ -199,7 +199,8 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
         "push_wall");
     pressing::read_presets<Task>(form, "wall.friction");
     form.without("disturbances", {"surface_curvature", "surface_shape", "surface_motion"},
-                 "the wall is a plane that stands");
+                 "the wall is a plane that stands")
+        .without("model_error", {"sliding_bandwidth"}, "what hands press with is measured");
     return form;
   }();
   return all;
