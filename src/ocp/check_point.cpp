@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "derivatives/check_differences.hpp"
+#include "derivatives/check_units.hpp"
 #include "ocp/row_names.hpp"
 
 namespace burnish::ocp {
@@ -45,11 +46,27 @@ Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& kno
 
 }  // namespace
 
+Eigen::VectorXd check_units(const Problem& problem, int nu) {
+  constexpr double usual_torque = 200.0, usual_force = 200.0;  // Nm, N: 20 kg, 1 m
+  const StateLayout& l = problem.layout();
+  const CheckUnits units(problem.model());
+  const auto torque = [&](int i) {
+    return units.torque[l.actuated[static_cast<std::size_t>(i)]] / usual_torque;
+  };
+  Eigen::VectorXd z(nu + l.ndx());
+  for (int i = 0; i < nu; ++i) z[i] = torque(i);
+  z.segment(nu, l.nv) = z.segment(nu + l.nv, l.nv) = units.motion;
+  for (int i = 0; i < l.filtered; ++i) z[nu + 2 * l.nv + i] = torque(i);
+  z.tail(l.remembered).setConstant(units.force / usual_force);
+  return z;
+}
+
 CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::VectorXd u)
     : problem_(problem),
       knot_(knot),
       nu_(problem.controls(knot)),
       nz_(nu_ + problem.state().ndx),
+      units_(check_units(problem, nu_)),
       x_(std::move(x)),
       u_(std::move(u)),
       costs_(static_cast<int>(ProblemInside::of(problem).stage(knot).costs)),
@@ -62,7 +79,7 @@ CheckPoint::CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::Vec
   first_row_.push_back(row);
   next_ = Eigen::VectorXd::Zero(problem.state().nx);
   status_ = problem.roll(0, knot, x_.data(), u_.data(), next_.data()).status;
-  if (status_ != Status::Ok) return;
+  if (status_ > Status::NotConverged) return;
   here_ = stacked(x_, u_);
   expand();
 }
@@ -71,7 +88,7 @@ Eigen::VectorXd CheckPoint::stacked(const Eigen::VectorXd& x, const Eigen::Vecto
   Eigen::VectorXd result(first_row_.back() + costs_);
   Eigen::VectorXd next(x.size());
   const Status status = problem_.roll(0, knot_, x.data(), u.data(), next.data()).status;
-  if (status != Status::Ok)
+  if (status > Status::NotConverged)
     return Eigen::VectorXd::Constant(result.size(), std::numeric_limits<double>::quiet_NaN());
   if (knot_ < problem_.knots()) problem_.difference(next_.data(), next.data(), result.data());
   const std::vector<double> costs = problem_.term_costs(knot_, x.data(), u.data());
@@ -88,25 +105,26 @@ Eigen::VectorXd CheckPoint::moved(int k, double h) {
   if (known != cache_.end()) return known->second;
   Eigen::VectorXd x = x_, u = u_;
   if (k < nu_) {
-    u[k] += h;
+    u[k] += h * units_[k];
   } else {
-    const Eigen::VectorXd dx = h * Eigen::VectorXd::Unit(problem_.state().ndx, k - nu_);
+    const Eigen::VectorXd dx = h * units_[k] * Eigen::VectorXd::Unit(problem_.state().ndx, k - nu_);
     problem_.integrate(x_.data(), dx.data(), x.data());
   }
   return cache_.emplace(std::pair{k, h}, stacked(x, u)).first->second;
 }
 
 Eigen::MatrixXd CheckPoint::differences(int first, int count) {
-  return extrapolated_differences(
+  const Eigen::MatrixXd in_units = extrapolated_differences(
       [&](int k, double h) { return Eigen::VectorXd(moved(k, h).segment(first, count)); }, nz_,
       count);
+  return in_units * units_.cwiseInverse().asDiagonal();
 }
 
 std::vector<DerivativeBlock> CheckPoint::split(const std::string& name,
                                                const std::vector<std::string>& rows,
                                                const Eigen::MatrixXd& value,
-                                               const Eigen::MatrixXd& expected,
-                                               double floor) const {
+                                               const Eigen::MatrixXd& expected, double floor,
+                                               const Eigen::VectorXd& row_units) const {
   const StateShape& shape = problem_.state();
   std::vector<std::string> names = nu_ > 0 ? problem_.control_names() : std::vector<std::string>{};
   for (std::string& control : names) control.insert(0, "u ");
@@ -120,7 +138,10 @@ std::vector<DerivativeBlock> CheckPoint::split(const std::string& name,
                         {names.begin() + first, names.begin() + first + count},
                         value.middleCols(first, count),
                         expected.middleCols(first, count),
-                        floor});
+                        floor,
+                        0.0,
+                        row_units,
+                        units_.segment(first, count)});
     first += count;
   };
   add("u", nu_);
@@ -174,7 +195,8 @@ void CheckPoint::expand() {
 
 std::vector<DerivativeBlock> CheckPoint::next_state() {
   const int ndx = problem_.state().ndx;
-  return split("next", problem_.state_names(), dynamics_, differences(0, ndx), 1e-5);
+  return split("next", problem_.state_names(), dynamics_, differences(0, ndx), 1e-5,
+               units_.tail(ndx));
 }
 
 std::vector<DerivativeBlock> CheckPoint::residual(int term) {
@@ -195,7 +217,8 @@ bool CheckPoint::near_seam(int term) const {
     const auto row = static_cast<std::size_t>(i);
     const double apart = std::min(std::abs(r - compiled.lower[row] - width),
                                   std::abs(r - compiled.upper[row] + width));
-    if (apart < 2.0 * smallest_step * J.row(i).cwiseAbs().maxCoeff()) return true;
+    const double widest = J.row(i).tail(nz_).transpose().cwiseProduct(units_).cwiseAbs().maxCoeff();
+    if (apart < 2.0 * smallest_step * widest) return true;
   }
   return false;
 }

@@ -8,6 +8,11 @@
 
 namespace burnish::ocp {
 
+/// Units of the entries of z = (u, dx) that states are drawn and differences made in: 1 for angles,
+/// the robot's length for lengths; for torques and forces about 1 on a robot of 20 kg and 1 m, and
+/// more as its weight is. nu may be 0.
+Eigen::VectorXd check_units(const Problem& problem, int nu);
+
 class CheckPoint {
  public:
   CheckPoint(Problem& problem, int knot, Eigen::VectorXd x, Eigen::VectorXd u);
@@ -33,7 +38,7 @@ class CheckPoint {
   Eigen::MatrixXd differences(int first, int count);
   std::vector<DerivativeBlock> split(const std::string& name, const std::vector<std::string>& rows,
                                      const Eigen::MatrixXd& value, const Eigen::MatrixXd& expected,
-                                     double floor) const;
+                                     double floor, const Eigen::VectorXd& row_units = {}) const;
   void expand();
   bool near_seam(int term) const;
   const CompiledTerm& term_at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
@@ -42,6 +47,7 @@ class CheckPoint {
 
   Problem& problem_;
   int knot_, nu_, nz_;
+  Eigen::VectorXd units_;  ///< nz
   Eigen::VectorXd x_, u_;
   int costs_;  ///< how many terms are costs; constraints follow
   const std::vector<CompiledTerm>& terms_;

@@ -10,6 +10,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/ocp/check.hpp"
 #include "burnish/ocp/step_check.hpp"
+#include "derivatives/explanation.hpp"
 #include "ocp/problem_impl.hpp"
 #include "ocp/reach.hpp"
 
@@ -206,9 +207,43 @@ void about_bounds(const Problem& problem, std::vector<std::string>& sentences) {
   }
 }
 
+/// Of a stage whose redundant contacts contradict each other at the initial state: torques have no
+/// part in that.
+void about_contradictions(const Problem& problem, std::size_t index,
+                          std::vector<std::string>& sentences) {
+  const auto& impl = ProblemInside::of(problem);
+  const ocp::CompiledStage& stage = impl.compiled.stages[index];
+  const StateLayout& l = problem.layout();
+  const Eigen::Map<const Eigen::VectorXd> x(problem.initial_state(), l.nx());
+  ContactSolver solver = impl.compiled.contact_solver;
+  const bool iterates = solver.max_proximal_iterations > 0;
+  if (!iterates) solver.max_proximal_iterations = 1;
+  ContactDynamics dynamics(problem.model(), impl.contacts_of(static_cast<int>(index)), solver);
+  for (int c = 0; c < impl.compiled.contacts.size(); ++c)
+    dynamics.set_active(c, stage.active[static_cast<std::size_t>(c)] != 0);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(l.nv);
+  if (dynamics.forward(x.head(l.nq), x.segment(l.nq, l.nv), none) != Status::NotConverged) return;
+  const double unmet =
+      dynamics.rows() == 0 ? 0.0 : Eigen::VectorXd(dynamics.unmet()).cwiseAbs().maxCoeff();
+  if (unmet == 0.0) return;
+  const Eigen::VectorXd rows = dynamics.unmet();
+  const std::string pushing =
+      contradicting(unmet_rows(dynamics.row_names(), {rows.data(), rows.data() + rows.size()})) +
+      " contradict each other, and without proximal iterations push against each other with up "
+      "to " +
+      number(unmet / solver.mu) + " N (Nm)";
+  sentences.push_back("stage " + in_quotes(stage.name) +
+                      ", initial state: " + (iterates ? dynamics.explanation() : pushing));
+}
+
 void about_contacts(const Problem& problem, std::vector<std::string>& sentences) {
   const auto& impl = ProblemInside::of(problem);
-  if (impl.compiled.contact_solver.mu > 0.0) return;
+  if (impl.compiled.contact_solver.mu > 0.0) {
+    for (std::size_t s = 0; s < impl.compiled.stages.size(); ++s)
+      if (!impl.compiled.stages[s].terminal && !impl.compiled.stages[s].impact)
+        about_contradictions(problem, s, sentences);
+    return;
+  }
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);
   for (std::size_t s = 0; s < impl.compiled.stages.size(); ++s) {
     const ocp::CompiledStage& stage = impl.compiled.stages[s];

@@ -8,6 +8,7 @@
 #include "burnish/ocp/check.hpp"
 #include "support/ocp_cases.hpp"
 #include "support/refusal.hpp"
+#include "support/scaled.hpp"
 
 namespace burnish::test {
 namespace {
@@ -294,6 +295,48 @@ TEST(Complaints, OfRedundantContacts) {
   testing::expect_words(found.back(), {"stage 'go'", "initial posture", "contact 'pad'", "mu > 0"});
   spec.contact_solver.mu = 1e-3;
   EXPECT_EQ(complaints(Problem(spec)), std::vector<std::string>{});
+}
+
+/// One of two contacts of the same tool asks it to rise.
+ProblemSpec contradicting_spec(const Model& model) {
+  ProblemSpec spec = calm_spec(model);
+  spec.stages[0].contacts = {"pad", "idle"};
+  for (ContactSpec& contact : spec.contacts) {
+    if (contact.name != "idle") continue;
+    contact.kp.setConstant(30.0);
+    contact.target.translation().z() += 0.5;
+  }
+  spec.contact_solver = {.mu = 1e-3, .max_proximal_iterations = 100, .proximal_tolerance = 1e-11};
+  return spec;
+}
+
+TEST(Complaints, OfContactsThatContradictEachOther) {
+  ProblemSpec spec = contradicting_spec(arm.robot.model());
+  std::vector<std::string> found = complaints(Problem(spec));
+  ASSERT_EQ(found.size(), 1U);
+  testing::expect_words(found[0], {"stage 'go'", "initial state", "pad/", "idle/", "m/s^2",
+                                   "contradict each other", "least-squares"});
+  spec.contact_solver.max_proximal_iterations = 0;
+  found = complaints(Problem(spec));
+  ASSERT_EQ(found.size(), 1U);
+  testing::expect_words(found[0], {"without proximal iterations", "push against each other"});
+}
+
+TEST(Check, ARightProblemOfAnotherSizePasses) {
+  for (const auto& [length, mass] : {std::pair{100.0, 5000.0}, std::pair{0.02, 1e-3}}) {
+    const Model model = scaled(arm.robot.model(), length, mass);
+    ProblemSpec spec = checked_spec(arm, model);
+    spec.contact_solver.mu = 0.05 / mass;
+    Problem problem(spec);
+    const ProblemReport report = check_problem(problem, {.states = 1});
+    EXPECT_TRUE(report.pass) << length << " m, " << mass << " kg\n" << report.text();
+  }
+}
+
+TEST(Check, TakesContactsThatContradictEachOther) {
+  Problem problem(contradicting_spec(arm.robot.model()));
+  const ProblemReport report = check_problem(problem);
+  EXPECT_TRUE(report.pass) << report.text();
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ inline Model scaled(Model model, double length, double mass) {
     for (int k = 0; k < joint.nv; ++k) {
       const int v = joint.v_index + k;
       const bool slides = k < sliding;
-      model.armature[v] *= slides ? mass : mass * length * length;
+      for (Eigen::VectorXd* of : {&model.armature, &model.damping, &model.friction})
+        (*of)[v] *= slides ? mass : mass * length * length;
       model.effort_limit[v] *= slides ? mass : torque;
       if (slides) model.velocity_limit[v] *= length;
     }

@@ -20,7 +20,8 @@ struct ProblemCheckOptions {
   /// Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts are not
   /// read). Empty: the initial state, and the control that holds it at rest.
   std::vector<Eigen::VectorXd> x = {}, u = {};
-  /// How far states are drawn from it, uniformly.
+  /// How far states are drawn from it, uniformly: of a robot of 1 m and 20 kg; of others lengths as
+  /// many times more, and torques and forces as its weight (and length) is.
   double position = 0.2;  ///< rad, m
   double velocity = 0.5;  ///< rad/s, m/s
   double torque = 5.0;    ///< Nm, N: controls, and torques in the state
@@ -75,7 +76,8 @@ ProblemReport check_problem(Problem& problem, const ProblemCheckOptions& options
 ///  - an initial state outside the limits of joints: position, velocity, torque;
 ///  - control bounds that cannot hold the initial posture at rest;
 ///  - joints that move no mass at the initial posture;
-///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0;
+///  - contacts of a stage that are redundant at the initial posture while the solver has mu = 0, or
+///    that contradict each other at the initial state while it has mu > 0;
 ///  - what the steps of a stage are too long for: step_complaints().
 /// Targets are those of the present horizon.
 std::vector<std::string> complaints(const Problem& problem);
