@@ -85,8 +85,12 @@ DdpSolver::Impl::Violations DdpSolver::Impl::violations() const {
 }
 
 void DdpSolver::Impl::note_stillness() {
+  if (keeps_limits(current)) {
+    elastic.still = 0;
+    return;
+  }
   const Violations sums = violations();
-  if (keeps_limits(current) || sums.after < share_left * sums.now) {
+  if (sums.after < share_left * sums.now) {
     elastic.still = 0;
   } else if (elastic.still == 0 || sums.now < share_gained * elastic.still_from) {
     elastic.still = 1;

@@ -94,12 +94,13 @@ const Description& description_of(const LimitOptions* /*of*/) {
                  "Weight of a violation, in units of the cost's curvature over a row's scale. More "
                  "needs fewer changes of multipliers and costs digits.",
                  range::positive)
-          .field("max_factors", &L::max_factors, "recursions per iteration", range::from(1))
+          .field("max_factors", &L::max_factors,
+                 "recursions per iteration, without an interior-point method's", range::from(1))
           .field("max_sweeps", &L::max_sweeps, "with kept factors, per iteration", range::from(0))
           .field("interior_after", &L::interior_after,
                  "Recursions of an iteration after which an interior-point method finds out which "
-                 "rows push, where max_factors leaves it 20. 0: at once, where nothing is known of "
-                 "multipliers.",
+                 "rows push, where max_factors leaves 20. It takes at most 80 recursions, most "
+                 "often 10 to 20. 0: at once, where nothing is known of multipliers.",
                  range::from(0))
           .field("price", &L::price,
                  "Of a violation of a hard row, and weight of its square where that price leaves "
