@@ -139,7 +139,7 @@ Outcome run_seed(std::uint64_t seed, const OutcomeOptions& options) {
   // What keeps all limits proves that they can be kept.
   if (!by_construction && o.converged() && o.violation <= kept && o.gap <= closed)
     o.sort = Sort::Feasible;
-  if (options.verbose) std::printf("%s\n", solver.cost_report().text().c_str());
+  if (options.verbose) std::printf("%s\n%s\n", solver.cost_report().text().c_str(), o.text.c_str());
   return o;
 }
 
