@@ -48,7 +48,7 @@ struct SlidingFriction {
   /// m from the tool's origin against the normal to where it acts: of a round tip
   double radius = 0.0;
 
-  /// The speed, m/s, where none is stated the least that is ever taken.
+  /// Returns `speed`, or 0.01 where none is stated [m/s].
   double fade_speed() const { return speed.value_or(0.01); }
 };
 

@@ -37,11 +37,11 @@ struct InertiaDerivatives {
 /// the active contacts, in the order of the set. Views stay valid while the object lives and hold
 /// the result of the last call that fills them.
 ///
-/// Results belong to the last evaluation, which is forward(), inverse() or acceleration(). A view
-/// that it does not fill keeps what an earlier call left there, at another state and perhaps of
-/// other rows: lambda() after acceleration(), tau() and dtau_dq() after forward(), and derivatives
-/// until they are made again. Calls refuse it: derivatives of another evaluation with NotEvaluated,
-/// forces of another with an Error. Python refuses the views, too.
+/// Results belong to the last evaluation: forward(), inverse() or acceleration(). Views that it
+/// does not fill keep older results, which may belong to another state and to other rows: lambda()
+/// after acceleration(), tau() and dtau_dq() after forward(), and derivatives until they are
+/// computed again. Functions reject older results: derivatives return NotEvaluated, forces throw
+/// Error. Python rejects the views, too.
 ///
 /// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
 /// but for WrongSize and NotEvaluated, which leave them as they were.

@@ -42,9 +42,9 @@ class ContactDynamicsBatch {
   Status forward_with_derivatives(const ConstMatrixRef& q, const ConstMatrixRef& v,
                                   const ConstMatrixRef& tau);
 
-  /// Of a state of the last call. NotEvaluated for one that it did not have, and for all after
-  /// set_active() and set_payload(). The views below hold nothing of such a state; derivatives are
-  /// those of the last forward_with_derivatives(), whatever came after it.
+  /// Returns the status of one state of the last call: NotEvaluated if the call had no such state,
+  /// and for every state after set_active() or set_payload(). The views below hold no result of
+  /// such a state. Derivatives are those of the last forward_with_derivatives().
   Status status(int state) const;
   /// The same in one sentence that names what is to blame, as ContactDynamics::explanation does.
   std::string explanation(int state) const;

@@ -16,8 +16,8 @@ enum class JointConvention {
            ///< floating joint along the axes of its parent
 };
 
-/// Distance of a follower or a held joint from where the model has it that q_from bears [rad or m]:
-/// simulators hold such joints by soft constraints.
+/// Largest distance of a follower or a held joint from where the model has it that q_from() accepts
+/// [rad or m]. Simulators hold such joints by soft constraints.
 inline constexpr double coupling_tolerance = 0.01;
 
 /// Maps vectors between a list of joint names and a model: q, v and tau of another program to those

@@ -65,10 +65,10 @@ class Controller {
   /// shows in its status, and its torque is then one that can be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
 
-  /// Whether it was told of a payload that the model which it was made from does not have.
+  /// Whether the controller was given a payload that its model does not have.
   virtual bool carries_payload() const noexcept { return false; }
-  /// Says that an EstimatedBase of the same model makes its measurements, so that it refuses
-  /// payloads.
+  /// Declares that an EstimatedBase makes the measurements. The controller rejects payloads from
+  /// then on.
   virtual void expect_estimated_base() noexcept {}
 
  protected:

@@ -18,9 +18,9 @@ namespace burnish {
 /// where the unit is silent or wrong. Ticks throw nothing, and allocate nothing but what the first
 /// of such further columns takes.
 ///
-/// The robot is the model's: what a controller is told to carry later (MpcController::set_payload)
-/// does not reach the forces of the feet here, so that the two refuse each other. A payload that
-/// is known from the start belongs into the model, by with_payload().
+/// A payload that a controller is given later (MpcController::set_payload) does not reach the foot
+/// forces that are computed here, so each of the two rejects the other. Put a payload that is known
+/// from the start into the model: with_payload().
 class EstimatedBase {
  public:
   /// Throws Error as BaseEstimator and FootContacts do.

@@ -1,4 +1,4 @@
-// Are the steps of a controller's plans short enough? To be asked before it runs.
+// Checks before a run whether the steps of a controller's plans are short enough.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace burnish {
 
-/// Sentences about the steps of plans that are too long, at the problem's initial state at rest;
-/// empty: all is well. First step_complaints() of the problem, then what check_steps() says of the
-/// first plan, which is made as the controller makes it. Solves that plan; throws Error for a
-/// specification that cannot be planned with, and what its functions throw.
+/// Solves the first plan of a controller, at rest at the problem's initial state, and returns a
+/// sentence for each step that is too long: those of step_complaints(Problem), and the warning of
+/// check_steps() for that plan. Empty if there is none. Throws Error for a specification that no
+/// controller can be made from, and what its functions throw.
 std::vector<std::string> step_complaints(const MpcSpec& spec);
 
 }  // namespace burnish

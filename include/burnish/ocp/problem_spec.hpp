@@ -174,12 +174,12 @@ struct ProblemSpec {
 /// name.
 ProblemSpec with_loops(ProblemSpec spec);
 
-/// The problem with a fade speed for each friction of a tool that states none: four times what
-/// friction takes from the tool's speed in one step, at the initial state, and at least 0.01 m/s,
-///   4 coefficient N step / m,
-/// of the stages that hold the contact the largest. N is the largest force along the normal that
-/// costs and constraints of the stage ask for, else what the mass weighs; m the least mass that the
-/// tool moves with across the normal. A coefficient of zero counts as 0.3.
+/// Returns the problem with a fade speed for each friction of a tool that states none,
+///   max(0.01 m/s, 4 coefficient N step / m),
+/// the largest over the stages that hold the contact. In one step friction changes the speed of the
+/// tool by coefficient N step / m. N is the largest normal force in costs and constraints of the
+/// stage, or the weight of m if there is none; m is the smallest effective mass of the tool across
+/// the normal at the initial state. A coefficient of zero counts as 0.3.
 ProblemSpec with_fade_speeds(ProblemSpec spec);
 
 /// s, of each knot of the horizon; 0 at impacts. Throws Error for segments that cannot be.

@@ -46,16 +46,16 @@ struct StepReport {
 /// fourth order; they are halved until halving changes the end by less than a fiftieth of the error
 /// or of its limit. Impacts take no time and are not compared.
 ///
-/// Limits of errors, of each entry of v with its largest speed in the trajectory:
-///  - of its position 0.01 rad (m), or where that is more how far it goes at that speed in 25 ms: a
-///    plan that is late by less is within the delays of a robot's own loops. Semi-implicit steps of
-///    up to 50 ms are never later, since the velocity that they move with is half a step ahead;
-///  - of its velocity 0.1 rad/s (m/s), or where that is more a tenth of that speed.
+/// Limits, with the largest speed of the same entry of v in the trajectory:
+///  - position: 0.01 rad (m), or the distance in 25 ms at that speed if that is larger. A smaller
+///    delay is within those of a robot's own control loops, and semi-implicit steps of up to 50 ms
+///    keep it: the velocity that they move with is half a step ahead;
+///  - velocity: 0.1 rad/s (m/s), or a tenth of that speed if that is larger.
 /// Throws Error for other sizes.
 StepReport check_steps(const Problem& problem, const MatrixView& xs, const MatrixView& us);
 
-/// Sentences about what explicit steps of a stage do not tolerate, at the initial state; empty: all
-/// is well. They are among complaints().
+/// Returns a sentence for each stage whose explicit steps are unstable or overshoot at the initial
+/// state; empty if there is none. complaints() contains them.
 ///  - gains of contacts with which an error of the contact grows from step to step;
 ///  - friction of a tool that fades below the speed that it takes from the tool in one step;
 ///  - friction of joints, where it acts, whose slip velocity is below what it takes in one step;

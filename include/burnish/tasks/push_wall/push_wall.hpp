@@ -133,7 +133,7 @@ void check_task(const Task& task);
 double force_max(const Task& task);
 /// The whole task as such a file, every key with its unit and meaning; reads back as it was.
 std::string task_text(const Task& task);
-/// What is possible in a task, but without effect: sentences for the user before a run.
+/// Returns a sentence for each stated key that has no effect in this task.
 std::vector<std::string> task_notes(const Task& task);
 
 /// The task with everything resolved.
