@@ -46,6 +46,7 @@ class Evaluation {
     status_ = Status::Ok;
     sentence_ = describe(status_);
     Json result{{"status", nullptr}, {"sentence", nullptr}};
+    if (!x.warnings.empty()) result["warnings"] = x.warnings;
     add_acceleration(x, result);
     add_inverse(x, result);
     add_forward(x, result);
@@ -103,6 +104,7 @@ class Evaluation {
     if (wants("inverse")) {
       result["inverse"] = ok ? Json{{"tau", numbers_json(dynamics_.tau())}} : Json(nullptr);
     }
+    add_forces("inverse", ok, result);
     if (!wants("inverse_derivatives")) return;
     const bool derived = ok && usable(dynamics_.inverse_derivatives());
     result["inverse_derivatives"] =
@@ -114,14 +116,22 @@ class Evaluation {
   }
 
   void add_forward(const EvalState& x, Json& result) {
-    if (!wants("forward") && !wants("forward_derivatives") && !wants("forces")) return;
+    if (!wants("forward") && !wants("forward_derivatives") && request_.forces_of != "forward")
+      return;
     const bool ok = usable(dynamics_.forward(x.q, x.v, x.tau));
     if (wants("forward")) result["forward"] = ok ? forward() : Json(nullptr);
     if (wants("forward_derivatives")) {
       const bool derived = ok && usable(dynamics_.forward_derivatives());
       result["forward_derivatives"] = derived ? forward_derivatives() : Json(nullptr);
     }
-    if (wants("forces")) result["forces"] = ok ? forces() : Json(nullptr);
+    add_forces("forward", ok, result);
+  }
+
+  /// The forces that belong to the last evaluation, where the request wants those of it.
+  void add_forces(const char* evaluation, bool ok, Json& result) const {
+    if (request_.forces_of != evaluation) return;
+    result["forces"] = ok ? forces() : Json(nullptr);
+    result["forces_of"] = evaluation;
   }
 
   Json forward() const {
@@ -129,6 +139,7 @@ class Evaluation {
     if (request_.solver.mu > 0.0) {
       result["proximal_iterations"] = dynamics_.proximal_iterations();
       result["proximal_residual"] = dynamics_.proximal_residual();
+      result["unmet"] = numbers_json(dynamics_.unmet());
     }
     return result;
   }

@@ -19,6 +19,21 @@ struct EvalArguments {
   bool compact = false, strict = false;
 };
 
+/// The first sentence about a state; all are in the answer.
+void print_odd_states(const EvalRequest& request, bool strict) {
+  std::size_t odd = 0;
+  std::string first;
+  for (std::size_t i = 0; i < request.states.size(); ++i) {
+    const std::vector<std::string>& warnings = request.states[i].warnings;
+    if (warnings.empty()) continue;
+    if (odd++ == 0) first = fmt::format("states[{}]: {}", i, warnings.front());
+  }
+  if (odd == 0) return;
+  if (strict) throw Error(first);
+  fmt::print(stderr, "burnish: warning: {}{}\n", first,
+             odd > 1 ? fmt::format("; {} more states are as odd", odd - 1) : "");
+}
+
 int eval(const EvalArguments& arguments) {
   const std::string source = arguments.file == "-" ? "standard input" : arguments.file;
   const std::filesystem::path folder =
@@ -30,6 +45,7 @@ int eval(const EvalArguments& arguments) {
   std::set<std::string> robots;
   for (const EvalRequest& request : asked.requests)
     if (robots.insert(request.robot_name).second) print_warnings(request.robot, arguments.strict);
+  for (const EvalRequest& request : asked.requests) print_odd_states(request, arguments.strict);
   bool good = true;
   for (const EvalRequest& request : asked.requests) {
     Answer answer = evaluate(request);

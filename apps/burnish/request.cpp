@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "burnish/contact/contact_set.hpp"
 #include "burnish/contact/loops.hpp"
+#include "burnish/model/state.hpp"
 #include "document/text.hpp"
 #include "dynamics/reference.hpp"
 #include "files/read_parts.hpp"
@@ -63,6 +64,7 @@ struct StateSpace {
   const Robot& robot;
   Eigen::VectorXd q;
   std::vector<files::RowGroup> v_rows, contact_rows;
+  bool strict = false;  ///< refuse states about which something is odd
 };
 
 Eigen::VectorXd read_q(const Reader& state, const StateSpace& space) {
@@ -77,8 +79,13 @@ EvalState read_state(const Reader& reader, const StateSpace& space) {
     if (value) return files::read_rows(*value, rows, 0.0);
     return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size())));
   };
-  return {read_q(reader, space), entries("v", space.v_rows), entries("tau", space.v_rows),
-          entries("a", space.v_rows), entries("lambda", space.contact_rows)};
+  EvalState state{read_q(reader, space), entries("v", space.v_rows), entries("tau", space.v_rows),
+                  entries("a", space.v_rows), entries("lambda", space.contact_rows)};
+  const Model& model = space.robot.model;
+  if (const auto v = reader.find("v")) v->named([&] { check_tangent(model, state.v); });
+  state.warnings = odd_state(model, state.q, state.v, state.tau);
+  if (space.strict && !state.warnings.empty()) reader.refuse(state.warnings.front());
+  return state;
 }
 
 std::vector<files::RowGroup> rows_named(const std::vector<std::string>& names) {
@@ -136,6 +143,29 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
   }
 }
 
+/// Forces are those of `forward` where that is asked for, or else of `inverse`, or else of a
+/// `forward` of their own. Refuses forces of another motion than the one that is asked for.
+std::string forces_of(const EvalRequest& request, const Reader& reader) {
+  const auto wants = [&](const char* word) { return request.compute.contains(word); };
+  if (!wants("forces")) return "";
+  if (wants("forward") || wants("forward_derivatives")) return "forward";
+  if (wants("inverse") || wants("inverse_derivatives")) return "inverse";
+  const std::string wanted =
+      "; wanted \"inverse\" in compute for the forces of the motion a and lambda, or \"forward\" "
+      "for those that tau leads to";
+  if (wants("acceleration") || wants("acceleration_derivatives"))
+    reader.refuse("compute asks for forces beside an acceleration, which has none" + wanted);
+  const auto states = reader.find("states");
+  if (!states || !states->is_list()) return "forward";
+  for (const Reader& state : states->entries())
+    for (const char* key : {"a", "lambda"})
+      if (state.has(key))
+        state[key].refuse(std::string("it is stated, and compute asks for nothing that reads it "
+                                      "but for forces") +
+                          wanted);
+  return "forward";
+}
+
 void read_states(const Reader& states, const StateSpace& space, Shared& shared,
                  EvalRequest& request) {
   constexpr std::size_t megabyte = 1'000'000, most = 400 * megabyte;  // all are in memory at once
@@ -170,7 +200,9 @@ EvalRequest read_request(const Reader& reader, Shared& shared) {
     read_forces_in(*forces_in, request);
     request.compute.insert("forces");
   }
+  request.forces_of = forces_of(request, reader);
   StateSpace space{request.robot, request.robot.reference_configuration(), {}, {}};
+  if (const auto strict = reader.find("strict")) space.strict = strict->yes_or_no();
   const auto states = reader.find("states");
   if (const auto contacts = reader.find("contacts")) {
     const bool some = states && states->is_list() && states->size() > 0;

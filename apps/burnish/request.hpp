@@ -11,8 +11,9 @@
 namespace burnish::app {
 
 struct EvalState {
-  Eigen::VectorXd q, v, tau, a;  ///< nq, nv, nv, nv
-  Eigen::VectorXd lambda;        ///< rows of all contacts
+  Eigen::VectorXd q, v, tau, a;            ///< nq, nv, nv, nv
+  Eigen::VectorXd lambda;                  ///< rows of all contacts
+  std::vector<std::string> warnings = {};  ///< what is odd about it, one sentence each
 };
 
 struct EvalRequest {
@@ -22,6 +23,7 @@ struct EvalRequest {
   ContactSolver solver;
   std::vector<EvalState> states;
   std::set<std::string> compute;
+  std::string forces_of;  ///< "forward" or "inverse": what `forces` belong to; empty without them
   std::vector<std::pair<std::string, Reference>> forces_in;  ///< by what they are called
 };
 

@@ -99,6 +99,37 @@ void forget_coupled(const Model& model, const std::string& name, Posture& postur
       posture.erase(joint.name);
 }
 
+/// The configuration of a posture's name, or of values by joint.
+Eigen::VectorXd read_posture(const Robot& robot, const Reader& reader,
+                             const std::optional<Posture>& others) {
+  if (!reader.is_map()) return reader.named([&] { return robot.posture(reader.text()); });
+  Posture posture;
+  if (const auto from = reader.find("from")) {
+    from->named([&] { robot.posture(from->text()); });
+    posture = robot.postures.at(from->text());
+  } else if (others) {
+    posture = *others;
+  } else if (!robot.default_posture.empty()) {
+    posture = robot.postures.at(robot.default_posture);
+  }
+  for (const auto& item : reader.items()) forget_coupled(robot.model, item.first, posture);
+  std::vector<std::string> named;
+  for (const auto& [joint, value] : reader.items()) {
+    if (joint == "from") continue;
+    named.push_back(joint);
+    if (value.is_list()) {
+      const Eigen::VectorXd values = value.numbers();
+      posture[joint] = {values.begin(), values.end()};
+    } else {
+      posture[joint] = {value.number()};
+    }
+  }
+  return reader.named([&] {
+    return named.empty() ? closed_configuration(robot.model, posture)
+                         : closed_configuration(robot.model, posture, named);
+  });
+}
+
 }  // namespace
 
 Reference read_reference(const Reader& reader, const Reference& otherwise,
@@ -150,37 +181,10 @@ Directions read_directions(const Reader& reader) {
 
 Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others) {
-  if (reader.is_list()) {
-    const Eigen::VectorXd q = reader.numbers(robot.model.nq);
-    reader.named([&] { check_configuration(robot.model, q); });
-    return q;
-  }
-  if (!reader.is_map()) return reader.named([&] { return robot.posture(reader.text()); });
-  Posture posture;
-  if (const auto from = reader.find("from")) {
-    from->named([&] { robot.posture(from->text()); });
-    posture = robot.postures.at(from->text());
-  } else if (others) {
-    posture = *others;
-  } else if (!robot.default_posture.empty()) {
-    posture = robot.postures.at(robot.default_posture);
-  }
-  for (const auto& item : reader.items()) forget_coupled(robot.model, item.first, posture);
-  std::vector<std::string> named;
-  for (const auto& [joint, value] : reader.items()) {
-    if (joint == "from") continue;
-    named.push_back(joint);
-    if (value.is_list()) {
-      const Eigen::VectorXd values = value.numbers();
-      posture[joint] = {values.begin(), values.end()};
-    } else {
-      posture[joint] = {value.number()};
-    }
-  }
-  return reader.named([&] {
-    return named.empty() ? closed_configuration(robot.model, posture)
-                         : closed_configuration(robot.model, posture, named);
-  });
+  const Eigen::VectorXd q =
+      reader.is_list() ? reader.numbers(robot.model.nq) : read_posture(robot, reader, others);
+  reader.named([&] { check_configuration(robot.model, q); });
+  return q;
 }
 
 std::vector<RowGroup> velocity_rows(const Model& model) {

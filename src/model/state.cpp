@@ -315,9 +315,82 @@ Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& genera
   return q;
 }
 
+namespace {
+
+/// rad, m, rad/s, m/s: doubles beyond are 1e-7 apart and more, and sums of lengths and products
+/// lose as many digits again.
+constexpr double largest_coordinate = 1e9;
+
+template <class Name>
+void check_digits(const ConstVector& x, std::string_view argument, const Name& name) {
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (std::abs(x[i]) > largest_coordinate)
+      throw Error("argument " + in_quotes(argument) + ": " + in_quotes(name(i)) + " is " +
+                  number(x[i]) + ", and numbers of that size are " +
+                  number(std::nextafter(std::abs(x[i]), INFINITY) - std::abs(x[i])) +
+                  " apart; wanted at most " + number(largest_coordinate) + " in size");
+}
+
+constexpr double largest_usual = 1e4;  ///< rad, m or per s, which random_configuration() has too
+constexpr double largest_place = 1e6;  ///< m, of a base in the world
+constexpr double far_above = 10.0;     ///< times its limit, of a velocity or a torque
+
+/// Adds a sentence where a position is out of all sense.
+void about_position(const Model& model, const Joint& joint, double q,
+                    std::vector<std::string>& sentences) {
+  const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
+  const bool slides = joint.kind == JointKind::Prismatic;
+  const char* const unit = slides ? " m" : " rad";
+  const bool limited = lower > -largest_usual && upper < largest_usual;
+  const double turn = slides ? 0.0 : 2.0 * std::numbers::pi;
+  const double over = limited ? std::max(upper - lower, turn) : 0.0;
+  const double least = limited ? lower - over : -largest_usual;
+  const double most = limited ? upper + over : largest_usual;
+  if (q >= least && q <= most) return;
+  std::string sentence = "joint " + in_quotes(joint.name) + " is at " + number(q) + unit;
+  sentence += limited ? "; its limits are " + number(lower) + " and " + number(upper) + unit
+                      : "; wanted at most " + number(largest_usual) + unit + " in size";
+  if (limited && !slides) sentence += ", and degrees would be taken for radians";
+  sentences.push_back(sentence);
+}
+
+/// Adds a sentence for each entry of v that is far above its limit, or `otherwise` without one.
+void about_entries(const Model& model, const ConstVector& x, const char* quantity,
+                   const Eigen::VectorXd& limits, double otherwise,
+                   std::vector<std::string>& sentences) {
+  for (int k = 0; k < model.nv; ++k) {
+    const bool limited = limits[k] > 0.0 && std::isfinite(limits[k]);
+    if (std::abs(x[k]) <= (limited ? far_above * limits[k] : otherwise)) continue;
+    sentences.push_back(quantity + in_quotes(model.v_name(k)) + " is " + number(x[k]) +
+                        (limited ? "; its limit is " + number(limits[k])
+                                 : "; wanted at most " + number(otherwise) + " in size"));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> odd_state(const Model& model, const ConstVector& q, const ConstVector& v,
+                                   const ConstVector& tau) {
+  std::vector<std::string> sentences;
+  for (const Joint& joint : model.joints) {
+    if (joint.nq == 1) about_position(model, joint, q[joint.q_index], sentences);
+    if (joint.kind != JointKind::FreeFlyer && joint.kind != JointKind::Planar) continue;
+    const double place =
+        q.segment(joint.q_index, joint.kind == JointKind::Planar ? 2 : 3).cwiseAbs().maxCoeff();
+    if (place > largest_place)
+      sentences.push_back("joint " + in_quotes(joint.name) + " is " + number(place) +
+                          " m from the world's origin; wanted at most " + number(largest_place) +
+                          " m, beyond which digits are lost");
+  }
+  about_entries(model, v, "the velocity of ", model.velocity_limit, largest_usual, sentences);
+  about_entries(model, tau, "the torque of ", model.effort_limit, INFINITY, sentences);
+  return sentences;
+}
+
 void check_configuration(const Model& model, const ConstVector& q, std::string_view argument) {
   check_size(q.size(), model.nq, argument);
   check_finite(q, argument);
+  check_digits(q, argument, [&](Eigen::Index i) { return model.q_name(static_cast<int>(i)); });
   for (const Joint& joint : model.joints) {
     const auto [first, size] = rotation_entries(joint);
     if (size == 0) continue;
@@ -333,6 +406,7 @@ void check_configuration(const Model& model, const ConstVector& q, std::string_v
 void check_tangent(const Model& model, const ConstVector& v, std::string_view argument) {
   check_size(v.size(), model.nv, argument);
   check_finite(v, argument);
+  check_digits(v, argument, [&](Eigen::Index i) { return model.v_name(static_cast<int>(i)); });
 }
 
 }  // namespace burnish

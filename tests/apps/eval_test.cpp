@@ -108,6 +108,107 @@ TEST(Eval, InverseUndoesForward) {
   expect_near(inverse["tau"], {0.0, 12.5, 0.0, -3.25, 0.0, 0.0, 0.0}, 1e-10, "tau");
 }
 
+/// 10 N at the tip of an arm, to hold the posture at rest.
+Json pressing_with_ten_newtons(const Json& compute) {
+  return {{"robot", "arm7"},
+          {"contacts",
+           {{{"tool", "tool"},
+             {"reference", {{"surface", {{"normal", {0, 0, 1}}}}}},
+             {"directions", "z"}}}},
+          {"compute", compute},
+          {"forces_in", {"centered"}},
+          {"states", {{{"q", "ready"}, {"lambda", {10}}}}}};
+}
+
+TEST(Eval, ForcesBesideInverse_AreThoseAskedFor) {
+  for (const Json& compute : {Json{"inverse", "forces"}, Json{"inverse_derivatives"},
+                              Json{"inverse", "acceleration", "diagnosis"}}) {
+    const Json state = answer_to(pressing_with_ten_newtons(compute))["states"][0];
+    EXPECT_EQ(state["forces_of"], "inverse");
+    EXPECT_NEAR(state["forces"][0]["value"][2].get<double>(), 10.0, 1e-12);
+    EXPECT_NEAR(state["forces"][0]["in"]["centered"]["value"][2].get<double>(), 10.0, 1e-12);
+  }
+}
+
+TEST(Eval, ForcesBesideForwardAndInverse_AreThoseOfForward) {
+  const Json state = answer_to(pressing_with_ten_newtons({"inverse", "forward"}))["states"][0];
+  EXPECT_EQ(state["forces_of"], "forward");
+  EXPECT_NEAR(state["forces"][0]["value"][2].get<double>(),
+              state["forward"]["lambda"][0].get<double>(), 1e-9);
+  EXPECT_GT(std::abs(state["forces"][0]["value"][2].get<double>() - 10.0), 1.0);
+}
+
+TEST(Eval, ForcesOfAnotherMotion_AreRefused) {
+  const auto expect_refused = [](const Json& request, const std::string& words) {
+    const Outcome outcome = run("eval -", request.dump());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  expect_refused(pressing_with_ten_newtons({"acceleration"}), "beside an acceleration");
+  expect_refused(pressing_with_ten_newtons({"forces"}), "states[0].lambda: it is stated");
+  Json moved = pressing_with_ten_newtons({"forces", "frames"});
+  moved["states"][0] = {{"a", {1, 0, 0, 0, 0, 0, 0}}};
+  expect_refused(moved, "states[0].a: it is stated");
+  moved["states"][0] = {{"q", "ready"}, {"tau", {{"joint_2", 1.0}}}};
+  EXPECT_EQ(answer_to(moved)["states"][0]["forces_of"], "forward");
+}
+
+TEST(Eval, StatesOutOfAllSense_AreRefusedOrWarnedOf) {
+  Json request{{"robot", "arm7"}, {"states", {{{"q", {0, 1e20, 0, 0, 0, 0, 0}}}}}};
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome = run("eval " + options + "-", request.dump());
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  for (const char* words : {"states[0].q", "'joint_2' is 1e+20", "16384 apart"})
+    EXPECT_NE(refused("").find(words), std::string::npos) << refused("");
+  request["states"][0] = {{"q", {{"joint_2", -1e12}}}};
+  EXPECT_NE(refused("").find("'joint_2' is -1e+12"), std::string::npos) << refused("");
+  request["states"][0] = {{"v", {{"joint_2", 1e10}}}};
+  EXPECT_NE(refused("").find("states[0].v"), std::string::npos) << refused("");
+  // Degrees, and what no motor does.
+  request["states"] = {{{"q", "ready"}},
+                       {{"q", {{"joint_2", 90}}}},
+                       {{"v", {{"joint_1", 1e3}}}, {"tau", {{"joint_3", -1e6}}}}};
+  const Outcome outcome = run("eval -", request.dump());
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("warning: states[1]: joint 'joint_2' is at 90 rad; its limits are"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("1 more states"), std::string::npos) << outcome.err;
+  const Json states = Json::parse(outcome.out)["states"];
+  EXPECT_FALSE(states[0].contains("warnings"));
+  EXPECT_EQ(states[1]["warnings"].size(), 1U);
+  EXPECT_EQ(states[2]["warnings"].size(), 2U);
+  EXPECT_NE(refused("--strict ").find("states[1]"), std::string::npos);
+}
+
+TEST(Eval, RowsThatContradictEachOther_AreNamedWithTheForcesOfLeastSquares) {
+  // Two tables at the same place, one of which asks the tool to rise.
+  Json table{{"name", "table"}, {"tool", "tool"}, {"directions", "linear"}};
+  Json lift = table;
+  lift["name"] = "lift";
+  lift["kp"] = 100;
+  lift["target"] = {{"xyz", {0.4, 0, 2.0}}};
+  Json request{{"robot", "arm7"},
+               {"contacts", {table, lift}},
+               {"compute", {"forward", "forces"}},
+               {"solver", {{"mu", 1e-4}, {"max_proximal_iterations", 10}}}};
+  const Json ten = answer_to(request, 1)["states"][0];
+  EXPECT_EQ(ten["status"], "not_converged");
+  for (const char* words : {"table/z", "lift/z", "contradict each other", "m/s^2"})
+    EXPECT_NE(ten["sentence"].get<std::string>().find(words), std::string::npos);
+  request["solver"]["max_proximal_iterations"] = 1000;
+  const Json thousand = answer_to(request, 1)["states"][0];
+  expect_near(thousand["forward"]["lambda"], ten["forward"]["lambda"], 1e-6, "lambda");
+  expect_near(thousand["forward"]["unmet"], ten["forward"]["unmet"], 1e-9, "unmet");
+  // Halves of what one asks for and the other does not.
+  EXPECT_NEAR(ten["forward"]["unmet"][2].get<double>(), -ten["forward"]["unmet"][5].get<double>(),
+              1e-9);
+  EXPECT_NEAR(ten["forward"]["lambda"][2].get<double>(), ten["forward"]["lambda"][5].get<double>(),
+              1e-6);
+}
+
 TEST(Eval, FramesGravityAndNamesOfPostures) {
   Json request{{"robot", "arm7"},
                {"frames",

@@ -259,5 +259,36 @@ TEST(State, RandomKeepsLimits) {
   }
 }
 
+TEST(OddState, NamesWhatNoJointCanDo) {
+  TreeSpec tree = two_links();
+  tree.joints[0].lower = -2.0;
+  tree.joints[0].upper = 2.0;
+  tree.joints[0].velocity_limit = 3.0;
+  tree.joints[0].effort_limit = 50.0;
+  const Model model = build_model(tree);
+  const auto about = [&](const Eigen::Vector2d& q, const Eigen::Vector2d& v,
+                         const Eigen::Vector2d& tau) { return odd_state(model, q, v, tau); };
+  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
+  EXPECT_EQ(about({7.0, 9e3}, {29.0, 9e3}, {499.0, 1e8}), std::vector<std::string>{});
+  std::vector<std::string> found = about({90.0, 2e4}, none, none);
+  ASSERT_EQ(found.size(), 2U);
+  expect_words(found[0], {"'shoulder' is at 90 rad", "limits are -2 and 2", "degrees"});
+  expect_words(found[1], {"'elbow' is at 20000 rad", "at most 10000"});
+  found = about(none, {-31.0, 1e5}, {-501.0, 0.0});
+  ASSERT_EQ(found.size(), 3U);
+  expect_words(found[0], {"velocity of 'shoulder' is -31", "limit is 3"});
+  expect_words(found[1], {"velocity of 'elbow' is 100000"});
+  expect_words(found[2], {"torque of 'shoulder' is -501", "limit is 50"});
+}
+
+TEST(OddState, WithoutDigitsIsRefused) {
+  const Model model = build_model(two_links());
+  expect_words(refusal([&] { check_configuration(model, Eigen::Vector2d(0.0, 1e20)); }),
+               {"'q'", "'elbow' is 1e+20", "16384 apart", "at most 1e+09"});
+  expect_words(refusal([&] { check_tangent(model, Eigen::Vector2d(-2e9, 0.0)); }),
+               {"'v'", "'shoulder' is -2e+09"});
+  EXPECT_NO_THROW(check_configuration(model, Eigen::Vector2d(1e9, 0.0)));
+}
+
 }  // namespace
 }  // namespace burnish::testing

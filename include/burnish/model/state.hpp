@@ -2,6 +2,8 @@
 #pragma once
 
 #include <random>
+#include <string>
+#include <vector>
 
 #include "burnish/model/model.hpp"
 
@@ -27,10 +29,20 @@ Eigen::VectorXd normalized(const Model& model, const Eigen::Ref<const Eigen::Vec
 Eigen::VectorXd random_configuration(const Model& model, std::mt19937_64& generator);
 
 /// Throws Error with a sentence naming the argument and the entry if q or v has the wrong size,
-/// holds a NaN or infinity, or q holds a quaternion or (cos, sin) pair that is not of unit length.
+/// holds a NaN or infinity, an entry beyond 1e9 rad or m (or per s), of which too few digits are
+/// left, or q holds a quaternion or (cos, sin) pair that is not of unit length.
 void check_configuration(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
                          std::string_view argument = "q");
 void check_tangent(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& v,
                    std::string_view argument = "v");
+
+/// Sentences about a state that the robot cannot be in, such as angles in degrees; empty where
+/// there are none. They name positions beyond the limits by more than their range (and a turn), or
+/// beyond 1e4 rad or m where there are none (1e6 m of a base), velocities and torques above ten
+/// times their limits, and velocities above 1e4 rad/s or m/s where there are none. q: nq, v and
+/// tau: nv.
+std::vector<std::string> odd_state(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                                   const Eigen::Ref<const Eigen::VectorXd>& v,
+                                   const Eigen::Ref<const Eigen::VectorXd>& tau);
 
 }  // namespace burnish
