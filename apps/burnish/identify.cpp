@@ -1,7 +1,7 @@
 // burnish identify: what a robot carries or weighs, from a recorded motion.
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
 
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
@@ -68,14 +68,15 @@ std::string table_of(const Model& model, const Identification& found) {
   if (found.delay.sigma > 0.0)
     text += fmt::format("torques are {} ms behind positions\n",
                         estimate_text(found.delay.value, found.delay.sigma, 1e3));
-  text += fmt::format("\n{:<24} {:>12} {:>12}", "rms of torque, Nm (N)", "as modelled", "as found");
+  text += fmt::format("\n{:<24} {:>12} {:>12} {:>12}", "rms of torque, Nm (N)", "as modelled",
+                      "as found", "noise");
   if (!found.viscous.empty()) text += fmt::format(" {:>22} {:>22}", "viscous", "Coulomb");
   if (!found.armature.empty()) text += fmt::format(" {:>22}", "rotor inertia");
   if (!found.offset.empty()) text += fmt::format(" {:>22}", "offset");
   text += "\n";
   for (int k = 0; k < model.nv; ++k) {
-    text += fmt::format("{:<24} {:>12.4g} {:>12.4g}", model.v_name(k), found.rms_before[k],
-                        found.rms_after[k]);
+    text += fmt::format("{:<24} {:>12.4g} {:>12.4g} {:>12.4g}", model.v_name(k),
+                        found.rms_before[k], found.rms_after[k], found.rms_expected[k]);
     for (const auto* list : {&found.viscous, &found.coulomb, &found.armature, &found.offset})
       if (!list->empty()) {
         const Estimate& e = (*list)[static_cast<std::size_t>(k)];
@@ -116,9 +117,41 @@ Json json_of(const Identification& found) {
   json["delay"] = {{"value", found.delay.value}, {"sigma", found.delay.sigma}};
   json["rms_before"] = numbers(found.rms_before);
   json["rms_after"] = numbers(found.rms_after);
+  json["rms_expected"] = numbers(found.rms_expected);
   json["samples"] = found.samples;
   json["converged"] = found.converged;
+  json["warnings"] = found.warnings;
   return json;
+}
+
+/// Whether the motion shows mass and centre: of less a file would hold what was assumed.
+bool shows_mass(const EstimatedInertia& one) {
+  for (int i = 0; i < 4; ++i)
+    if (!one.is_shown(i)) return false;
+  return true;
+}
+bool shows_any_mass(const Identification& found) {
+  return std::any_of(found.inertias.begin(), found.inertias.end(), shows_mass);
+}
+
+/// Names of moments and products of inertia that the motion does not show.
+std::string hidden_moments(const EstimatedInertia& one) {
+  std::string text;
+  for (const int i : one.not_shown())
+    if (i >= 4) text += fmt::format(" {}", estimate_names[static_cast<std::size_t>(i)]);
+  return text;
+}
+
+std::string inertia_line(const EstimatedInertia& one, bool of_payload) {
+  const Vector10& x = one.values;
+  const std::string hidden = hidden_moments(one);
+  // A payload's moments that were assumed are no payload's: the line is a comment.
+  const bool all_assumed = !one.is_shown(4) || !one.is_shown(7) || !one.is_shown(9);
+  return fmt::format(
+      "{}inertia: [{:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}]  # xx xy xz yy yz zz about com, "
+      "kg m^2{}\n",
+      of_payload && all_assumed ? "# " : "", x[4], x[5], x[6], x[7], x[8], x[9],
+      hidden.empty() ? "" : "; not shown by the motion:" + hidden);
 }
 
 /// What robot.yaml takes: `payload`, or `inertias` of links.
@@ -128,16 +161,16 @@ std::string settings_of(const Identification& found, bool of_payload) {
   for (const EstimatedInertia& one : found.inertias) {
     const Vector10 &x = one.values, &s = one.sigma;
     const std::string indent = of_payload ? "  " : "    ";
+    if (!shows_mass(one)) {
+      text += fmt::format("  # {}: the motion does not show its mass and centre\n", one.frame);
+      continue;
+    }
     text +=
         of_payload ? fmt::format("  frame: {}\n", one.frame) : fmt::format("  {}:\n", one.frame);
     text += fmt::format("{}mass: {:.8g}  # {:.2g} kg\n", indent, x[0], s[0]);
     text += fmt::format("{}com: [{:.8g}, {:.8g}, {:.8g}]  # {:.2g}, {:.2g}, {:.2g} m\n", indent,
                         x[1], x[2], x[3], s[1], s[2], s[3]);
-    text += fmt::format(
-        "{}inertia: [{:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}, {:.8g}]  # xx xy xz yy yz zz about "
-        "com, "
-        "kg m^2\n",
-        indent, x[4], x[5], x[6], x[7], x[8], x[9]);
+    text += indent + inertia_line(one, of_payload);
   }
   return text;
 }
@@ -224,12 +257,12 @@ int identify_file(const IdentifyArguments& a, const Robot& robot) {
   });
   fmt::print("{}", a.json ? json_text(json_of(found)) + "\n" : table_of(robot.model, found));
   for (const std::string& warning : found.warnings) fmt::print(stderr, "burnish: {}\n", warning);
-  if (!a.out.empty()) {
-    std::ofstream file(a.out);
-    file << settings_of(found, a.spec.bodies.empty());
-    if (!file.flush()) throw Error(fmt::format("'{}' could not be written", a.out));
-  }
-  return found.converged ? exit_ok : exit_failed;
+  const bool known = found.converged && shows_any_mass(found);
+  if (!a.out.empty() && known) write_whole_file(a.out, settings_of(found, a.spec.bodies.empty()));
+  if (!a.out.empty() && !known)
+    fmt::print(stderr, "burnish: '{}' is not written: the motion does not show mass and centre\n",
+               a.out);
+  return known ? exit_ok : exit_failed;
 }
 
 int identify_command(const IdentifyArguments& a) {
@@ -266,6 +299,11 @@ void add_estimate(IdentifyArguments& a, CLI::App& command) {
   command.add_option("--window", a.spec.window, "Seconds that torques are smoothed over [0.25]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--torque-noise", a.spec.torque_noise,
+                  "Deviation of a torque sample's noise, Nm (N) [as neighbouring samples say]")
+      ->type_name("NM")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--start", a.spec.start, "Seconds of the record that are left out first [0]")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
@@ -333,9 +371,9 @@ void add_identify(CLI::App& app, int& exit_code) {
       "  burnish identify arm7 recorded.csv --bodies link_6,link_7 --friction\n"
       "  burnish identify arm7 --seeds 100\n"
       "\n"
-      "docs/identification.md has the method. Exit code 1: the estimate did not converge, or an "
-      "aim\n"
-      "of --seeds was missed.");
+      "docs/identification.md has the method. Exit code 1: the motion does not show the mass, or "
+      "an aim\n"
+      "of --seeds was missed; 2: bad usage, or a record that cannot be right.");
   command->callback([arguments, &exit_code] { exit_code = identify_command(*arguments); });
 }
 

@@ -995,6 +995,8 @@ class Identification:
     @property
     def rms_after(self) -> Array: ...  # (nv,)
     @property
+    def rms_expected(self) -> Array: ...  # (nv,)
+    @property
     def samples(self) -> int: ...
     @property
     def converged(self) -> bool: ...
@@ -1005,6 +1007,7 @@ def identify(
     model: Model, q: ArrayLike, tau: ArrayLike, period: float, bodies: Sequence[str] = (),
     payload: str = "tool", friction: bool = False, armature: bool = False, offset: bool = False,
     delay: bool = True, motion_window: float = 0.04, window: float = 0.25, start: float = 0.0,
+    torque_noise: float = 0.0,
 ) -> Identification: ...
 def excitation(
     model: Model, q_start: ArrayLike, frame: str = "tool", duration: float = 10.0,

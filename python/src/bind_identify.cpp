@@ -87,6 +87,8 @@ void bind_results(py::module_& m) {
           "s of torques behind positions, and its standard deviation.")
       .def_readonly("rms_before", &I::rms_before, "(nv,), Nm (N), that the model leaves.")
       .def_readonly("rms_after", &I::rms_after, "(nv,), Nm (N), that what was found leaves.")
+      .def_readonly("rms_expected", &I::rms_expected,
+                    "(nv,), Nm (N), that noise, smoothing and sampling explain.")
       .def_readonly("samples", &I::samples, "Of each torque, that were used.")
       .def_readonly("converged", &I::converged, "Whether the estimate settled.")
       .def_readonly("warnings", &I::warnings, "Sentences.");
@@ -101,21 +103,21 @@ void bind_identify(py::module_& m) {
       "identify",
       [](const Model& model, const Matrix& q, const Matrix& tau, double period,
          const std::vector<std::string>& bodies, const std::string& payload, bool friction,
-         bool armature, bool offset, bool delay, double motion_window, double window,
-         double start) {
+         bool armature, bool offset, bool delay, double motion_window, double window, double start,
+         double torque_noise) {
         const py::gil_scoped_release release;
-        return identify(
-            model, {period, q, tau},
-            {bodies, payload, friction, armature, offset, delay, motion_window, window, start});
+        return identify(model, {period, q, tau},
+                        {bodies, payload, friction, armature, offset, delay, motion_window, window,
+                         start, torque_noise});
       },
       py::arg("model"), py::arg("q"), py::arg("tau"), py::arg("period"),
       py::arg("bodies") = std::vector<std::string>(), py::arg("payload") = "tool",
       py::arg("friction") = false, py::arg("armature") = false, py::arg("offset") = false,
       py::arg("delay") = true, py::arg("motion_window") = 0.04, py::arg("window") = 0.25,
-      py::arg("start") = 0.0,
+      py::arg("start") = 0.0, py::arg("torque_noise") = 0.0,
       "Mass distributions from a motion in the air: q (n, nq) and tau (n, nv), `period` s apart; "
-      "of "
-      "the links `bodies`, or of what is carried at the frame `payload`. See "
+      "of the links `bodies`, or of what is carried at the frame `payload`. Raises Error, naming "
+      "column, time and guess, for a record that cannot be right, such as one in other units. See "
       "docs/identification.md.");
   m.def(
       "excitation",

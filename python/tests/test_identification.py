@@ -90,3 +90,23 @@ def test_a_payload_is_identified_from_exact_torques() -> None:
     assert one.sigma["mass"] < 0.01
     with pytest.raises(burnish.Error, match="'tool'"):
         burnish.identify(ARM.model, q, tau, 1e-3, payload="tol")
+
+
+def test_records_that_cannot_be_right_are_refused_with_a_guess() -> None:
+    motion = burnish.excitation(ARM.model, ARM.reference_configuration())
+    columns = {name: motion[name] for name in motion.columns}
+    joints = [j.name for j in ARM.model.joints]
+    q, v, a = (np.column_stack([columns[f"{x}_{j}"] for j in joints])[::4] for x in "qva")
+    dynamics = ContactDynamics(ARM.model)
+    dynamics.set_payload("tool", brick())
+    tau = np.empty_like(v)
+    for i in range(len(q)):
+        dynamics.inverse(q[i], v[i], a[i], np.zeros(0))
+        tau[i] = dynamics.tau
+    found = burnish.identify(ARM.model, q, tau, 4e-3)
+    assert not found.warnings
+    assert np.all(found.rms_after < 2.0 * found.rms_expected)
+    for words, q_of, tau_of in (("Nmm", q, 1e3 * tau), ("degrees", np.degrees(q), tau), ("at rest", q[:1] + 0.0 * q, tau),
+                                ("no torque ever changes", q, 0.0 * tau)):
+        with pytest.raises(burnish.Error, match=words):
+            burnish.identify(ARM.model, q_of, tau_of, 4e-3)

@@ -43,7 +43,11 @@ Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& r
   for (int lag = 1; lag <= lags; ++lag) {
     result += 2.0 * share_of(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
-  return result.cwiseMax(plain).cwiseMax(1e-16);
+  // Exact torques would weigh without bounds, and leave no digits to what is believed before.
+  constexpr double least = 1e-5;  // of a torque's rms
+  const Eigen::VectorXd floor =
+      (least * least * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16).matrix();
+  return result.cwiseMax(plain).cwiseMax(floor);
 }
 
 struct Step {
@@ -170,6 +174,14 @@ void add_bias(const Regression& regression, const Regression& longer, double sha
   towards.col(1) = A.transpose() * fit.weight.cwiseProduct(regression.held);
   const Eigen::MatrixXd bias = solve_positive(here.information, towards);
   fit.covariance += bias * bias.transpose();
+}
+
+void add_misfit(const Regression& regression, Fit& fit) {
+  const Step here = step_at(regression, fit.x, fit.weight);
+  const Eigen::VectorXd r = regression.residual(fit.x);
+  const double squares = (fit.weight.array() * r.array().square()).sum();
+  const int p = regression.size();
+  fit.covariance += squares * solve_positive(here.information, Eigen::MatrixXd::Identity(p, p));
 }
 
 }  // namespace burnish::identify_detail

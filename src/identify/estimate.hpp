@@ -20,4 +20,8 @@ Fit fit(const Regression& regression);
 /// would move it by, and since torques are held from sample to sample.
 void add_bias(const Regression& regression, const Regression& longer, double share, Fit& fit);
 
+/// Adds what the fit may have taken from a residual that noise does not explain, as if it were as
+/// large as what is left and lay along each parameter.
+void add_misfit(const Regression& regression, Fit& fit);
+
 }  // namespace burnish::identify_detail

@@ -7,6 +7,9 @@
 #include "base/sentence.hpp"
 #include "burnish/model/state.hpp"
 #include "identify/estimate.hpp"
+#include "identify/faults.hpp"
+#include "identify/misfit.hpp"
+#include "identify/record_check.hpp"
 #include "identify/smoothed_motion.hpp"
 
 namespace burnish {
@@ -80,6 +83,11 @@ EstimatedInertia estimated(const Unknown& before, const Vector10& eta, const Mat
 }
 
 void warn_of(Identification& result) {
+  constexpr double longest_delay = 0.02;  // that sensors and buses have [s]
+  if (std::abs(result.delay.value) > longest_delay)
+    result.warnings.push_back("torques are " + number(1e3 * result.delay.value) +
+                              " ms behind positions: taken as they are; do the columns belong to "
+                              "the same instants?");
   if (!result.converged)
     result.warnings.emplace_back(
         "the estimate did not converge: the motion hardly tells the bodies "
@@ -93,6 +101,81 @@ void warn_of(Identification& result) {
     result.warnings.push_back("the motion does not show of " + in_quotes(one.frame) + ": " + list +
                               "; what stands there is little but what was believed before");
   }
+}
+
+/// Phrases joined by "; ".
+std::string joined(const std::vector<std::string>& phrases) {
+  std::string text;
+  for (const std::string& phrase : phrases) text += "; " + phrase;
+  return text;
+}
+
+/// Throws Error where the record cannot be right, and warns where it may be.
+void judge(Identification& result, const identify_detail::Misfit& misfit,
+           const std::optional<identify_detail::Fault>& fault,
+           const std::vector<std::string>& oddities, const std::string& column) {
+  // What is left may hide as much of a mass as it is large beside what the masses do.
+  constexpr double most_unexplained = 0.3;
+  if (!misfit.is_suspicious) {
+    for (const std::string& oddity : oddities)
+      result.warnings.push_back(oddity + "; the torques fit all the same");
+    return;
+  }
+  const std::string left = in_quotes(column) + " leaves " + number(result.rms_after[misfit.joint]) +
+                           " Nm (N) rms unexplained, where noise explains " +
+                           number(result.rms_expected[misfit.joint]);
+  const std::string guess = fault ? "; " + fault->sentence : std::string();
+  if (fault && !fault->is_mild)
+    throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities));
+  if (!(misfit.unexplained < most_unexplained))
+    throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities) +
+                (fault
+                     ? ""
+                     : "; wanted positions in rad (m) and torques in Nm (N) of this robot and one "
+                       "payload, which touches nothing"));
+  const char* enlarged = result.coulomb.empty() ? ": standard deviations are enlarged for it" : "";
+  result.warnings.push_back(left + enlarged + guess + joined(oddities));
+}
+
+/// Without the samples before spec.start, which are not looked at.
+MotionRecord cropped(const MotionRecord& record, Eigen::Index left_out) {
+  MotionRecord result = record;
+  result.q = record.q.bottomRows(record.q.rows() - left_out);
+  result.tau = record.tau.bottomRows(record.tau.rows() - left_out);
+  result.first_time += static_cast<double>(left_out) * record.period;
+  return result;
+}
+
+/// What was found, from the coordinates that it was found in.
+void fill(Identification& result, const std::vector<Unknown>& unknowns,
+          const identify_detail::Regression& regression, const identify_detail::Fit& fit) {
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(10 * i);
+    result.inertias.push_back(
+        estimated(unknowns[i], fit.x.segment<10>(at), fit.covariance.block<10, 10>(at, at)));
+  }
+  const auto estimates = [&](int first) {
+    std::vector<Estimate> list;
+    for (int k = 0; first >= 0 && k < regression.nv; ++k)
+      list.push_back({fit.x[first + k], std::sqrt(fit.covariance(first + k, first + k))});
+    return list;
+  };
+  result.viscous = estimates(regression.layout.viscous);
+  result.coulomb = estimates(regression.layout.coulomb);
+  result.armature = estimates(regression.layout.armature);
+  result.offset = estimates(regression.layout.offset);
+  if (const int k = regression.layout.delay; k >= 0)
+    result.delay = {fit.x[k], std::sqrt(fit.covariance(k, k))};
+}
+
+/// Throws Error for deviations that are not numbers: the motion does not tell what was asked for.
+void check_finite(const identify_detail::Fit& fit) {
+  if (fit.x.allFinite() && fit.covariance.allFinite() &&
+      (fit.covariance.diagonal().array() >= 0.0).all())
+    return;
+  throw Error(
+      "identify: the motion does not tell what was asked for: no standard deviation can be stated; "
+      "wanted more motion (burnish identify --excite writes one), or fewer bodies");
 }
 
 }  // namespace
@@ -113,40 +196,50 @@ std::vector<int> EstimatedInertia::not_shown() const {
 
 Identification identify(const Model& model, const MotionRecord& record,
                         const IdentificationSpec& spec) {
-  const identify_detail::Windows windows(model, record, spec);
+  using namespace identify_detail;
+  Windows windows(model, record, spec);
   const std::vector<Unknown> unknowns = unknowns_of(model, spec);
+  const auto left_out = static_cast<Eigen::Index>(spec.start / record.period);
+  const CheckedRecord checked = checked_record(model, cropped(record, left_out));
+  windows.first -= left_out;
+  windows.samples -= left_out;
   const auto regression_over = [&](int half) {
-    const identify_detail::SmoothedMotion motion(model, record, windows, half);
-    return identify_detail::Regression(model, motion, windows, unknowns, spec);
+    const SmoothedMotion motion(model, checked.record, windows, half);
+    return Regression(model, motion, windows, unknowns, spec);
   };
-  const identify_detail::Regression regression = regression_over(windows.motion);
+  const Regression regression = regression_over(windows.motion);
+  const Regression longer = regression_over(windows.longer);
   // What polynomials of degree five take from an acceleration grows with the window's fourth power.
   const double growth = std::pow(static_cast<double>(windows.longer) / windows.motion, 4);
-  identify_detail::Fit fit = identify_detail::fit(regression);
-  add_bias(regression, regression_over(windows.longer), 1.0 / (growth - 1.0), fit);
+  const double share = 1.0 / (growth - 1.0);
+  Fit fit = identify_detail::fit(regression);
+  const Eigen::VectorXd expected = expected_rms(
+      {model, checked.record, windows, regression, longer, share, spec.torque_noise}, fit.x);
+  const Misfit misfit = misfit_of(regression, fit, expected);
+  add_bias(regression, longer, share, fit);
+  // Friction that is estimated is one of a kind, and joints have others: part of it is left.
+  if (misfit.is_suspicious && !spec.friction) add_misfit(regression, fit);
 
   Identification result;
   result.samples = regression.samples;
   result.converged = fit.converged;
   result.rms_before = fit.rms_before;
   result.rms_after = fit.rms_after;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(10 * i);
-    result.inertias.push_back(
-        estimated(unknowns[i], fit.x.segment<10>(at), fit.covariance.block<10, 10>(at, at)));
-  }
-  const auto estimates = [&](int first) {
-    std::vector<Estimate> list;
-    for (int k = 0; first >= 0 && k < model.nv; ++k)
-      list.push_back({fit.x[first + k], std::sqrt(fit.covariance(first + k, first + k))});
-    return list;
-  };
-  result.viscous = estimates(regression.layout.viscous);
-  result.coulomb = estimates(regression.layout.coulomb);
-  result.armature = estimates(regression.layout.armature);
-  result.offset = estimates(regression.layout.offset);
-  if (const int k = regression.layout.delay; k >= 0)
-    result.delay = {fit.x[k], std::sqrt(fit.covariance(k, k))};
+  result.rms_expected = expected;
+  result.warnings = checked.warnings;
+  std::vector<std::string> oddities = beyond_limits(model, checked.record);
+  oddities.insert(oddities.end(), checked.oddities.begin(), checked.oddities.end());
+  for (const int k : checked.constant_torques)
+    if (misfit.is_suspicious_at(k))
+      throw Error("identify: " + in_quotes(tau_column(model, k)) + " is " +
+                  number(checked.record.tau(0, k)) + " throughout, where the motion asks for " +
+                  number(fit.rms_after[k]) + " Nm (N) rms; is that sensor connected?");
+  std::optional<Fault> fault;
+  if (misfit.is_suspicious)
+    fault = FaultSearch(model, checked.record, windows, unknowns, spec).best(fit.x, expected);
+  fill(result, unknowns, regression, fit);
+  judge(result, misfit, fault, oddities, tau_column(model, misfit.joint));
+  check_finite(fit);
   warn_of(result);
   return result;
 }
@@ -161,6 +254,7 @@ MotionRecord motion_record(const Model& model, const Trace& trace) {
   record.q.resize(n, model.nq);
   record.tau.resize(n, model.nv);
   record.period = identify_detail::even_period(time);
+  record.first_time = time[0];
   for (int k = 0; k < model.nq; ++k) {
     const std::string name = "q_" + model.q_name(k);
     record.q.col(k) = column("measured_" + name, name);

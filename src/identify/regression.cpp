@@ -11,7 +11,7 @@ namespace {
 
 constexpr double slip_velocity = 0.02;  // rad/s (m/s), at which Coulomb's friction has its sign
 
-/// The columns of one instant: those of x, then the three that x does not multiply.
+/// The columns of one instant: those of x, then the four that x does not multiply.
 class Instant {
  public:
   Instant(const Model& model, std::span<const Unknown> unknowns, const Layout& layout)
@@ -22,10 +22,11 @@ class Instant {
     }
     terms_.setZero(model.nv, columns(layout));
   }
-  static int columns(const Layout& layout) { return layout.size + 3; }
+  static int columns(const Layout& layout) { return layout.size + 4; }
   static int rest(const Layout& layout) { return layout.size; }
   static int before(const Layout& layout) { return layout.size + 1; }
   static int bend(const Layout& layout) { return layout.size + 2; }
+  static int measured(const Layout& layout) { return layout.size + 3; }
 
   /// nv x columns().
   const Eigen::MatrixXd& at(const SmoothedMotion& motion, int i) {
@@ -53,6 +54,7 @@ class Instant {
     auto left = terms_.col(rest(layout_));
     left = motion.tau.row(i).transpose() - dynamics_.tau();
     terms_.col(before(layout_)) = left;
+    terms_.col(measured(layout_)) = motion.tau.row(i).transpose();
     for (std::size_t b = 0; b < unknowns_.size(); ++b) {
       const auto at = static_cast<Eigen::Index>(10 * b);
       const auto block = of_bodies_.middleCols<10>(at);
@@ -89,12 +91,16 @@ Layout::Layout(int number, int nv, const IdentificationSpec& spec)
   delay = add(spec.delay, 1);
 }
 
+int row_stride(const Windows& windows) {
+  constexpr int rows_per_window = 4;  // what is nearer says nearly the same
+  return std::max(1, 2 * windows.torque / rows_per_window);
+}
+
 Regression::Regression(const Model& model, const SmoothedMotion& motion, const Windows& windows,
                        std::span<const Unknown> unknowns, const IdentificationSpec& spec)
     : layout(static_cast<int>(unknowns.size()), model.nv, spec), nv(model.nv) {
   believe(unknowns, model);
-  constexpr int rows_per_window = 4;  // what is nearer says nearly the same
-  const int half = windows.torque, stride = std::max(1, 2 * half / rows_per_window);
+  const int half = windows.torque, stride = row_stride(windows);
   samples = (motion.instants() - 2 * half - 1) / stride + 1;
   samples_per_window = 2.0 * half / stride;
   const Eigen::VectorXd kernel = bell(half);
@@ -128,6 +134,7 @@ void Regression::take(const Eigen::MatrixXd& terms, double period) {
   rest = terms.col(Instant::rest(layout));
   before = terms.col(Instant::before(layout));
   bend = terms.col(Instant::bend(layout));
+  measured = terms.col(Instant::measured(layout));
   // Its mean over the period before, less what it was half a period ago.
   held = period * period / 12.0 * bend;
 }

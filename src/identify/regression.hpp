@@ -27,6 +27,9 @@ struct Layout {
   int linear() const { return size - 10 * inertias; }
 };
 
+/// Instants from one row's window to the next one's.
+int row_stride(const Windows& windows);
+
 /// Torques = known + sum of Y_i theta_i(eta_i) + linear x + delay^2 bend, a row per sample and
 /// entry of v, samples being the outer index. All of it is linear in the torques and their
 /// derivatives, in Y and in the other columns, so that smoothing it takes nothing from its truth:
@@ -38,9 +41,10 @@ struct Regression {
   Layout layout;
   int nv = 0, samples = 0;
   double samples_per_window = 1.0;
-  Eigen::VectorXd rest;    ///< torques less what is known of them
-  Eigen::VectorXd before;  ///< torques less what the model as given says
-  Eigen::MatrixXd Y;       ///< 10 columns per inertia, of parameters in its frame
+  Eigen::VectorXd measured;  ///< torques
+  Eigen::VectorXd rest;      ///< torques less what is known of them
+  Eigen::VectorXd before;    ///< torques less what the model as given says
+  Eigen::MatrixXd Y;         ///< 10 columns per inertia, of parameters in its frame
   Eigen::MatrixXd linear;
   Eigen::VectorXd bend;                ///< of the delay's square
   Eigen::VectorXd held;                ///< what a torque that is held over a period differs by

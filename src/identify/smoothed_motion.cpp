@@ -11,6 +11,7 @@ namespace {
 
 constexpr int fewest = 3;                // samples on either side of a window's middle
 constexpr int instants_per_window = 40;  // of the motion; more say nothing new
+constexpr double slowest = 0.5;          // period of which no controller records motions [s]
 constexpr double compared = 1.5;         // times the motion's window is the one it is compared with
 
 void check(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {
@@ -26,8 +27,6 @@ void check(const Model& model, const MotionRecord& record, const IdentificationS
                 std::to_string(record.q.cols()) + " and tau " + std::to_string(record.tau.rows()) +
                 " x " + std::to_string(record.tau.cols()) + "; wanted n x " +
                 std::to_string(model.nq) + " and n x " + std::to_string(model.nv));
-  if (!record.q.allFinite() || !record.tau.allFinite())
-    throw Error("identify: the record holds a NaN or an infinity");
   if (!(record.period > 0.0) || !std::isfinite(record.period))
     throw Error("identify: the period is " + number(record.period) + " s; wanted one above 0");
   if (!(spec.start >= 0.0))
@@ -39,38 +38,49 @@ int half_of(double window, double period) {
   return static_cast<int>(std::lround(0.5 * window / period));
 }
 
-/// The way of each joint from the first sample on: an angle that goes round goes on.
-Eigen::MatrixXd way_of(const Model& model, const RowMatrix& q) {
-  Eigen::MatrixXd way = Eigen::MatrixXd::Zero(q.rows(), model.nv);
-  for (Eigen::Index i = 1; i < q.rows(); ++i)
-    way.row(i) = way.row(i - 1) +
-                 difference(model, q.row(i - 1).transpose(), q.row(i).transpose()).transpose();
-  return way;
-}
-
 }  // namespace
 
 double even_period(const Eigen::Ref<const Eigen::VectorXd>& time) {
   if (time.size() < 2) throw Error("the record has fewer than two samples");
+  if (!time.allFinite()) throw Error("'time' holds a NaN or an infinity; wanted seconds");
   const double period = (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
-  for (Eigen::Index i = 1; i < time.size(); ++i)
-    if (!(std::abs(time[i] - time[i - 1] - period) <= 0.01 * period))
-      throw Error("the record's times are not evenly spaced: " + number(time[i] - time[i - 1]) +
-                  " s before sample " + std::to_string(i) + " and " + number(period) +
-                  " s on average");
+  for (Eigen::Index i = 1; i < time.size(); ++i) {
+    const double step = time[i] - time[i - 1];
+    const std::string sample = "sample " + std::to_string(i);
+    if (step == 0.0)
+      throw Error("the record's " + sample + " repeats the time of the one before, " +
+                  number(time[i]) + " s; wanted each row once");
+    if (!(step > 0.0))
+      throw Error("the record's time does not increase: " + number(time[i]) + " s at " + sample +
+                  " after " + number(time[i - 1]) + " s; wanted rows in the order of their times");
+    if (!(std::abs(step - period) <= 0.01 * period))
+      throw Error("the record's times are not evenly spaced: " + number(step) + " s before " +
+                  sample + ", at " + number(time[i]) + " s, and " + number(period) +
+                  " s on average" + (step > 1.5 * period ? "; are samples missing there?" : ""));
+  }
   return period;
+}
+
+Eigen::MatrixXd joint_path(const Model& model, const RowMatrix& q) {
+  Eigen::MatrixXd path = Eigen::MatrixXd::Zero(q.rows(), model.nv);
+  for (Eigen::Index i = 1; i < q.rows(); ++i)
+    path.row(i) = path.row(i - 1) +
+                  difference(model, q.row(i - 1).transpose(), q.row(i).transpose()).transpose();
+  return path;
 }
 
 Windows::Windows(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {
   check(model, record, spec);
   period = record.period;
-  const auto samples = static_cast<double>(record.q.rows());
+  samples = record.q.rows();
+  const double lasts = period * static_cast<double>(samples);
   if (!(0.5 * spec.window >= fewest * period))
     throw Error("identify: a window of " + number(spec.window) +
                 " s holds fewer than 7 samples of " + number(period) +
-                " s; wanted a longer one, or a record of more samples");
-  if (!(10.0 * spec.window <= samples * period))
-    throw Error("identify: the record lasts " + number(period * samples) +
+                " s; wanted a longer one, or a record of more samples" +
+                (period >= slowest ? ": are its times in milliseconds? wanted seconds" : ""));
+  if (!(10.0 * spec.window <= lasts))
+    throw Error("identify: the record lasts " + number(lasts) +
                 " s; wanted at least ten windows of " + number(spec.window) + " s");
   if (!(spec.motion_window > 0.0 && spec.motion_window <= spec.window))
     throw Error("identify: a motion_window of " + number(spec.motion_window) +
@@ -81,15 +91,26 @@ Windows::Windows(const Model& model, const MotionRecord& record, const Identific
   spacing = static_cast<double>(stride) * period;
   torque = std::max(fewest, half_of(spec.window, spacing));
   first = static_cast<Eigen::Index>(spec.start / period) + longer;
-  count = (record.q.rows() - longer - first + stride - 1) / stride;
+  count = (samples - longer - first + stride - 1) / stride;
   if (count < 10 * torque)
     throw Error("identify: after " + number(spec.start) + " s the record has too little left");
+}
+
+Windows Windows::coarse() const {
+  constexpr int half = 16;  // instants on either side of a window's middle
+  const int factor = std::max(1, static_cast<int>(std::lround(static_cast<double>(torque) / half)));
+  Windows result = *this;
+  result.stride *= factor;
+  result.spacing *= factor;
+  result.torque = std::max(fewest, torque / factor);
+  result.count = (samples - longer - first + result.stride - 1) / result.stride;
+  return result;
 }
 
 SmoothedMotion::SmoothedMotion(const Model& model, const MotionRecord& record,
                                const Windows& windows, int half) {
   const Smoother smoother(half, record.period);
-  const Eigen::MatrixXd way = way_of(model, record.q);
+  const Eigen::MatrixXd way = joint_path(model, record.q);
   const Eigen::MatrixXd torque = record.tau;
   q.resize(windows.count, model.nq);
   for (RowMatrix* matrix : {&v, &a, &tau, &tau_rate, &tau_bend})

@@ -12,6 +12,8 @@ class Smoother {
   /// Windows of 2 half + 1 samples, `period` s apart; half at least 3.
   Smoother(int half, double period);
   int half() const { return half_; }
+  /// Weights of a window's samples for the derivative of that order.
+  auto weights(int order) const { return weights_.col(order); }
   /// Derivative of order 0, 1 or 2 of a signal at the sample in the middle of a window.
   double at(const Eigen::Ref<const Eigen::VectorXd>& signal, Eigen::Index middle, int order) const {
     return weights_.col(order).dot(signal.segment(middle - half_, 2 * half_ + 1));

@@ -20,9 +20,10 @@ namespace burnish {
 
 /// A motion as it was measured, a row per sample.
 struct MotionRecord {
-  double period = 1e-3;  ///< s between samples
-  RowMatrix q;           ///< n x nq
-  RowMatrix tau;         ///< n x nv: Nm, N
+  double period = 1e-3;     ///< s between samples
+  RowMatrix q;              ///< n x nq
+  RowMatrix tau;            ///< n x nv: Nm, N
+  double first_time = 0.0;  ///< of the first sample, for sentences [s]
 };
 
 /// The columns `measured_q_<name>` and `tau_measured_<name>` of a run's trace (ClosedLoop), or q_
@@ -49,6 +50,9 @@ struct IdentificationSpec {
   /// s that torques, and what they are compared with, are smoothed over: against noise
   double window = 0.25;
   double start = 0.0;  ///< s at the start of the record that are left out
+  /// Standard deviation of each torque sample's noise, that the residuals are tested against [Nm,
+  /// N]; 0: estimated from neighbouring samples
+  double torque_noise = 0.0;
 };
 
 /// A number with its standard deviation.
@@ -84,15 +88,23 @@ struct Identification {
   Estimate delay;              ///< s
   Eigen::VectorXd rms_before;  ///< nv, of the torques that the model as given leaves, Nm (N)
   Eigen::VectorXd rms_after;   ///< nv, of those that what was found leaves
-  int samples = 0;             ///< that were used, of each torque
+  /// nv, of those that noise of torques and positions, smoothing and sampling explain
+  Eigen::VectorXd rms_expected;
+  int samples = 0;  ///< that were used, of each torque
   bool converged = false;
   std::vector<std::string> warnings;  ///< sentences
 };
 
 /// Estimates them from a motion without contact. Throws Error with one sentence for names that the
 /// robot does not know, a floating base and joints of several entries (whose motion encoders do not
-/// tell), records of other sizes or with numbers that are none, and records that are shorter than
-/// ten windows.
+/// tell), records of other sizes or with a NaN, and records that are shorter than ten windows.
+///
+/// The record is judged, too. Wrapped angles and single outliers are mended with a warning. Throws
+/// Error, naming column, time and guess, for an arm at rest, jumps, stuck encoders and torques that
+/// never change; and where the residual exceeds what noise explains and a fault of the record
+/// (units, signs, swapped columns, a lag, gravity, an encoder's offset, a payload that changes)
+/// explains it far better, or nothing does. A residual that is too large for noise and yet small
+/// beside what the masses do is a warning, and enlarges the standard deviations.
 Identification identify(const Model& model, const MotionRecord& record,
                         const IdentificationSpec& spec = {});
 

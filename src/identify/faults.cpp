@@ -1,0 +1,137 @@
+#include "identify/faults.hpp"
+
+#include <cmath>
+
+#include "base/decomposition.hpp"
+#include "base/sentence.hpp"
+
+namespace burnish::identify_detail {
+namespace {
+
+/// Part of the squares beyond noise that a guess may leave: a fifth of the rms. Friction and the
+/// like, which no guess describes, is left by all guesses alike.
+constexpr double convincing = 1.0 / 25.0;
+/// The same for a hint, which refuses nothing: half of the rms.
+constexpr double worth_a_hint = 1.0 / 4.0;
+/// A later guess must leave that part of the squares of an earlier one, which is the simpler one.
+constexpr double better = 0.7;
+
+}  // namespace
+
+FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const Windows& windows,
+                         std::span<const Unknown> unknowns, const IdentificationSpec& spec)
+    : model_(model),
+      record_(record),
+      windows_(windows.coarse()),
+      unknowns_(unknowns),
+      spec_(spec),
+      base_(regression(model, record, spec)) {
+  // Each torque counts by its own size, and little where that is small beside the largest.
+  constexpr double least_part = 0.02;
+  const Eigen::Map<const RowMatrix> torques(base_.measured.data(), base_.samples, base_.nv);
+  const Eigen::VectorXd size =
+      torques.cwiseAbs2().colwise().mean().transpose().cwiseSqrt().array() + 1e-12;
+  weight_ = (size.array() + least_part * size.maxCoeff())
+                .square()
+                .inverse()
+                .matrix()
+                .replicate(base_.samples, 1);
+}
+
+std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected) {
+  reference_ = weighted(base_.residual(x));
+  // Fewer instants take less noise away: half as much again was left of arm7's.
+  constexpr double of_few_instants = 2.0;
+  noise_ = of_few_instants * weighted(expected.replicate(base_.samples, 1));
+  try_negative_mass();
+  try_torque_columns();
+  try_position_columns();
+  try_position_units();
+  try_period();
+  try_gains();
+  try_lags();
+  try_gravity();
+  try_options();
+  try_encoder_offsets();
+  try_payload_change();
+  if (!best_) try_single_torques();
+  return best_;
+}
+
+/// Masses that no solid has may fit: then the robot weighs less than its model.
+void FaultSearch::try_negative_mass() {
+  const double as_it_is = left(rows(base_), &solution_);
+  const double mass = solution_[0];
+  const std::string of = in_quotes(unknowns_.front().frame);
+  consider(mass < 0.0 && !unknowns_.front().replaces
+               ? "only a mass of " + number(mass) + " kg at " + of +
+                     " explains it; does the model hold a part that was not mounted?"
+               : "only a mass distribution that no solid has explains it at " + of +
+                     "; do links weigh other than the model says?",
+           as_it_is);
+  reference_ = std::min(reference_, as_it_is);
+}
+
+void FaultSearch::consider(const std::string& sentence, double squares, bool is_mild) {
+  const double beyond = std::max(0.0, squares - noise_), of = reference_ - noise_;
+  if (!(beyond < (is_mild ? worth_a_hint : convincing) * of)) return;
+  const double left = std::max(squares, noise_);
+  if (best_ && !(left < better * best_->squares)) return;
+  best_ = Fault{sentence, is_mild, left};
+}
+
+Rows FaultSearch::rows(const Regression& of) const {
+  Rows result{Eigen::MatrixXd(of.rest.size(), of.Y.cols() + of.linear.cols()), of.rest};
+  result.A << of.Y, of.linear;
+  return result;
+}
+
+double FaultSearch::weighted(const Eigen::VectorXd& residual) const {
+  return (weight_.array() * residual.array().square()).sum();
+}
+
+double FaultSearch::left(const Rows& rows, Eigen::VectorXd* solution) const {
+  const Eigen::VectorXd root = weight_.cwiseSqrt();
+  Eigen::MatrixXd A = root.asDiagonal() * rows.A;
+  const Eigen::VectorXd scale =
+      (A.colwise().norm().array() + 1e-300).inverse().matrix().transpose();
+  A = A * scale.asDiagonal();
+  Eigen::MatrixXd information = A.transpose() * A;
+  information.diagonal().array() += 1e-10;  // where columns depend on each other
+  const Eigen::VectorXd x =
+      scale.asDiagonal() *
+      solve_positive(information, A.transpose() * root.cwiseProduct(rows.b)).col(0);
+  if (solution != nullptr) *solution = x;
+  const double squares = weighted(rows.b - rows.A * x);
+  return std::isfinite(squares) ? squares : std::numeric_limits<double>::infinity();
+}
+
+Regression FaultSearch::regression(const Model& model, const MotionRecord& record,
+                                   const IdentificationSpec& spec) const {
+  const SmoothedMotion motion(model, record, windows_, windows_.motion);
+  return {model, motion, windows_, unknowns_, spec};
+}
+
+Regression FaultSearch::with_positions(const Change& change) const {
+  MotionRecord changed = record_;
+  change(changed.q);
+  return regression(model_, changed, spec_);
+}
+
+Eigen::VectorXd FaultSearch::with_torques(const Eigen::VectorXd& rows, const Change& change) const {
+  RowMatrix columns = Eigen::Map<const RowMatrix>(rows.data(), base_.samples, base_.nv);
+  change(columns);
+  return Eigen::Map<const Eigen::VectorXd>(columns.data(), columns.size());
+}
+
+Rows FaultSearch::rows_with_torques(const Regression& of, const Change& change) const {
+  Rows result = rows(of);
+  result.b += with_torques(of.measured, change) - of.measured;
+  if (of.layout.delay >= 0) {
+    const Eigen::VectorXd rate = result.A.col(of.layout.delay);
+    result.A.col(of.layout.delay) = with_torques(rate, change);
+  }
+  return result;
+}
+
+}  // namespace burnish::identify_detail

@@ -1,0 +1,255 @@
+// Records that cannot be right: each is one simulated record, damaged. A wrong mass never comes
+// back: the record is refused with the column, the time and a guess, or mended with a warning.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "burnish/identify/trial.hpp"
+#include "identify/signal_check.hpp"
+#include "support/robots.hpp"
+
+namespace burnish::test {
+namespace {
+
+using Damage = std::function<void(MotionRecord&)>;
+
+constexpr double degrees_per_radian = 180.0 / M_PI;
+
+Eigen::VectorXd middle_of(const Model& model) { return 0.5 * (model.q_lower + model.q_upper); }
+
+/// arm7 with a payload that it does not know, 10 s at 250 Hz, sensors with noise.
+struct Recorded {
+  Model model = named_robot("arm7");
+  Payload carried = drawn_payload("tool", 3);
+  MotionRecord record;
+
+  Recorded() {
+    const Excitation motion(model, middle_of(model), "tool", {.candidates = 8});
+    Disturbances disturbances = disturbance_preset("sensors");
+    disturbances.torque_sensor_noise = 0.05;
+    const MotionRecord fine =
+        motion_record(model, record_motion(model, carried, motion, disturbances));
+    constexpr int every = 4;
+    const Eigen::Index rows = fine.q.rows() / every;
+    record.period = every * fine.period;
+    record.q = RowMatrix(rows, model.nq);
+    record.tau = RowMatrix(rows, model.nv);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      record.q.row(i) = fine.q.row(every * i);
+      record.tau.row(i) = fine.tau.row(every * i);
+    }
+  }
+  MotionRecord damaged(const Damage& damage) const {
+    MotionRecord result = record;
+    damage(result);
+    return result;
+  }
+};
+const Recorded& recorded() {
+  static const Recorded one;
+  return one;
+}
+
+void expect_refused(const Damage& damage, const std::vector<std::string>& words) {
+  try {
+    const Identification found = identify(recorded().model, recorded().damaged(damage));
+    ADD_FAILURE() << "taken with " << found.inertias[0].values[0] << " kg; wanted: " << words[0];
+  } catch (const Error& error) {
+    for (const std::string& word : words)
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+          << word << " is missing in: " << error.what();
+  }
+}
+
+/// The right mass, and a warning with these words.
+void expect_mended(const Damage& damage, const std::vector<std::string>& words) {
+  const Identification found = identify(recorded().model, recorded().damaged(damage));
+  const double mass = recorded().carried.inertia.mass;
+  EXPECT_NEAR(found.inertias[0].values[0], mass, 0.005 * mass);
+  std::string said;
+  for (const std::string& warning : found.warnings) said += warning + "\n";
+  for (const std::string& word : words)
+    EXPECT_NE(said.find(word), std::string::npos) << word << " is missing in: " << said;
+}
+
+TEST(DamagedRecord, AsItIs_IsTakenWithoutAWarning) {
+  const Identification found = identify(recorded().model, recorded().record);
+  EXPECT_EQ(found.warnings.size(), 0U) << found.warnings.front();
+  EXPECT_NEAR(found.inertias[0].values[0], recorded().carried.inertia.mass,
+              4.0 * found.inertias[0].sigma[0]);
+  // What is left is what noise explains.
+  const Eigen::ArrayXd ratio = found.rms_after.array() / found.rms_expected.array();
+  EXPECT_LE(ratio.maxCoeff(), 1.5);
+  EXPECT_GE(ratio.minCoeff(), 0.1);
+}
+
+TEST(DamagedRecord, TorquesInOtherUnits_AreRefusedWithTheUnit) {
+  expect_refused([](auto& r) { r.tau *= 1e3; }, {"all torques", "Nmm"});
+  expect_refused([](auto& r) { r.tau *= 1.2; }, {"all torques", "1.2"});
+  expect_refused(
+      [](auto& r) {
+        for (int k = 0; k < r.tau.cols(); ++k)
+          r.tau.col(k) *= 100.0 / recorded().model.effort_limit[k];
+      },
+      {"percent"});
+}
+
+TEST(DamagedRecord, TorquesWithTheWrongSign_AreRefused) {
+  expect_refused([](auto& r) { r.tau *= -1.0; }, {"all torques", "sign"});
+  expect_refused([](auto& r) { r.tau.col(1) *= -1.0; }, {"'tau_joint_2' by -1.0", "sign"});
+}
+
+TEST(DamagedRecord, TorquesThatNeverChange_AreRefused) {
+  expect_refused([](auto& r) { r.tau.setZero(); }, {"no torque ever changes", "'tau_joint_1'"});
+  expect_refused([](auto& r) { r.tau.col(3).setZero(); }, {"'tau_joint_4' is 0 throughout"});
+}
+
+TEST(DamagedRecord, SwappedColumns_AreNamed) {
+  expect_refused([](auto& r) { r.q.col(1).swap(r.q.col(3)); },
+                 {"'q_joint_2' and 'q_joint_4' swapped"});
+  expect_refused([](auto& r) { r.tau.col(1).swap(r.tau.col(2)); },
+                 {"'tau_joint_2' and 'tau_joint_3' swapped"});
+}
+
+TEST(DamagedRecord, AnglesInDegrees_AreRefusedWithLimitsAndSpeeds) {
+  expect_refused([](auto& r) { r.q *= degrees_per_radian; },
+                 {"positions look like degrees", "beyond its limit", "per s"});
+}
+
+TEST(DamagedRecord, AWrappedAngle_IsUnwrapped) {
+  expect_mended(
+      [](auto& r) {
+        const double middle = r.q.col(5).mean();
+        for (double& angle : r.q.col(5))
+          if (angle > middle) angle -= 2.0 * M_PI;
+      },
+      {"'q_joint_6' wraps by 2 pi", " s"});
+}
+
+TEST(DamagedRecord, SingleOutliers_AreBridged) {
+  expect_mended([](auto& r) { r.q(1080, 1) += 3.0; },
+                {"'q_joint_2'", " rad for 1 sample", "at 4.32 s"});
+  expect_mended([](auto& r) { r.tau(1080, 1) += 300.0; }, {"'tau_joint_2'", "at 4.32 s"});
+  expect_refused(
+      [](auto& r) {
+        for (int i = 20; i < r.q.rows() - 20; i += 50) r.q(i, 1) += 3.0;
+      },
+      {"'q_joint_2'", "outliers"});
+}
+
+TEST(DamagedRecord, JumpsAndStandstill_AreNamedWithTheirTimes) {
+  expect_refused([](auto& r) { r.q.col(2).tail(1000).array() += 0.4; }, {"'q_joint_3' jumps"});
+  expect_refused(
+      [](auto& r) {
+        for (Eigen::Index i = 700; i < 900; ++i) r.q(i, 1) = r.q(700, 1);
+      },
+      {"'q_joint_2' stands still from 2.8 s"});
+  expect_refused([](auto& r) { r.q.col(1).setConstant(r.q(0, 1)); }, {"'q_joint_2' never changes"});
+  expect_refused([](auto& r) { r.q(700, 2) = std::nan(""); }, {"'q_joint_3'", "NaN", "2.8 s"});
+}
+
+TEST(DamagedRecord, AnArmAtRest_IsRefused) {
+  expect_refused(
+      [](auto& r) {
+        r.q = r.q.row(0).replicate(r.q.rows(), 1).eval();
+        r.tau = r.tau.row(0).replicate(r.tau.rows(), 1).eval();
+      },
+      {"at rest", "--excite"});
+}
+
+TEST(DamagedRecord, VelocitiesAsPositions_AreRefused) {
+  expect_refused(
+      [](auto& r) {
+        const RowMatrix q = r.q;
+        const Eigen::Index n = q.rows();
+        r.q.middleRows(1, n - 2) = (q.bottomRows(n - 2) - q.topRows(n - 2)) / (2.0 * r.period);
+        r.q.row(0) = r.q.row(1);
+        r.q.row(n - 1) = r.q.row(n - 2);
+      },
+      {"do not fit", "positions in rad"});
+}
+
+TEST(DamagedRecord, TimesInOtherUnits_AreRefused) {
+  expect_refused([](auto& r) { r.period *= 1e3; }, {"milliseconds"});
+  expect_refused([](auto& r) { r.period *= 2.0; }, {"the period looks like 0.004 s"});
+}
+
+TEST(DamagedRecord, LateTorques_AreNamed) {
+  const auto late = [](MotionRecord& r, int first, int last, Eigen::Index by) {
+    const RowMatrix tau = r.tau;
+    for (Eigen::Index i = 0; i < tau.rows(); ++i)
+      for (int k = first; k <= last; ++k) r.tau(i, k) = tau(std::max<Eigen::Index>(0, i - by), k);
+  };
+  expect_refused([&](auto& r) { late(r, 1, 1, 50); }, {"'tau_joint_2' is 0.2 s behind"});
+  expect_refused([&](auto& r) { late(r, 0, 6, 75); }, {"all torques are 0.", "s behind"});
+  expect_mended([&](auto& r) { late(r, 0, 6, 12); }, {"ms behind positions"});
+}
+
+/// Takes the gravity of `has` from the torques and adds that of `wanted`.
+void change_gravity(MotionRecord& record, const Model& has, const Model& wanted) {
+  ContactDynamics old_one(has), new_one(wanted);
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(has.nv), none;
+  for (Eigen::Index i = 0; i < record.q.rows(); ++i) {
+    const Eigen::VectorXd q = record.q.row(i).transpose();
+    ASSERT_EQ(old_one.inverse(q, still, still, none), Status::Ok);
+    ASSERT_EQ(new_one.inverse(q, still, still, none), Status::Ok);
+    record.tau.row(i) += (new_one.tau() - old_one.tau()).transpose();
+  }
+}
+
+TEST(DamagedRecord, TorquesWithoutGravityOrWithAnother_AreNamed) {
+  const Model with = with_payload(recorded().model, recorded().carried);
+  Model without = with, robot_without = recorded().model, tilted = with;
+  without.gravity.setZero();
+  robot_without.gravity.setZero();
+  tilted.gravity = Eigen::Vector3d(3.0, 0.0, -9.34);
+  expect_refused([&](auto& r) { change_gravity(r, with, without); }, {"without gravity"});
+  expect_refused([&](auto& r) { change_gravity(r, recorded().model, robot_without); },
+                 {"against gravity"});
+  expect_refused([&](auto& r) { change_gravity(r, with, tilted); },
+                 {"gravity looks like", "mounted"});
+}
+
+TEST(DamagedRecord, AnEncoderThatIsOff_IsNamed) {
+  expect_refused([](auto& r) { r.q.col(1).array() += 0.1; }, {"'q_joint_2' looks off"});
+  expect_refused([](auto& r) { r.q.col(5).array() += 0.5 * M_PI; }, {"'q_joint_6' looks off"});
+}
+
+TEST(DamagedRecord, FrictionWithoutItsOption_IsAHintAndEnlargesTheDeviation) {
+  const auto rubbing = [](MotionRecord& r) {
+    for (int k = 0; k < r.tau.cols(); ++k)
+      for (Eigen::Index i = 1; i + 1 < r.tau.rows(); ++i) {
+        const double v = (r.q(i + 1, k) - r.q(i - 1, k)) / (2.0 * r.period);
+        r.tau(i, k) += 0.5 * v + 0.2 * std::tanh(v / 0.02);
+      }
+  };
+  const Identification found = identify(recorded().model, recorded().damaged(rubbing));
+  const double error = found.inertias[0].values[0] - recorded().carried.inertia.mass;
+  EXPECT_LE(std::abs(error), 4.0 * found.inertias[0].sigma[0]);
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings[0].find("--friction"), std::string::npos) << found.warnings[0];
+}
+
+TEST(SignalCheck, StepsOfNoiseAndOfAMovingEncoder_AreNotSudden) {
+  std::mt19937_64 generator(1);
+  std::normal_distribution<double> draw;
+  Eigen::VectorXd noise(20000), encoder(20000);
+  for (int i = 0; i < 20000; ++i) {
+    noise[i] = draw(generator);
+    encoder[i] = std::round(1e4 * std::sin(1e-3 * i)) / 1e4;
+  }
+  EXPECT_TRUE(identify_detail::sudden_steps(noise).sudden.empty());
+  EXPECT_TRUE(identify_detail::sudden_steps(encoder).sudden.empty());
+  EXPECT_NEAR(identify_detail::white_noise(noise), 1.0, 0.03);
+  encoder[7000] += 0.1;
+  identify_detail::Steps steps = identify_detail::sudden_steps(encoder);
+  const std::vector<identify_detail::Outlier> outliers = identify_detail::take_outliers(steps);
+  ASSERT_EQ(outliers.size(), 1U);
+  EXPECT_EQ(outliers[0].at, 7000);
+  EXPECT_EQ(outliers[0].count, 1);
+  EXPECT_TRUE(steps.sudden.empty());
+}
+
+}  // namespace
+}  // namespace burnish::test
