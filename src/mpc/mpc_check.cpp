@@ -107,6 +107,12 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error("MPC: a horizon of " + number(horizon) +
                 " s; wanted longer than two update periods of " + number(spec.update_period) +
                 " s");
+  // A plan of so many knots takes a tenth of a second and more: no controller waits for it.
+  constexpr long most_knots = 10'000;
+  if (const auto knots = static_cast<long>(knot_steps(spec.problem).size()); knots > most_knots)
+    throw Error("MPC: a horizon of " + number(horizon) + " s has " + std::to_string(knots) +
+                " knots; wanted at most " + std::to_string(most_knots) +
+                ": a shorter horizon, or a longer step");
   if (spec.first_iterations < 1 || spec.jump_iterations < 1 || spec.solver.max_iterations < 1)
     throw Error("MPC: a solve of " +
                 std::to_string(std::min(
