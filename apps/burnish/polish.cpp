@@ -204,10 +204,9 @@ void check(const std::vector<PolishJob>& jobs, const Texts& texts,
 }
 
 RunResult run_job(PolishJob& job, bool bar) {
-  job.spec.progress = [&job, bar](double time, double end) {
-    if (bar)
-      show_progress(job.name, time / std::max(end, 1e-9),
-                    fmt::format("{:.1f} s of {:.1f} s", time, end));
+  RunProgressText text(job.name, bar);
+  job.spec.progress = [&text](double time, double end) {
+    text.tell(time, end);
     return !StopRequest::asked();
   };
   RunResult result = polishing::run_task(job.spec);

@@ -43,4 +43,30 @@ class RemainingTime {
   double share_ = 0.0;  ///< that was done by then
 };
 
+/// How far a run is: a bar with the time that is left on a terminal, elsewhere one sentence when
+/// the run turns out to be long.
+class RunProgressText {
+ public:
+  RunProgressText(std::string name, bool bar) : name_(std::move(name)), bar_(bar) {}
+  void tell(double time, double end) {
+    constexpr double patience = 10.0, worth_saying = 60.0;  // s
+    const double share = time / std::max(end, 1e-9);
+    const std::string left = left_.text(share);
+    if (bar_)
+      return show_progress(name_, share, fmt::format("{}{:.1f} s of {:.1f} s", left, time, end));
+    const double passed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (said_ || passed < patience || left.empty()) return;
+    if (passed * (1.0 - share) < worth_saying * share) return;
+    said_ = true;
+    fmt::print(stderr, "burnish: {}: {}Ctrl-C ends it and writes what there is\n", name_, left);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string name_;
+  bool bar_ = false, said_ = false;
+  Clock::time_point begin_ = Clock::now();
+  RemainingTime left_;
+};
+
 }  // namespace burnish::app

@@ -84,8 +84,9 @@ int run_as(const RunArguments& a) {
   RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
   folder.claim(pressing::run_file_names());
   const bool talks = !a.quiet && !a.json, bar = talks && isatty(STDERR_FILENO) != 0;
+  RunProgressText text(run.name, bar);
   spec.progress = [&](double time, double end) {
-    if (bar) show_progress(run.name, time / end, fmt::format("{:.1f} s of {:.1f} s", time, end));
+    text.tell(time, end);
     return !StopRequest::asked();
   };
   const auto result = run_task(spec);
