@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "record/run_folder.hpp"
+
 namespace burnish::app {
 namespace {
 
@@ -38,6 +40,7 @@ extern "C" void take_signal(int signal) {
     errno = interrupted;
     return;
   }
+  mark_running_as_stopped();
   say(answer != nullptr ? ": ended at once\n" : ": interrupted, nothing was written\n");
   std::signal(signal, SIG_DFL);
   std::raise(signal);

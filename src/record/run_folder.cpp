@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* mark_name = ".burnish";
 constexpr const char* running = "running";
+constexpr const char* stopped = "stopped";  // as long as `running`, which it is written over
+constexpr const char* failed = "failed";
 constexpr const char* finished = "finished";
 constexpr int most_numbers = 100'000;
 
@@ -45,6 +47,9 @@ std::optional<Mark> read_mark(const fs::path& folder) {
   while (std::getline(stream, line)) mark.names.insert(line);
   return mark;
 }
+
+/// The mark of the run that goes on, for a signal's handler.
+char running_mark[4096] = "";
 
 /// Whether a run is there that another version left, which marked nothing.
 bool looks_like_a_run(const fs::path& folder) {
@@ -114,6 +119,14 @@ void write_text(const fs::path& file, const std::string& text) {
   write_whole_file(file, text + '\n');
 }
 
+void mark_running_as_stopped() noexcept {
+  if (running_mark[0] == 0) return;
+  const int mark = open(running_mark, O_WRONLY | O_CLOEXEC);
+  if (mark < 0) return;
+  [[maybe_unused]] const auto written = pwrite(mark, stopped, std::strlen(stopped), 0);
+  close(mark);
+}
+
 RunFolder::RunFolder(const FolderChoice& choice) {
   if (choice.out.empty())
     make_new(choice.name);
@@ -123,13 +136,29 @@ RunFolder::RunFolder(const FolderChoice& choice) {
 
 RunFolder::~RunFolder() {
   std::error_code ignored;
+  running_mark[0] = 0;
   if (!finished_) {
     const auto written = [&](const std::string& name) { return fs::exists(path_ / name, ignored); };
     if (std::none_of(claimed_.begin(), claimed_.end(), written))
       fs::remove(path_ / mark_name, ignored);
+    else
+      mark_as_failed();
     if (made_) fs::remove(path_, ignored);  // unless there is something in it
   }
   if (lock_ >= 0) close(lock_);
+}
+
+/// On a full disk the mark may be written over and not written anew.
+void RunFolder::mark_as_failed() noexcept {
+  try {
+    write_mark(path_, failed, claimed_);
+  } catch (const std::exception&) {
+    const std::string mark = (path_ / mark_name).string();
+    if (const int file = open(mark.c_str(), O_WRONLY | O_CLOEXEC); file >= 0) {
+      [[maybe_unused]] const auto written = pwrite(file, stopped, std::strlen(stopped), 0);
+      close(file);
+    }
+  }
 }
 
 void RunFolder::claim(const std::vector<std::string>& names) {
@@ -142,6 +171,8 @@ void RunFolder::claim(const std::vector<std::string>& names) {
     claimed_.insert(name);
   }
   write_mark(path_, running, claimed_);
+  const std::string mark = fs::absolute(path_ / mark_name).string();
+  if (mark.size() < sizeof running_mark) std::strcpy(running_mark, mark.c_str());
 }
 
 void RunFolder::make_new(const std::string& name) {
@@ -213,6 +244,7 @@ void RunFolder::lock() {
 
 void RunFolder::finish() {
   write_mark(path_, finished, claimed_);
+  running_mark[0] = 0;
   finished_ = true;
   if (numbered_) lead_latest_to(path_);
 }

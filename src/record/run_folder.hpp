@@ -22,8 +22,13 @@ struct FolderChoice {
   bool resume = false;             ///< goes on with the run that `out` holds
 };
 
+/// Writes "stopped" over "running" in the mark of the folder that this process writes into; nothing
+/// where there is none. A signal's handler may call it.
+void mark_running_as_stopped() noexcept;
+
 /// A folder that is made, marked as running, held against all others, and finished. Its mark, the
-/// file `.burnish`, says whether the run came to its end and what in the folder is of the run. It
+/// file `.burnish`, says what became of the run (running, finished, failed, or stopped by a signal)
+/// and what in the folder is of it. It
 /// is held by a lock that ends with the process. Where nothing was written the folder goes again; a
 /// run that was broken off stays marked as not finished.
 class RunFolder {
@@ -45,6 +50,7 @@ class RunFolder {
   void finish();
 
  private:
+  void mark_as_failed() noexcept;
   void make_new(const std::string& name);
   void take(const FolderChoice& choice);
   void replace();
