@@ -1,12 +1,18 @@
 // burnish: look at a robot, check derivatives on it, evaluate contact dynamics from JSON, solve
 // optimal control problems, run the polishing task and experiments with it.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "burnish/base/error.hpp"
 #include "command.hpp"
@@ -157,7 +163,47 @@ int run(int count, char** words) {
   return exit_code;
 }
 
+/// The standard output, which is taken back where not all of it could be written: half a table
+/// looks like a table.
+class Output {
+ public:
+  Output() {
+    struct stat file {};
+    if (fstat(STDOUT_FILENO, &file) == 0 && S_ISREG(file.st_mode) &&
+        (fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) == 0)
+      begin_ = lseek(STDOUT_FILENO, 0, SEEK_CUR);
+  }
+  /// Throws Error where what was printed did not get through.
+  void finish() const {
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) refuse(errno);
+  }
+  [[noreturn]] void refuse(int reason) const {
+    [[maybe_unused]] const bool cut = begin_ >= 0 && ftruncate(STDOUT_FILENO, begin_) == 0;
+    // What is left in the buffer goes nowhere when the program ends.
+    if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
+      dup2(nowhere, STDOUT_FILENO);
+    throw Error(std::string("the output could not be written") +
+                (reason != 0 ? std::string(": ") + std::strerror(reason) : std::string()));
+  }
+
+ private:
+  off_t begin_ = -1;  ///< where a file was when the program began; -1: no file of its own
+};
+
 }  // namespace
+
+int run_program(int count, char** words) {
+  const Output output;
+  try {
+    const int exit_code = run(count, words);
+    output.finish();
+    return exit_code;
+  } catch (const std::system_error& error) {  // fmt's, whose prints go to the standard output
+    if (std::ferror(stdout) == 0) throw;
+    output.refuse(error.code().value());
+  }
+}
 
 const char* program_version() { return BURNISH_VERSION; }
 
@@ -167,8 +213,7 @@ int main(int count, char** words) {
   burnish::app::end_on_signals();
   int exit_code = burnish::app::exit_usage;
   try {
-    exit_code = burnish::app::run(count, words);
-    if (std::fflush(stdout) != 0) throw burnish::Error("the output could not be written");
+    exit_code = burnish::app::run_program(count, words);
   } catch (const burnish::Error& error) {
     for (const std::string& sentence : error.sentences())
       fmt::print(stderr, "burnish: {}\n", sentence);

@@ -38,6 +38,68 @@ TEST(Identify, FindsInARecordWhatWasCarried) {
   EXPECT_NEAR(total(quoted(scratch.folder)) - total("arm7"), mass, 0.01 * mass);
 }
 
+TEST(Identify, ARecordThatCannotBeRight_LeavesNoFileAndNoNumber) {
+  const Scratch scratch;
+  // An arm at rest, and one whose torques are in Nmm.
+  const std::filesystem::path out = scratch.folder / "payload.yaml";
+  std::string still = "time,q_joint_1,tau_joint_1\n";
+  for (int i = 0; i < 900; ++i) still += std::to_string(0.004 * i) + ",0.3,2\n";
+  scratch.write("still.csv", still);
+  scratch.write("arm.urdf",
+                "<robot name='arm'><link name='base'/><link name='tool'><inertial><mass value='1'/>"
+                "<origin xyz='0.3 0 0'/><inertia ixx='.01' iyy='.01' izz='.01' ixy='0' ixz='0' "
+                "iyz='0'/></inertial></link><joint name='joint_1' type='revolute'><parent "
+                "link='base'/><child link='tool'/><axis xyz='0 1 0'/><limit lower='-2' upper='2' "
+                "effort='50' velocity='3'/></joint></robot>");
+  const auto refused = [&](const std::string& robot, const char* record, const char* words) {
+    const Outcome outcome = run("identify " + robot + " " + quoted(scratch.folder / record) +
+                                " --payload tool --out " + quoted(out));
+    expect_refused(outcome, words);
+    EXPECT_FALSE(std::filesystem::exists(out));
+  };
+  refused(quoted(scratch.folder / "arm.urdf"), "still.csv", "at rest");
+
+  ASSERT_EQ(
+      run("identify arm7 --seed 3 --duration 5 --simulate " + quoted(scratch.folder / "record.csv"))
+          .exit_code,
+      0);
+  shell(
+      "awk -F, -v OFS=, 'NR == 1 {for (i = 1; i <= NF; i++) t[i] = $i ~ /^tau/} NR > 1 {for (i = "
+      "1; i <= NF; i++) if (t[i]) $i *= 1000} {print}' " +
+      quoted(scratch.folder / "record.csv") + " > " + quoted(scratch.folder / "nmm.csv"));
+  refused("arm7", "nmm.csv", "Nmm");
+}
+
+TEST(Identify, WhatTheMotionDoesNotShow_IsNotWritten) {
+  const Scratch scratch;
+  const std::filesystem::path out = scratch.folder / "payload.yaml";
+  ASSERT_EQ(run("identify arm7 --seed 3 --duration 5 --range 0.0008 --highest 0.2 --simulate " +
+                quoted(scratch.folder / "record.csv"))
+                .exit_code,
+            0);
+  const Outcome found =
+      run("identify arm7 " + quoted(scratch.folder / "record.csv") + " --out " + quoted(out));
+  EXPECT_NE(found.exit_code, 0) << found.out << found.err;
+  EXPECT_EQ(found.out.find("nan"), std::string::npos) << found.out;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Identify, AFullDisk_LeavesNoFile) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      run("identify arm7 --seed 3 --duration 5 --simulate " + quoted(scratch.folder / "record.csv"))
+          .exit_code,
+      0);
+  const std::filesystem::path out = scratch.folder / "payload.yaml";
+  // No file may grow: what is written fails as on a full disk.
+  const Outcome found = shell("trap '' XFSZ; ulimit -f 0; '" BURNISH_PROGRAM "' identify arm7 " +
+                              quoted(scratch.folder / "record.csv") + " --out " + quoted(out) +
+                              " > /dev/null 2> /dev/null");
+  EXPECT_EQ(found.exit_code, 2);
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.folder))
+    EXPECT_EQ(entry.path().filename(), "record.csv");
+}
+
 TEST(Identify, WritesAMotionThatARobotCanFollow) {
   const Scratch scratch;
   const std::filesystem::path file = scratch.folder / "motion.csv";

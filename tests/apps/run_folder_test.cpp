@@ -133,7 +133,38 @@ TEST(RunFolder, OnAFullDiskHoldsNothingHalfWrittenAndTheTableIsPrinted) {
   EXPECT_NE(outcome.err.find("trace.csv': File too large"), std::string::npos) << outcome.err;
   for (const auto& entry : fs::recursive_directory_iterator(out))
     EXPECT_TRUE(entry.is_directory() || entry.path().filename() == ".burnish") << entry.path();
+  EXPECT_EQ(contents(out / ".burnish").rfind("failed", 0), 0U) << contents(out / ".burnish");
   expect_refused(run("polish" + quick_polish + "--out " + quoted(out)), "did not come to its end");
+}
+
+TEST(RunFolder, AfterASecondInterrupt_SaysStopped) {
+  const Scratch scratch;
+  const fs::path out = scratch.folder / "out";
+  shell("'" BURNISH_PROGRAM
+        "' polish --surface table --controller mpc --plant ideal --duration 60 --no-page --quiet "
+        "--out " +
+        quoted(out) + " & pid=$!; until grep -q running " + quoted(out / ".burnish") +
+        " 2>/dev/null; do kill -0 $pid || exit 9; done; kill -TERM $pid; kill -TERM $pid; wait "
+        "$pid");
+  const std::string mark = contents(out / ".burnish");
+  EXPECT_NE(mark.rfind("running", 0), 0U) << mark;
+}
+
+TEST(Output, OnAFullDisk_IsOneSentence) {
+  const Outcome full = shell("'" BURNISH_PROGRAM "' show arm7 > /dev/full");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(full.err, "burnish: the output could not be written: No space left on device\n");
+}
+
+TEST(Output, ThatDoesNotFitIntoItsFile_IsTakenBack) {
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "table.txt";
+  const Outcome outcome =
+      shell("trap '' XFSZ; ulimit -f 2; '" BURNISH_PROGRAM "' show talos > " + quoted(file));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("the output could not be written: File too large"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(contents(file), "");
 }
 
 TEST(RunFolder, OfASolutionOnAFullDisk) {
