@@ -61,11 +61,9 @@ struct ContactDynamics::Impl {
     return {evaluated == Evaluated::Forward && !found.empty() ? found.data() : zeros.data(),
             dynamics.rows()};
   }
-  /// Throws Error unless lambda is that of the last evaluation.
-  void require_forces(const char* call) const {
-    if (evaluated == Evaluated::Forward || evaluated == Evaluated::Inverse) return;
-    throw Error(std::string(call) +
-                ": forces are those of forward() or inverse(), and the last evaluation is neither");
+  /// Whether lambda is that of the last evaluation.
+  bool has_forces() const {
+    return evaluated == Evaluated::Forward || evaluated == Evaluated::Inverse;
   }
 
   /// What was evaluated is not that of the robot any more.
@@ -334,7 +332,6 @@ double ContactDynamics::proximal_residual() const { return impl_->dynamics.proxi
 VectorView ContactDynamics::unmet() const { return impl_->unmet(); }
 
 Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
-  impl_->require_forces("wrench");
   const int first = impl_->dynamics.active().first_row.at(contact);
   if (first < 0) return Vector6::Zero();
   const CompiledContact& compiled = impl_->set.contacts()[contact];
@@ -342,6 +339,7 @@ Vector6 ContactDynamics::wrench(int contact, const Reference& reference) const {
   set_contact_force(compiled, impl_->dynamics.lambda.data() + first, state);
   const auto pose = reference_pose(compile_reference(impl_->model, reference, compiled),
                                    impl_->dynamics.kinematics());
+  if (!impl_->has_forces()) return Vector6::Zero();
   const Force<double> force = in_reference(pose, state.force_world);
   Vector6 result;
   result << to_eigen(force.linear), to_eigen(force.angular);
@@ -353,7 +351,6 @@ ContactForce ContactDynamics::force(int contact) const {
 }
 
 ContactForce ContactDynamics::force(int contact, const Reference& reference) const {
-  impl_->require_forces("force");
   const CompiledContact& compiled = impl_->set.contacts().at(contact);
   const ContactState<double>& state = impl_->dynamics.contact_states[contact];
   const Kinematics<double>& kinematics = impl_->dynamics.kinematics();

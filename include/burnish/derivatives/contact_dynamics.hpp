@@ -40,8 +40,8 @@ struct InertiaDerivatives {
 /// Results belong to the last evaluation: forward(), inverse() or acceleration(). Views that it
 /// does not fill keep older results, which may belong to another state and to other rows: lambda()
 /// after acceleration(), tau() and dtau_dq() after forward(), and derivatives until they are
-/// computed again. Functions reject older results: derivatives return NotEvaluated, forces throw
-/// Error. Python rejects the views, too.
+/// computed again. Functions reject older results: derivatives return NotEvaluated,
+/// wrench_derivatives() throws Error, and forces are zero. Python rejects all of them.
 ///
 /// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
 /// but for WrongSize and NotEvaluated, which leave them as they were.
@@ -144,12 +144,12 @@ class ContactDynamics {
   VectorView unmet() const;
 
   /// The force of an active contact at the last forward(), or of the lambda that the last inverse()
-  /// was given, in the contact's own reference. Throws Error after anything else. Allocates
-  /// strings; inside a tick use wrench().
+  /// was given, in the contact's own reference. After anything else there is none: zero, which
+  /// Python refuses. Allocates strings; inside a tick use wrench().
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;
-  /// In any other. Throws Error also where that names no frame of the robot, with the nearest known
-  /// name, as the two below do.
+  /// In any other. Throws Error with the nearest known name where that names no frame of the robot,
+  /// as the two below do.
   ContactForce force(int contact, const Reference& reference) const;
   /// The same as numbers: force, then moment.
   Vector6 wrench(int contact, const Reference& reference) const;
