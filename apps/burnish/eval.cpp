@@ -31,7 +31,9 @@ void print_odd_states(const EvalRequest& request, bool strict) {
   if (odd == 0) return;
   if (strict) throw Error(first);
   fmt::print(stderr, "burnish: warning: {}{}\n", first,
-             odd > 1 ? fmt::format("; {} more states are as odd", odd - 1) : "");
+             odd > 1 ? fmt::format("; {} more {}", odd - 1,
+                                   odd == 2 ? "state has a warning" : "states have warnings")
+                     : "");
 }
 
 int eval(const EvalArguments& arguments) {

@@ -143,16 +143,16 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
   }
 }
 
-/// Forces are those of `forward` where that is asked for, or else of `inverse`, or else of a
-/// `forward` of their own. Refuses forces of another motion than the one that is asked for.
+/// Returns the evaluation that forces belong to: `forward` if it is requested, else `inverse`, else
+/// a `forward` of their own. Refuses forces of a motion that is not the requested one.
 std::string forces_of(const EvalRequest& request, const Reader& reader) {
   const auto wants = [&](const char* word) { return request.compute.contains(word); };
   if (!wants("forces")) return "";
   if (wants("forward") || wants("forward_derivatives")) return "forward";
   if (wants("inverse") || wants("inverse_derivatives")) return "inverse";
   const std::string wanted =
-      "; wanted \"inverse\" in compute for the forces of the motion a and lambda, or \"forward\" "
-      "for those that tau leads to";
+      "; wanted \"inverse\" in compute for the forces of a and lambda, or \"forward\" for those of "
+      "tau";
   if (wants("acceleration") || wants("acceleration_derivatives"))
     reader.refuse("compute asks for forces beside an acceleration, which has none" + wanted);
   const auto states = reader.find("states");
@@ -160,8 +160,8 @@ std::string forces_of(const EvalRequest& request, const Reader& reader) {
   for (const Reader& state : states->entries())
     for (const char* key : {"a", "lambda"})
       if (state.has(key))
-        state[key].refuse(std::string("it is stated, and compute asks for nothing that reads it "
-                                      "but for forces") +
+        state[key].refuse(std::string("it is stated, and compute asks for forces alone, which do "
+                                      "not use it") +
                           wanted);
   return "forward";
 }

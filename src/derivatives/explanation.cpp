@@ -46,9 +46,10 @@ std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<UnmetRow>& unmet) {
   if (status == Status::NotConverged && !unmet.empty())
     return contradicting(unmet) +
-           " contradict each other: no acceleration of the joints meets all of them, and what is "
-           "in brackets stays; the forces are the least-squares ones, which more iterations or "
-           "another mu do not change: let the contacts ask for the same, or hold fewer rows";
+           " contradict each other: no acceleration of the joints satisfies all of them (what "
+           "remains "
+           "is in brackets), and the forces are the least-squares solution, which more iterations "
+           "or another mu do not change; give the contacts equal targets, or hold fewer rows";
   if (status == Status::SingularMass && !joints.empty()) {
     std::vector<std::string> once = joints;
     once.erase(std::unique(once.begin(), once.end()), once.end());

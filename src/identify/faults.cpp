@@ -66,8 +66,8 @@ void FaultSearch::try_negative_mass() {
   consider(mass < 0.0 && !unknowns_.front().replaces
                ? "only a mass of " + number(mass) + " kg at " + of +
                      " explains it; does the model hold a part that was not mounted?"
-               : "only a mass distribution that no solid has explains it at " + of +
-                     "; do links weigh other than the model says?",
+               : "only a mass distribution that is physically impossible explains it at " + of +
+                     "; are the masses of the model's links wrong?",
            as_it_is);
   reference_ = std::min(reference_, as_it_is);
 }

@@ -34,8 +34,8 @@ void FaultSearch::try_gravity() {
   Rows without = rows(base_);
   without.b += of_robot;
   consider(
-      "torques lack what holds the robot against gravity; wanted all that the joints bear: does "
-      "the robot add that by itself?",
+      "torques lack the part that holds the robot's own links against gravity; wanted the total "
+      "torques of the joints: does the robot's controller compensate gravity?",
       left(without));
 
   Eigen::Vector3d change = Eigen::Vector3d::Zero();
@@ -64,8 +64,8 @@ void FaultSearch::try_gravity() {
   constexpr double vanishing = 0.05;  // of the model's gravity
   if (gravity.norm() < vanishing * model_.gravity.norm())
     consider(
-        "torques are those of a robot without gravity, what it carries included; wanted all "
-        "that the joints bear",
+        "torques are those of a robot and payload without gravity; wanted the total torques of the "
+        "joints",
         squares);
   else
     consider("gravity looks like " + text(gravity) +

@@ -118,7 +118,7 @@ void judge(Identification& result, const identify_detail::Misfit& misfit,
   constexpr double most_unexplained = 0.3;
   if (!misfit.is_suspicious) {
     for (const std::string& oddity : oddities)
-      result.warnings.push_back(oddity + "; the torques fit all the same");
+      result.warnings.push_back(oddity + "; the torques still fit the motion");
     return;
   }
   const std::string left = in_quotes(column) + " leaves " + number(result.rms_after[misfit.joint]) +
@@ -174,8 +174,8 @@ void check_finite(const identify_detail::Fit& fit) {
       (fit.covariance.diagonal().array() >= 0.0).all())
     return;
   throw Error(
-      "identify: the motion does not tell what was asked for: no standard deviation can be stated; "
-      "wanted more motion (burnish identify --excite writes one), or fewer bodies");
+      "identify: the motion does not determine the parameters: their standard deviations are not "
+      "finite; wanted more motion (burnish identify --excite writes one), or fewer bodies");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ void mend(CheckedRecord& checked, Eigen::VectorXd& signal, const std::vector<Out
     throw Error("identify: " + what + "; wanted at most " + number(100.0 * part_mended) +
                 " % of outliers: is a connection loose?");
   checked.warnings.push_back(what + ": taken as " + (count == 1 ? "an outlier" : "outliers") +
-                             ", and replaced by what its neighbours say");
+                             ", and interpolated between its neighbours");
 }
 
 std::string jump_sentence(const MotionRecord& record, const std::string& column,

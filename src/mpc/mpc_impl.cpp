@@ -88,8 +88,8 @@ Status MpcController::Impl::set_payload(std::string_view frame, const InertiaSpe
   if (loaded.status != Status::Ok) return loaded.status;
   if (base_is_estimated_ && payload.mass > 0.0)
     throw Error("set_payload: a payload of " + number(payload.mass) + " kg at " + in_quotes(frame) +
-                " does not reach the estimate of the base, which goes by the weight on the feet; "
-                "wanted a model that has it already, by with_payload()");
+                " does not reach the estimate of the base, which uses the weight on the feet; "
+                "wanted a model that has the payload, from with_payload()");
   const Status status = problem.set_payload(frame, payload);
   if (status != Status::Ok) return status;
   loaded_[static_cast<std::size_t>(loaded.body)] = payload.mass > 0.0 ? 1 : 0;

@@ -167,7 +167,7 @@ class StageSteps {
     sentences.push_back(
         begin("joint entry ") + in_quotes(problem_.model().v_name(entry)) + ": its springs (" +
         number(mode.stiffness) + " 1/s^2) and damping (" + number(mode.rate) +
-        " 1/s) make it swing more and more in " + steps() + "; wanted a step of at most " +
+        " 1/s) make its oscillation grow in " + steps() + "; wanted a step of at most " +
         number(two_digits(longest_step(mode, step_, stage_.integrator), false)) + " s");
   }
 

@@ -200,7 +200,7 @@ void ClosedLoop::estimate_base(const Model& known, const BaseEstimatorOptions& e
   if (impl_->controller->carries_payload())
     throw Error(
         "estimate_base: the controller carries a payload, which does not reach the estimate of the "
-        "base; wanted models that have it already, by with_payload()");
+        "base; wanted models that have the payload, from with_payload()");
   impl_->estimated.emplace(known, estimator, feet);
   impl_->controller->expect_estimated_base();
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);

@@ -102,9 +102,9 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
   const double off = std::atan2(axis.cross(normal).norm(), -axis.dot(normal));
   if (off <= most) return;
   throw EntryError("tool.axis",
-                   "in the posture at the start it is " + number(off) +
-                       " rad off the way into the surface; wanted at most " + number(most) +
-                       " rad (search.tilt), the axis that this posture presses along, or another "
+                   "in the start posture it is " + number(off) +
+                       " rad off the direction into the surface; wanted at most " + number(most) +
+                       " rad (search.tilt): the axis that this posture presses along, or another "
                        "posture");
 }
 

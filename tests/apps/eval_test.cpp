@@ -175,7 +175,7 @@ TEST(Eval, StatesOutOfAllSense_AreRefusedOrWarnedOf) {
   EXPECT_NE(outcome.err.find("warning: states[1]: joint 'joint_2' is at 90 rad; its limits are"),
             std::string::npos)
       << outcome.err;
-  EXPECT_NE(outcome.err.find("1 more states"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 more state has a warning"), std::string::npos) << outcome.err;
   const Json states = Json::parse(outcome.out)["states"];
   EXPECT_FALSE(states[0].contains("warnings"));
   EXPECT_EQ(states[1]["warnings"].size(), 1U);

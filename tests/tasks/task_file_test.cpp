@@ -208,7 +208,7 @@ TEST_F(TaskFile, ToolAxis_OffTheGivenPosture_IsRefused) {
   };
   for (const char* text : {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0, -1, 0.5]"})
     expect_words(refusal([&] { axis(text); }),
-                 {"tool.axis", "rad off the way into the surface", "search.tilt"});
+                 {"tool.axis", "rad off the direction into the surface", "search.tilt"});
   axis("[0, 0, -1]");
   axis("[0.3, 0, -2]");
 }
