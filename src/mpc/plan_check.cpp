@@ -5,6 +5,7 @@
 #include "burnish/ocp/step_check.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "mpc/horizon.hpp"
+#include "mpc/mpc_check.hpp"
 
 namespace burnish {
 namespace {
@@ -22,6 +23,7 @@ DdpOptions first_options(const MpcSpec& spec) {
 }  // namespace
 
 std::vector<std::string> step_complaints(const MpcSpec& given) {
+  (void)checked_ticks_per_update(given);
   MpcSpec spec = given;
   spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
   Problem problem(spec.problem);

@@ -36,5 +36,10 @@ TEST(PlanSteps, InWhichAContactIsNotHeld_AreNamed) {
   testing::expect_words(sentences[0], {"stage 'wave'", "contact 'pad'", "kd 300", "0.0066 s"});
 }
 
+TEST(PlanSteps, OfAnEndlessHorizon_AreRefusedBeforeAnythingIsSolved) {
+  testing::expect_words(testing::refusal([] { (void)step_complaints(with_step(0.01, 100'000)); }),
+                        {"horizon of 1000 s", "100000 knots", "at most 10000"});
+}
+
 }  // namespace
 }  // namespace burnish::test
