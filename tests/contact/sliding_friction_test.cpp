@@ -62,7 +62,8 @@ TEST_P(SlidingTool, SolvesTheEquationsOfMotionWithFriction) {
     Vector3d n;
     const PointMotion at = point_motion(state, friction.radius, n);
     const Vector3d across = at.v - n * n.dot(at.v);
-    const Vector3d s = across / std::sqrt(across.squaredNorm() + friction.speed * friction.speed);
+    const double fade = friction.fade_speed();
+    const Vector3d s = across / std::sqrt(across.squaredNorm() + fade * fade);
     const Vector3d rubbing = -friction.coefficient * lambda[0] * s;
     EXPECT_LE(rubbing.dot(across) * (lambda[0] > 0.0 ? 1.0 : -1.0), 0.0);
     // M a + b = tau + J^T lambda + J_c^T f, and what is held.
