@@ -9,7 +9,7 @@ namespace burnish::testing {
 namespace {
 
 /// Iterations within which each of these solves must end.
-constexpr int enough = 50;
+constexpr int most_iterations = 50;
 
 /// An arm's tip goes up a board and presses with a force that swings, within a band. The tool's
 /// lean from the board's normal is at most `lean` [rad], but for the first `free` knots.
@@ -51,7 +51,7 @@ struct Board {
            "]\n"
            "terminal: {posture: 0.1, along: 1e3}\n"
            "solver: {update: " +
-           update + ", max_iterations: " + std::to_string(enough) + "}\n";
+           update + ", max_iterations: " + std::to_string(most_iterations) + "}\n";
   }
 };
 
@@ -121,7 +121,7 @@ TEST_P(LimitedProblem, StartOutside_EndsInfeasibleAndNamesWhatStopsIt) {
       const DdpSummary& s = solver.summary();
       EXPECT_EQ(s.reason, StopReason::Infeasible) << lean;
       EXPECT_FALSE(s.feasible);
-      EXPECT_LT(s.iterations, enough);
+      EXPECT_LT(s.iterations, most_iterations);
       ASSERT_EQ(s.start_outside.size(), 1U);
       EXPECT_EQ(name(problem, {0, s.start_outside[0].row}), "lean/tilt");
       EXPECT_NEAR(s.start_outside[0].value, 0.398, 5e-4);

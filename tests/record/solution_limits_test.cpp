@@ -1,6 +1,7 @@
 // Limits along the horizon as a table and as ranges of time.
 #include <gtest/gtest.h>
 
+#include "burnish/ocp/step_check.hpp"
 #include "record/solution.hpp"
 #include "support/scratch.hpp"
 
@@ -62,7 +63,8 @@ TEST_F(SolutionLimits, SummaryOfAStartOutside_SaysSoInItsFieldsAndItsSentence) {
   Problem fast = problem("start: {velocity: {pivot: 3}}\n");
   DdpSolver solver(fast);
   solver.solve();
-  const auto summary = summary_json("swing.yaml", fast, solver);
+  const auto summary =
+      summary_json("swing.yaml", fast, solver, check_steps(fast, solver.xs(), solver.us()));
   EXPECT_EQ(summary["reason"], "infeasible");
   EXPECT_EQ(summary["converged"], false);
   EXPECT_EQ(summary["feasible"], false);
@@ -82,7 +84,8 @@ TEST_F(SolutionLimits, SummaryOfAStartOutside_SaysSoInItsFieldsAndItsSentence) {
 TEST_F(SolutionLimits, SummaryOfASolution_IsFeasible) {
   DdpSolver solver(swing);
   ASSERT_EQ(solver.solve().reason, StopReason::Converged);
-  const auto summary = summary_json("swing.yaml", swing, solver);
+  const auto summary =
+      summary_json("swing.yaml", swing, solver, check_steps(swing, solver.xs(), solver.us()));
   EXPECT_EQ(summary["feasible"], true);
   EXPECT_EQ(summary["start_outside"].size(), 0U);
 }
