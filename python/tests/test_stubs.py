@@ -82,7 +82,8 @@ def test_classes_have_the_members_that_the_stub_says(name: str) -> None:
     for member, node in in_stub.items():
         if member.startswith("__") and member != "__init__":
             continue  # called by position
-        bound = bound_arguments(vars(compiled).get(member))
+        function = vars(compiled).get(member)
+        bound = bound_arguments(function.__func__ if isinstance(function, staticmethod) else function)
         assert bound is None or bound == arguments(node), f"{name}.{member}"
 
 

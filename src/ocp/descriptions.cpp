@@ -244,7 +244,10 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
               "Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts "
               "are not read). Empty: the initial state, and the control that holds it at rest.")
           .field("u", &P::u)
-          .field("position", &P::position, "How far states are drawn from it, uniformly. rad, m")
+          .field("position", &P::position,
+                 "How far states are drawn from it, uniformly, for a robot of 1 m and 20 kg: "
+                 "lengths grow "
+                 "with its size, torques and forces with its weight. rad, m")
           .field("velocity", &P::velocity, "{rad/s}, m/s")
           .field("torque", &P::torque, "{Nm}, N: controls, and torques in the state")
           .field("progress", &P::progress,

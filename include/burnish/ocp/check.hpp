@@ -20,9 +20,9 @@ struct ProblemCheckOptions {
   /// Trajectory to draw around: N + 1 states (nx) and N controls (nu; those of impacts are not
   /// read). Empty: the initial state, and the control that holds it at rest.
   std::vector<Eigen::VectorXd> x = {}, u = {};
-  /// How far states are drawn from it, uniformly: of a robot of 1 m and 20 kg; of others lengths as
-  /// many times more, and torques and forces as its weight (and length) is.
-  double position = 0.2;  ///< rad, m
+  /// How far states are drawn from it, uniformly, for a robot of 1 m and 20 kg: lengths grow with
+  /// its size, torques and forces with its weight. rad, m
+  double position = 0.2;
   double velocity = 0.5;  ///< rad/s, m/s
   double torque = 5.0;    ///< Nm, N: controls, and torques in the state
 
