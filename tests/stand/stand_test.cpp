@@ -137,9 +137,10 @@ TEST_F(Stand, stands_on_a_small_robot_from_elsewhere) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const std::string feet = "standing.feet=[FL_FOOT, FR_FOOT, HL_FOOT, HR_FOOT]";
   Task task = short_task(file, {feet});
+  // Left and right bear the same: which one comes first is rounding.
   expect_words(refusal([&] { run(task); }),
                {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
-                "load of FL_FOOT, 12 N", "standing.least_load"});
+                "in the way is the load of ", "_FOOT, 12 N", "standing.least_load"});
   task.standing.least_load = 1.0;
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
