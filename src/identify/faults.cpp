@@ -80,7 +80,7 @@ void FaultSearch::consider(const std::string& sentence, double squares, bool is_
   best_ = Fault{sentence, is_mild, left};
 }
 
-Rows FaultSearch::rows(const Regression& of) const {
+Rows FaultSearch::rows(const Regression& of) {
   Rows result{Eigen::MatrixXd(of.rest.size(), of.Y.cols() + of.linear.cols()), of.rest};
   result.A << of.Y, of.linear;
   return result;

@@ -55,7 +55,7 @@ class FaultSearch {
   void try_options();
 
   void consider(const std::string& sentence, double squares, bool is_mild = false);
-  Rows rows(const Regression& of) const;
+  static Rows rows(const Regression& of);
   /// Weighted squares that are left; `solution` receives the parameters.
   double left(const Rows& rows, Eigen::VectorXd* solution = nullptr) const;
   double weighted(const Eigen::VectorXd& residual) const;

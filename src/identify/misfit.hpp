@@ -23,7 +23,7 @@ struct Evidence {
 /// Rms per torque (nv) that a fit leaves where the model is right: white noise of torques and
 /// positions, smoothed as the regression smooths them, and what smoothing and sampling take [Nm,
 /// N].
-Eigen::VectorXd expected_rms(const Evidence& evidence, const Eigen::VectorXd& x);
+Eigen::VectorXd expected_rms(const Evidence& of, const Eigen::VectorXd& x);
 
 struct Misfit {
   Eigen::VectorXd ratio;     ///< nv, of what is left to what noise explains
