@@ -22,17 +22,17 @@ DdpOptions first_options(const MpcSpec& spec) {
 
 }  // namespace
 
-std::vector<std::string> step_complaints(const MpcSpec& given) {
-  (void)checked_ticks_per_update(given);
-  MpcSpec spec = given;
-  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
-  Problem problem(spec.problem);
+std::vector<std::string> step_complaints(const MpcSpec& spec) {
+  (void)checked_ticks_per_update(spec);
+  MpcSpec filled = spec;
+  filled.problem = with_fade_speeds(with_loops(std::move(filled.problem)));
+  Problem problem(filled.problem);
   std::vector<std::string> sentences = step_complaints(problem);
-  Horizon horizon(spec, problem, Schedule(spec.schedule));
+  Horizon horizon(filled, problem, Schedule(filled.schedule));
   horizon.place(0.0);
-  const Eigen::VectorXd& x = spec.problem.initial_state;
+  const Eigen::VectorXd& x = filled.problem.initial_state;
   horizon.guess_rest(x, problem.quasi_static(problem.stage_of(0), x).control);
-  DdpSolver solver(problem, first_options(spec));
+  DdpSolver solver(problem, first_options(filled));
   solver.set_guess({horizon.guess_x().data(), horizon.guess_u().data()});
   solver.solve();
   const StepReport report = check_steps(problem, solver.xs(), solver.us());
