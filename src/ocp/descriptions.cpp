@@ -298,7 +298,7 @@ const Description& description_of(const StepError* /*of*/) {
           .field("time", &E::time, "{s}, of that knot")
           .field("step", &E::step, "{s}")
           .field("entry", &E::entry, "the entry of v, as the model names it")
-          .field("unit", &E::unit, "\"rad\" or \"m\"; of velocities \"rad/s\" or \"m/s\"")
+          .field("unit", &E::unit, R"("rad" or "m"; of velocities "rad/s" or "m/s")")
           .field("error", &E::error, "size, in that unit")
           .field("limit", &E::limit, "largest error that is no warning, in that unit");
   return all;
