@@ -90,9 +90,8 @@ double distance(JointKind kind, const VectorXd& x, const VectorXd& y) {
 
 }  // namespace
 
-JointOrder::JointOrder(const Model& model, std::vector<std::string> names,
-                       JointConvention convention)
-    : model_(model), convention_(convention), names_(std::move(names)) {
+JointOrder::JointOrder(Model model, std::vector<std::string> names, JointConvention convention)
+    : model_(std::move(model)), convention_(convention), names_(std::move(names)) {
   std::vector<std::string> known;
   for (const StatedJoint& stated : model_.stated_joints) known.push_back(stated.name);
   std::set<std::string> listed;

@@ -27,7 +27,7 @@ class JointOrder {
  public:
   /// Order of `names`. Throws Error with the nearest known name for a joint that the model does not
   /// have, and for a name that is empty or listed twice.
-  JointOrder(const Model& model, std::vector<std::string> names,
+  JointOrder(Model model, std::vector<std::string> names,
              JointConvention convention = JointConvention::Angles);
 
   /// Order and values of MuJoCo's qpos, qvel and qfrc for a model that was read from MJCF.
