@@ -40,7 +40,7 @@ class Runs:
         return self.module.read_task(self.file, [*self.task.short, *words])
 
     def made(self, words):
-        """All that a run is known by, but for measured times."""
+        """Everything that distinguishes two runs, except measured times."""
         task = self.read(words)
         options = {"plan_rate": 0.0}
         if self.task.module == "polishing":

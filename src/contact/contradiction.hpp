@@ -33,7 +33,7 @@ struct Contradiction {
 
 namespace contradiction_detail {
 
-/// Makes the columns orthonormal, those of zeros apart.
+/// Orthonormalizes the columns; columns of zeros stay zero.
 template <class S>
 void orthonormalize(Contradiction<S>& of, int rows) {
   const int m = of.rigid.stride;
@@ -75,7 +75,7 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
     const auto dependent = mask_not(less(S(0.0), d.inverse_diagonal[i]));
     if (!any(dependent)) continue;
     of.listed.push_back(i);
-    // e_i less the combination of the rows before that it is.
+    // e_i minus the combination of earlier rows that equals row i.
     n[i * m + i] = select(dependent, S(1.0), S(0.0));
     for (int k = i - 1; k >= 0; --k) {
       S sum = select(dependent, d.factor[i * m + k], S(0.0));
@@ -94,8 +94,8 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
   }
 }
 
-/// X <- X less its part in the null space, in the lanes where `share` is 1, for X of `rows` rows,
-/// its columns listed.
+/// Subtracts from X its part in the null space, in lanes where `share` is 1. X has `rows` rows;
+/// only the listed columns change.
 template <class S>
 void remove_null_part(const Contradiction<S>& of, const S& share, int rows,
                       std::span<const int> columns, S* x, int stride) {

@@ -18,8 +18,8 @@ double noise_of(double size, double step) {
   return 16.0 * std::numeric_limits<double>::epsilon() * size / step;
 }
 
-/// How much finer differences by q are where a contact follows a surface that bends within the
-/// robot's length.
+/// Factor by which differences by q are finer if a contact follows a surface whose radius of
+/// curvature is shorter than the robot.
 double finer_on(const CheckState& state, const ContactSet& set, const ContactDynamics& dynamics,
                 double length) {
   double sharpest = 1.0;

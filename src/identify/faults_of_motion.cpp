@@ -20,7 +20,7 @@ Rows with_column(const Rows& rows, const Eigen::MatrixXd& columns) {
 
 }  // namespace
 
-/// All is linear in gravity, but for the product with the masses: Gauss and Newton's method.
+/// Residuals are linear in gravity except for its product with the masses: Gauss-Newton steps.
 void FaultSearch::try_gravity() {
   std::vector<Regression> along;
   for (int i = 0; i < 3; ++i) {

@@ -11,7 +11,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// What is left may exceed what noise explains by this ratio. It was 0.83 at most over arm7 with
+/// Largest ratio of a residual to its noise that is accepted. It was 0.83 at most over arm7 with
 /// the seeds 300 to 449 of `burnish identify --seeds`, at 0.7 Hz and at 1.5 Hz.
 constexpr double suspicious_ratio = 2.0;
 /// No torque sensor and no model is better than this part of the torque's rms.

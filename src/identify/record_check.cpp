@@ -39,7 +39,7 @@ void check_numbers(const Model& model, const MotionRecord& record) {
   look(record.tau, tau_column);
 }
 
-/// A turning angle from one that wraps; the steps that were wraps are taken from `steps`.
+/// Unwraps a turning angle, and removes the wraps from `steps`.
 int unwrap(Eigen::VectorXd& signal, Steps& steps, Eigen::Index& first) {
   std::vector<SuddenStep> left;
   int wraps = 0;
@@ -56,7 +56,7 @@ int unwrap(Eigen::VectorXd& signal, Steps& steps, Eigen::Index& first) {
   return wraps;
 }
 
-/// A turning angle moved by whole turns to the middle of its limits, where it has any.
+/// Moves a turning angle by whole turns to the middle of its limits, if it has any.
 void centre(Eigen::VectorXd& signal, double lower, double upper) {
   const double middle = 0.5 * (lower + upper);
   if (std::isfinite(middle)) signal.array() += turn * std::round((middle - signal.mean()) / turn);

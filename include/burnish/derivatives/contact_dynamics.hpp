@@ -44,7 +44,7 @@ struct InertiaDerivatives {
 /// wrench_derivatives() throws Error, and forces are zero. Python rejects all of them.
 ///
 /// Evaluations return a Status and throw nothing; results of a status above NotConverged are zero,
-/// but for WrongSize and NotEvaluated, which leave them as they were.
+/// except for WrongSize and NotEvaluated, which leave them as they were.
 class ContactDynamics {
  public:
   /// Compiles the contacts against the model; throws Error as ContactSet does.
