@@ -68,10 +68,6 @@ Board steep(double lean) {
 
 class LimitedProblem : public ProblemFiles, public ::testing::WithParamInterface<std::string> {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("limited_problem_" + GetParam());
-    fs::create_directories(folder_);
-  }
   /// `look` at the summary of a board's solve.
   template <class Look>
   void solve(const Board& board, const Look& look) const {

@@ -454,10 +454,12 @@ TEST_F(ProblemFiles, BadFilesAreRefusedWithTheirPlace) {
     const std::string text = small(row.from, row.to, row.more);
     const std::string sentence = refusal([&] { read(text); });
     expect_words(sentence, row.words);
-    EXPECT_EQ(sentence.rfind((folder_ / "problem.yaml").string() + ": ", 0), 0U) << sentence;
+    EXPECT_EQ(sentence.rfind((scratch_.folder / "problem.yaml").string() + ": ", 0), 0U)
+        << sentence;
   }
-  expect_words(refusal([&] { read_problem_file(folder_ / "none.yaml"); }), {"cannot be opened"});
-  expect_words(refusal([&] { read_problem_file(folder_); }), {"this is a folder"});
+  expect_words(refusal([&] { read_problem_file(scratch_.folder / "none.yaml"); }),
+               {"cannot be opened"});
+  expect_words(refusal([&] { read_problem_file(scratch_.folder); }), {"this is a folder"});
 }
 
 }  // namespace

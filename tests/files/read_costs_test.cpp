@@ -1,28 +1,27 @@
 // What keys of a cost in a problem file make of its residual.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "burnish/files/problem_file.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 namespace {
 
 /// A foot on three directions that is pressed on, and what its cone says besides.
 ProblemFile with_cone(const std::string& keys) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "cone.yaml";
-  std::ofstream(path) << "robot: " BURNISH_ROBOTS_DIR "/arm7\n"
-                      << "contacts: {foot: {tool: tool, directions: [x, y, z], kd: 50}}\n"
-                      << "stages:\n"
-                      << "  press:\n"
-                      << "    contacts: [foot]\n"
-                      << "    costs: {rest: {type: state}}\n"
-                      << "    constraints: {cone: {type: friction_cone, contact: foot" << keys
-                      << "}}\n"
-                      << "horizon: [press: 2]\n";
-  return read_problem_file(path);
+  const Scratch scratch;
+  return read_problem_file(
+      scratch.write("cone.yaml", "robot: " BURNISH_ROBOTS_DIR "/arm7\n"
+                                 "contacts: {foot: {tool: tool, directions: [x, y, z], kd: 50}}\n"
+                                 "stages:\n"
+                                 "  press:\n"
+                                 "    contacts: [foot]\n"
+                                 "    costs: {rest: {type: state}}\n"
+                                 "    constraints: {cone: {type: friction_cone, contact: foot" +
+                                     keys +
+                                     "}}\n"
+                                     "horizon: [press: 2]\n"));
 }
 
 TEST(ReadCosts, SidesOfAConeAreNamedByWhereTheyLook) {

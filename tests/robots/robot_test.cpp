@@ -1,13 +1,12 @@
 #include "burnish/robots/robot.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "robots/robot_settings.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 #include "support/trees.hpp"
 
 namespace burnish::testing {
@@ -61,21 +60,14 @@ variants:
 class RobotFolder : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("burnish_robots_" + std::to_string(::getpid()));
-    fs::create_directories(folder_ / "smallarm");
     write("smallarm/arm.urdf", arm_urdf);
     write("smallarm/robot.yaml", arm_settings);
-    ::setenv("BURNISH_ROBOTS", folder_.c_str(), 1);
+    ::setenv("BURNISH_ROBOTS", scratch_.folder.c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("BURNISH_ROBOTS");
-    fs::remove_all(folder_);
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  fs::path folder_;
+  void TearDown() override { ::unsetenv("BURNISH_ROBOTS"); }
+  void write(const std::string& name, const std::string& text) const { scratch_.write(name, text); }
+  std::string path(const std::string& name) const { return (scratch_.folder / name).string(); }
+  Scratch scratch_;
 };
 
 double height(const Robot& robot, const std::string& frame) {
@@ -95,8 +87,8 @@ TEST_F(RobotFolder, IsFoundByEveryName) {
 }
 
 TEST_F(RobotFolder, PathsMayHoldColons) {
-  fs::create_directories(folder_ / "a:b");
-  fs::copy(folder_ / "smallarm", folder_ / "a:b");
+  fs::create_directories(scratch_.folder / "a:b");
+  fs::copy(scratch_.folder / "smallarm", scratch_.folder / "a:b");
   EXPECT_EQ(load_robot(path("a:b")).model.nv, 2);
   EXPECT_EQ(load_robot(path("a:b:hinge")).model.nv, 1);
 }
@@ -161,30 +153,30 @@ TEST_F(RobotFolder, NamesWhatIsNotFound) {
   expect_words(sentence("smallarm:"), {"smallarm:", "variant"});
   expect_words(sentence(path("nothing.urdf")), {"nothing.urdf", "does not exist"});
   expect_words(sentence(path("nothing.yaml:x")), {"nothing.yaml", "does not exist"});
-  expect_words(sentence(folder_.string() + "/"), {"robot.yaml"});
+  expect_words(sentence(scratch_.folder.string() + "/"), {"robot.yaml"});
   expect_words(sentence(path("smallarm/arm.urdf:hinge")), {"arm.urdf", "variant"});
   const Robot robot = load_robot("smallarm");
   expect_words(refusal([&] { robot.posture("uut"); }), {"'arm'", "'uut'", "'out'?"});
 }
 
 TEST_F(RobotFolder, SearchesInOrder) {
-  ::setenv("BURNISH_ROBOTS", ("/nowhere::" + folder_.string()).c_str(), 1);
+  ::setenv("BURNISH_ROBOTS", ("/nowhere::" + scratch_.folder.string()).c_str(), 1);
   const std::vector<fs::path> folders = robot_search_path();
   ASSERT_EQ(folders.size(), 4u);
   EXPECT_EQ(folders[0], "/nowhere");
-  EXPECT_EQ(folders[1], folder_);
+  EXPECT_EQ(folders[1], scratch_.folder);
   EXPECT_EQ(load_robot("smallarm").model.nv, 2);
 }
 
 TEST_F(RobotFolder, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
-  fs::create_directories(folder_ / "here" / "smallarm");
-  fs::create_directories(folder_ / "here" / "ownarm");
+  fs::create_directories(scratch_.folder / "here" / "smallarm");
+  fs::create_directories(scratch_.folder / "here" / "ownarm");
   for (const char* name : {"here/smallarm/", "here/ownarm/"}) {
     write(name + std::string("arm.urdf"), arm_urdf);
     write(name + std::string("robot.yaml"), "urdf: arm.urdf\nlock: [slide]\n");
   }
   const fs::path before = fs::current_path();
-  fs::current_path(folder_ / "here");
+  fs::current_path(scratch_.folder / "here");
   EXPECT_EQ(load_robot("smallarm").model.nv, 2);
   EXPECT_EQ(load_robot("./smallarm").model.nv, 1);
   EXPECT_EQ(load_robot("ownarm").model.nv, 1) << "no other robot has that name";

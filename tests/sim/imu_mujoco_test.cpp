@@ -3,12 +3,12 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
-#include <fstream>
 #include <memory>
 
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/sim/imu_sensor.hpp"
 #include "support/robots.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::test {
 namespace {
@@ -52,8 +52,8 @@ void state_of(const mjModel& model, const mjData& data, VectorXd& q, VectorXd& v
 }
 
 TEST(ImuSensor, ReadsWhatMujocoReads) {
-  const std::string file = ::testing::TempDir() + "floating_arm.xml";
-  std::ofstream(file) << floating_arm;
+  const testing::Scratch scratch;
+  const std::string file = scratch.write("floating_arm.xml", floating_arm).string();
   char error[500] = "";
   const std::unique_ptr<mjModel, Delete> simulated(
       mj_loadXML(file.c_str(), nullptr, error, sizeof error));

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "burnish/files/problem_file.hpp"
+#include "support/scratch.hpp"
 
 namespace burnish::testing {
 
@@ -14,20 +14,12 @@ namespace fs = std::filesystem;
 /// A folder for the files of one test.
 class ProblemFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& text, const std::string& name = "problem.yaml") const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    return scratch_.write(name, text);
   }
   ProblemFile read(const std::string& text) const { return read_problem_file(write(text)); }
 
-  fs::path folder_;
+  Scratch scratch_;
 };
 
 inline const std::string arm = "robot: " BURNISH_ROBOTS_DIR "/arm7\n";

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <clocale>
 #include <filesystem>
-#include <fstream>
 
 #include "burnish/model/model.hpp"
 #include "support/refusal.hpp"
+#include "support/scratch.hpp"
 #include "support/special_numbers.hpp"
 #include "support/trees.hpp"
 
@@ -457,13 +457,12 @@ TEST(Urdf, CommentedLinksDoNotCount) {
 }
 
 TEST(Urdf, ReadsFiles) {
-  const std::filesystem::path file =
-      std::filesystem::path(::testing::TempDir()) / "burnish_urdf_test.urdf";
-  std::ofstream(file) << full;
+  const Scratch scratch;
+  const std::filesystem::path file = scratch.write("arm.urdf", full);
   EXPECT_EQ(read_urdf(file).source, file.string());
   std::filesystem::remove(file);
   expect_words(refusal([&] { read_urdf(file); }), {file.string(), "cannot be opened"});
-  expect_words(refusal([&] { read_urdf(::testing::TempDir()); }), {"folder"});
+  expect_words(refusal([&] { read_urdf(scratch.folder); }), {"folder"});
 }
 
 }  // namespace
