@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 
+#include "base/entry_error.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/base/error.hpp"
+#include "pressing/arm.hpp"
+#include "pressing/tool_direction.hpp"
 #include "robots/description.hpp"
+#include "robots/grippers.hpp"
+#include "show_json.hpp"
 #include "urdf/srdf.hpp"
 
 namespace burnish::app {
@@ -16,22 +23,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// An angle to 0.1 urad.
+std::string angle(double value) {
+  constexpr double digits = 1e7;
+  return fmt::format("{:.7g}", std::round(digits * value) / digits + 0.0);
+}
+
 /// Four digits are enough to edit.
 std::string brief(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 
-bool one_coordinate(const Joint& joint) { return joint.nv == 1; }
-
-/// Whether others follow the joint, so that its effort limit is theirs too.
-bool leads(const Model& model, const Joint& joint) {
-  return std::any_of(model.joints.begin(), model.joints.end(), [&](const Joint& other) {
-    return other.follows && other.v_index == joint.v_index;
-  });
-}
-
 /// Zero, or as near to it as a tenth of the range from its ends allows.
-double away_from_limits(const Model& model, const Joint& joint) {
-  if (joint.kind == JointKind::Continuous) return 0.0;
-  const double lower = model.q_lower[joint.q_index], upper = model.q_upper[joint.q_index];
+double away_from_limits(const JointSpec& joint) {
+  if (joint.type == JointType::Continuous) return 0.0;
+  const double lower = joint.lower, upper = joint.upper;
   if (!std::isfinite(lower) || !std::isfinite(upper)) {
     return std::isfinite(lower) ? std::max(0.0, lower) : std::min(0.0, upper);
   }
@@ -47,59 +51,114 @@ std::string likely_default(const Robot& robot) {
   return robot.postures.empty() ? "" : robot.postures.begin()->first;
 }
 
-std::string posture_text(const Robot& robot) {
-  const std::string stated = likely_default(robot);
+/// What a draft is made of.
+struct Drafted {
+  const Robot& robot;
+  const TreeSpec& tree;        ///< of the description, before anything is locked
+  std::set<std::string> held;  ///< moving joints of the model to lock
+
+  const JointSpec& spec(const Joint& joint) const {
+    return *std::find_if(tree.joints.begin(), tree.joints.end(),
+                         [&](const JointSpec& spec) { return spec.name == joint.name; });
+  }
+  /// Joints of one coordinate that the draft leaves free, and no followers.
+  template <class Use>
+  void each_free(const Use& use) const {
+    for (const Joint& joint : robot.model.joints)
+      if (joint.nv == 1 && !held.contains(joint.name)) use(joint);
+  }
+};
+
+/// Values of held joints whose range does not hold zero: ", finger: 0.1".
+std::string held_values(const Drafted& drafted) {
+  std::string text;
+  for (const JointSpec& joint : drafted.tree.joints)
+    if (drafted.held.contains(joint.name) && !joint.mimic &&
+        (joint.lower > 0.0 || joint.upper < 0.0))
+      text += fmt::format(", {}: {}", yaml_word(joint.name), brief(away_from_limits(joint)));
+  return text;
+}
+
+std::string posture_text(const Drafted& drafted) {
+  const std::string stated = likely_default(drafted.robot);
   if (!stated.empty()) return fmt::format("default_posture: {}\n", yaml_word(stated));
   std::string text =
       "default_posture: start\npostures:\n"
       "  # Zero, or a tenth of the range off the limits. Put in where the tool works;\n"
-      "  # a polishing task with posture: search finds such a place.\n"
+      "  # burnish polish --write-posture NAME adds the one that it finds.\n"
       "  start: {";
   bool first = true;
-  for (const Joint& joint : robot.model.joints) {
-    if (!one_coordinate(joint)) continue;
+  drafted.each_free([&](const Joint& joint) {
     text += fmt::format("{}{}: {}", first ? "" : ", ", yaml_word(joint.name),
-                        brief(away_from_limits(robot.model, joint)));
+                        brief(away_from_limits(drafted.spec(joint))));
     first = false;
-  }
-  return text + "}\n";
+  });
+  return text + held_values(drafted) + "}\n";
 }
 
-std::string tool_text(const Model& model) {
+/// Axes of a frame `tool` in its parent frame such that it presses along z or -z, as
+/// pressing::tool_direction() takes it.
+Eigen::Matrix3d tool_axes(const Model& model, const std::string& parent) {
+  const auto [along, decided] = pressing::tool_direction(parent, std::nullopt, model);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const bool is_along_z = std::abs(along.z()) > 1.0 - 1e-6;
+  if (!is_along_z && !decided) return axes;
+  if (!is_along_z)
+    axes = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix();
+  Model with_tool = model;
+  Frame frame = model.frames[static_cast<std::size_t>(model.frame_index(parent))];
+  frame.name = "tool";
+  frame.kind = FrameKind::User;
+  frame.placement.linear() = frame.placement.linear() * axes;
+  with_tool.frames.push_back(frame);
+  const Eigen::Vector3d pressed =
+      axes * pressing::tool_direction("tool", std::nullopt, with_tool).axis;
+  if (pressed.dot(along) > 0.0) return axes;
+  return axes * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+}
+
+std::string tool_text(const Drafted& drafted, const std::string& tool) {
+  const Model& model = drafted.robot.model;
   if (model.has_frame("tool")) return "";
-  const std::vector<std::string> candidates = tool_candidates(model);
-  if (candidates.empty()) return "";
+  const std::vector<std::string> candidates = tool_candidates(model, drafted.held);
+  const std::string parent = tool.empty() && !candidates.empty() ? candidates.front() : tool;
+  if (parent.empty()) return "";
   std::string text =
-      "frames:\n  # What commands take as the tool. Move it to where it touches: xyz in m, rpy in "
+      "frames:\n  # What commands take as the tool: its origin is the centre of a round tip, and "
+      "it "
+      "presses\n  # along z or -z, away from the arm. Move it to where it touches: xyz in m, rpy "
+      "in "
       "rad.\n";
-  if (candidates.size() > 1) {
+  if (tool.empty() && candidates.size() > 1) {
     text += "  # Other links at the end of a chain:";
     constexpr std::size_t most = 12;
     for (std::size_t i = 1; i < std::min(candidates.size(), most); ++i)
       text += fmt::format("{} {}", i == 1 ? "" : ",", candidates[i]);
     text += candidates.size() > most ? ", ...\n" : "\n";
   }
-  return text + fmt::format("  tool: {{parent: {}, xyz: [0, 0, 0], rpy: [0, 0, 0]}}\n",
-                            yaml_word(candidates.front()));
+  const Eigen::Vector3d rpy = roll_pitch_yaw(tool_axes(model, parent));
+  return text + fmt::format("  tool: {{parent: {}, xyz: [0, 0, 0], rpy: [{}, {}, {}]}}\n",
+                            yaml_word(parent), angle(rpy.x()), angle(rpy.y()), angle(rpy.z()));
 }
 
-std::string limits_text(const Model& model) {
+/// The description's own: a leader's effort without its followers', which the model adds.
+std::string limits_text(const Drafted& drafted) {
   std::string text;
-  for (const Joint& joint : model.joints) {
-    if (!one_coordinate(joint)) continue;
+  drafted.each_free([&](const Joint& joint) {
+    const JointSpec& spec = drafted.spec(joint);
     std::string entries;
     const auto add = [&](const char* key, double value) {
       if (std::isfinite(value))
         entries += fmt::format("{}{}: {}", entries.empty() ? "" : ", ", key, value);
     };
     if (joint.kind != JointKind::Continuous) {
-      add("lower", model.q_lower[joint.q_index]);
-      add("upper", model.q_upper[joint.q_index]);
+      add("lower", spec.lower);
+      add("upper", spec.upper);
     }
-    add("velocity", model.velocity_limit[joint.v_index]);
-    if (!leads(model, joint)) add("effort", model.effort_limit[joint.v_index]);
+    add("velocity", spec.velocity_limit);
+    add("effort", spec.effort_limit);
     text += fmt::format("  {}: {{{}}}\n", yaml_word(joint.name), entries);
-  }
+  });
   if (text.empty()) return "";
   return "limits:\n  # Those of the description, in rad, m, s, Nm and N. What stands here goes "
          "before "
@@ -108,27 +167,84 @@ std::string limits_text(const Model& model) {
          text;
 }
 
+std::string lock_text(const Drafted& drafted) {
+  std::vector<std::string> names = drafted.robot.model.locked_joints;
+  names.insert(names.end(), drafted.held.begin(), drafted.held.end());
+  if (names.empty()) return "";
+  std::string text = drafted.held.empty() ? ""
+                                          : "# Fingers of a gripper, and with --tool what does not "
+                                            "carry it: take out what moves.\n";
+  text += "lock: [";
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + yaml_word(names[i]);
+  return text + "]\n";
+}
+
+/// Refuses a tool that the robot does not have, and one beside a frame called `tool`, which
+/// commands take.
+void check_tool(const Model& model, const std::string& tool) {
+  if (tool.empty()) return;
+  if (!model.has_frame(tool))
+    throw Error("--tool: the tool's frame " + pressing::none_of(model, tool));
+  if (model.has_frame("tool") && tool != "tool")
+    throw Error(fmt::format(
+        "--tool: robot '{}' has a frame 'tool' of its own, which commands take; wanted that",
+        model.name));
+}
+
+/// Link of a body that is most likely its end: one that is called so, or else the one that is
+/// furthest from the joint, of several the last.
+std::string outermost_link(const Model& model, int body) {
+  constexpr double same = 1e-3;  // m
+  const Frame* outermost = nullptr;
+  for (const char* word : {"tcp", "tool", "end_effector", "ee_link", "eef", "flange", ""}) {
+    for (const Frame& frame : model.frames) {
+      if (frame.kind != FrameKind::Link || frame.body != body ||
+          frame.name.find(word) == std::string::npos)
+        continue;
+      const double distance = frame.placement.translation().norm();
+      if (outermost == nullptr || distance > outermost->placement.translation().norm() - same)
+        outermost = &frame;
+    }
+    if (outermost != nullptr) return outermost->name;
+  }
+  return {};
+}
+
+/// Joints of the model that a draft locks: fingers and, of an arm whose tool is named, what does
+/// not carry that.
+std::set<std::string> held_joints(const TreeSpec& tree, const Model& model,
+                                  const std::string& tool) {
+  std::set<std::string> held;
+  const std::set<std::string> fingers = finger_joints(tree);
+  const bool is_arm =
+      !tool.empty() && !model.joints.empty() && model.joints.front().kind != JointKind::FreeFlyer;
+  std::set<int> carrying;
+  if (is_arm) {
+    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(tool))];
+    for (const int v : model.support(frame.body)) carrying.insert(v);
+  }
+  for (const Joint& joint : model.joints)
+    if (fingers.contains(joint.name) || (is_arm && !carrying.contains(joint.v_index)))
+      held.insert(joint.name);
+  return held;
+}
+
 }  // namespace
 
-std::vector<std::string> tool_candidates(const Model& model) {
+std::vector<std::string> tool_candidates(const Model& model, const std::set<std::string>& fingers) {
   struct Leaf {
     std::string name;
     std::size_t moved_by;
   };
   std::vector<bool> carries(model.joints.size(), false);
-  for (const Joint& joint : model.joints) {
-    if (joint.parent >= 0) carries[static_cast<std::size_t>(joint.parent)] = true;
-  }
+  for (const Joint& joint : model.joints)
+    if (joint.parent >= 0 && !fingers.contains(joint.name))
+      carries[static_cast<std::size_t>(joint.parent)] = true;
   std::vector<Leaf> leaves;
   for (std::size_t body = 0; body < model.joints.size(); ++body) {
-    if (carries[body]) continue;
-    // Of the links of a body the last one is the farthest out.
-    const auto last =
-        std::find_if(model.frames.rbegin(), model.frames.rend(), [&](const Frame& frame) {
-          return frame.kind == FrameKind::Link && frame.body == static_cast<int>(body);
-        });
-    if (last == model.frames.rend()) continue;
-    leaves.push_back({last->name, model.support(static_cast<int>(body)).size()});
+    if (carries[body] || fingers.contains(model.joints[body].name)) continue;
+    const std::string link = outermost_link(model, static_cast<int>(body));
+    if (!link.empty()) leaves.push_back({link, model.support(static_cast<int>(body)).size()});
   }
   std::stable_sort(leaves.begin(), leaves.end(),
                    [](const Leaf& a, const Leaf& b) { return a.moved_by > b.moved_by; });
@@ -137,34 +253,30 @@ std::vector<std::string> tool_candidates(const Model& model) {
   return names;
 }
 
-std::string draft_settings(const Robot& robot, const std::string& key, const std::string& file,
-                           const std::string& srdf) {
+std::string draft_settings(const Robot& robot, const TreeSpec& tree, const DraftPlace& place) {
   const Model& model = robot.model;
+  const Drafted drafted{robot, tree, held_joints(tree, model, place.tool)};
   // What floats by a joint of an MJCF file does so anyway.
-  const bool floats = key == "urdf" && !model.joints.empty() &&
+  const bool floats = place.key == "urdf" && !model.joints.empty() &&
                       model.joints[0].name == "root_joint" &&
                       model.joints[0].kind == JointKind::FreeFlyer;
   std::string text =
       "# Settings of a robot, drafted by burnish show --write-settings: change what is not so.\n"
       "# docs/robots.md describes every key.\n";
-  text += fmt::format("{}: {}\n", key, yaml_word(file));
-  if (!srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(srdf));
+  text += fmt::format("{}: {}\n", place.key, yaml_word(place.file));
+  if (!place.srdf.empty()) text += fmt::format("srdf: {}\n", yaml_word(place.srdf));
   text += fmt::format("description: {}\n",
                       yaml_word(fmt::format("{}, {} joints", model.name, model.joints.size())));
   text += fmt::format("base: {}\n",
                       floats ? "free_flyer" : "fixed  # or free_flyer, for what walks or flies");
   text += "base_placement: {xyz: [0, 0, 0], rpy: [0, 0, 0]}  # of the root link in the world\n";
-  if (!model.locked_joints.empty()) {
-    text += "lock: [";
-    for (std::size_t i = 0; i < model.locked_joints.size(); ++i)
-      text += (i == 0 ? "" : ", ") + yaml_word(model.locked_joints[i]);
-    text += "]\n";
-  }
-  return text + posture_text(robot) + tool_text(model) + limits_text(model);
+  return text + lock_text(drafted) + posture_text(drafted) + tool_text(drafted, place.tool) +
+         limits_text(drafted);
 }
 
-fs::path write_settings(const Robot& robot, const std::string& from, const std::string& srdf,
-                        const fs::path& folder) {
+fs::path write_settings(const Robot& robot, const RobotArguments& arguments, const fs::path& folder,
+                        const std::string& tool) {
+  const std::string& from = arguments.robot;
   std::error_code error;
   if (!fs::is_regular_file(from, error))
     throw Error(fmt::format(
@@ -174,6 +286,7 @@ fs::path write_settings(const Robot& robot, const std::string& from, const std::
   if (extension == ".yaml" || extension == ".yml")
     throw Error(
         fmt::format("{}: this robot has settings already; wanted a URDF or MJCF file", from));
+  check_tool(robot.model, tool);
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
     throw Error(fmt::format("cannot make the folder '{}'{}", folder.string(),
@@ -184,9 +297,9 @@ fs::path write_settings(const Robot& robot, const std::string& from, const std::
   const auto beside = [&](const fs::path& other) {
     return other.empty() ? "" : fs::proximate(fs::absolute(other), fs::absolute(folder)).string();
   };
-  const std::string text = draft_settings(robot, description_key(from), beside(from),
-                                          beside(srdf.empty() ? srdf_of(from) : fs::path(srdf)));
-  write_whole_file(file, text);
+  const fs::path srdf = arguments.srdf.empty() ? srdf_of(from) : fs::path(arguments.srdf);
+  write_whole_file(file, draft_settings(robot, read_description(from),
+                                        {description_key(from), beside(from), beside(srdf), tool}));
   return file;
 }
 

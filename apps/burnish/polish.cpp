@@ -18,6 +18,7 @@
 #include "record/run_folder.hpp"
 #include "report/figures.hpp"
 #include "robot_arguments.hpp"
+#include "settings_posture.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 
@@ -31,7 +32,7 @@ using polishing::PolishJob;
 using polishing::RunResult;
 
 struct PolishArguments {
-  std::string file, robot, tool, controller, plant, disturbances, out, write_task;
+  std::string file, robot, tool, controller, plant, disturbances, out, write_task, write_posture;
   std::vector<std::string> surfaces, overrides;
   std::vector<int> seeds;
   std::optional<double> duration;
@@ -183,24 +184,53 @@ void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) 
   }
 }
 
+/// What is known of a place before anything moves.
+struct CheckedPlace {
+  const PolishJob* job;
+  polishing::ReachReport reach = {};
+  std::optional<Posture> found = {};  ///< the start, where it was searched for
+};
+
+/// The posture that was searched for: added to the robot's settings where that is wanted, and said.
+void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
+  const PolishJob& job = *place.job;
+  const std::string& name = arguments.write_posture;
+  if (!place.found) {
+    if (name.empty()) return;
+    throw Error(fmt::format(
+        "--write-posture {}: {} starts from a posture of the robot's own, and none is searched",
+        name, job.place));
+  }
+  const fs::path file = name.empty() ? fs::path() : settings_file_of(job.spec.task.robot);
+  if (!name.empty()) add_posture(file, name, *place.found);
+  if (!arguments.talks()) return;
+  fmt::print("{}: starts at {}, found for it\n", job.place, posture_text(*place.found));
+  if (!name.empty()) fmt::print("posture '{}' is in {}\n", name, file.string());
+}
+
 /// What the arm can do is known before anything moves.
 void check(const std::vector<PolishJob>& jobs, const Texts& texts,
            const PolishArguments& arguments) {
-  std::vector<std::pair<const PolishJob*, polishing::ReachReport>> places;
+  std::vector<CheckedPlace> places;
   for (const PolishJob& job : jobs) {
-    if (!places.empty() && places.back().first->place == job.place) continue;
-    places.push_back({&job, {}});
+    if (!places.empty() && places.back().job->place == job.place) continue;
+    places.push_back({&job});
     if (arguments.unchecked) continue;
     const polishing::Task& task = job.spec.task;
-    polishing::ReachReport& reach = places.back().second;
+    polishing::ReachReport& reach = places.back().reach;
     const polishing::Setting setting = files::placed(
         texts.at(job.place), [&] { return polishing::make_setting(task, *job.spec.robot); });
     if (job.spec.controller == ControllerKind::Mpc)
       print_step_complaints(job.place, polishing::make_mpc(task, setting));
     reach = polishing::check_reach(task, setting);
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
+    if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
+      places.back().found = posture_of(setting.robot.model, setting.q_start);
   }
-  for (const auto& [job, reach] : places) describe_job(*job, reach, arguments);
+  for (const CheckedPlace& place : places) {
+    keep_posture(place, arguments);
+    describe_job(*place.job, place.reach, arguments);
+  }
 }
 
 RunResult run_job(PolishJob& job, bool bar) {
@@ -301,9 +331,21 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
   outcomes.write([&] { outcomes.page_note = outcomes.pages.finish(folder); });
 }
 
+/// A posture is one surface's, and is known once it is checked.
+void check_write_posture(const PolishArguments& arguments, const std::vector<PolishJob>& jobs) {
+  if (arguments.write_posture.empty()) return;
+  const std::string option = "--write-posture " + arguments.write_posture;
+  if (arguments.unchecked) throw Error(option + " does not go with --unchecked");
+  for (const PolishJob& job : jobs)
+    if (job.place != jobs.front().place)
+      throw Error(option + " is asked for on several surfaces; wanted one, as --surface says");
+  settings_file_of(jobs.front().spec.task.robot);
+}
+
 int polish(const PolishArguments& arguments) {
   Texts texts;
   std::vector<PolishJob> jobs = make_jobs(arguments, texts);
+  check_write_posture(arguments, jobs);
   if (!arguments.write_task.empty()) {
     polishing::write_task(jobs.front().spec.task, arguments.write_task);
     return exit_ok;
@@ -323,6 +365,8 @@ int polish(const PolishArguments& arguments) {
   Outcomes outcomes{.pages = {!arguments.no_page, arguments.mcap}};
   make_runs(jobs, arguments, folder.path(), outcomes);
   outcomes.write([&] { folder.finish(); });
+  if (const std::string missing = outcomes.pages.missing_meshes(); !missing.empty())
+    fmt::print(stderr, "burnish: note: {}\n", missing);
   print_end(jobs, outcomes, folder.path(), arguments);
   if (!outcomes.unwritten.empty()) throw Error(outcomes.unwritten);
   const bool polished = std::all_of(outcomes.results.begin(), outcomes.results.end(),
@@ -404,6 +448,10 @@ void add_run_options(CLI::App& command, PolishArguments& a) {
       .add_option("--write-task", a.write_task,
                   "Write the task with every key explained to a file, and do nothing else")
       ->type_name("FILE");
+  command
+      .add_option("--write-posture", a.write_posture,
+                  "Add the start that is searched for to the robot's settings, under this name")
+      ->type_name("NAME");
   command.add_flag("--quiet", a.quiet, "Print nothing but the table of results");
   command.add_flag("--json", a.json, "Print summary.json and nothing else");
   add_strict(command, a.strict);

@@ -96,6 +96,8 @@ int run_as(const RunArguments& a) {
   const auto names =
       write_run(record, {.record_every = a.record_every, .plots = a.plots}, folder.path(), pages);
   folder.finish();
+  if (const std::string missing = pages.missing_meshes(); !missing.empty())
+    fmt::print(stderr, "burnish: note: {}\n", missing);
   if (a.json)
     fmt::print("{}\n", json_text(run_json(record)));
   else if (talks || !result.done)

@@ -6,16 +6,22 @@
 
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/reach.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
 #include "draft_settings.hpp"
+#include "pressing/tool_direction.hpp"
 #include "record/page_json.hpp"
 #include "record/run_files.hpp"
 #include "robot_arguments.hpp"
+#include "settings_posture.hpp"
 #include "show_json.hpp"
 #include "tree_drawing.hpp"
 
 namespace burnish::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ShowArguments {
   RobotArguments robot;
@@ -24,6 +30,7 @@ struct ShowArguments {
   bool json = false;
   std::string html;      ///< file for a page; empty for none
   std::string settings;  ///< folder for a draft of settings; empty for none
+  std::string tool;      ///< frame that the draft takes as the tool; empty: a likely one
 };
 
 /// A number for people: four significant digits, "-" where there is no limit.
@@ -202,18 +209,35 @@ void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArgument
     fmt::print("meshes that could not be read are left out: {}\n", fmt::join(missing, ", "));
 }
 
+/// Settings with a posture for a table, where the tool reaches one.
+void draft(const Robot& robot, const ShowArguments& arguments) {
+  const fs::path file = write_settings(robot, arguments.robot, arguments.settings, arguments.tool);
+  fmt::print("a draft in {}: burnish show {} reads it\n", file.string(), arguments.settings);
+  polishing::Task task;
+  polishing::put_on(task, "table");
+  task.robot = arguments.settings;
+  try {
+    const Robot drafted = polishing::load_task_robot(task);
+    if (!polishing::searches_posture(task, drafted)) return;
+    std::vector<std::string> notes;
+    pressing::note_tool_direction(task.tool, std::nullopt, drafted.model, notes);
+    for (const std::string& note : notes) fmt::print(stderr, "burnish: note: {}\n", note);
+    const Eigen::VectorXd q = polishing::find_posture(task, drafted).q;
+    add_posture(file, "table", posture_of(drafted.model, q));
+    fmt::print("with a posture from which it polishes a table: burnish polish --robot {}\n",
+               arguments.settings);
+  } catch (const Error& error) {
+    fmt::print(stderr, "burnish: note: no posture for a table was added: {}\n", error.what());
+  }
+}
+
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
   const Eigen::VectorXd q =
       posture.empty() ? robot.reference_configuration() : robot.posture(posture);
-  if (!arguments.settings.empty()) {
-    const std::string file =
-        write_settings(robot, arguments.robot.robot, arguments.robot.srdf, arguments.settings)
-            .string();
-    fmt::print("a draft in {}: burnish show {} reads it\n", file, arguments.settings);
-    return;
-  }
+  if (!arguments.settings.empty()) return draft(robot, arguments);
+  if (!arguments.tool.empty()) throw Error("--tool goes with --write-settings");
   if (!arguments.html.empty()) {
     write_page(robot, q, arguments);
     return;
@@ -250,13 +274,17 @@ void add_show(CLI::App& app, int& exit_code) {
       ->add_option("--write-settings", arguments->settings,
                    "Draft robot.yaml for a URDF or MJCF file in this folder, and print no table")
       ->type_name("DIR");
+  command
+      ->add_option("--tool", arguments->tool,
+                   "With --write-settings: frame that the draft takes as the tool [a likely one]")
+      ->type_name("FRAME");
   command->footer(
       "Examples:\n"
       "  burnish show talos:right_arm --posture table\n"
       "  burnish show quadruped --html quadruped.html\n"
       "  burnish show my_arm.urdf --lock finger_left finger_right --json\n"
       "  burnish show <(xacro my_arm.urdf.xacro)\n"
-      "  burnish show my_arm.urdf --write-settings my_arm\n"
+      "  burnish show my_arm.urdf --write-settings my_arm --tool flange\n"
       "\n"
       "docs/robots.md says what a robot's files need and what is odd about them.");
   command->callback([arguments, &exit_code] {

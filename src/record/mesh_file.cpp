@@ -1,5 +1,6 @@
 #include "record/mesh_file.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -73,11 +74,19 @@ Mesh read_mesh(const fs::path&) { return {}; }
 
 }  // namespace
 
-fs::path robot_folder(const std::string& robot) {
+std::vector<fs::path> mesh_folders(const std::string& robot) {
+  std::vector<fs::path> folders;
   std::error_code ignored;
+  const auto add = [&](const fs::path& file) {
+    const fs::path folder =
+        fs::weakly_canonical(fs::absolute(file, ignored), ignored).parent_path();
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end())
+      folders.push_back(folder);
+  };
+  if (const fs::path file = description_file(robot); !file.empty()) add(file);
   for (const std::string& name : {robot, robot.substr(0, robot.rfind(':'))})
-    if (const auto file = robot_file(name)) return fs::absolute(*file, ignored).parent_path();
-  return {};
+    if (const auto file = robot_file(name)) add(*file);
+  return folders;
 }
 
 fs::path mesh_file(const std::string& uri, const fs::path& folder) {
@@ -105,16 +114,23 @@ fs::path mesh_file(const std::string& uri, const fs::path& folder) {
     folders.push_back(std::move(each));
   for (const fs::path& each : folders)
     if (fs::path file = file_in_package(each, package, rest); !file.empty()) return file;
+  // Files that left their package often keep its folders.
+  constexpr int levels = 3;
+  fs::path above = fs::absolute(folder, ignored);
+  for (int level = 0; level < levels; ++level, above = above.parent_path())
+    if (is_file(above / rest)) return above / rest;
   return {};
 }
 
-std::map<std::string, Mesh> load_meshes(const Model& model, const fs::path& folder) {
+std::map<std::string, Mesh> load_meshes(const Model& model, const std::vector<fs::path>& folders) {
   std::map<std::string, Mesh> meshes;
   std::size_t triangles = 0;
   for (const Visual& visual : model.visuals) {
     const auto* const shape = std::get_if<MeshShape>(&visual.shape);
     if (shape == nullptr || meshes.contains(shape->uri)) continue;
-    const fs::path file = mesh_file(shape->uri, folder);
+    fs::path file;
+    for (std::size_t i = 0; i < folders.size() && file.empty(); ++i)
+      file = mesh_file(shape->uri, folders[i]);
     if (file.empty()) continue;
     Mesh mesh = read_mesh(file);
     const std::size_t count = mesh.triangles.size() / 3;

@@ -40,6 +40,8 @@ std::vector<std::string> PageWriter::write(const fs::path& folder,
   RunPage page = make();
   page.created = now();
   page.version = BURNISH_VERSION;
+  for (std::string& mesh : burnish::missing_meshes(page.robot))
+    missing_meshes_.insert(std::move(mesh));
   if (pages_) {
     std::string run = run_page_json(page);
     const std::string data =
@@ -60,6 +62,14 @@ std::vector<std::string> PageWriter::write(const fs::path& folder,
     written.emplace_back("run.mcap");
   }
   return written;
+}
+
+std::string PageWriter::missing_meshes() const {
+  if (missing_meshes_.empty()) return "";
+  return fmt::format(
+      "the robot is drawn without {} of its meshes, which were not found or could not be read: {}; "
+      "docs/run_page.md says where they are sought",
+      missing_meshes_.size(), joined_names({missing_meshes_.begin(), missing_meshes_.end()}));
 }
 
 bool PageWriter::makes_pages() const { return pages_ && !page_template().empty(); }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ class PageWriter {
   /// Behind the last run: comparison.html in the folder of all runs, if there are several.
   /// Returns what is to be told about pages, one line, or nothing.
   std::string finish(const std::filesystem::path& folder) const;
+  /// One sentence about meshes that robots of these runs are drawn without; empty: all are there.
+  std::string missing_meshes() const;
 
  private:
   bool pages_, recordings_;
+  std::set<std::string> missing_meshes_;   ///< by their file names
   std::vector<std::string> names_, runs_;  ///< of each run: name, and JSON as it is in a page
   std::size_t size_ = 0;                   ///< bytes of runs_
 };

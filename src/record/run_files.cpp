@@ -85,7 +85,7 @@ RobotDrawing drawing_of(const Robot& robot, const std::string& name, const Eigen
   RobotDrawing drawing{.model = robot.model, .q = q};
   for (const auto& [posture, values] : robot.postures)
     drawing.postures[posture] = closed_configuration(robot.model, values);
-  drawing.meshes = load_meshes(robot.model, robot_folder(name));
+  drawing.meshes = load_meshes(robot.model, mesh_folders(name));
   return drawing;
 }
 

@@ -21,4 +21,8 @@ bool is_robot_path(const std::string& name);
 /// exists.
 std::optional<std::filesystem::path> robot_file(const std::string& name);
 
+/// The URDF or MJCF file that load_robot() reads for this name, whatever settings lead there. Empty
+/// where the name or its settings are refused.
+std::filesystem::path description_file(const std::string& name);
+
 }  // namespace burnish

@@ -16,6 +16,7 @@
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/urdf/urdf.hpp"
 #include "model/loops.hpp"
+#include "robots/carrying_joints.hpp"
 #include "robots/description.hpp"
 #include "robots/known_robots.hpp"
 #include "robots/robot_settings.hpp"
@@ -117,33 +118,6 @@ const Posture& find_posture(const RobotSettings& settings, const std::string& na
   if (found != settings.postures.end()) return found->second;
   refuse(origin, key + ": posture " + in_quotes(name) + " does not exist" +
                      did_you_mean(name, keys_of(settings.postures)));
-}
-
-/// Names of the joints that move what is called `name`, a link or a joint, and of those that joints
-/// on the way mimic; empty if there is no such thing.
-std::vector<std::string> carrying_joints(const TreeSpec& tree, const std::string& name) {
-  std::map<std::string, const JointSpec*> by_child, by_name;
-  for (const JointSpec& joint : tree.joints) {
-    by_child.emplace(joint.child_link, &joint);
-    by_name.emplace(joint.name, &joint);
-  }
-  const auto among = [](const auto& joints, const std::string& key) {
-    const auto found = joints.find(key);
-    return found == joints.end() ? nullptr : found->second;
-  };
-  const bool is_link = std::any_of(tree.links.begin(), tree.links.end(),
-                                   [&](const LinkSpec& link) { return link.name == name; });
-  std::set<std::string> names;
-  const JointSpec* joint = among(is_link ? by_child : by_name, name);
-  // What hangs on itself, or mimics itself, is refused later.
-  for (std::size_t i = 0; joint != nullptr && i < tree.joints.size(); ++i) {
-    const JointSpec* moving = joint;
-    for (std::size_t k = 0; moving != nullptr && moving->mimic && k < tree.joints.size(); ++k)
-      moving = among(by_name, moving->mimic->leader);
-    if (moving != nullptr && moving->type != JointType::Fixed) names.insert(moving->name);
-    joint = among(by_child, joint->parent_link);
-  }
-  return {names.begin(), names.end()};
 }
 
 /// Where locked joints are held.
@@ -401,6 +375,19 @@ std::optional<fs::path> robot_file(const std::string& name) {
                                                                                : std::nullopt;
 }
 
+fs::path description_file(const std::string& name) {
+  try {
+    const Place place = find_robot(name);
+    const RobotSettings settings = settings_at(place);
+    const fs::path folder = place.file.parent_path();
+    if (settings.urdf) return folder / *settings.urdf;
+    if (settings.mjcf) return folder / *settings.mjcf;
+    return place.file;
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 std::vector<fs::path> robot_search_path() {
   std::vector<fs::path> folders;
   if (const char* listed = std::getenv("BURNISH_ROBOTS")) {
@@ -439,8 +426,9 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   if (!srdf.file.empty()) from_srdf = add_srdf(srdf, tree, settings, of_srdf);
   ModelOptions options = options_of(settings, overrides, origin);
   if (tree.gravity) options.gravity = *tree.gravity;
+  std::vector<std::string> fingers;
   if (options.free.empty() && !overrides.carrying.empty())
-    options.free = carrying_joints(tree, overrides.carrying);
+    options.free = arm_joints(tree, overrides.carrying, fingers);
   Robot robot;
   robot.model = loaded(build_model(tree, options), settings.payload, origin);
   robot.postures = settings.postures;
@@ -456,6 +444,11 @@ Robot make_robot(RobotSettings settings, const RobotOverrides& overrides, const 
   if (overrides.strict) refuse_warnings(of_srdf.origin(), of_srdf.warnings());
   if (overrides.strict) refuse_warnings(of_loops.origin(), of_loops.warnings());
   robot.notes = robot.model.notes;
+  for (const std::string& joint : fingers)
+    robot.notes.push_back("joint " + in_quotes(joint) +
+                          " is taken for a finger of a gripper and "
+                          "held at zero, though it carries " +
+                          in_quotes(overrides.carrying));
   robot.warnings = robot.model.warnings;
   robot.warnings.insert(robot.warnings.end(), of_srdf.warnings().begin(), of_srdf.warnings().end());
   robot.warnings.insert(robot.warnings.end(), of_loops.warnings().begin(),

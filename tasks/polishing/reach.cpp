@@ -6,6 +6,7 @@
 #include "pressing/arm.hpp"
 #include "pressing/posture_search.hpp"
 #include "pressing/reach_walk.hpp"
+#include "pressing/tool_direction.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -63,7 +64,7 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
 PostureOptions posture_options(const Task& task) { return pressing::posture_options_of(task); }
 
 Eigen::Vector3d pressing_direction(const Task& task, const Model& model) {
-  return pressing::pressing_direction(task.tool, task.tool_axis, model);
+  return pressing::tool_direction(task.tool, task.tool_axis, model).axis;
 }
 
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options) {

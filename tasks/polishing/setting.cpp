@@ -11,11 +11,15 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/standing_terms.hpp"
+#include "pressing/tool_direction.hpp"
 
 namespace burnish::polishing {
 
 Robot load_task_robot(const Task& task) {
-  return pressing::load_arm(task.robot, task.tool, task.standing.stands());
+  Robot robot = pressing::load_arm(task.robot, task.tool, task.standing.stands());
+  if (searches_posture(task, robot))
+    pressing::note_tool_direction(task.tool, task.tool_axis, robot.model, robot.notes);
+  return robot;
 }
 
 bool searches_posture(const Task& task, const Robot& robot) {

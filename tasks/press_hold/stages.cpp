@@ -10,6 +10,7 @@
 #include "pressing/posture_search.hpp"
 #include "pressing/reach_walk.hpp"
 #include "pressing/stage_terms.hpp"
+#include "pressing/tool_direction.hpp"
 
 namespace burnish::press_hold {
 namespace {
@@ -155,6 +156,11 @@ Eigen::VectorXd search_start(const Task& task, const Robot& robot) {
       .q;
 }
 
+bool searches_posture(const Task& task, const Robot& robot) {
+  return task.posture.empty() ? robot.default_posture.empty()
+                              : !robot.postures.contains(task.posture);
+}
+
 }  // namespace
 
 const std::vector<std::string>& phase_names() {
@@ -162,7 +168,12 @@ const std::vector<std::string>& phase_names() {
   return names;
 }
 
-Robot load_task_robot(const Task& task) { return pressing::load_arm(task.robot, task.tool); }
+Robot load_task_robot(const Task& task) {
+  Robot robot = pressing::load_arm(task.robot, task.tool);
+  if (searches_posture(task, robot))
+    pressing::note_tool_direction(task.tool, task.tool_axis, robot.model, robot.notes);
+  return robot;
+}
 
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
@@ -171,9 +182,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
   Setting setting = setting_from(task, robot, pressing::start_posture(robot, task.posture, [&] {
                                    return search_start(task, robot);
                                  }));
-  const bool searched =
-      task.posture.empty() ? robot.default_posture.empty() : !robot.postures.contains(task.posture);
-  if (task.tool_axis && !searched)
+  if (task.tool_axis && !searches_posture(task, robot))
     pressing::check_tool_axis(frame_placement(robot.model, setting.q_start, task.tool).linear() *
                                   task.tool_axis->normalized(),
                               setting.scene.surface.normal, task.search.tilt);

@@ -11,6 +11,7 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/model/state.hpp"
+#include "pressing/tool_direction.hpp"
 #include "sim/random.hpp"
 
 namespace burnish::pressing {
@@ -36,19 +37,28 @@ struct Balance {
 };
 constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
 
+/// What a search is given.
+struct Searched {
+  const PressingPlace& place;
+  const Model& model;
+  const std::vector<Eigen::VectorXd>& known;
+  const PostureOptions& options;
+  const CheckReach& check_reach;
+};
+
 /// Descends from a start, and judges where it ends.
 class Search {
  public:
-  Search(const PressingPlace& place, const Model& model, const std::vector<Eigen::VectorXd>& known,
-         const PostureOptions& options)
-      : place_(place),
-        options_(options),
-        known_(known),
-        model_(model),
+  /// `press`: the direction that the tool presses in, in its frame, of length one.
+  Search(const Searched& in, const Eigen::Vector3d& press)
+      : place_(in.place),
+        options_(in.options),
+        known_(in.known),
+        model_(in.model),
         body_(model_),
-        tool_(body_.frame(place.tool)),
-        into_(-place.normal_world.normalized()),
-        press_(pressing_direction(place.tool, place.tool_axis, model_)),
+        tool_(body_.frame(place_.tool)),
+        into_(-place_.normal_world.normalized()),
+        press_(press),
         q_middle_(model_.q_neutral),
         reach_(Eigen::VectorXd::Ones(model_.nv)) {
     for (const Joint& joint : model_.joints) {
@@ -328,36 +338,9 @@ bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
          difference(model, a.q, b.q).cwiseAbs().maxCoeff() < 1e-2;
 }
 
-}  // namespace
-
-Eigen::Vector3d pressing_direction(const std::string& frame,
-                                   const std::optional<Eigen::Vector3d>& axis, const Model& model) {
-  if (axis) return axis->normalized();
-  const Frame& tool = model.frames[static_cast<std::size_t>(model.frame_index(frame))];
-  if (tool.body < 0) return -Eigen::Vector3d::UnitZ();
-  if (tool.kind == FrameKind::User) {
-    const double outwards = tool.placement.translation().dot(tool.placement.linear().col(2));
-    return {0.0, 0.0, outwards > 0.0 ? 1.0 : -1.0};
-  }
-  // In the frame of the joint that carries it, which turns about its z.
-  const Joint& joint = model.joints[static_cast<std::size_t>(tool.body)];
-  const Eigen::Vector3d arm = tool.placement.translation();
-  const Eigen::Vector3d before = joint.placement.inverse().translation();
-  constexpr double small = 1e-3;  // m
-  Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
-  for (const double outwards : {arm.z(), joint.com.z(), -before.z()}) {
-    if (std::abs(outwards) < small) continue;
-    if (outwards < 0.0) along = -along;
-    break;
-  }
-  if (arm.norm() > small && std::abs(arm.z()) < 0.5 * arm.norm()) along = arm.normalized();
-  return tool.placement.linear().transpose() * along;
-}
-
-FoundPosture search_posture(const PressingPlace& place, const Model& model,
-                            const std::vector<Eigen::VectorXd>& known,
-                            const PostureOptions& options, const CheckReach& check_reach) {
-  Search search(place, model, known, options);
+/// Descends from all starts; the ends that meet the conditions, the best first. Without any, `why`
+/// says what the nearest one fails.
+std::vector<Candidate> good_candidates(Search& search, const Model& model, std::string& why) {
   std::vector<Candidate> good;
   std::optional<Candidate> nearest;
   for (const Eigen::VectorXd& start : search.starts())
@@ -368,8 +351,10 @@ FoundPosture search_posture(const PressingPlace& place, const Model& model,
       else if (!nearest || search.shortfall(candidate) < search.shortfall(*nearest))
         nearest = std::move(candidate);
     }
-  if (good.empty())
-    throw Error("no posture was found for the surface: " + search.complaint(*nearest));
+  if (good.empty()) {
+    why = search.complaint(*nearest);
+    return good;
+  }
   std::stable_sort(good.begin(), good.end(), [](const Candidate& a, const Candidate& b) {
     return score_at_start(a) < score_at_start(b);
   });
@@ -377,13 +362,21 @@ FoundPosture search_posture(const PressingPlace& place, const Model& model,
     return same_place(model, a, b);
   });
   good.erase(twice, good.end());
+  return good;
+}
 
+/// The best posture from which the tool presses along `axis`, in its frame; without one, `why` says
+/// what is in the way.
+std::optional<FoundPosture> search_along(const Eigen::Vector3d& axis, const Searched& in,
+                                         std::string& why) {
+  Search search(in, axis);
+  const std::vector<Candidate> good = good_candidates(search, in.model, why);
   std::string in_the_way;
   std::optional<FoundPosture> best;
-  const std::size_t checked = std::min(good.size(), static_cast<std::size_t>(options.checked));
+  const std::size_t checked = std::min(good.size(), static_cast<std::size_t>(in.options.checked));
   for (std::size_t i = 0; i < checked; ++i) {
     const Candidate& c = good[i];
-    ReachReport reach = check_reach(c.q);
+    ReachReport reach = in.check_reach(c.q);
     if (!reach.ok()) {
       if (in_the_way.empty()) in_the_way = reach.text;
       continue;
@@ -392,9 +385,33 @@ FoundPosture search_posture(const PressingPlace& place, const Model& model,
     if (best && best->score <= score) continue;
     best = {c.q, score, c.tilt, std::move(reach), static_cast<int>(good.size())};
   }
-  if (best) return *best;
-  throw Error("no posture was found for the surface: of " + std::to_string(checked) +
-              " that suit its normal none leads along the path; from the best one, " + in_the_way);
+  if (!best && checked > 0)
+    why = "of " + std::to_string(checked) +
+          " that suit its normal none leads along the path; from the best one, " + in_the_way;
+  return best;
+}
+
+/// Which way the tool was taken to look, and whether the other way would do.
+std::string about_axis(const Eigen::Vector3d& axis, const Searched& in) {
+  const std::string tool = "; the tool " + in_quotes(in.place.tool);
+  if (in.place.tool_axis) return tool + " presses along " + axis_text(axis);
+  std::string unused;
+  return tool + " is taken to press along " + axis_text(axis) +
+         (search_along(-axis, in, unused)
+              ? ", and with " + axis_text(-axis) + " a posture is found"
+              : ", and with " + axis_text(-axis) + " none is found either");
+}
+
+}  // namespace
+
+FoundPosture search_posture(const PressingPlace& place, const Model& model,
+                            const std::vector<Eigen::VectorXd>& known,
+                            const PostureOptions& options, const CheckReach& check_reach) {
+  const Searched in{place, model, known, options, check_reach};
+  const Eigen::Vector3d axis = tool_direction(place.tool, place.tool_axis, model).axis;
+  std::string why;
+  if (auto found = search_along(axis, in, why)) return *std::move(found);
+  throw Error("no posture was found for the surface: " + why + about_axis(axis, in));
 }
 
 }  // namespace burnish::pressing

@@ -21,14 +21,6 @@ struct PressingPlace {
   double force;                                ///< N
 };
 
-/// The direction, in its own frame, that a tool presses in, of length one: `axis` if it is there;
-/// of a frame that the settings of the robot add z or -z, whichever points away from the joint that
-/// carries it (-z if neither does); and of a link or a joint of the description the axis of that
-/// joint, away from the robot, or the line from the joint to the tool where the tool lies beside
-/// the axis rather than on it.
-Eigen::Vector3d pressing_direction(const std::string& frame,
-                                   const std::optional<Eigen::Vector3d>& axis, const Model& model);
-
 /// With the limits that a task has for it.
 template <class Task>
 PostureOptions posture_options_of(const Task& task) {
@@ -48,8 +40,9 @@ using CheckReach = std::function<ReachReport(const Eigen::VectorXd& q_start)>;
 ///   score = tilt + (largest share of a torque limit that statics take along the path)
 ///         + 0.1 rad / (smallest distance to a joint limit along the path)
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
-/// Throws Error with one sentence if there is none: which condition the nearest posture fails, or
-/// what is in the best one's way.
+/// The tool presses along tool_direction(). Throws Error with one sentence if there is none: which
+/// condition the nearest posture fails, or what is in the best one's way; which tool.axis was
+/// taken, and whether the opposite one has a posture.
 FoundPosture search_posture(const PressingPlace& place, const Model& model,
                             const std::vector<Eigen::VectorXd>& known,
                             const PostureOptions& options, const CheckReach& check_reach);

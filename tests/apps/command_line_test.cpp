@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
+#include "support/six_joint_arm.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -200,6 +201,48 @@ TEST(Show, DraftsSettings) {
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.err.find("robot.yaml: it is there already"), std::string::npos) << again.err;
   expect_refused(run("show arm7 --write-settings " + folder), "a URDF or MJCF file");
+}
+
+TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write("arm.urdf", six_joint_arm(with_gripper())));
+  const std::string folder = quoted(scratch.folder / "drafted");
+  const std::string draft = "show " + file + " --write-settings " + folder;
+  expect_refused(run(draft + " --tool flang"), "did you mean 'flange'?");
+  expect_refused(run("show " + file + " --tool flange"), "--tool goes with --write-settings");
+  EXPECT_FALSE(std::filesystem::exists(scratch.folder / "drafted"));
+  const Outcome outcome = run(draft + " --tool flange");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::string text = contents(scratch.folder / "drafted/robot.yaml");
+  for (const std::string line : {"lock: [left, right]\n", "  table: {j1: ",
+                                 "  tool: {parent: flange, xyz: [0, 0, 0], rpy: [0, 0, 0]}\n",
+                                 "  j6: {lower: -3, upper: 3, velocity: 3, effort: 28}\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  const Json json = Json::parse(run("show --json " + folder).out);
+  EXPECT_EQ(json["nv"], 6);
+  EXPECT_EQ(json["default_posture"], "start");
+}
+
+TEST(Show, DraftsSettings_OfAGripper_WithItsToolBetweenTheFingers) {
+  const Scratch scratch;
+  const std::string file = quoted(scratch.write("arm.urdf", six_joint_arm(with_gripper())));
+  EXPECT_EQ(run("show " + file + " --write-settings " + quoted(scratch.folder / "a")).exit_code, 0);
+  const std::string text = contents(scratch.folder / "a/robot.yaml");
+  EXPECT_NE(text.find("  tool: {parent: tcp, "), std::string::npos) << text;
+  // A joint that leads another keeps its own effort, to which the model adds the follower's.
+  const std::string lift = "<robot name='lift'><link name='base'/>" + finger("outer", "base", 0.0) +
+                           finger("inner", "outer_link", 0.0, "<mimic joint='outer'/>") +
+                           "</robot>";
+  const std::string lift_file = quoted(scratch.write("lift.urdf", lift));
+  EXPECT_EQ(
+      run("show " + lift_file + " --write-settings " + quoted(scratch.folder / "b")).exit_code, 0);
+  const std::string limits = contents(scratch.folder / "b/robot.yaml");
+  EXPECT_NE(limits.find("outer: {lower: 0, upper: 0.04, velocity: 0.2, effort: 20}"),
+            std::string::npos)
+      << limits;
+  for (const std::string& robot : {lift_file, quoted(scratch.folder / "b")})
+    EXPECT_EQ(Json::parse(run("show --json " + robot).out)["joints"][0]["effort_limit"][0], 40.0);
 }
 
 TEST(Show, TakesMjcfAndDraftsItsSettings) {

@@ -5,6 +5,7 @@
 
 #include "apps/program.hpp"
 #include "record/page_data.hpp"
+#include "support/six_joint_arm.hpp"
 
 namespace burnish::testing {
 namespace {
@@ -88,6 +89,62 @@ TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
     }
     EXPECT_NEAR(widest, 0.05F, 1e-3F);
   }
+}
+
+TEST(Polish, SearchedPosture_IsPrintedAndAddedToTheSettings) {
+  const Scratch scratch;
+  scratch.write("arm.urdf", six_joint_arm());
+  const auto settings = scratch.write(
+      "robot.yaml",
+      "urdf: arm.urdf\nframes:\n  tool: {parent: flange}\npostures:\n  # mine\n    a: {j1: 1}\n");
+  const std::string polish =
+      "polish --controller baseline --no-page --duration 0.2 --plant ideal "
+      "--set verdict.contact_share=0 --set verdict.force_rmse=100 --force --out " +
+      quoted(scratch.folder / "out") + " --robot ";
+  const std::string folder = quoted(scratch.folder);
+  const Outcome first = run(polish + folder + " --write-posture table");
+  EXPECT_EQ(first.exit_code, 0) << first.err << first.out;
+  EXPECT_NE(first.out.find("table: starts at {j1: "), std::string::npos) << first.out;
+  const std::string text = contents(settings);
+  EXPECT_NE(text.find("postures:\n    table: {j1: "), std::string::npos) << text;
+  EXPECT_NE(text.find("  # mine\n    a: {j1: 1}\n"), std::string::npos) << text;
+  const Outcome again = run(polish + folder);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.out.find("starts at"), std::string::npos) << again.out;
+  expect_refused(run(polish + folder + " --write-posture b"), "none is searched");
+  expect_refused(run(polish + folder + " --write-posture a --set posture=search"),
+                 "posture 'a' is there already");
+  expect_refused(
+      run(polish + quoted(scratch.folder / "arm.urdf") + " --tool flange --write-posture a"),
+      "burnish show ROBOT --write-settings DIR --tool FRAME drafts some");
+  expect_refused(run(polish + folder + " --surface table --surface board --write-posture a"),
+                 "wanted one, as --surface says");
+}
+
+TEST(Polish, MeshesOfDraftedSettings_AreFoundBesideTheDescription_AndMissingOnesSaid) {
+  const Scratch scratch;
+  scratch.write("arm/meshes/here.stl",
+                "solid facet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                "vertex 0 1 0\nendloop\nendfacet\nendsolid facet\n");
+  std::string text = six_joint_arm();
+  const auto visual = [](const std::string& uri) {
+    return "<visual><geometry><mesh filename='" + uri + "'/></geometry></visual>";
+  };
+  text.replace(text.find("<link name='base'/>"), 19,
+               "<link name='base'>" + visual("meshes/here.stl") +
+                   visual("package://left_behind/meshes/here.stl") + visual("meshes/gone.stl") +
+                   "</link>");
+  const std::string file = quoted(scratch.write("arm/arm.urdf", text));
+  const std::string drafted = quoted(scratch.folder / "elsewhere/drafted");
+  ASSERT_EQ(run("show " + file + " --write-settings " + drafted + " --tool flange").exit_code, 0);
+  const Outcome outcome = run("polish --controller baseline --duration 0.2 --plant ideal --robot " +
+                              drafted + " --out " + quoted(scratch.folder / "out"));
+  EXPECT_NE(outcome.err.find("meshes, which were not found or could not be read: gone.stl"),
+            std::string::npos)
+      << outcome.err;
+#ifdef BURNISH_HAS_ASSIMP
+  EXPECT_NE(outcome.err.find("without 1 of its meshes"), std::string::npos) << outcome.err;
+#endif
 }
 
 TEST(Polish, ComparesControllersWithoutAPlan) {

@@ -150,7 +150,9 @@ TEST(Posture, AFingerMayPressBesideAnother) {
                    "</robot>");
   const Scratch scratch;
   Task task;
-  task.robot = scratch.write("gripper.urdf", text).string();
+  scratch.write("gripper.urdf", text);
+  // Settings leave fingers free, where a file alone holds them.
+  task.robot = scratch.write("robot.yaml", "urdf: gripper.urdf\n").string();
   task.posture = searched_posture;
   task.tool = "finger";
   override_task(task, {"tool.axis=[0, 0, 1]"});

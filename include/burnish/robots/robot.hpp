@@ -35,7 +35,8 @@ struct RobotOverrides {
   std::vector<std::string> locked;  ///< in addition to what the settings lock
   std::vector<std::string> free;    ///< these alone move, whatever the settings lock or free
   /// A link or joint: of a robot without settings only what carries it moves, since nothing says
-  /// what fingers, another arm or a head do meanwhile; empty or unknown: all joints move.
+  /// what another arm or a head do meanwhile. Fingers of a gripper that carry it are held too,
+  /// which a note says. Empty or unknown: all joints move.
   std::string carrying;
   /// Named posture at which joints are locked; empty: the settings' `posture`, then their
   /// `default_posture`, then zero.

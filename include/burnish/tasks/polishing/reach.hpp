@@ -31,11 +31,12 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
 /// With the limits that a task has for it.
 PostureOptions posture_options(const Task& task);
 
-/// The direction, in its own frame, that a task's tool presses in, of length one: what the task
-/// says; of a frame that the settings of the robot add z or -z, whichever points away from the
-/// joint that carries it (-z if neither does); and of a link or a joint of the description the axis
-/// of that joint, away from the robot, or the line from the joint to the tool where the tool lies
-/// beside the axis rather than on it.
+/// Direction that a task's tool presses in, in its own frame, of length one: what the task says. Of
+/// a frame that the settings of the robot add it is z or -z. Of a link or a joint of the
+/// description it is the axis of the last joint that carries it, or the line from that joint to the
+/// tool where the tool lies beside the axis rather than on it. The sign points away from the robot,
+/// by the first of these that is 1 mm or more along the axis: the tool's offset from the last
+/// joint, the last joint's offset from the joint before, the centre of mass of the last link.
 Eigen::Vector3d pressing_direction(const Task& task, const Model& model);
 
 /// A posture of `robot` from which the task can be done, the same one for the same input. Damped
@@ -47,7 +48,7 @@ Eigen::Vector3d pressing_direction(const Task& task, const Model& model);
 ///         + 0.1 rad / (smallest distance to a joint limit along the path)
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).
 /// Throws Error with one sentence if there is none: which condition the nearest posture fails, or
-/// what is in the best one's way.
+/// what is in the best one's way; which tool.axis was taken, and whether the opposite one has one.
 FoundPosture find_posture(const Task& task, const Robot& robot, const PostureOptions& options = {});
 
 }  // namespace burnish::polishing
