@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/yaml_word.hpp"
@@ -13,6 +14,7 @@
 #include "plan_steps.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
+#include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -141,9 +143,10 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
 }
 
 /// Notes on what is probably not meant, and what the arm has left.
-void describe_job(const PolishJob& job, const polishing::ReachReport& reach,
+void describe_job(const PolishJob& job, const polishing::ReachReport& reach, const Texts& texts,
                   const PolishArguments& arguments) {
-  for (const std::string& note : polishing::task_notes(job.spec.task))
+  const bool states = pressing::states_disturbances(texts.at(job.place));
+  for (const std::string& note : polishing::task_notes(job.spec.task, states))
     fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
   if (!job.spec.task.force_sensor && reach.points > 0)
     fmt::print(
@@ -229,7 +232,7 @@ void check(const std::vector<PolishJob>& jobs, const Texts& texts,
   }
   for (const CheckedPlace& place : places) {
     keep_posture(place, arguments);
-    describe_job(*place.job, place.reach, arguments);
+    describe_job(*place.job, place.reach, texts, arguments);
   }
 }
 
@@ -242,6 +245,27 @@ RunResult run_job(PolishJob& job, bool bar) {
   RunResult result = polishing::run_task(job.spec);
   if (bar) fmt::print(stderr, "\r\033[K");
   return result;
+}
+
+/// What the times of plans in the table stand beside: they do not pass in a simulation unless the
+/// task says so.
+void print_timing(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const polishing::Task& task = jobs[i].spec.task;
+    if (!results[i].metrics || !results[i].metrics->solver || task.timing != PlanTiming::Fixed ||
+        results[i].metrics->solver->p99 <= task.solver_delay)
+      continue;
+    const std::string used =
+        task.solver_delay > 0.0
+            ? fmt::format(
+                  "plans are used {:g} ms after their measurement, however long they take "
+                  "(controller.timing fixed)",
+                  1e3 * task.solver_delay)
+            : "plans take no time in this simulation (controller.timing fixed, solver_delay 0)";
+    const std::string late = std::isinf(task.limits.deadline) ? ", and none counts as late" : "";
+    return fmt::print("{}{}: with --set controller.timing=measured they take what the table says\n",
+                      used, late);
+  }
 }
 
 void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
@@ -303,6 +327,7 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
   if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
+  print_timing(jobs, results);
   std::vector<NamedStanding> stood;
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].standing) stood.push_back({jobs[i].name, *results[i].standing});

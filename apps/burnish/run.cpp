@@ -12,6 +12,7 @@
 #include "plan_steps.hpp"
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
+#include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
 #include "push_wall/record.hpp"
 #include "record/json_text.hpp"
@@ -78,7 +79,7 @@ int run_as(const RunArguments& a) {
         print_step_complaints(run.name, make_mpc(spec.task, *spec.setting));
     });
   });
-  for (const std::string& note : task_notes(spec.task))
+  for (const std::string& note : task_notes(spec.task, pressing::states_disturbances(said.texts)))
     fmt::print(stderr, "burnish: note: {}\n", note);
   const StopRequest stop("the run ends, and what there is of it is written");
   RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});

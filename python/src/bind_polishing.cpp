@@ -172,8 +172,9 @@ void bind_task(py::module_& m) {
   bind_task_file<Task>(m, "", &read_task, "Reads a task file");
   m.def("write_task", &write_task, py::arg("task"), py::arg("file"),
         "Writes task_text(). Raises Error if the file cannot be written.");
-  m.def("task_notes", &task_notes, py::arg("task"),
-        "Sentences on what is possible but probably not meant, before a run.");
+  m.def("task_notes", &task_notes, py::arg("task"), py::arg("ideal_is_meant") = false,
+        "Sentences on what is possible but probably not meant, before a run. ideal_is_meant: none "
+        "says that the plant is exactly what the controller believes.");
 }
 
 void bind_setting(py::module_& m) {

@@ -117,6 +117,9 @@ class TestTasks:
         slow = polishing.make_task("table", overrides=["controller.torque_cutoff=60"])
         assert any("lag" in note for note in polishing.task_notes(slow))
         assert polishing.task_notes(polishing.make_task("table")) == []
+        ideal = polishing.make_task("table", disturbances="none")
+        assert "the world is ideal" in polishing.task_notes(ideal)[0]
+        assert polishing.task_notes(ideal, ideal_is_meant=True) == []
 
 
 class TestPaths:

@@ -5,6 +5,7 @@
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/verdict.hpp"
 #include "pressing/task_checks.hpp"
+#include "pressing/task_form.hpp"
 
 namespace burnish::polishing {
 namespace {
@@ -51,8 +52,9 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> task_notes(const Task& task) {
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
   std::vector<std::string> notes;
+  if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
   note_lag(task, notes);
   note_force_error(task, notes);
   note_short_time(task, notes);

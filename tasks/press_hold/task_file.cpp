@@ -3,6 +3,7 @@
 #include "base/sentence.hpp"
 #include "press_hold/descriptions.hpp"
 #include "pressing/task_checks.hpp"
+#include "pressing/task_form.hpp"
 
 namespace burnish::press_hold {
 
@@ -46,8 +47,9 @@ void check_task(const Task& task) {
                        "it takes " + number(time) + " s; wanted at most " + number(longest) + " s");
 }
 
-std::vector<std::string> task_notes(const Task& task) {
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
   std::vector<std::string> notes;
+  if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
   pressing::note_friction("surface.friction", task.friction, Task{}.friction, task.disturbances,
                           notes);
   return notes;

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "burnish/sim/disturbances.hpp"
+#include "files/described.hpp"
 #include "files/described_file.hpp"
+#include "sim/descriptions.hpp"
 
 namespace burnish::pressing {
 
@@ -49,6 +51,30 @@ inline const std::vector<std::string>& disturbances_of_standing() {
                                              "imu_faults",
                                              "slippery_ground"};
   return keys;
+}
+
+/// Adds a sentence where the plant is exactly what the controller believes it to be.
+inline void note_ideal_world(const Disturbances& disturbances, std::vector<std::string>& notes) {
+  const Disturbances none;
+  for (const Field& field : description_of(&none).fields)
+    if (field.name != "seed" &&
+        files::entry_text(field, &disturbances) != files::entry_text(field, &none))
+      return;
+  notes.emplace_back(
+      "the world is ideal: the plant is the controller's own model, without noise, delays or joint "
+      "friction; `disturbances: mismatch` is what the shipped tasks and `burnish polish` without a "
+      "file have, and `disturbances: none` says that an ideal world is meant");
+}
+
+/// Whether the texts state disturbances, `none` included. A seed alone states none.
+inline bool states_disturbances(const std::vector<files::Reader>& texts) {
+  return std::any_of(texts.begin(), texts.end(), [](const files::Reader& text) {
+    const auto section = files::stated(text, "disturbances");
+    if (!section || !section->is_map()) return section.has_value();
+    const auto items = section->items();
+    return std::any_of(items.begin(), items.end(),
+                       [](const auto& item) { return item.first != "seed"; });
+  });
 }
 
 }  // namespace burnish::pressing

@@ -2,6 +2,7 @@
 
 #include "base/sentence.hpp"
 #include "pressing/task_checks.hpp"
+#include "pressing/task_form.hpp"
 #include "push_wall/descriptions.hpp"
 
 namespace burnish::push_wall {
@@ -83,8 +84,9 @@ void check_task(const Task& task) {
   pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
 }
 
-std::vector<std::string> task_notes(const Task& task) {
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
   std::vector<std::string> notes;
+  if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
   pressing::note_friction("wall.friction", task.wall.friction, Wall{}.friction, task.disturbances,
                           notes);
   return notes;

@@ -1,5 +1,6 @@
 #include "base/sentence.hpp"
 #include "pressing/task_checks.hpp"
+#include "pressing/task_form.hpp"
 #include "stand/descriptions.hpp"
 
 namespace burnish::stand {
@@ -41,6 +42,10 @@ void check_task(const Task& task) {
   pressing::check_contact_step(task.step, "standing.contact_kd", task.standing.contact_kd);
 }
 
-std::vector<std::string> task_notes(const Task& /*task*/) { return {}; }
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
+  std::vector<std::string> notes;
+  if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
+  return notes;
+}
 
 }  // namespace burnish::stand

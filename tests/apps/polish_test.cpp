@@ -1,6 +1,7 @@
 // burnish polish from outside: files, exit codes, bad input, Ctrl-C.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -179,6 +180,24 @@ TEST(Polish, SaysWhatAForceThatIsToldFromTorquesIsWorthBeforeItRuns) {
   for (const char* words : {"table: note: without a force sensor",
                             "1 Nm in every joint is 2.2 N along the normal (torso_2_joint"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\n" << outcome.err;
+}
+
+TEST(Polish, SaysThatAFileWithoutDisturbancesIsAnIdealWorldAndThatPlansTakeNoTime) {
+  const Scratch scratch;
+  const auto file = scratch.folder / "mine.yaml";
+  std::ofstream(file) << "force: 30\n";
+  const Outcome outcome = run("polish " + quoted(file) + " --controller mpc --no-page" + short_run +
+                              " --out " + quoted(scratch.folder / "out"));
+  EXPECT_NE(outcome.err.find("mine: note: the world is ideal"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("plans take no time in this simulation (controller.timing fixed, "
+                             "solver_delay 0), and none counts as late"),
+            std::string::npos)
+      << outcome.out;
+  const Outcome meant =
+      run("polish " + quoted(file) + " --controller baseline --disturbances none --no-page" +
+          short_run + " --out " + quoted(scratch.folder / "meant"));
+  EXPECT_EQ(meant.err.find("the world is ideal"), std::string::npos) << meant.err;
+  EXPECT_EQ(meant.out.find("plans take no time"), std::string::npos) << meant.out;
 }
 
 TEST(Polish, LeavesPlotsToThePageUnlessTheyAreAskedFor) {

@@ -48,6 +48,22 @@ TEST(Run, LeavesTheTasksFiguresAndItsPage) {
   EXPECT_FALSE(std::filesystem::exists(again.folder / "out" / "run.json"));
 }
 
+TEST(Run, SaysThatTheWorldIsIdealUnlessItIsMeant) {
+  const std::string ideal = "note: the world is ideal", task = "task: press_hold\n";
+  const std::string soon = " --quiet --no-page --set phases.hold_duration=0.1";
+  const auto says = [&](const std::string& text, const std::string& more) {
+    const Scratch scratch;
+    const Outcome outcome = run_task_text(scratch, text, soon + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    return outcome.err.find(ideal) != std::string::npos;
+  };
+  EXPECT_TRUE(says(task, ""));
+  EXPECT_TRUE(says(task, " --seed 2"));
+  EXPECT_FALSE(says(task + "disturbances: none\n", ""));
+  EXPECT_FALSE(says(task, " --set disturbances=none"));
+  EXPECT_FALSE(says(task + "disturbances: {force_noise: 0}\n", ""));
+}
+
 TEST(Run, SaysWhatFailed) {
   const Scratch far;
   const Outcome failed =

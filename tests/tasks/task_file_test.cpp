@@ -385,6 +385,18 @@ TEST_F(TaskFile, WhatIsProbablyNotMeantIsNoted) {
   EXPECT_TRUE(task_notes(task).empty());
 }
 
+TEST_F(TaskFile, AnIdealWorldIsNotedUnlessItIsMeant) {
+  Task task = parse_task("force: 20", "mine.yaml");
+  ASSERT_EQ(task_notes(task).size(), 1U);
+  expect_words(task_notes(task)[0], {"the world is ideal", "`disturbances: mismatch`",
+                                     "`disturbances: none` says that an ideal world is meant"});
+  EXPECT_TRUE(task_notes(task, true).empty());
+  task.disturbances.seed = 3;  // of nothing
+  EXPECT_EQ(task_notes(task).size(), 1U);
+  task.disturbances.command_delay = 1e-3;
+  EXPECT_TRUE(task_notes(task).empty());
+}
+
 TEST_F(TaskFile, FilesThatCannotBeRead) {
   expect_words(refusal([] { read_task("nowhere.yaml"); }), {"nowhere.yaml", "cannot be opened"});
   expect_words(refusal([&] { read_task(folder_); }), {"this is a folder"});

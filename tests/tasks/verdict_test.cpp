@@ -88,7 +88,7 @@ TEST(PolishingVerdict, OfAPathThatWasTooLongForItsTimeIsStoppedEarly) {
                          "verdict.path_share wants 99 %"});
   EXPECT_NEAR(result.verdict->path_share, 0.05 / 1.15, 0.02);
   // It is said before, too.
-  const std::vector<std::string> notes = task_notes(spec.task);
+  const std::vector<std::string> notes = task_notes(spec.task, true);
   ASSERT_EQ(notes.size(), 1U);
   expect_words(notes[0],
                {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "stop early"});

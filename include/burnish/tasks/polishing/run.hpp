@@ -61,7 +61,8 @@ struct RunResult : TaskRun {
 RunResult run_task(const RunSpec& spec);
 
 /// What is possible in a task, but probably not meant: sentences for the user before a run; none if
-/// nothing is odd. Throws nothing for a task that check_task() accepts.
-std::vector<std::string> task_notes(const Task& task);
+/// nothing is odd. `ideal_is_meant`: no sentence says that the plant is exactly what the controller
+/// believes. Throws nothing for a task that check_task() accepts.
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 }  // namespace burnish::polishing

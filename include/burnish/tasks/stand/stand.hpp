@@ -94,8 +94,9 @@ void override_task(Task& task, const std::vector<std::string>& overrides);
 void check_task(const Task& task);
 /// The whole task as such a file, every key with its unit and meaning; reads back as it was.
 std::string task_text(const Task& task);
-/// Returns a sentence for each stated key that has no effect in this task.
-std::vector<std::string> task_notes(const Task& task);
+/// Returns a sentence for each stated key that has no effect in this task, and one for a plant that
+/// is exactly what the controller believes, unless that is meant.
+std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = false);
 
 /// The task with everything resolved.
 struct Setting {
