@@ -1,0 +1,84 @@
+// How much delay, and how wrong a motor's gain, a controller tolerates: stability margins of the
+// sampled loop that it closes around an arm, linearised at rest. They are computed before a run.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/mpc/mpc.hpp"
+
+namespace burnish {
+
+/// What lies between a controller and the joints, and what its tool presses on. A zero switches the
+/// delay, lag or filter off.
+struct LoopChain {
+  double command_delay = 0.0;       ///< From the controller to the motors [s].
+  double torque_cutoff = 0.0;       ///< First-order lag of the motors [rad/s].
+  bool difference_velocity = true;  ///< Velocities are differences of measured positions.
+  double velocity_cutoff = 0.0;     ///< Low-pass of those differences [rad/s].
+  double force_cutoff = 0.0;        ///< Low-pass of the measured force [rad/s].
+  double stiffness = 1e5;           ///< Of the surface, along its normal [N/m].
+  double damping = 500.0;           ///< Of the surface, along its normal [Ns/m].
+};
+
+/// Factors by which the torque of one joint may be wrong while the others are right.
+struct GainRange {
+  std::string joint;   ///< As Model::v_name() says.
+  double below = 0.0;  ///< Smallest factor, down to LoopAnalysis::smallest_gain.
+  double above = 0.0;  ///< Largest factor, up to LoopAnalysis::largest_gain.
+};
+
+struct LoopMargins {
+  /// Largest extra delay of the commands, beyond the chain's [s]: up to
+  /// LoopAnalysis::longest_delay. Zero where the loop is unstable without any.
+  double delay = 0.0;
+  /// Bandwidth of the model-error observer at which the delay is least [rad/s].
+  double bandwidth = 0.0;
+  std::vector<GainRange> gains = {};  ///< One per entry of v.
+};
+
+/// The loop of one phase of a schedule about the specification's initial state, at rest: mass
+/// matrix, gravity, surface, motors, filters, delays as shift registers, the first gains of the
+/// plan, and the model-error observer of kind torque at its lowest bandwidth, its stated one and
+/// half the way up to its boosted one. Friction, noise, limits and all other estimates are left
+/// out. A loop counts as stable while disturbances grow by less than 8/s.
+class LoopAnalysis {
+ public:
+  static constexpr double longest_delay = 0.01;  ///< [s]
+  static constexpr double largest_gain = 10.0;
+  static constexpr double smallest_gain = 0.1;
+
+  /// Solves the problem of `phase`, an index of `spec.schedule`, and differentiates its first
+  /// control. Throws Error for a base that floats, a robot with loops, supports, and as
+  /// MpcController does.
+  LoopAnalysis(const MpcSpec& spec, const LoopChain& chain, int phase);
+  ~LoopAnalysis();
+  LoopAnalysis(LoopAnalysis&&) noexcept;
+  LoopAnalysis& operator=(LoopAnalysis&&) noexcept;
+
+  /// Rate at which the fastest disturbance grows [1/s], with the observer at `bandwidth` [rad/s]
+  /// and commands `extra_delay` later [s].
+  double growth(double bandwidth, double extra_delay) const;
+  /// Whether the loop is stable with an extra delay [s] and, apart from that, with the torque of
+  /// any one joint wrong by `factor` or its inverse. Everything but `options` is the
+  /// specification's.
+  bool tolerates(const ModelErrorOptions& options, double delay, double factor) const;
+  /// Largest extra delay; without the ranges of gains, which take longest.
+  LoopMargins delay_margin(const ModelErrorOptions& options) const;
+  LoopMargins margins(const ModelErrorOptions& options) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Why margins are not computed for a specification, one sentence; empty: they are.
+std::string without_margins(const MpcSpec& spec);
+
+/// First phase of the schedule in which no contact holds the tool, and last one in which one does;
+/// -1: there is none.
+int free_phase(const MpcSpec& spec);
+int pressing_phase(const MpcSpec& spec);
+
+}  // namespace burnish

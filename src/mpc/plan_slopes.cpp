@@ -1,0 +1,111 @@
+#include "mpc/plan_slopes.hpp"
+
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/contact/loops.hpp"
+#include "mpc/horizon.hpp"
+
+namespace burnish {
+namespace {
+
+// Steps of the differences: plans are all but linear over them, and solved far more finely.
+constexpr double state_step = 1e-5;   // rad (m), rad/s (m/s), Nm (N)
+constexpr double torque_step = 1e-2;  // Nm (N)
+
+constexpr int first_iterations = 60;  // from rest; what is left is of no account
+constexpr int next_iterations = 3;    // from a solution so near that the first step all but does
+
+MpcSpec filled(MpcSpec spec) {
+  spec.problem = with_fade_speeds(with_loops(std::move(spec.problem)));
+  spec.solver.max_iterations = first_iterations;
+  spec.solver.stop_tolerance = 1e-14;
+  return spec;
+}
+
+/// Solves again from the solution, with another start or torque error.
+class Differences {
+ public:
+  Differences(const MpcSpec& spec, int phase)
+      : spec_(filled(spec)),
+        problem_(spec_.problem),
+        schedule_(spec_.schedule),
+        horizon_(spec_, problem_, schedule_),
+        solver_(problem_, spec_.solver),
+        x_(spec_.problem.initial_state),
+        no_torque_(Eigen::VectorXd::Zero(problem_.layout().nv)) {
+    horizon_.place(schedule_.start_of(phase));
+    const int stage = horizon_.stage_of(phase);
+    horizon_.guess_rest(x_, problem_.quasi_static(stage, x_).control);
+    solver_.set_guess({horizon_.guess_x().data(), horizon_.guess_u().data()});
+    solver_.solve();
+    if (!solver_.us().allFinite() || !solver_.xs().allFinite())
+      throw Error("margins: no plan from the start in phase " +
+                  in_quotes(spec_.schedule[static_cast<std::size_t>(phase)].name) + ": " +
+                  solver_.text());
+    xs_ = solver_.xs();
+    us_ = solver_.us();
+    solver_.set_max_iterations(next_iterations);
+  }
+
+  PlanSlopes slopes() {
+    const StateLayout& layout = problem_.layout();
+    const int ndx = layout.ndx(), nv = layout.nv;
+    PlanSlopes result{.layout = layout, .step = problem_.step_of(0)};
+    result.u.resize(layout.nu, ndx + nv);
+    result.way.resize(ndx, ndx + nv);
+    const Eigen::VectorXd u = us_.row(0).head(layout.nu).transpose(), way = way_of(xs_);
+    Eigen::VectorXd dx = Eigen::VectorXd::Zero(ndx), x = x_, d = no_torque_;
+    for (int k = 0; k < ndx + nv; ++k) {
+      const bool is_state = k < ndx;
+      const double step = is_state ? state_step : torque_step;
+      if (is_state) {
+        dx.setZero();
+        dx[k] = step;
+        problem_.integrate(x_.data(), dx.data(), x.data());
+        solve_from(x, no_torque_);
+      } else {
+        d.setZero();
+        d[k - ndx] = step;
+        solve_from(x_, d);
+      }
+      result.u.col(k) = (solver_.us().row(0).head(layout.nu).transpose() - u) / step;
+      result.way.col(k) = (way_of(solver_.xs()) - way) / step;
+    }
+    return result;
+  }
+
+ private:
+  Eigen::VectorXd way_of(const Eigen::Ref<const RowMatrix>& xs) const {
+    Eigen::VectorXd way(problem_.layout().ndx());
+    const Eigen::VectorXd from = xs.row(0).transpose(), to = xs.row(1).transpose();
+    problem_.difference(from.data(), to.data(), way.data());
+    return way;
+  }
+  void solve_from(const Eigen::VectorXd& x, const Eigen::VectorXd& torque) {
+    const double fading = spec_.model_error.fading;
+    if (std::isinf(fading))
+      (void)problem_.set_torque_bias(torque);
+    else
+      (void)problem_.set_torque_bias(no_torque_, torque, fading);
+    (void)problem_.set_initial_state(x);
+    RowMatrix xs = xs_;
+    xs.row(0) = x.transpose();
+    solver_.set_guess(xs, us_);
+    solver_.solve();
+  }
+
+  MpcSpec spec_;
+  Problem problem_;
+  Schedule schedule_;
+  Horizon horizon_;
+  DdpSolver solver_;
+  Eigen::VectorXd x_, no_torque_;
+  RowMatrix xs_, us_;
+};
+
+}  // namespace
+
+PlanSlopes plan_slopes(const MpcSpec& spec, int phase) { return Differences(spec, phase).slopes(); }
+
+}  // namespace burnish

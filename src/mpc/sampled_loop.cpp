@@ -1,0 +1,227 @@
+#include "mpc/sampled_loop.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/derivatives/contact_dynamics.hpp"
+#include "mpc/tool_motion.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double longest_step = 5e-4;  // s, of a plant, as simulations have it
+
+/// Part of the way that a first-order low-pass goes in a time.
+double passed_by(double cutoff, double time) {
+  return cutoff > 0.0 ? -std::expm1(-cutoff * time) : 1.0;
+}
+
+bool contains_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+int whole(double ratio) { return static_cast<int>(std::lround(ratio)); }
+
+}  // namespace
+
+bool presses_in(const MpcSpec& spec, int phase) {
+  const std::string& name = spec.schedule[static_cast<std::size_t>(phase)].stage;
+  for (const Stage& stage : spec.problem.stages)
+    for (const ContactSpec& contact : spec.problem.contacts)
+      if (stage.name == name && contact.tool == spec.tool &&
+          contains_name(stage.contacts, contact.name))
+        return true;
+  return false;
+}
+
+std::vector<Eigen::MatrixXd*> LoopState::blocks() {
+  std::vector<Eigen::MatrixXd*> all{
+      &q,     &v,    &q_before, &v_measured, &force, &force_measured, &v_observed,
+      &error, &told, &command,  &motor,      &acted, &offset};
+  for (Eigen::MatrixXd& entry : queue) all.push_back(&entry);
+  return all;
+}
+
+SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
+    : chain_(chain),
+      observes_(spec.model_error.kind == ModelErrorKind::Torque),
+      feeds_back_(spec.feedback),
+      tick_(spec.tick_period),
+      ticks_(whole(spec.update_period / spec.tick_period)),
+      steps_(static_cast<int>(std::ceil(tick_ / longest_step - 1e-9))),
+      dt_(tick_ / steps_),
+      plan_delay_(whole(spec.solver_delay / spec.tick_period)),
+      torque_cutoff_(spec.problem.torque_model ? spec.problem.torque_model->cutoff : 0.0),
+      plan_(plan_slopes(spec, phase)),
+      n_(spec.problem.model.nv) {
+  const Model& model = spec.problem.model;
+  const Eigen::VectorXd q = spec.problem.initial_state.head(model.nq);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(n_);
+  RigidBody body(model);
+  ContactDynamics dynamics(model);
+  if (body.update(q, none) > Status::NotConverged ||
+      dynamics.forward(q, none, body.gravity_torque()) > Status::NotConverged ||
+      dynamics.forward_derivatives() > Status::NotConverged)
+    throw Error("margins: the dynamics at the start cannot be evaluated");
+  M_ = dynamics.mass_matrix();
+  Minv_ = dynamics.da_dtau();
+  pull_ = dynamics.da_dq();
+  J_ = Eigen::RowVectorXd::Zero(n_);
+  if (!presses_in(spec, phase)) return;
+  Eigen::Vector3d normal_world = spec.normal_world.normalized();
+  if (!spec.base.empty())
+    normal_world = body.placement(body.frame(spec.base)).linear() * normal_world;
+  J_ = normal_world.transpose() * ToolMotion(body, spec.tool, spec.base).jacobian();
+}
+
+LoopState SampledLoop::identity(int queue) const {
+  LoopState s;
+  s.queue.resize(static_cast<std::size_t>(queue));
+  const int observed = observes_ ? n_ : 0;
+  const int filtered = plan_.layout.filtered > 0 ? n_ : 0;
+  const int acted = observes_ ? filtered : 0;
+  const bool presses = !J_.isZero();
+  std::vector<int> rows{n_,
+                        n_,
+                        chain_.difference_velocity ? n_ : 0,
+                        n_,
+                        presses ? 1 : 0,
+                        presses ? 1 : 0,
+                        observed,
+                        observed,
+                        plan_delay_ > 0 ? observed : 0,
+                        n_,
+                        chain_.torque_cutoff > 0.0 ? n_ : filtered,
+                        acted,
+                        acted};
+  rows.resize(rows.size() + s.queue.size(), n_);
+  int size = 0, at = 0;
+  for (const int count : rows) size += count;
+  std::size_t i = 0;
+  for (Eigen::MatrixXd* block : s.blocks()) {
+    *block = Eigen::MatrixXd::Zero(rows[i], size);
+    block->middleCols(at, rows[i]).setIdentity();
+    at += rows[i++];
+  }
+  return s;
+}
+
+void SampledLoop::measure(LoopState& s) const {
+  s.force_measured += passed_by(chain_.force_cutoff, tick_) * (s.force - s.force_measured);
+  if (!chain_.difference_velocity) {
+    s.v_measured = s.v;
+    return;
+  }
+  const Eigen::MatrixXd difference = (s.q - s.q_before) / tick_;
+  s.v_measured += passed_by(chain_.velocity_cutoff, tick_) * (difference - s.v_measured);
+  s.q_before = s.q;
+}
+
+/// As ErrorEstimate and TorqueErrorObserver do.
+void SampledLoop::observe(LoopState& s, double bandwidth) const {
+  if (!observes_) return;
+  if (plan_.layout.filtered > 0) {
+    s.acted += passed_by(torque_cutoff_, tick_) * (s.command - s.acted);
+    s.offset += passed_by(bandwidth, tick_) * (s.motor - s.acted - s.offset);
+  }
+  const double pole = std::exp(-bandwidth * tick_);
+  Eigen::MatrixXd torque = s.error;
+  torque += s.acted.rows() > 0 ? s.acted : s.command;
+  if (s.force.rows() > 0) torque += J_.transpose() * s.force_measured;
+  s.v_observed += tick_ * (Minv_ * torque + pull_ * s.q);
+  const Eigen::MatrixXd innovation = s.v_measured - s.v_observed;
+  s.v_observed += (1.0 - pole * pole) * innovation;
+  s.error += (1.0 - pole) * (1.0 - pole) / tick_ * (M_ * innovation);
+}
+
+/// `start`: where the plan in use starts. A plan that takes time is taken to start where the robot
+/// is when it comes into use, as its prediction says, with the torque error of its measurement.
+void SampledLoop::control(LoopState& s, int tick, Eigen::MatrixXd& start) const {
+  const StateLayout& layout = plan_.layout;
+  const int ndx = layout.ndx();
+  Eigen::MatrixXd x(ndx, s.q.cols());
+  x.topRows(n_) = s.q;
+  x.middleRows(n_, n_) = s.v_measured;
+  for (int i = 0; i < layout.filtered; ++i) {
+    const int k = layout.actuated[static_cast<std::size_t>(i)];
+    x.row(2 * n_ + i) = s.motor.row(k);
+    if (observes_) x.row(2 * n_ + i) -= s.offset.row(k);
+  }
+  const int taken_over = plan_delay_ % ticks_;
+  if (tick == taken_over || start.size() == 0) start = x;
+  const double elapsed = tick_ * std::max(0, tick - taken_over);
+  const auto K = plan_.u.leftCols(ndx);
+  Eigen::MatrixXd u = K * start, way = plan_.way.leftCols(ndx) * start;
+  if (observes_) {
+    const Eigen::MatrixXd& told = plan_delay_ > 0 ? s.told : s.error;
+    u += plan_.u.rightCols(n_) * told;
+    way += plan_.way.rightCols(n_) * told;
+  }
+  if (feeds_back_) u += K * (x - start - elapsed / plan_.step * way);
+  if (tick == taken_over && plan_delay_ > 0) s.told = s.error;
+  s.command.setZero();
+  for (int i = 0; i < layout.nu; ++i)
+    s.command.row(layout.actuated[static_cast<std::size_t>(i)]) = u.row(i);
+}
+
+/// A step of the plant, with the surface's force at its end.
+void SampledLoop::move(LoopState& s, const Case& with) const {
+  Eigen::MatrixXd torque = s.command;
+  if (!s.queue.empty()) {
+    torque = s.queue.front();
+    std::rotate(s.queue.begin(), s.queue.begin() + 1, s.queue.end());
+    s.queue.back() = s.command;
+  }
+  if (s.motor.rows() > 0) {
+    s.motor += passed_by(chain_.torque_cutoff, dt_) * (torque - s.motor);
+    torque = s.motor;
+  }
+  if (with.entry >= 0) torque.row(with.entry) *= with.factor;
+  s.v += dt_ * (Minv_ * torque + pull_ * s.q);
+  if (s.force.rows() > 0) {
+    const double resist = chain_.stiffness * dt_ + chain_.damping;
+    const Eigen::VectorXd response = Minv_ * J_.transpose();
+    s.force = -(chain_.stiffness * (J_ * s.q) + resist * (J_ * s.v)) /
+              (1.0 + resist * dt_ * J_.dot(response));
+    s.v += dt_ * response * s.force;
+  }
+  s.q += dt_ * s.v;
+}
+
+Eigen::MatrixXd SampledLoop::transition(const Case& with) const {
+  LoopState s = identity(whole(chain_.command_delay / dt_) + with.delay_steps);
+  Eigen::MatrixXd start;
+  for (int tick = 0; tick < ticks_; ++tick) {
+    measure(s);
+    observe(s, with.bandwidth);
+    control(s, tick, start);
+    for (int i = 0; i < steps_; ++i) move(s, with);
+  }
+  Eigen::MatrixXd result(s.q.cols(), s.q.cols());
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd* block : s.blocks()) {
+    result.middleRows(at, block->rows()) = *block;
+    at += block->rows();
+  }
+  return result;
+}
+
+/// By squares of the transition, whose norm grows as its spectral radius does.
+double SampledLoop::growth(const Case& with) const {
+  constexpr double watched = 20.0;  // s, after which transients count for little
+  Eigen::MatrixXd power = transition(with), square;
+  double time = ticks_ * tick_, log_of_scale = 0.0;
+  while (time < watched) {
+    const double scale = power.norm();
+    if (!std::isfinite(scale) || scale == 0.0) break;
+    power /= scale;
+    square.noalias() = power * power;
+    power.swap(square);
+    log_of_scale = 2.0 * (log_of_scale + std::log(scale));
+    time *= 2.0;
+  }
+  return (log_of_scale + std::log(power.norm())) / time;
+}
+
+}  // namespace burnish

@@ -1,0 +1,171 @@
+#include "burnish/tasks/polishing/margins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/sentence.hpp"
+#include "burnish/tasks/polishing/task_file.hpp"
+
+namespace burnish::polishing {
+namespace {
+
+/// The loops of both situations.
+struct Loops {
+  LoopAnalysis air, contact;
+
+  bool tolerate(const ModelErrorOptions& options, const RequiredMargins& required) const {
+    return contact.tolerates(options, required.delay, required.gain) &&
+           air.tolerates(options, required.delay, required.gain);
+  }
+};
+
+std::optional<Loops> loops_of(const Task& task, const Setting& setting, const LoopChain& chain) {
+  const MpcSpec spec = make_mpc(task, setting);
+  if (!without_margins(spec).empty()) return std::nullopt;
+  return Loops{{spec, chain, free_phase(spec)}, {spec, chain, pressing_phase(spec)}};
+}
+
+LoopChain chain_of(const Task& task, const Disturbances& disturbances) {
+  return {.command_delay = disturbances.command_delay,
+          .torque_cutoff = disturbances.torque_cutoff,
+          .difference_velocity = disturbances.finite_difference_velocity,
+          .velocity_cutoff = disturbances.velocity_cutoff,
+          .force_cutoff = disturbances.force_cutoff,
+          .stiffness = task.stiffness,
+          .damping = task.damping};
+}
+
+/// The joint with the least room, of both situations.
+GainRange narrowest(const TaskMargins& margins, bool above) {
+  std::vector<GainRange> all = margins.air.gains;
+  all.insert(all.end(), margins.contact.gains.begin(), margins.contact.gains.end());
+  return *std::min_element(all.begin(), all.end(), [&](const GainRange& a, const GainRange& b) {
+    return above ? a.above < b.above : a.below > b.below;
+  });
+}
+
+std::string rounded(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// A choice of what may be changed: finds the fastest one that the loops tolerate.
+class Fit {
+ public:
+  Fit(const Task& task, const Setting& setting, const FreeKeys& free,
+      const RequiredMargins& required)
+      : stated_(task), task_(task), setting_(setting), free_(free), required_(required) {}
+
+  /// False where no choice has the required margins, or where there are none; then the task is the
+  /// slowest that was tried, or as it was.
+  bool find() {
+    constexpr std::array raised{10.0, 3.0, 1.0};        // times weights.position
+    constexpr std::array lowered{0.3, 0.1, 0.03};       // the same, as the last resort
+    constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // times model_error.bandwidth
+    for (const double share : raised)
+      if ((free_.position || share == 1.0) && try_position(share)) return true;
+    if (!has_loops_) return false;
+    if (free_.bandwidth)
+      for (const double share : slowed)
+        if (try_bandwidth(share)) return true;
+    if (free_.position)
+      for (const double share : lowered)
+        if (try_position(share)) return true;
+    return false;
+  }
+  const Task& task() const { return task_; }
+  bool has_loops() const { return has_loops_; }
+
+ private:
+  bool try_position(double share) {
+    task_.weights.position = share * stated_.weights.position;
+    loops_ = loops_of(task_, setting_, usual_chain(task_));
+    has_loops_ = loops_.has_value();
+    return has_loops_ && try_boosts();
+  }
+  bool try_bandwidth(double share) {
+    task_.model_error.bandwidth = share * stated_.model_error.bandwidth;
+    return try_boosts();
+  }
+  bool try_boosts() {
+    const double most = stated_.model_error.boost;
+    std::vector<double> boosts{most};
+    if (free_.boost && most > 1.0) boosts.insert(boosts.end(), {0.5 * (1.0 + most), 1.0});
+    return std::any_of(boosts.begin(), boosts.end(), [&](double boost) {
+      task_.model_error.boost = boost;
+      return loops_->tolerate(task_.model_error, required_);
+    });
+  }
+
+  const Task stated_;
+  Task task_;
+  const Setting& setting_;
+  FreeKeys free_;
+  RequiredMargins required_;
+  std::optional<Loops> loops_;
+  bool has_loops_ = true;
+};
+
+}  // namespace
+
+bool TaskMargins::meet(const RequiredMargins& required) const {
+  return delay() >= required.delay && narrowest(*this, true).above >= required.gain &&
+         narrowest(*this, false).below <= 1.0 / required.gain;
+}
+
+std::string TaskMargins::text() const {
+  const GainRange least = narrowest(*this, false), most = narrowest(*this, true);
+  const bool is_far = delay() >= LoopAnalysis::longest_delay;
+  return rounded(1e3 * delay(), "%.1f ms") + (is_far ? " or more" : "") + " of extra delay (" +
+         (air.delay < contact.delay ? "in free air" : "in contact") + "), gains of " +
+         rounded(least.below, "%.2g") + " (" + least.joint + ") to " + rounded(most.above, "%.2g") +
+         " (" + most.joint + ")";
+}
+
+LoopChain usual_chain(const Task& task) {
+  Disturbances usual = disturbance_preset("sensors");
+  usual.torque_cutoff = task.torque_cutoff;
+  return chain_of(task, usual);
+}
+
+LoopChain loop_chain(const Task& task) { return chain_of(task, task.disturbances); }
+
+std::optional<TaskMargins> margins(const Task& task, const Setting& setting) {
+  return margins(task, setting, usual_chain(task));
+}
+
+std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
+                                   const LoopChain& chain) {
+  const std::optional<Loops> loops = loops_of(task, setting, chain);
+  if (!loops) return std::nullopt;
+  return TaskMargins{loops->air.margins(task.model_error),
+                     loops->contact.margins(task.model_error)};
+}
+
+std::string fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
+                      const RequiredMargins& required) {
+  if (!free.boost && !free.bandwidth && !free.position) return {};
+  Fit fit(task, setting, free, required);
+  const bool found = fit.find();
+  if (!fit.has_loops()) return {};
+  const Task before = task;
+  task = fit.task();
+  std::string changes;
+  const auto note = [&](const char* key, double was, double now) {
+    if (was != now)
+      changes += (changes.empty() ? "" : ", ") + std::string(key) + " " + number(now) +
+                 " in place of " + number(was);
+  };
+  note("model_error.boost", before.model_error.boost, task.model_error.boost);
+  note("model_error.bandwidth", before.model_error.bandwidth, task.model_error.bandwidth);
+  note("weights.position", before.weights.position, task.weights.position);
+  if (changes.empty()) return {};
+  return changes + (found ? ", with which the arm tolerates " : ", and yet the arm lacks ") +
+         rounded(1e3 * required.delay, "%g ms") + " of extra delay and a factor of " +
+         number(required.gain) + " in each joint's gain";
+}
+
+}  // namespace burnish::polishing

@@ -1,0 +1,112 @@
+// Margins of polishing's loop against simulations, and gains that are fitted to an arm.
+#include "burnish/tasks/polishing/margins.hpp"
+
+#include <gtest/gtest.h>
+
+#include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
+#include "support/mpc_run.hpp"
+
+namespace burnish::test {
+namespace {
+
+using polishing::FreeKeys;
+using polishing::Task;
+
+Task sensed_task(const std::string& robot) {
+  Task task = short_task();
+  task.robot = std::string(BURNISH_ROBOTS_DIR) + "/" + robot;
+  task.disturbances = disturbance_preset("sensors");
+  task.model_error.boost = 1.0;
+  task.update_rate = 1000.0;
+  return task;
+}
+
+/// Whether a short run in MuJoCo ends without a fault.
+bool holds(const Task& task, double command_delay) {
+  MpcCase one{.task = task};
+  one.task.disturbances.command_delay = command_delay;
+  one.make_plant = [](const Model& model, const SceneSpec& scene) {
+    return make_plant(PlantKind::Mujoco, model, scene, 5e-4);
+  };
+  MpcRun run(one);
+  (void)run.polish_and_retreat();
+  return run.mpc().fault().kind == FaultKind::None;
+}
+
+/// The task of `burnish polish` without a file.
+Task first_task() {
+  Task task;
+  task.robot = std::string(BURNISH_ROBOTS_DIR) + "/talos:right_arm";
+  return task;
+}
+
+class MarginsInSimulation : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MarginsInSimulation, DelayMargin_IsWithinAQuarterOfWhereRunsFault) {
+  if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
+  const Task task = sensed_task(GetParam());
+  const auto margins = polishing::margins(task, polishing::make_setting(task), loop_chain(task));
+  ASSERT_TRUE(margins);
+  const double whole = task.disturbances.command_delay + margins->delay();
+  EXPECT_LT(whole, 7e-3);
+  EXPECT_TRUE(holds(task, 0.75 * whole)) << whole;
+  EXPECT_FALSE(holds(task, 1.25 * whole)) << whole;
+}
+
+INSTANTIATE_TEST_SUITE_P(Arms, MarginsInSimulation, ::testing::Values("talos:right_arm", "arm7"));
+
+TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
+  Task task = first_task();
+  const polishing::Setting setting = polishing::make_setting(task);
+  const std::string said = polishing::fit_gains(task, setting, {});
+  EXPECT_EQ(task.weights.position, 1e5);
+  EXPECT_EQ(task.model_error.boost, 1.0);
+  EXPECT_EQ(task.model_error.bandwidth, 120.0);
+  EXPECT_NE(said.find("model_error.boost 1 in place of 6"), std::string::npos) << said;
+  EXPECT_NE(said.find("weights.position 100000 in place of 10000"), std::string::npos) << said;
+  EXPECT_TRUE(polishing::margins(task, setting)->meet({}));
+}
+
+TEST(TaskMargins, FitGains_WithStatedKeys_LeavesThem) {
+  Task task = first_task();
+  const polishing::Setting setting = polishing::make_setting(task);
+  const std::string before = task_text(task);
+  EXPECT_EQ(polishing::fit_gains(task, setting, FreeKeys{false, false, false}), "");
+  EXPECT_EQ(task_text(task), before);
+  (void)polishing::fit_gains(task, setting,
+                             FreeKeys{.boost = true, .bandwidth = true, .position = false});
+  EXPECT_EQ(task.weights.position, 1e4);
+  EXPECT_LT(task.model_error.boost, 6.0);
+}
+
+TEST(TaskMargins, FitGains_WhateverTheDisturbances_ChoosesTheSame) {
+  Task late = first_task(), ideal = first_task();
+  late.disturbances = disturbance_preset("joint_friction");
+  late.disturbances.command_delay = 4e-3;
+  const polishing::Setting setting = polishing::make_setting(ideal);
+  EXPECT_EQ(polishing::fit_gains(late, setting, {}), polishing::fit_gains(ideal, setting, {}));
+  EXPECT_EQ(late.weights.position, ideal.weights.position);
+}
+
+TEST(TaskMargins, FitGains_ForALongDelay_SlowsTheObserverAfterTheBoost) {
+  Task task = first_task();
+  const polishing::Setting setting = polishing::make_setting(task);
+  const polishing::RequiredMargins required{.delay = 5e-3, .gain = 1.5};
+  const std::string said = polishing::fit_gains(task, setting, {}, required);
+  EXPECT_EQ(task.model_error.boost, 1.0);
+  EXPECT_LT(task.model_error.bandwidth, 120.0) << said;
+  EXPECT_EQ(task.weights.position, 1e4);
+  EXPECT_GE(polishing::margins(task, setting)->delay(), 4.9e-3);
+}
+
+TEST(TaskMargins, RobotOnItsFeet_HasNone) {
+  Task task = polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing.yaml");
+  const polishing::Setting setting = polishing::make_setting(task);
+  EXPECT_FALSE(polishing::margins(task, setting));
+  EXPECT_EQ(polishing::fit_gains(task, setting, {}), "");
+  EXPECT_EQ(task.weights.position, Task{}.weights.position);
+}
+
+}  // namespace
+}  // namespace burnish::test
