@@ -231,6 +231,8 @@ const Words& words_of(FaultKind /*of*/) {
        {"unexpected_contact", "a force while the tool moves through free space"},
        {"force_limit", "the tool is pushed harder than allowed"},
        {"speed_limit", "a joint or the tool is faster than allowed"},
+       {"support_slipped", "what the robot stands on came away too far"},
+       {"motor_lost", "a joint's torque is not what was sent"},
        {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"},
        {"base_lost", "nothing tells where a floating base is, for too long"}}};
   return all;
@@ -321,9 +323,18 @@ const Description& description_of(const FaultReport* /*of*/) {
           .field("time", &F::time, "{s}, of the measurement, or when it was due if there was none")
           .field("joint", &F::joint, "entry of v that it is about, or -1")
           .field("value", &F::value,
-                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.")
+                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm "
+                 "(N).")
           .field("limit", &F::limit, "what was allowed, in the same unit")
-          .field("quantity", &F::quantity, "of FaultKind::Watched: its name and unit")
+          .field("quantity", &F::quantity,
+                 "of FaultKind::Watched: its name and unit; of SupportSlipped: the support; else "
+                 "the part that it is about, such as \"hand 'left'\"; or empty")
+          .field("joint_name", &F::joint_name, "of that entry of v; empty: none")
+          .field("unit", &F::unit, "of value and limit of a joint; empty: the kind has one")
+          .field(
+              "cause", &F::cause,
+              "What led to it, as far as measurements tell: clauses, such as \"the force came to "
+              "1.4 N at most; 2 N count as contact\"; or empty.")
           .field("last_second", &F::last_second,
                  "oldest row first, the fault's tick last; empty while there is no fault");
   return all;

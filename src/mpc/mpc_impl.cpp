@@ -2,8 +2,10 @@
 #include "mpc/mpc_impl.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "base/sentence.hpp"
 #include "mpc/mpc_check.hpp"
@@ -28,6 +30,22 @@ std::unique_ptr<MpcTask> task_of(const MpcSpec& spec) {
   return made;
 }
 
+/// Why a solve is of no use.
+const char* reason_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::NotEvaluated:
+      return "a knot of the plan cannot be evaluated";
+    case StopReason::NotPositiveDefinite:
+      return "the costs of a plan are not convex, whatever the regularisation";
+    case StopReason::NoStep:
+      return "no step of the solver improves the plan";
+    case StopReason::TimeBudget:
+      return "the solver's time budget was spent before its first iteration";
+    default:
+      return "";
+  }
+}
+
 /// Room for the longest solve. Limits that cannot be kept give way at their price, and at that
 /// alone: there is no time to find out whether a larger one would do.
 DdpOptions roomy(const MpcSpec& spec) {
@@ -47,6 +65,7 @@ MpcController::Impl::Impl(MpcSpec given)
       problem(spec.problem),
       solver(problem, roomy(spec)),
       schedule(spec.schedule, task->events()),
+      fault(spec.problem.model),
       gate(spec),
       error(spec),
       grip(spec),
@@ -75,9 +94,9 @@ MpcController::Impl::Impl(MpcSpec given)
   std::size_t longest = grip.longest_name();
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
-    longest = std::max(longest, quantity.name.size());
+    longest = std::max({longest, quantity.name.size(), quantity.part.size()});
   }
-  fault.report.quantity.reserve(longest);
+  fault.make_room(longest);
   if (spec.timing == PlanTiming::Thread)
     planner_ = std::make_unique<BackgroundWork>([this] { make_plan(); });
 }
@@ -223,7 +242,37 @@ void MpcController::Impl::watch(const TaskView& view) noexcept {
     const auto [value, limit] = readings_[i];
     const FaultKind kind = watched_[i].fault;
     if (!(value > limit) || !fault.raise(gate.now(), kind, value, limit)) continue;
-    if (kind == FaultKind::Watched) fault.report.quantity = watched_[i].name;  // there is room
+    const WatchedQuantity& quantity = watched_[i];
+    fault.report.quantity =
+        kind == FaultKind::Watched ? quantity.name : quantity.part;  // there is room
+    std::array<char, 160> clause{};
+    task->explain(i, clause);
+    fault.explain(clause.data());
+  }
+  if (fault.is_set()) explain_lag();
+}
+
+/// A delay that nobody told the controller of makes it swing, whatever the fault is then called.
+void MpcController::Impl::explain_lag() noexcept {
+  constexpr double shows = 1.5e-3;  // s
+  if (motors_.lag() < shows) return;
+  char clause[128];
+  std::snprintf(clause, sizeof clause,
+                "measured torques follow what was sent %.0f ms late, which the controller does not "
+                "know",
+                1e3 * motors_.lag());
+  fault.explain(clause);
+}
+
+void MpcController::Impl::explain_failure() noexcept {
+  if (fault.report.kind == FaultKind::SolverLate) {
+    char clause[96];
+    std::snprintf(clause, sizeof clause, "the last one took %.4g s, and %.4g s are allowed",
+                  command_.solve_time, spec.limits.deadline);
+    fault.explain(clause);
+  } else if (fault.report.kind == FaultKind::SolverFailed) {
+    fault.explain(making_.thrown ? "a function of the specification threw an exception"
+                                 : reason_of(solver.summary().reason));
   }
 }
 
@@ -335,7 +384,9 @@ void MpcController::Impl::finish_plan() noexcept {
     const double mean = expected_ + forgetting * (seen - expected_);
     expected_ = in_thread ? mean : std::max(seen, mean);
   }
+  const bool was_well = !fault.is_set();
   command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
+  if (was_well && fault.is_set()) explain_failure();
 }
 
 void MpcController::Impl::await_plan() noexcept {

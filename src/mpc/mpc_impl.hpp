@@ -35,6 +35,8 @@ struct MpcController::Impl {
   void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
+  void explain_lag() noexcept;
+  void explain_failure() noexcept;
   void update() noexcept;
   bool prepare_plan() noexcept;
   bool tell_torque_error() noexcept;
