@@ -401,6 +401,16 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "{s} from a measurement to the use of the plan that starts from it, at most the "
                  "update period. The plan is made for the state that the policy in use leads to by "
                  "then.")
+          .field(
+              "command_delay", &M::command_delay,
+              "{s} from a command to the torque that it makes, as far as it is known; rounded to "
+              "ticks. Plans begin in the state that the torques already sent lead to, feedback "
+              "acts on that state at every tick, and the model error is told from the torque that "
+              "acted when it was measured.")
+          .field(
+              "measurement_delay", &M::measurement_delay,
+              "{s} from what is measured to the tick that has it, all but its time, as far as it "
+              "is known; see command_delay")
           .field("slowdown", &M::slowdown, "of measured timing: a machine by this factor slower")
           .field("solver", &M::solver)
           .field("first_iterations", &M::first_iterations, "of the first solve")

@@ -33,7 +33,7 @@ void TorqueLag::reset() noexcept {
   best_ = 0;
 }
 
-void TorqueLag::look(const Eigen::VectorXd& sent, const Eigen::VectorXd& measured,
+void TorqueLag::look(const ConstVectorRef& sent, const Eigen::VectorXd& measured,
                      double dt) noexcept {
   if (started_)
     sent_.add(sent);

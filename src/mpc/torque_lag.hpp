@@ -4,28 +4,9 @@
 #include <vector>
 
 #include "burnish/mpc/mpc.hpp"
+#include "mpc/sent_torques.hpp"
 
 namespace burnish {
-
-/// Torques that were sent, a column for each tick, up to a time ago.
-class SentTorques {
- public:
-  /// ticks: how far back, besides the tick before; at least 0.
-  SentTorques(Eigen::Index nv, int ticks) : sent_(Eigen::MatrixXd::Zero(nv, ticks + 1)) {}
-  void fill(const Eigen::VectorXd& tau) noexcept { sent_.colwise() = tau; }
-  void add(const Eigen::VectorXd& tau) noexcept {
-    newest_ = (newest_ + 1) % sent_.cols();
-    sent_.col(newest_) = tau;
-  }
-  /// Of the tick before, 0, or of one before that.
-  auto ago(int ticks) const noexcept {
-    return sent_.col((newest_ + sent_.cols() - ticks) % sent_.cols());
-  }
-
- private:
-  Eigen::MatrixXd sent_;  ///< nv x ticks, a ring
-  Eigen::Index newest_ = 0;
-};
 
 /// Compares measured torques with those that were sent up to 20 ms before. While they move far
 /// enough, the lag is the one that explains them best.
@@ -35,7 +16,7 @@ class TorqueLag {
   TorqueLag(const MpcSpec& spec, std::vector<int> actuated);
   void reset() noexcept;
   /// sent: nv, at the tick before; measured: nv, dt s after the measurement before.
-  void look(const Eigen::VectorXd& sent, const Eigen::VectorXd& measured, double dt) noexcept;
+  void look(const ConstVectorRef& sent, const Eigen::VectorXd& measured, double dt) noexcept;
 
   /// s between sending and measuring a torque, in steps of about 1 ms; 0: none that shows.
   double seconds() const noexcept { return best_ * step_ * tick_period_; }

@@ -48,7 +48,7 @@ MotorWatch::MotorWatch(const MpcSpec& spec)
       told_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
       lag_(spec, actuated_) {}
 
-void MotorWatch::look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept {
+void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept {
   if (lost_ >= 0) return;
   lag_.look(tau_before, gate.last().tau, gate.dt());
   if (std::isinf(share_)) return;

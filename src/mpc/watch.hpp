@@ -38,8 +38,9 @@ class MotorWatch {
     lag_.reset();
     lost_ = -1;
   }
-  /// After a good measurement, after a fault too; tau_before: nv, sent at the tick before.
-  void look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept;
+  /// After a good measurement, after a fault too; tau_before: nv, that was sent and should have
+  /// acted when it was taken.
+  void look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept;
   void watch(double now, FaultLatch& latch) const noexcept;
   int lost() const { return lost_; }  ///< entry of v, the first one found; -1: none
   /// s by which measured torques follow those that were sent, where that shows; else 0.

@@ -237,6 +237,32 @@ TEST(Fault, AnyKind_TorquesComeLate_SaysSoAndBlamesNoMotor) {
   }
 }
 
+/// Commands and measurements that come late, as far as the controller knows and beyond.
+MpcCase late(double known, double command, double measurement) {
+  MpcCase wanted;
+  wanted.task.disturbances = disturbance_preset("mismatch");
+  wanted.task.disturbances.command_delay = command;
+  wanted.task.disturbances.measurement_delay = measurement;
+  wanted.task.command_delay = known * command;
+  wanted.task.measurement_delay = known * measurement;
+  return wanted;
+}
+
+TEST(KnownDelay, OfEightMilliseconds_IsPolishedWithAndFaultsWhereItIsUnknown) {
+  for (const auto& [command, measurement] : {std::pair(8e-3, 0.0), {0.0, 8e-3}, {5e-3, 3e-3}}) {
+    SCOPED_TRACE(std::to_string(command) + " s, " + std::to_string(measurement) + " s");
+    MpcRun known(late(1.0, command, measurement));
+    ASSERT_EQ(known.polish(), Status::Ok);
+    EXPECT_EQ(known.mpc().fault().kind, FaultKind::None) << known.mpc().fault().text();
+    EXPECT_LT(known.metrics().force_rmse, 0.6);
+    EXPECT_LT(known.metrics().position_rmse, 0.5e-3);
+    EXPECT_EQ(known.watched().allocations, 0);
+    MpcRun unknown(late(0.0, command, measurement));
+    ASSERT_EQ(unknown.polish(), Status::Ok);
+    EXPECT_NE(unknown.mpc().fault().kind, FaultKind::None);
+  }
+}
+
 /// A force sensor with noise, white or behind a filter.
 MpcCase noisy(double deviation, double cutoff) {
   MpcCase wanted;
