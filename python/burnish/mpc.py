@@ -33,8 +33,8 @@ __all__ = [
 @dataclass(eq=False, repr=False)
 class FaultReport(Spec):
     def text(self) -> str:
-        """One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;
-        allowed are 0.15 s"."""
+        """One sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9 rad/s, allowed 3.6
+        rad/s"."""
         return _core.fault_text(self)
 
 

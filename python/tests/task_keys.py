@@ -52,6 +52,8 @@ _OF_UNIT = ("gyro_noise", "gyro_bias_range", "gyro_bias_walk", "accelerometer_no
 _IMU_FAULT = ("[{start: 0.05, duration: 0.1, gyro_offset: [0.1, 0, 0], accelerometer_offset: [0, 0, 0], "
               "frozen: false, silent: false}]")
 _PAYLOAD = "{{frame: {}, mass: 1, com: [0, 0, 0], radius: 0.05, mass_range: 0, com_range: 0}}"
+_DELAYS = {key: at(to=["0.004"]) for key in (
+    "controller.command_delay", "controller.measurement_delay", "disturbances.measurement_delay")}
 _MOVES = "{amplitude: 0.001, frequency: 5, drift: 0, start: 0}"
 
 
@@ -64,6 +66,7 @@ def _arm(joint: str, joints: int) -> Dict[str, Case]:
     each = "[" + ", ".join(["0.9"] * joints) + "]"
     lift = (push("[0, 0, 200]", 0.03, 0.2), *_NEVER)
     return {
+        **_DELAYS,
         "tool.axis": at("posture=search", to=["[0, 0.3, -1]"]),
         "posture": at(to=["search"]),
         "search.joint_margin": at("posture=search", to=["1.5"], refused=True),
@@ -196,6 +199,7 @@ def _on_feet(foot: str, joint: str, joints: int, frame: str) -> Dict[str, Case]:
     fault = ("limits.joint_speed_ratio=0.0001", "standing.after_fault=0.1")
     slips = f"disturbances.slippery_ground={slippery(foot)}"
     return {
+        **_DELAYS,
         "standing.fallback": at(to=["{stiffness: 50, damping: 15, give: 0.5}"]),
         "standing.after_fault": at(*fault, to=["0.2"]),
         "standing.slip": at(slips, to=["{way: 1e-5, speed: 1e-4, load: 1}"]),

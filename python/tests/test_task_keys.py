@@ -22,7 +22,8 @@ pytestmark = [pytest.mark.skipif(not TASK_FILES.is_dir(), reason="task files are
 QUICK = {
     "polishing": ["surface.friction", "surface.stiffness", "tool.axis", "search.tilt", "fallback.stiffness",
                   "shape.radius", "weights.rotation", "limits.force", "disturbances.surface_friction"],
-    "press_hold": ["surface.friction", "tool.axis", "search.tilt", "limits.slip"],
+    "press_hold": ["surface.friction", "tool.axis", "search.tilt", "limits.slip", "controller.command_delay",
+                   "controller.measurement_delay", "disturbances.measurement_delay"],
     "stand": ["standing.friction", "model_error.limit", "limits.sink"],
 }
 """Some keys of each task, those first that did nothing once."""

@@ -70,17 +70,24 @@ bool ContactForceEstimate::turn(double time) noexcept {
   return true;
 }
 
+bool ContactForceEstimate::forward(int stage, double time, bool with_all, const ConstVectorRef& q,
+                                   const ConstVectorRef& v, const Eigen::VectorXd& tau) noexcept {
+  if (!turn(time)) return false;
+  const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
+  for (int c = 0; c < static_cast<int>(holds.size()); ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    const bool active = holds[at] != 0 && (with_all || carries_[at] != 0);
+    if (dynamics_.is_active(c) != active) dynamics_.set_active(c, active);
+  }
+  return dynamics_.forward(q, v, tau) <= Status::NotConverged;
+}
+
 bool ContactForceEstimate::force_at(int stage, double time, const Eigen::VectorXd& q,
                                     const Eigen::VectorXd& v, const Eigen::VectorXd& tau,
                                     Eigen::Vector3d& out) noexcept {
   out.setZero();
-  if (!has_contact(stage) || !turn(time)) return false;
+  if (!has_contact(stage) || !forward(stage, time, true, q, v, tau)) return false;
   const std::vector<char>& holds = holds_[static_cast<std::size_t>(stage)];
-  for (int c = 0; c < static_cast<int>(holds.size()); ++c) {
-    const bool active = holds[static_cast<std::size_t>(c)] != 0;
-    if (dynamics_.is_active(c) != active) dynamics_.set_active(c, active);
-  }
-  if (dynamics_.forward(q, v, tau) > Status::NotConverged) return false;
   for (int c = 0; c < static_cast<int>(holds.size()); ++c)
     if (dynamics_.is_active(c) && carries_[static_cast<std::size_t>(c)] == 0)
       out += dynamics_.wrench(c, Reference::centered()).head<3>();

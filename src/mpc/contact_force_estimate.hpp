@@ -18,6 +18,11 @@ class ContactForceEstimate {
     (void)dynamics_.set_payload(frame, payload);
   }
   bool has_contact(int stage) const noexcept;
+  /// Forward dynamics at tau (nv) with the contacts of a stage, or only with those that carry the
+  /// robot. False where there is no solution.
+  bool forward(int stage, double time, bool with_all, const ConstVectorRef& q,
+               const ConstVectorRef& v, const Eigen::VectorXd& tau) noexcept;
+  auto acceleration() const { return dynamics_.a(); }  ///< nv, of forward()
   /// Of all contacts of the stage, N, world axes, at tau (nv), their references as they are at a
   /// time of the schedule, s. False and zero where it has none, or the dynamics no solution.
   bool force_at(int stage, double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,

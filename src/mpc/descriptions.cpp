@@ -231,6 +231,8 @@ const Words& words_of(FaultKind /*of*/) {
        {"unexpected_contact", "a force while the tool moves through free space"},
        {"force_limit", "the tool is pushed harder than allowed"},
        {"speed_limit", "a joint or the tool is faster than allowed"},
+       {"support_slipped", "what the robot stands on came away too far"},
+       {"motor_lost", "a joint's torque is not what was sent"},
        {"watched", "a quantity of the task, FaultReport.quantity, is beyond its limit"},
        {"base_lost", "nothing tells where a floating base is, for too long"}}};
   return all;
@@ -321,9 +323,18 @@ const Description& description_of(const FaultReport* /*of*/) {
           .field("time", &F::time, "{s}, of the measurement, or when it was due if there was none")
           .field("joint", &F::joint, "entry of v that it is about, or -1")
           .field("value", &F::value,
-                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.")
+                 "What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm "
+                 "(N).")
           .field("limit", &F::limit, "what was allowed, in the same unit")
-          .field("quantity", &F::quantity, "of FaultKind::Watched: its name and unit")
+          .field("quantity", &F::quantity,
+                 "of FaultKind::Watched: its name and unit; of SupportSlipped: the support; else "
+                 "the part that it is about, such as \"hand 'left'\"; or empty")
+          .field("joint_name", &F::joint_name, "of that entry of v; empty: none")
+          .field("unit", &F::unit, "of value and limit of a joint; empty: the kind has one")
+          .field(
+              "cause", &F::cause,
+              "What led to it, as far as measurements tell: clauses, such as \"the force came to "
+              "1.4 N at most; 2 N count as contact\"; or empty.")
           .field("last_second", &F::last_second,
                  "oldest row first, the fault's tick last; empty while there is no fault");
   return all;
@@ -390,6 +401,16 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "{s} from a measurement to the use of the plan that starts from it, at most the "
                  "update period. The plan is made for the state that the policy in use leads to by "
                  "then.")
+          .field(
+              "command_delay", &M::command_delay,
+              "{s} from a command to the torque that it makes, as far as it is known; rounded to "
+              "ticks. Plans begin in the state that the torques already sent lead to, feedback "
+              "acts on that state at every tick, and the model error is told from the torque that "
+              "acted when it was measured.")
+          .field(
+              "measurement_delay", &M::measurement_delay,
+              "{s} from what is measured to the tick that has it, all but its time, as far as it "
+              "is known; see command_delay")
           .field("slowdown", &M::slowdown, "of measured timing: a machine by this factor slower")
           .field("solver", &M::solver)
           .field("first_iterations", &M::first_iterations, "of the first solve")

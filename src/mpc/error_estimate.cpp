@@ -34,6 +34,7 @@ ErrorEstimate::ErrorEstimate(const MpcSpec& spec)
     planned_speed_ =
         spec.problem.contacts[static_cast<std::size_t>(rubbing.front())].friction->fade_speed();
   }
+  known_delay_ = spec.command_delay + spec.measurement_delay;
   smoothing_ =
       joint_friction_.lead() + spec.solver_delay + 0.5 * spec.update_period - until_torques;
   acted_ = torque_offset_ = torque_error_ = lasting_error_ = total_ = v_ahead_ =
@@ -60,18 +61,18 @@ void ErrorEstimate::reset() noexcept {
   if (friction_) friction_->reset();
 }
 
-const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const Command& before,
+const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const ConstVectorRef& acted,
                                            int stage) noexcept {
-  follow_command(gate, before);
+  follow_command(gate, acted);
   felt_.update(gate, acted_, !contact_force_.has_contact(stage));
   return felt_.force_world();
 }
 
-void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, int stage,
-                           double schedule_time) noexcept {
+void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
+                           const ConstVectorRef& acted, int stage, double schedule_time) noexcept {
   const Measurement& m = gate.last();
   const double share = -std::expm1(-options_.bandwidth * gate.dt());
-  if (has_sensor_) follow_command(gate, before);  // else it was, by feel()
+  if (has_sensor_) follow_command(gate, acted);  // else it was, by feel()
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
@@ -93,17 +94,17 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before, i
   (void)contact_force_.force_at(stage, schedule_time, m.q, m.v, total_, force_world_);
 }
 
-/// What the model believes to act on the joints: the command of the tick before, behind the torque
-/// model's filter if there is one. What is lost between motor and link, joint friction above all,
+/// What the model believes to act on the joints: the command that acted, behind the torque model's
+/// filter if there is one. What is lost between motor and link, joint friction above all,
 /// is to be known too, so that errors are told from the command and not from the torque sensors.
-void ErrorEstimate::follow_command(const MeasurementGate& gate, const Command& before) noexcept {
+void ErrorEstimate::follow_command(const MeasurementGate& gate,
+                                   const ConstVectorRef& acted) noexcept {
   if (!filter_) {
-    acted_ = before.tau - joint_friction_.torque();
+    acted_ = acted;
   } else if (gate.is_first()) {
     acted_ = gate.last().tau;
   } else {
-    acted_ += -std::expm1(-filter_->cutoff * gate.dt()) *
-              (before.tau - joint_friction_.torque() - acted_);
+    acted_ += -std::expm1(-filter_->cutoff * gate.dt()) * (acted - acted_);
   }
 }
 
@@ -151,7 +152,7 @@ Eigen::Vector3d ErrorEstimate::turned_friction(double dt, double bandwidth) noex
   between_ += share * (tool_motion_.jacobian() * v_ahead_ - between_);
   v_tool_ += share * (between_ - v_tool_);
   const Eigen::Vector3d will_slide = sliding_direction(v_tool_ - n * n.dot(v_tool_), sliding_speed);
-  const double late = until_torques + since_forces + 1.0 / bandwidth;
+  const double late = until_torques + since_forces + known_delay_ + 1.0 / bandwidth;
   slid_ += -std::expm1(-dt / late) * (will_slide - slid_);
   const double along =
       std::max(0.0, -friction_force_.dot(slid_)) / std::max(slid_.squaredNorm(), least);  // N

@@ -16,15 +16,18 @@ class ErrorEstimate {
   explicit ErrorEstimate(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// After a good measurement, with the command of the tick before, the stage that the schedule is
-  /// in and its time, s. What cannot be evaluated changes nothing.
-  void update(const MeasurementGate& gate, const Command& before, int stage,
-              double schedule_time) noexcept;
+  /// After a good measurement, with the command of the tick before, the torque that acted until it
+  /// was taken less what that made up for friction (nv), the stage that the schedule is in and its
+  /// time, s. What cannot be evaluated changes nothing.
+  void update(const MeasurementGate& gate, const Command& before, const ConstVectorRef& acted,
+              int stage, double schedule_time) noexcept;
 
   /// Without a force sensor, first of all after a good measurement: the force at the tool, N, world
   /// axes, at the stage that the schedule is in.
-  const Eigen::Vector3d& feel(const MeasurementGate& gate, const Command& before,
+  const Eigen::Vector3d& feel(const MeasurementGate& gate, const ConstVectorRef& acted,
                               int stage) noexcept;
+  /// Forward dynamics with the surface and the friction as they are known now.
+  ContactForceEstimate& dynamics() { return contact_force_; }
   /// The surface at the tool from now on: its normal, and what contacts that follow it hold.
   void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
     normal_world_ = normal_world;
@@ -54,6 +57,10 @@ class ErrorEstimate {
 
   /// nv, observed and of friction, Nm (N).
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
+  /// nv, of that: what is observed, without the friction that is asked for; Nm (N).
+  const Eigen::VectorXd& observed_error() const { return model_error(); }
+  /// Whether contacts of the tool have friction of their own.
+  bool models_friction() const { return friction_.has_value(); }
   /// nv, of that: what has been there for some seconds, Nm (N).
   const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
   double force_error() const { return force_error_; }  ///< N
@@ -72,7 +79,7 @@ class ErrorEstimate {
   double observed_at() const {  ///< rad/s
     return has_sensor_ ? observer_.bandwidth() : felt_.bandwidth();
   }
-  void follow_command(const MeasurementGate& gate, const Command& before) noexcept;
+  void follow_command(const MeasurementGate& gate, const ConstVectorRef& acted) noexcept;
   void follow_lasting(double dt) noexcept;
   void follow_friction(const MeasurementGate& gate, const Command& before) noexcept;
   Eigen::Vector3d turned_friction(double dt, double bandwidth) noexcept;
@@ -97,6 +104,7 @@ class ErrorEstimate {
   Eigen::VectorXd v_ahead_;  ///< nv, of a plan
   double since_ = 0.0;       ///< s, of lasting_error_
   double smoothing_;         ///< s
+  double known_delay_;       ///< s, of commands and measurements
   /// m/s, of the tool in v_ahead_, smoothed once and twice: its velocity when torques act
   Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;
   Eigen::Vector3d slid_ = between_;  ///< sliding_direction() of that, when forces were measured

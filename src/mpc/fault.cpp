@@ -1,6 +1,7 @@
 #include "burnish/mpc/fault.hpp"
 
 #include <cstdio>
+#include <string>
 
 namespace burnish {
 
@@ -43,59 +44,77 @@ std::string_view name_of(FaultKind kind) {
 }
 
 namespace {
-/// What value and limit of a fault are.
+
+/// How value and limit of a kind are written: a format of two numbers.
 const char* words(FaultKind kind) {
   switch (kind) {
     case FaultKind::StaleMeasurement:
-      return "%s at %.4f s: no new measurement for %.4g s; allowed are %.4g s";
+      return "no new measurement for %.4g s; allowed are %.4g s";
     case FaultKind::BadMeasurement:
-      return "%s at %.4f s: not a state for %.4g s; allowed are %.4g s";
+      return "not a state for %.4g s; allowed are %.4g s";
     case FaultKind::OutOfRange:
-      return "%s at %.4f s: position %.4g; the limit is %.4g";
+      return "position %.4g{unit}; the limit is %.4g{unit}";
     case FaultKind::SolverFailed:
-      return "%s at %.4f s: no usable plan for %.0f updates in a row; the limit is %.0f";
+      return "no usable plan for %.0f updates in a row; the limit is %.0f";
     case FaultKind::SolverLate:
-      return "%s at %.4f s: %.0f updates in a row past their deadline; the limit is %.0f";
+      return "%.0f updates in a row past their deadline; the limit is %.0f";
     case FaultKind::ContactLost:
-      return "%s at %.4f s: no force for %.4g s while it was wanted; allowed are %.4g s";
+      return "no contact for %.4g s while it was wanted; allowed are %.4g s";
     case FaultKind::NoContact:
-      return "%s at %.4f s: the tool went on %.4g m without a force after contact was due; allowed "
-             "are %.4g m";
+      return "the tool went on %.4g m without contact after that was due; allowed are %.4g m";
     case FaultKind::ContactLate:
-      return "%s at %.4f s: no force for %.4g s after contact was due; allowed are %.4g s";
+      return "no contact for %.4g s after it was due; allowed are %.4g s";
     case FaultKind::UnexpectedContact:
-      return "%s at %.4f s: %.4g N while no contact was wanted; allowed are %.4g N";
+      return "%.4g N while no contact was wanted; allowed are %.4g N";
     case FaultKind::ForceLimit:
-      return "%s at %.4f s: %.4g N at the tool; allowed are %.4g N";
+      return "%.4g N; allowed are %.4g N";
     case FaultKind::SpeedLimit:
-      return "%s at %.4f s: a speed of %.4g; allowed is %.4g";
+      return "%.4g{unit}, allowed %.4g{unit}";
     case FaultKind::SupportSlipped:
-      return "%s at %.4f s: %.4g m away from where it was; allowed are %.4g m";
+      return "%.4g m away from where it was; allowed are %.4g m";
     case FaultKind::MotorLost:
-      return "%s at %.4f s: a torque of %.4g Nm (N) off what was sent; allowed are %.4g";
+      return "a torque of %.4g{unit} off what was sent; allowed are %.4g{unit}";
     case FaultKind::Watched:
-      return "%s at %.4f s: %.4g; allowed is %.4g";
+      return "%.4g; allowed is %.4g";
     case FaultKind::BaseLost:
-      return "%s at %.4f s: nothing told where the base is for %.4g s; allowed are %.4g s";
+      return "nothing told where the base is for %.4g s; allowed are %.4g s";
     case FaultKind::None:
       break;
   }
-  return "%s";
+  return "";
 }
+
+/// What a fault is about, in front of its numbers; or empty.
+std::string subject_of(const FaultReport& fault) {
+  if (!fault.joint_name.empty()) return "joint '" + fault.joint_name + "': ";
+  if (fault.joint >= 0) return "entry " + std::to_string(fault.joint) + " of v: ";
+  if (fault.kind == FaultKind::Watched) return "";
+  if (fault.kind == FaultKind::SupportSlipped) return "support '" + fault.quantity + "': ";
+  if (!fault.quantity.empty()) return fault.quantity + ": ";
+  const bool of_tool = fault.kind == FaultKind::SpeedLimit || fault.kind == FaultKind::ForceLimit;
+  return of_tool ? "the tool: " : "";
+}
+
 }  // namespace
 
 std::string FaultReport::text() const {
-  char buffer[256];
+  const std::string name(name_of(kind));
+  if (kind == FaultKind::None) return name;
+  const char* const unit_of_kind = kind == FaultKind::SpeedLimit && joint < 0 ? "m/s" : "";
+  const std::string in = unit.empty() ? unit_of_kind : unit;
+  std::string format = words(kind);
+  for (std::size_t at = 0; (at = format.find("{unit}")) != std::string::npos;)
+    format.replace(at, 6, in.empty() ? "" : " " + in);
+  char when[64], numbers[256];
+  std::snprintf(when, sizeof when, " at %.4f s: ", time);
   // The format is one of those above.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-  std::snprintf(buffer, sizeof buffer, words(kind), std::string(name_of(kind)).c_str(), time, value,
-                limit);
+  std::snprintf(numbers, sizeof numbers, format.c_str(), value, limit);
 #pragma GCC diagnostic pop
-  std::string sentence = buffer;
-  if (!quantity.empty()) sentence += " (" + quantity + ")";
-  if (joint >= 0) sentence += " (entry " + std::to_string(joint) + " of v)";
-  return sentence;
+  std::string sentence = name + when + subject_of(*this) + numbers;
+  if (kind == FaultKind::Watched && !quantity.empty()) sentence += " (" + quantity + ")";
+  return cause.empty() ? sentence : sentence + ": " + cause;
 }
 
 }  // namespace burnish

@@ -39,7 +39,12 @@ JointFriction::JointFriction(const MpcSpec& spec)
       // A plan is used so long after it begins, and stands for so long.
       smoothing_(look_ahead + spec.solver_delay + 0.5 * spec.update_period),
       joints_(static_cast<std::size_t>(spec.problem.model.nv)),
-      torque_(Eigen::VectorXd::Zero(spec.problem.model.nv)) {
+      torque_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
+      late_(static_cast<int>(std::lround(spec.command_delay / spec.tick_period) +
+                             std::lround(spec.measurement_delay / spec.tick_period))),
+      torques_(spec.problem.model.nv, late_),
+      speeds_(torques_),
+      speed_(torque_) {
   const std::vector<char> closed = in_closed_chains(spec);
   for (std::size_t j = 0; j < closed.size(); ++j) {
     const burnish::Joint& of = spec.problem.model.joints[j];
@@ -56,6 +61,9 @@ JointFriction::JointFriction(const MpcSpec& spec)
 
 void JointFriction::reset() noexcept {
   torque_.setZero();
+  speed_.setZero();
+  torques_.fill(torque_);
+  speeds_.fill(speed_);
   for (Joint& joint : joints_) {
     joint.ahead = joint.between = joint.v = 0.0;
     joint.sign = joint.speed = joint.given = Late{};
@@ -85,6 +93,7 @@ void JointFriction::advance(double dt) noexcept {
     const double sure = std::max(0.0, joint.x[1] - std::sqrt(joint.P(1, 1)));
     const double torque = sure * sign_of(joint.v) + joint.x[2] * joint.v;
     torque_[static_cast<Eigen::Index>(k)] = std::clamp(torque, -options_.limit, options_.limit);
+    speed_[static_cast<Eigen::Index>(k)] = joint.v;
   }
 }
 
@@ -92,18 +101,23 @@ void JointFriction::learn(const Eigen::VectorXd& torque_error, double bandwidth,
                           double dt) noexcept {
   if (!enabled_ || !(dt > 0.0)) return;
   const double share = -std::expm1(-bandwidth * dt);
+  torques_.add(torque_);
+  speeds_.add(speed_);
+  const auto torques = torques_.ago(late_), speeds = speeds_.ago(late_);
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     Joint& joint = joints_[k];
     if (!joint.driven) continue;
     const auto i = static_cast<Eigen::Index>(k);
-    const double given = joint.given.follow(torque_[i], share);
-    learn(joint, torque_error[i] - given, share, dt);
+    const double given = joint.given.follow(torques[i], share);
+    learn(joint, torque_error[i] - given, speeds[i], share, dt);
   }
 }
 
-void JointFriction::learn(Joint& joint, double error, double share, double dt) noexcept {
-  const double s = joint.sign.follow(sign_of(joint.v), share);
-  const double v = joint.speed.follow(joint.v, share);
+/// speed: rad/s, of the joint when the error was there.
+void JointFriction::learn(Joint& joint, double error, double speed, double share,
+                          double dt) noexcept {
+  const double s = joint.sign.follow(sign_of(speed), share);
+  const double v = joint.speed.follow(speed, share);
   const Eigen::Vector3d phi(1.0, -s, -v);
   // What the observer says stays the same for a while: so many ticks are worth one.
   const double repeats = std::max(1.0, 2.0 / share);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/mpc/mpc.hpp"
+#include "mpc/sent_torques.hpp"
 
 namespace burnish {
 
@@ -55,13 +56,16 @@ class JointFriction {
     double noise = 0.0;  ///< Nm^2
   };
   double sign_of(double v) const noexcept;
-  void learn(Joint& joint, double error, double share, double dt) noexcept;
+  void learn(Joint& joint, double error, double speed, double share, double dt) noexcept;
 
   bool enabled_;
   ModelErrorOptions options_;
   double lead_, smoothing_;  ///< s
   std::vector<Joint> joints_;
   Eigen::VectorXd torque_;
+  int late_;                      ///< ticks of known delays: what is observed is of then
+  SentTorques torques_, speeds_;  ///< nv, Nm (N) and rad/s, of the last late_ ticks
+  Eigen::VectorXd speed_;         ///< nv, rad/s
 };
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "mpc/measurement_gate.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 namespace burnish {
 
@@ -11,8 +12,12 @@ MeasurementGate::MeasurementGate(const MpcSpec& spec)
       supports_(spec.support_sensors ? static_cast<Eigen::Index>(spec.supports.size()) : 0),
       q_start_(spec.problem.initial_state.head(spec.problem.model.nq)),
       body_(spec.problem.model) {
+  const Model& model = spec.problem.model;
+  for (int i = 0; i < model.nq; ++i) q_names_.push_back(model.q_name(i));
+  for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
+  support_names_ = spec.supports;
   last_.q = q_start_;
-  last_.v = last_.tau = Eigen::VectorXd::Zero(spec.problem.model.nv);
+  last_.v = last_.tau = Eigen::VectorXd::Zero(model.nv);
   last_.support_wrenches.setZero(6, supports_);
 }
 
@@ -58,6 +63,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   if (stands_still) {
     status = Status::NotEvaluated;
+    std::snprintf(bad_, sizeof bad_, "its time stands still at %.4f s", last_.time);
     bridge(latch, FaultKind::StaleMeasurement, limits_.stale);
     return false;
   }
@@ -68,6 +74,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
                        (m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite()));
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
+    say_what_is_bad(m);
     bridge(latch, FaultKind::BadMeasurement, limits_.bad);
     return false;
   }
@@ -84,7 +91,46 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
 void MeasurementGate::bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept {
   now_ += tick_period_;
   const double missing = now_ - last_.time;
-  if (missing > limit + 0.01 * tick_period_) latch.raise(now_, kind, missing, limit);
+  if (missing > limit + 0.01 * tick_period_ && latch.raise(now_, kind, missing, limit))
+    latch.explain(bad_);
+}
+
+/// Whether the entries, at least one a name, are of another number or not finite, which is said.
+template <class Entries>
+bool MeasurementGate::is_bad(const char* what, const Entries& entries,
+                             const std::vector<std::string>& names) noexcept {
+  const auto wanted = static_cast<Eigen::Index>(names.size());
+  if (entries.cols() != wanted) {
+    std::snprintf(bad_, sizeof bad_, "%s has %d entries, and %d are wanted", what,
+                  static_cast<int>(entries.cols()), static_cast<int>(wanted));
+    return true;
+  }
+  for (Eigen::Index i = 0; i < wanted; ++i) {
+    if (entries.col(i).allFinite()) continue;
+    std::snprintf(bad_, sizeof bad_, "%s of '%s' is not finite", what,
+                  names[static_cast<std::size_t>(i)].c_str());
+    return true;
+  }
+  return false;
+}
+
+/// In bad_.
+void MeasurementGate::say_what_is_bad(const Measurement& m) noexcept {
+  if (!std::isfinite(m.time)) {
+    std::snprintf(bad_, sizeof bad_, "its time is not finite");
+  } else if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
+             is_bad("tau", m.tau.transpose(), v_names_)) {
+    return;
+  } else if (has_force_ && !m.tool_force_world.allFinite()) {
+    std::snprintf(bad_, sizeof bad_, "the force at the tool is not finite");
+  } else if (supports_ > 0 &&
+             is_bad("the wrench of the support", m.support_wrenches, support_names_)) {
+    return;
+  } else {
+    const Status status = body_.update(m.q, m.v);
+    std::snprintf(bad_, sizeof bad_, "q and v are not a state (%.*s)",
+                  static_cast<int>(describe(status).size()), describe(status).data());
+  }
 }
 
 }  // namespace burnish

@@ -35,10 +35,16 @@ class MeasurementGate {
 
  private:
   bool accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
+  void say_what_is_bad(const Measurement& m) noexcept;
+  template <class Entries>
+  bool is_bad(const char* what, const Entries& entries,
+              const std::vector<std::string>& names) noexcept;
   bool take_state(const Measurement& m) noexcept;
   void bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept;
 
   SafetyLimits limits_;
+  std::vector<std::string> q_names_, v_names_, support_names_;
+  char bad_[160] = "";  ///< what is wrong with the last measurement that was none
   double tick_period_;
   bool has_force_;
   Eigen::Index supports_;  ///< whose wrenches are measured

@@ -102,6 +102,12 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
                 " s; wanted between 0 and the update period of " + number(spec.update_period) +
                 " s");
+  constexpr double longest = 0.1;  // s
+  for (const auto& [name, delay] :
+       {std::pair("command", spec.command_delay), {"measurement", spec.measurement_delay}})
+    if (!(delay >= 0.0 && delay <= longest))
+      throw Error("MPC: a " + std::string(name) + " delay of " + number(delay) +
+                  " s; wanted between 0 and " + number(longest) + " s");
   const double horizon = duration_of(spec.problem);
   if (!(horizon > 2.0 * spec.update_period))
     throw Error("MPC: a horizon of " + number(horizon) +

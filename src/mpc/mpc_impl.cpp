@@ -47,6 +47,7 @@ MpcController::Impl::Impl(MpcSpec given)
       problem(spec.problem),
       solver(problem, roomy(spec)),
       schedule(spec.schedule, task->events()),
+      fault(spec.problem.model),
       gate(spec),
       error(spec),
       grip(spec),
@@ -55,6 +56,7 @@ MpcController::Impl::Impl(MpcSpec given)
       in_use_(policy),
       expected_(spec.solver_delay),
       prediction_(problem),
+      ahead_(spec),
       holding_(spec, {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
       motors_(spec),
@@ -75,9 +77,9 @@ MpcController::Impl::Impl(MpcSpec given)
   std::size_t longest = grip.longest_name();
   for (WatchedQuantity& quantity : watched_) {
     if (!quantity.unit.empty()) quantity.name += ", " + quantity.unit;
-    longest = std::max(longest, quantity.name.size());
+    longest = std::max({longest, quantity.name.size(), quantity.part.size()});
   }
-  fault.report.quantity.reserve(longest);
+  fault.make_room(longest);
   if (spec.timing == PlanTiming::Thread)
     planner_ = std::make_unique<BackgroundWork>([this] { make_plan(); });
 }
@@ -115,6 +117,7 @@ void MpcController::Impl::reset() noexcept {
   fault.reset();
   gate.reset();
   error.reset();
+  ahead_.reset();
   grip.reset();
   horizon.set_support_friction(grip.friction());
   policy.reset();
@@ -143,7 +146,8 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
   base_is_estimated_ = base_is_estimated_ || m.base_is_estimated;
   const bool misled = base_is_estimated_ && carries_payload();
   if (misled) command_.status = worst(command_.status, Status::NotPhysical);
-  if (gate.is_fresh()) motors_.look(gate, command_.tau);
+  is_ahead_ = false;
+  if (gate.is_fresh()) motors_.look(gate, ahead_.sent());
   if (gate.is_fresh() && !fault.is_set() && !misled && has_settled()) see();
   const bool controls = !fault.is_set() && solved_ && !misled;
   if (controls) {
@@ -152,6 +156,7 @@ const Command& MpcController::Impl::tick(const Measurement& m) noexcept {
     fall_back();
   }
   limit_torque(controls);
+  ahead_.send(command_.tau, error.joint_friction().torque());
   aim();
   black_box_.record(gate.now(), schedule.time(), gate.last(), command_, fault);
   ++tick_;
@@ -167,11 +172,11 @@ bool MpcController::Impl::has_settled() noexcept {
 void MpcController::Impl::see() noexcept {
   const TaskView view{gate.last(), gate.body(), schedule, command_, gate.dt()};
   const int stage = horizon.stage_of(schedule.phase());
-  if (!spec.force_sensor) gate.feel(error.feel(gate, command_, stage));
+  if (!spec.force_sensor) gate.feel(error.feel(gate, ahead_.acted(), stage));
   if (base_ >= 0) turn_normal();
   const unsigned happened = task->sense(view);
   look_at_surface();
-  error.update(gate, command_, stage, schedule.time());
+  error.update(gate, command_, ahead_.acted(), stage, schedule.time());
   grip.update(gate);
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
@@ -180,7 +185,7 @@ void MpcController::Impl::see() noexcept {
   if (!gate.is_first() && begins && schedule.advance(gate.dt(), happened)) jumped_ = true;
   watch(view);
   if (is_making_ && !planner_->is_busy()) finish_plan();
-  policy.take_over(gate.now());
+  policy.take_over(acting_time());
   // Else a plan that was to be used until the next one is there would never be.
   const bool is_free = !is_making_ && gate.now() >= busy_until_ &&
                        (spec.timing == PlanTiming::Fixed || !policy.waits());
@@ -213,20 +218,6 @@ void MpcController::Impl::look_at_surface() noexcept {
   depth_ = std::isfinite(depth) ? depth : 0.0;
 }
 
-void MpcController::Impl::watch(const TaskView& view) noexcept {
-  watch_joints(problem.model(), spec.limits, gate, fault);
-  watch_base(spec.limits, gate, fault);
-  grip.watch(gate.now(), fault);
-  motors_.watch(gate.now(), fault);
-  task->watch(view, readings_);
-  for (std::size_t i = 0; i < readings_.size(); ++i) {
-    const auto [value, limit] = readings_[i];
-    const FaultKind kind = watched_[i].fault;
-    if (!(value > limit) || !fault.raise(gate.now(), kind, value, limit)) continue;
-    if (kind == FaultKind::Watched) fault.report.quantity = watched_[i].name;  // there is room
-  }
-}
-
 void MpcController::Impl::update() noexcept {
   due_ = false;
   const bool is_ready = prepare_plan();
@@ -249,7 +240,7 @@ bool MpcController::Impl::prepare_plan() noexcept {
   const double expected =
       spec.timing == PlanTiming::Fixed ? spec.solver_delay : ticks * spec.tick_period;
   making_ = Making{.now = gate.now(),
-                   .schedule_time = schedule.time(),
+                   .schedule_time = schedule.time() + ahead_.lead(),
                    .delay = solved_ ? expected : 0.0,
                    .first = !solved_,
                    .jumped = jumped_};
@@ -259,7 +250,7 @@ bool MpcController::Impl::prepare_plan() noexcept {
   horizon.set_support_friction(grip.friction());
   horizon.set_force_error(error.force_error());
   if (surface_) horizon.set_surface(*surface_, depth_);
-  x_plan_ = measured_state();
+  x_plan_ = acting_state();
   if (!warm_) look_ahead();
   return spec.model_error.kind != ModelErrorKind::Torque || tell_torque_error();
 }
@@ -291,8 +282,8 @@ bool MpcController::Impl::replan() {
   const double delay = making_.delay;
   // Without a prediction the measurement is the best there is.
   if (delay > 0.0)
-    (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy, making_.now,
-                              making_.schedule_time, delay, x_plan_);
+    (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy,
+                              making_.now + ahead_.lead(), making_.schedule_time, delay, x_plan_);
   if (!solve(making_.schedule_time + delay)) return false;
   const StateLayout& layout = problem.layout();
   const double at =
@@ -320,7 +311,7 @@ void MpcController::Impl::finish_plan() noexcept {
     const bool passes = spec.timing == PlanTiming::Measured && !making_.first;
     const double done = making_.now + (passes ? took : 0.0);
     const double begin = making_.first ? gate.now() : making_.now + making_.delay;
-    policy.offer(begin, done, making_.now);
+    policy.offer(begin + ahead_.lead(), done + ahead_.lead(), making_.now);
     error.foresee(v_ahead_);
     if (passes) busy_until_ = done - 0.01 * spec.tick_period;
   } else {
@@ -335,7 +326,9 @@ void MpcController::Impl::finish_plan() noexcept {
     const double mean = expected_ + forgetting * (seen - expected_);
     expected_ = in_thread ? mean : std::max(seen, mean);
   }
+  const bool was_well = !fault.is_set();
   command_.missed_deadline = plans_.judge(gate.now(), making_.usable, making_.first, took, fault);
+  if (was_well && fault.is_set()) explain_failure();
 }
 
 void MpcController::Impl::await_plan() noexcept {
@@ -391,9 +384,33 @@ const Eigen::VectorXd& MpcController::Impl::measured_state() noexcept {
   return x_;
 }
 
+/// In x_: the one that the torques already sent lead to from the measured one, in which the command
+/// of this tick will act.
+const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
+  if (ahead_.ticks() == 0) return measured_state();
+  if (is_ahead_) return x_;
+  (void)measured_state();
+  const double time = schedule.time() + ahead_.lead();
+  const int stage = horizon.stage_of(schedule.phase_at(time));
+  const double pressed = gate.last().tool_force_world.dot(command_.normal_world);
+  const bool has_friction = error.models_friction();
+  // Without a prediction the measurement is the best there is.
+  (void)ahead_.predict(
+      error.dynamics(), gate,
+      {.stage = stage,
+       .schedule_time = time,
+       .touches = pressed > spec.contact_threshold,
+       .torque_error = has_friction ? error.torque_error() : error.observed_error(),
+       .has_friction = has_friction,
+       .normal_world = command_.normal_world},
+      x_);
+  is_ahead_ = true;
+  return x_;
+}
+
 void MpcController::Impl::control() noexcept {
-  policy.take_over(gate.now());
-  policy.control(gate.now(), measured_state(), u_);
+  policy.take_over(acting_time());
+  policy.control(acting_time(), acting_state(), u_);
   if (!u_.allFinite()) {
     command_.status = worst(command_.status, Status::NotFinite);
     fall_back();

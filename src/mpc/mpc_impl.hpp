@@ -8,6 +8,7 @@
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/solver/ddp.hpp"
 #include "mpc/black_box.hpp"
+#include "mpc/delayed_state.hpp"
 #include "mpc/error_estimate.hpp"
 #include "mpc/fault_latch.hpp"
 #include "mpc/holding.hpp"
@@ -35,6 +36,8 @@ struct MpcController::Impl {
   void turn_normal() noexcept;
   void look_at_surface() noexcept;
   void watch(const TaskView& view) noexcept;
+  void explain_lag() noexcept;
+  void explain_failure() noexcept;
   void update() noexcept;
   bool prepare_plan() noexcept;
   bool tell_torque_error() noexcept;
@@ -50,6 +53,9 @@ struct MpcController::Impl {
   void aim() noexcept;
   void keep_exception() noexcept;
   const Eigen::VectorXd& measured_state() noexcept;
+  const Eigen::VectorXd& acting_state() noexcept;
+  /// s, when the command of this tick acts; plans are in use by that time.
+  double acting_time() const noexcept { return gate.now() + ahead_.lead(); }
 
   int ticks_per_update_;
 
@@ -89,6 +95,7 @@ struct MpcController::Impl {
   std::optional<Quadric> surface_;
   double depth_ = 0.0;
   Prediction prediction_;
+  DelayedState ahead_;
   Holding holding_;
   PlanWatch plans_;
   MotorWatch motors_;
@@ -103,6 +110,7 @@ struct MpcController::Impl {
   long tick_ = 0;
   double began_ = 0.0;                       ///< s, the first measurement
   bool due_ = false;                         ///< an update
+  bool is_ahead_ = false;                    ///< x_ is the acting state of this tick
   bool solved_ = false;                      ///< there is a plan
   bool warm_ = false;                        ///< the solver's trajectory can be started from
   bool jumped_ = false;                      ///< the schedule's clock, since the last plan

@@ -1,8 +1,20 @@
 #include "mpc/watch.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 namespace burnish {
+namespace {
+
+std::vector<int> entries_with_motors(const Model& model) {
+  std::vector<int> entries;
+  for (const Joint& joint : model.joints)
+    if (joint.kind != JointKind::FreeFlyer && !joint.follows)
+      for (int k = 0; k < joint.nv; ++k) entries.push_back(joint.v_index + k);
+  return entries;
+}
+
+}  // namespace
 
 void watch_joints(const Model& model, const SafetyLimits& limits, const MeasurementGate& gate,
                   FaultLatch& latch) noexcept {
@@ -30,37 +42,40 @@ void watch_base(const SafetyLimits& limits, const MeasurementGate& gate,
 }
 
 MotorWatch::MotorWatch(const MpcSpec& spec)
-    : share_(spec.limits.torque_gap),
+    : actuated_(entries_with_motors(spec.problem.model)),
+      share_(spec.limits.torque_gap),
       effort_(spec.problem.model.effort_limit),
       told_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
-      gap_(told_) {
-  for (const Joint& joint : spec.problem.model.joints)
-    if (joint.kind != JointKind::FreeFlyer && !joint.follows)
-      for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
-}
+      lag_(spec, actuated_) {}
 
-void MotorWatch::look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept {
-  if (std::isinf(share_) || lost_ >= 0) return;
-  constexpr double window = 0.03;  // s
+void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept {
+  if (lost_ >= 0) return;
+  lag_.look(tau_before, gate.last().tau, gate.dt());
+  if (std::isinf(share_)) return;
+  constexpr double window = 0.03;  // s, as the lag's
   const double part = -std::expm1(-gate.dt() / window);
   for (const int k : actuated_) {
     told_[k] += part * (tau_before[k] - told_[k]);
-    gap_[k] += part * (tau_before[k] - gate.last().tau[k] - gap_[k]);
-    if (effort_[k] > 0.0 && std::abs(gap_[k]) > allowed(k)) lost_ = k;
+    if (effort_[k] > 0.0 && std::abs(lag_.gap(k)) > allowed(k)) lost_ = k;
   }
 }
 
 /// Nm (N) that a motor may be off. One that gives next to nothing is found before one that is weak.
 double MotorWatch::allowed(int entry) const noexcept {
   constexpr double nothing = 0.2, sooner = 0.6;
-  const double came = std::abs(told_[entry] - gap_[entry]);
+  const double came = std::abs(told_[entry] - lag_.gap(entry));
   const bool gives = came > nothing * std::abs(told_[entry]);
   return (gives ? 1.0 : sooner) * share_ * effort_[entry];
 }
 
 void MotorWatch::watch(double now, FaultLatch& latch) const noexcept {
-  if (lost_ >= 0)
-    latch.raise(now, FaultKind::MotorLost, std::abs(gap_[lost_]), allowed(lost_), lost_);
+  if (lost_ < 0) return;
+  const double gap = lag_.gap(lost_);
+  if (!latch.raise(now, FaultKind::MotorLost, std::abs(gap), allowed(lost_), lost_)) return;
+  char clause[96];
+  std::snprintf(clause, sizeof clause, "%.4g were sent and %.4g came, means over 30 ms",
+                told_[lost_], told_[lost_] - gap);
+  latch.explain(clause);
 }
 
 bool PlanWatch::judge(double now, bool usable, bool first, double seconds,

@@ -3,6 +3,7 @@
 
 #include "mpc/fault_latch.hpp"
 #include "mpc/measurement_gate.hpp"
+#include "mpc/torque_lag.hpp"
 
 namespace burnish {
 
@@ -28,19 +29,22 @@ class PlanWatch {
   int failed_ = 0, late_ = 0;
 };
 
-/// What motors give beside what they are told.
+/// What motors give beside what they are told. Torques that come late are no motor that fails.
 class MotorWatch {
  public:
   explicit MotorWatch(const MpcSpec& spec);
   void reset() noexcept {
     told_.setZero();
-    gap_.setZero();
+    lag_.reset();
     lost_ = -1;
   }
-  /// After a good measurement, after a fault too; tau_before: nv, sent at the tick before.
-  void look(const MeasurementGate& gate, const Eigen::VectorXd& tau_before) noexcept;
+  /// After a good measurement, after a fault too; tau_before: nv, that was sent and should have
+  /// acted when it was taken.
+  void look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept;
   void watch(double now, FaultLatch& latch) const noexcept;
   int lost() const { return lost_; }  ///< entry of v, the first one found; -1: none
+  /// s by which measured torques follow those that were sent, where that shows; else 0.
+  double lag() const noexcept { return lag_.seconds(); }
 
  private:
   double allowed(int entry) const noexcept;
@@ -48,7 +52,8 @@ class MotorWatch {
   std::vector<int> actuated_;
   double share_;  ///< SafetyLimits::torque_gap
   Eigen::VectorXd effort_;
-  Eigen::VectorXd told_, gap_;  ///< nv, Nm (N), means: what was sent, and that less what came
+  Eigen::VectorXd told_;  ///< nv, Nm (N), mean of what was sent
+  TorqueLag lag_;
   int lost_ = -1;
 };
 

@@ -70,10 +70,13 @@ std::vector<std::string> write_run_files(const RunFiles& run, const RunFilesOpti
 
 Json fault_json(const FaultReport& fault) {
   if (fault.kind == FaultKind::None) return nullptr;
-  return {{"kind", name_of(fault.kind)},
-          {"time_s", fault.time},
-          {"value", number_json(fault.value)},
-          {"limit", number_json(fault.limit)}};
+  Json json{{"kind", name_of(fault.kind)},
+            {"time_s", fault.time},
+            {"value", number_json(fault.value)},
+            {"limit", number_json(fault.limit)}};
+  if (!fault.joint_name.empty()) json["joint"] = fault.joint_name;
+  if (!fault.cause.empty()) json["cause"] = fault.cause;
+  return json;
 }
 
 std::optional<PageFault> page_fault(const FaultReport& fault) {

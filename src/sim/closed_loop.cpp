@@ -128,7 +128,8 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances, sensed_supports(driven, chosen)),
+        sensing(driven.model(), disturbances, sensed_supports(driven, chosen),
+                chosen.control_period),
         body(driven.model()),
         tip(body.frame(driven.scene().tip.frame)),
         carrier(driven.scene().surface.frame.empty() ? -1

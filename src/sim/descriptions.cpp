@@ -145,6 +145,9 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("joint_coulomb", &D::joint_coulomb, "{Nm}, joint friction", size)
           .field("joint_viscous", &D::joint_viscous, "{Nms/rad}, joint friction", size)
           .group("From plant to measurement.")
+          .field("measurement_delay", &D::measurement_delay,
+                 "{s} from the plant to the controller, of all that is measured but its time", size)
+          .more("rounded to ticks")
           .field("encoder_bits", &D::encoder_bits, "per turn; 0: exact", range::from(0, 40))
           .more("of revolute and continuous joints")
           .field("position_noise", &D::position_noise,

@@ -35,7 +35,7 @@ struct Sensing::Random {
   RandomStream torque, position, velocity, force, support;
 };
 
-Sensing::Sensing(const Model& model, const Disturbances& disturbances, int supports)
+Sensing::Sensing(const Model& model, const Disturbances& disturbances, int supports, double period)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
@@ -46,6 +46,9 @@ Sensing::Sensing(const Model& model, const Disturbances& disturbances, int suppo
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
   measurement_.support_wrenches.setZero(6, supports);
+  const long ticks = std::lround(disturbances.measurement_delay / period);
+  // The one that comes, and those that are on their way behind it.
+  if (ticks > 0) late_.assign(static_cast<std::size_t>(ticks) + 1, measurement_);
 }
 
 Sensing::~Sensing() = default;
@@ -78,8 +81,20 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
         plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt(), plant.time());
     if (imu_->is_silent()) measurement_.imu.reset();
   }
+  const Measurement& seen = delayed();
   started_ = true;
-  return measurement_;
+  return seen;
+}
+
+/// The last one, or the one that long before, at the time of the last one.
+const Measurement& Sensing::delayed() noexcept {
+  if (late_.empty()) return measurement_;
+  if (!started_)
+    for (Measurement& on_its_way : late_) on_its_way = measurement_;
+  late_[next_] = measurement_;
+  next_ = (next_ + 1) % late_.size();
+  late_[next_].time = measurement_.time;
+  return late_[next_];
 }
 
 void Sensing::measure_position(const Plant& plant) noexcept {

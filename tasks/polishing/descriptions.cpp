@@ -275,7 +275,8 @@ Describe<T>& describe_controller(Describe<T>& task) {
           "fixed: plans are used solver_delay after their measurement; measured: the time that "
           "each takes passes, in simulations too; thread: they are made in a thread of their own")
       .field("solver_delay", &T::solver_delay,
-             "{s} from a measurement to the use of the plan made from it", range::not_negative)
+             "{s} from a measurement to the use of the plan made from it", range::not_negative);
+  pressing::describe_delays(task)
       .field("slowdown", &T::slowdown, "of measured timing: a machine by this factor slower",
              range::positive)
       .field("iterations", &T::iterations, "of the solver, per plan", range::from(1))

@@ -160,7 +160,7 @@ RunResult run_task(const RunSpec& spec) {
                           .standing = &spec.task.standing,
                           .mpc = pieces.mpc,
                           .plan_step = spec.task.step,
-                          .solver_delay = spec.task.solver_delay,
+                          .solver_delay = spec.task.solver_delay + spec.task.command_delay,
                           .plan_rate = spec.plan_rate};
   run.goes_on = [&](double now, const Command& command) { return watch.goes_on(now, command); };
   run.end = [&] { return watch.end(); };

@@ -315,6 +315,8 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
   mpc.update_period = 1.0 / task.update_rate;
   mpc.timing = task.timing;
   mpc.solver_delay = task.solver_delay;
+  mpc.command_delay = task.command_delay;
+  mpc.measurement_delay = task.measurement_delay;
   mpc.slowdown = task.slowdown;
   mpc.solver.update = task.solver;
   mpc.solver.max_iterations = task.iterations;

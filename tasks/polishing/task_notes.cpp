@@ -55,6 +55,7 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
   std::vector<std::string> notes;
   if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
+  pressing::note_delays({task.command_delay, task.measurement_delay}, task.disturbances, notes);
   note_lag(task, notes);
   note_force_error(task, notes);
   note_short_time(task, notes);

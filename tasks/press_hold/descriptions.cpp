@@ -47,7 +47,8 @@ Describe<T>& describe_rest(Describe<T>& task) {
              positive)
       .group("", "controller")
       .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands and of new plans",
-             range::from(100.0, 1e4))
+             range::from(100.0, 1e4));
+  pressing::describe_delays(task)
       .field("posture_weight", &T::posture_weight,
              "{1/rad^2}: joints to where they shall be, beside 1e4 1/m^2 of the point", positive)
       .field("constraints", &T::constraints,

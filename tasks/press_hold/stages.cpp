@@ -233,6 +233,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.normal_world = setting.scene.surface.normal;
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
+  mpc.command_delay = task.command_delay;
+  mpc.measurement_delay = task.measurement_delay;
   mpc.limits = task.limits;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error.bandwidth = 150.0;

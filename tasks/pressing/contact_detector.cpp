@@ -70,10 +70,14 @@ double ContactDetector::mean_deviation() const noexcept {
 
 bool ContactDetector::is_quiet() const noexcept { return deviations * deviation() <= threshold_; }
 
+double ContactDetector::needed() const noexcept {
+  return !knows_noise() || is_quiet() ? threshold_
+                                      : std::max(threshold_, deviations * mean_deviation());
+}
+
 bool ContactDetector::touches() const noexcept {
   if (!knows_noise()) return count_ >= window_.size() && window_.minCoeff() > threshold_;
-  if (is_quiet()) return last_ > threshold_;
-  return count_ >= window_.size() && mean_ > std::max(threshold_, deviations * mean_deviation());
+  return (is_quiet() || count_ >= window_.size()) && felt() > needed();
 }
 
 bool ContactDetector::is_lost(double wanted) const noexcept {

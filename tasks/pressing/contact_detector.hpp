@@ -45,6 +45,9 @@ class ContactDetector {
   /// where noise reaches that far. N.
   double above_noise(double limit, int samples) const noexcept;
   bool knows_noise() const noexcept;
+  /// N: what is compared with needed(), the newest sample or a mean.
+  double felt() const noexcept { return !knows_noise() || is_quiet() ? last_ : mean_; }
+  double needed() const noexcept;  ///< N that count as contact
 
  private:
   double deviation() const noexcept;       ///< N, of a sample

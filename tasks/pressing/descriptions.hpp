@@ -61,6 +61,20 @@ Describe<Task>& describe_material(Describe<Task>& task) {
       .field("damping", &Task::damping, "{Ns/m}, of the plant", range::not_negative);
 }
 
+/// Delays that a controller knows of, in the section before.
+template <class Task>
+Describe<Task>& describe_delays(Describe<Task>& task) {
+  constexpr Range delay{.least = 0.0, .most = 0.1};
+  return task
+      .field("command_delay", &Task::command_delay,
+             "{s} from a command to the torque that it makes, as far as it is known", delay)
+      .more(
+          "Rounded to ticks. Plans and feedback begin in the state that the torques already sent "
+          "lead to.")
+      .field("measurement_delay", &Task::measurement_delay,
+             "{s} from what is measured to the tick that has it, as far as it is known", delay);
+}
+
 /// The section `limits`.
 template <class Task>
 Describe<Task>& describe_limits(Describe<Task>& task) {

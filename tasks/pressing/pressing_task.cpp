@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "base/sentence.hpp"
 #include "pressing/descriptions.hpp"
@@ -43,6 +44,7 @@ class Pressing final : public MpcTask {
 
   std::vector<std::string> events() const override { return {"contact"}; }
   std::vector<WatchedQuantity> watched() const override {
+    // explain() knows their places.
     return {{"speed of the tool", "m/s", FaultKind::SpeedLimit},
             {"force in free space", "N", FaultKind::UnexpectedContact},
             {"way since contact was due", "m", FaultKind::NoContact},
@@ -98,12 +100,20 @@ class Pressing final : public MpcTask {
     out[1] = free_space_.look(phase, view.dt, mean_.value().dot(normal_world_), mean_, detector_);
     const Eigen::Vector3d p_tool_world = view.body.placement(tool_).translation();
     approach_.look(view.schedule.waits(), view.dt,
-                   (p_tool_world - base_world_.translation()).dot(normal_world_));
+                   (p_tool_world - base_world_.translation()).dot(normal_world_), detector_.felt());
     out[2] = approach_.travel();
     out[3] = approach_.lateness();
     out[4] = {mean_.value().norm(), limits_.force};
-    out[5] =
-        loss_.look(phase == Touch::Wanted && detector_.is_lost(view.command.target_force), view.dt);
+    out[5] = loss_.look(phase == Touch::Wanted && detector_.is_lost(view.command.target_force),
+                        view.dt, detector_.felt());
+  }
+
+  void explain(std::size_t quantity, std::span<char> clause) const noexcept override {
+    if (quantity < 2 || quantity == 4) return;  // speed and forces say all
+    const double felt = quantity == 5 ? loss_.felt() : approach_.felt();
+    std::snprintf(clause.data(), clause.size(),
+                  "the force came to %.2g N at most; %.2g N count as contact", felt,
+                  detector_.needed());
   }
 
   void aim(double time, Command& command) override {

@@ -50,4 +50,18 @@ void note_friction(const std::string& key, double friction, double usual,
                   " stands in its place; set that to none for the surface's own");
 }
 
+void note_delays(const KnownDelays& known, const Disturbances& disturbances,
+                 std::vector<std::string>& notes) {
+  constexpr double tolerated = 2e-3;  // s, that arms tolerate unknown
+  const double there = disturbances.command_delay + disturbances.measurement_delay;
+  const double told = known.command + known.measurement;
+  if (std::abs(there - told) <= tolerated + 1e-9) return;
+  notes.push_back("commands and measurements are " + number(1e3 * there) +
+                  " ms late (disturbances.command_delay, measurement_delay), and the controller "
+                  "knows of " +
+                  number(1e3 * told) +
+                  " ms (controller.command_delay, measurement_delay): state both alike unless that "
+                  "is the experiment");
+}
+
 }  // namespace burnish::pressing

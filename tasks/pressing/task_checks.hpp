@@ -38,4 +38,12 @@ PlanTimes plan_times_of(const Task& task) {
 void note_friction(const std::string& key, double friction, double usual,
                    const Disturbances& disturbances, std::vector<std::string>& notes);
 
+/// Delays that the controller knows of, s.
+struct KnownDelays {
+  double command, measurement;
+};
+/// Adds a sentence where they are off those of the plant by more than they may be unknown.
+void note_delays(const KnownDelays& known, const Disturbances& disturbances,
+                 std::vector<std::string>& notes);
+
 }  // namespace burnish::pressing

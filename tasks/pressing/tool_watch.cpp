@@ -22,7 +22,7 @@ void MeanForce::add(const Eigen::Vector3d& force) noexcept {
 }
 
 void FreeSpaceWatch::reset() noexcept {
-  leaves_for_ = 0.0;
+  leaves_for_ = off_for_ = 0.0;
   released_ = false;
 }
 
@@ -30,19 +30,23 @@ Reading FreeSpaceWatch::look(Touch phase, double dt, double pushed, const MeanFo
                              const ContactDetector& touch) noexcept {
   const bool leaves = phase == Touch::Leaving;
   leaves_for_ = leaves ? leaves_for_ + dt : 0.0;
-  released_ = leaves && (released_ || pushed < threshold_ || leaves_for_ > limits_.release);
+  constexpr double bounce = 0.04;  // s, longer than a tool takes to come back from one
+  off_for_ = leaves && pushed < threshold_ ? off_for_ + dt : 0.0;
+  released_ = leaves && (released_ || off_for_ > bounce || leaves_for_ > limits_.release);
   if ((phase != Touch::Free && !released_) || !mean.is_full()) return {};
   return {pushed, touch.above_noise(limits_.unexpected_force, mean.samples())};
 }
 
-void ApproachWatch::look(bool waits, double dt, double height) noexcept {
+void ApproachWatch::look(bool waits, double dt, double height, double force) noexcept {
   const bool waited = waits_for_ > 0.0;
   waits_for_ = waits ? waits_for_ + dt : 0.0;
   if (waits && !waited) due_height_ = height;
   travel_ = waits ? due_height_ - height : 0.0;
+  felt_ = waits && waited ? std::max(felt_, force) : force;
 }
 
-Reading LossWatch::look(bool lost, double dt) noexcept {
+Reading LossWatch::look(bool lost, double dt, double force) noexcept {
+  felt_ = lost && lost_for_ > 0.0 ? std::max(felt_, force) : force;
   lost_for_ = lost ? lost_for_ + dt : 0.0;
   return {lost_for_, limits_.contact_lost};
 }

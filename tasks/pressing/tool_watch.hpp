@@ -25,7 +25,8 @@ class MeanForce {
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
 };
 
-/// Forces where none are wanted. What leaves begins pressed: it is free once the tool is off.
+/// Forces where none are wanted. What leaves begins pressed: it is free once the tool is off, and
+/// stays off for longer than a bounce takes.
 class FreeSpaceWatch {
  public:
   FreeSpaceWatch(const ToolLimits& limits, double contact_threshold)
@@ -38,35 +39,38 @@ class FreeSpaceWatch {
  private:
   ToolLimits limits_;
   double threshold_;
-  double leaves_for_ = 0.0;  ///< s
-  bool released_ = false;    ///< the tool has come off, or should have
+  double leaves_for_ = 0.0, off_for_ = 0.0;  ///< s
+  bool released_ = false;                    ///< the tool has come off, or should have
 };
 
 /// Contact that is due and does not come.
 class ApproachWatch {
  public:
   explicit ApproachWatch(const ToolLimits& limits) : limits_(limits) {}
-  void reset() noexcept { waits_for_ = due_height_ = travel_ = 0.0; }
-  /// height: m of the tool along the normal.
-  void look(bool waits, double dt, double height) noexcept;
+  void reset() noexcept { waits_for_ = due_height_ = travel_ = felt_ = 0.0; }
+  /// height: m of the tool along the normal; force: N that is felt along it.
+  void look(bool waits, double dt, double height, double force) noexcept;
+  double felt() const { return felt_; }  ///< N, largest since contact was due
   Reading travel() const { return {travel_, limits_.late_contact_travel}; }     ///< m
   Reading lateness() const { return {waits_for_, limits_.late_contact_time}; }  ///< s
 
  private:
   ToolLimits limits_;
-  double waits_for_ = 0.0, due_height_ = 0.0, travel_ = 0.0;
+  double waits_for_ = 0.0, due_height_ = 0.0, travel_ = 0.0, felt_ = 0.0;
 };
 
 /// Contact that is wanted and lost.
 class LossWatch {
  public:
   explicit LossWatch(const ToolLimits& limits) : limits_(limits) {}
-  void reset() noexcept { lost_for_ = 0.0; }
-  Reading look(bool lost, double dt) noexcept;
+  void reset() noexcept { lost_for_ = felt_ = 0.0; }
+  /// force: N that is felt along the normal.
+  Reading look(bool lost, double dt, double force) noexcept;
+  double felt() const { return felt_; }  ///< N, largest since contact was lost
 
  private:
   ToolLimits limits_;
-  double lost_for_ = 0.0;  ///< s
+  double lost_for_ = 0.0, felt_ = 0.0;  ///< s, N
 };
 
 }  // namespace burnish::pressing

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 
 namespace burnish::push_wall {
@@ -36,12 +38,20 @@ Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
 }
 
 std::vector<WatchedQuantity> Pushing::watched() const {
-  return {{"force of a hand", "N", FaultKind::ForceLimit},
-          {"time without force", "s", FaultKind::ContactLost},
-          {"lateness of contact", "s", FaultKind::ContactLate},
-          {"slip of a hand", "m"},
-          {"slip of a foot", "m"},
-          {"way down of the centre of mass", "m"}};
+  // explain() and watch() know their places.
+  const std::string left = "hand " + in_quotes(task_.hands[0]),
+                    right = "hand " + in_quotes(task_.hands[1]);
+  std::vector<WatchedQuantity> all{{"force of a hand", "N", FaultKind::ForceLimit, left},
+                                   {"force of a hand", "N", FaultKind::ForceLimit, right},
+                                   {"time without force", "s", FaultKind::ContactLost, left},
+                                   {"time without force", "s", FaultKind::ContactLost, right},
+                                   {"lateness of contact", "s", FaultKind::ContactLate},
+                                   {"slip of " + left, "m"},
+                                   {"slip of " + right, "m"},
+                                   {"way down of the centre of mass", "m"}};
+  for (const std::string& foot : task_.standing.feet)
+    all.push_back({"slip of foot " + in_quotes(foot), "m"});
+  return all;
 }
 
 void Pushing::reset() noexcept {
@@ -153,45 +163,41 @@ bool Pushing::slides(const TaskView& view, int& hand, int& foot) noexcept {
   return hand >= 0 || foot >= 0;
 }
 
-double Pushing::slip_of_hands(const RigidBody& body, int& worst) const noexcept {
-  double most = 0.0;
-  for (int h = 0; h < 2; ++h) {
-    const Hand& hand = hands_[static_cast<std::size_t>(h)];
-    const double slip =
-        slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius)
-            .norm();
-    if (slip > most) worst = h;
-    most = std::max(most, slip);
-  }
-  return most;
-}
-
-double Pushing::slip_of_feet(const RigidBody& body, int& worst) const noexcept {
-  double most = 0.0;
-  for (std::size_t i = 0; i < feet_.size(); ++i) {
-    const Eigen::Vector3d off = body.placement(feet_[i]).translation() - p_feet_[i];
-    if (off.head<2>().norm() > most) worst = static_cast<int>(i);
-    most = std::max(most, off.head<2>().norm());
-  }
-  return most;
+double Pushing::slip_of(const Hand& hand, const RigidBody& body) const noexcept {
+  return slid(hand.contact, body.placement(hand.frame), setting_.wall_axes.col(2), task_.tip_radius)
+      .norm();
 }
 
 void Pushing::watch(const TaskView& view, std::span<Reading> out) noexcept {
   const int phase = view.schedule.phase();
   const bool pushes = phase >= ramp && phase <= release;
-  double without = 0.0;
-  for (Hand& hand : hands_) {
+  for (std::size_t h = 0; h < 2; ++h) {
+    Hand& hand = hands_[h];
     const bool lost = pushes && hand.touch < 0.5 * task_.contact_threshold;
+    const bool goes_on = (lost && hand.without > 0.0) || late_ > view.dt;
+    hand.felt = goes_on ? std::max(hand.felt, hand.touch) : hand.touch;
     hand.without = lost ? hand.without + view.dt : 0.0;
-    without = std::max(without, hand.without);
+    out[h] = {hand.quick, task_.force_limit};
+    out[2 + h] = {hand.without, task_.contact_lost};
+    out[5 + h] = {pushes ? slip_of(hand, view.body) : 0.0, task_.slip};
   }
-  int worst = -1;
-  out[0] = {std::max(hands_[0].quick, hands_[1].quick), task_.force_limit};
-  out[1] = {without, task_.contact_lost};
-  out[2] = {late_, task_.late_contact};
-  out[3] = {pushes ? slip_of_hands(view.body, worst) : 0.0, task_.slip};
-  out[4] = {slip_of_feet(view.body, worst), task_.slip};
-  out[5] = {least_ - view.body.com().z(), task_.sink};
+  out[4] = {late_, task_.late_contact};
+  out[7] = {least_ - view.body.com().z(), task_.sink};
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector3d off = view.body.placement(feet_[i]).translation() - p_feet_[i];
+    out[8 + i] = {off.head<2>().norm(), task_.slip};
+  }
+}
+
+void Pushing::explain(std::size_t quantity, std::span<char> clause) const noexcept {
+  if (quantity == 2 || quantity == 3)
+    std::snprintf(clause.data(), clause.size(),
+                  "the force came to %.2g N at most; less than %.2g N is no contact",
+                  hands_[quantity - 2].felt, 0.5 * task_.contact_threshold);
+  if (quantity == 4)
+    std::snprintf(clause.data(), clause.size(),
+                  "the hands came to %.2g and %.2g N at most; %.2g N in both count as contact",
+                  hands_[0].felt, hands_[1].felt, task_.contact_threshold);
 }
 
 void Pushing::aim(double time, Command& command) {

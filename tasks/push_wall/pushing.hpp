@@ -30,6 +30,7 @@ class Pushing final : public MpcTask {
   void reset() noexcept override;
   unsigned sense(const TaskView& view) noexcept override;
   void watch(const TaskView& view, std::span<Reading> out) noexcept override;
+  void explain(std::size_t quantity, std::span<char> clause) const noexcept override;
   void aim(double time, Command& command) override;
 
  private:
@@ -37,14 +38,14 @@ class Pushing final : public MpcTask {
     int frame = -1;
     double quick = 0.0, touch = 0.0;  ///< N along the normal, means over 5 and 10 ms
     double without = 0.0;             ///< s without force
+    double felt = 0.0;                ///< N, largest `touch` since contact was due, or was lost
     Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();  ///< where it was made, world
     Eigen::Vector3d crept = Eigen::Vector3d::Zero();            ///< m, slid() of about a second ago
   };
   void feel(const TaskView& view) noexcept;
   void creep(const RigidBody& body) noexcept;
   bool slides(const TaskView& view, int& hand, int& foot) noexcept;
-  double slip_of_hands(const RigidBody& body, int& worst) const noexcept;
-  double slip_of_feet(const RigidBody& body, int& worst) const noexcept;
+  double slip_of(const Hand& hand, const RigidBody& body) const noexcept;
   Limit look(const TaskView& view, int& where) noexcept;
   bool bears(const TaskView& view, double force) noexcept;
 

@@ -234,7 +234,7 @@ RunResult run_task(const RunSpec& spec) {
                           .standing = &task.standing,
                           .mpc = &mpc,
                           .plan_step = task.step,
-                          .solver_delay = task.solver_delay,
+                          .solver_delay = task.solver_delay + task.command_delay,
                           .plan_rate = spec.plan_rate};
   std::optional<PlanAt> last;
   run.goes_on = [&](double now, const Command&) {

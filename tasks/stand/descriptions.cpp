@@ -68,11 +68,12 @@ Describe<T>& describe_phases(Describe<T>& task) {
 }
 
 Describe<T>& describe_controller(Describe<T>& task) {
-  return task.group("", "controller")
+  task.group("", "controller")
       .field("tick_rate", &T::tick_rate, "{Hz}, of torque commands", range::from(100.0, 1e4))
       .field("update_rate", &T::update_rate, "{Hz}, of new plans; divides the tick rate", positive)
       .field("solver_delay", &T::solver_delay,
-             "{s} from a measurement to the use of the plan made from it", not_negative)
+             "{s} from a measurement to the use of the plan made from it", not_negative);
+  return pressing::describe_delays(task)
       .field("horizon", &T::horizon, "{s} that are planned ahead", positive)
       .field("step", &T::step, "{s} between the first two knots of the plan", positive)
       .field("knots", &T::knots, "of the plan; the steps grow so that they fill the horizon",

@@ -165,7 +165,7 @@ RunResult run_task(const RunSpec& spec) {
                           .standing = &task.standing,
                           .mpc = &mpc,
                           .plan_step = task.step,
-                          .solver_delay = task.solver_delay,
+                          .solver_delay = task.solver_delay + task.command_delay,
                           .plan_rate = spec.plan_rate};
   run.goes_on = [&](double now, const Command&) {
     return mpc.schedule().time() < end && now < longest + 0.5;

@@ -223,6 +223,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;
+  mpc.command_delay = task.command_delay;
+  mpc.measurement_delay = task.measurement_delay;
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
   mpc.limits = task.limits;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/sentence.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "pressing/sliding.hpp"
 #include "pressing/stage_terms.hpp"
@@ -75,21 +76,21 @@ Swaying::Swaying(const MpcSpec& spec, const Task& task, const Setting& setting)
 }
 
 std::vector<WatchedQuantity> Swaying::watched() const {
-  return {{"share of its height that the centre of mass sank", ""},
-          {"turn of the base off what it is to be", "rad"},
-          {"slip of a foot", "m"}};
+  std::vector<WatchedQuantity> all{{"share of its height that the centre of mass sank", ""},
+                                   {"turn of the base off what it is to be", "rad"}};
+  for (const std::string& foot : task_.standing.feet)
+    all.push_back({"slip of foot " + in_quotes(foot), "m"});
+  return all;
 }
 
 void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
   const Trunk wanted = trunk_at(task_, setting_, view.schedule.time());
   const Lying lying =
       lying_at(setting_, wanted, view.body.com(), view.body.placement(base_).linear());
-  double slip = 0.0;
-  for (std::size_t i = 0; i < feet_.size(); ++i)
-    slip = std::max(slip, slip_of(start_[i], view.body.placement(feet_[i]), task_));
   out[0] = {lying.sunk, task_.sink};
   out[1] = {lying.turned, task_.tilt};
-  out[2] = {slip, task_.slip};
+  for (std::size_t i = 0; i < feet_.size(); ++i)
+    out[2 + i] = {slip_of(start_[i], view.body.placement(feet_[i]), task_), task_.slip};
 }
 
 /// For the record: the base's place, as the centre of mass would move it.

@@ -45,6 +45,7 @@ void check_task(const Task& task) {
 std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant) {
   std::vector<std::string> notes;
   if (!ideal_is_meant) pressing::note_ideal_world(task.disturbances, notes);
+  pressing::note_delays({task.command_delay, task.measurement_delay}, task.disturbances, notes);
   return notes;
 }
 

@@ -77,7 +77,7 @@ TEST(Fault, no_contact_where_the_surface_is_not) {
   EXPECT_NEAR(fault.value, 0.03, 1e-3);
   EXPECT_EQ(fault.last_second.column("phase")[0], static_cast<double>(Phase::Approach));
   expect_words(fault.text(),
-               {"no contact at 1.", "went on 0.03", "m without a force", "allowed are 0.03 m"});
+               {"no contact at 1.", "went on 0.03", "m without contact", "allowed are 0.03 m"});
   expect_fallback(run);
   expect_rest(run);
 
@@ -126,7 +126,9 @@ TEST(Fault, contact_late_when_the_tool_does_not_get_on) {
   ASSERT_EQ(fault.kind, FaultKind::ContactLate) << fault.text();
   EXPECT_NEAR(fault.time, 0.45, 1.1e-3);
   EXPECT_EQ(fault.limit, 0.2);
-  expect_words(fault.text(), {"contact late at 0.4", "no force for 0.2", "allowed are 0.2 s"});
+  expect_words(fault.text(),
+               {"contact late at 0.4", "no contact for 0.2", "after it was due; allowed are 0.2 s",
+                "the force came to 1.9 N at most; 2 N count as contact"});
 
   // Just in time.
   HandFed good(wanted);
@@ -201,6 +203,64 @@ TEST(Fault, unexpected_contact_in_the_reach) {
   EXPECT_LT(fault.time - run.loop().trace().at(touch, 0), 0.01) << "within the window";
   expect_fallback(run);
   expect_rest(run);
+}
+
+TEST(Fault, UnexpectedContact_ToolBouncesAsItLeaves_IsNoFault) {
+  MpcCase wanted;
+  wanted.task.polish_duration = 0.1;
+  HandFed bounces(wanted);
+  bounces.feed(0.25, 0.0);
+  while (bounces.mpc.schedule().phase() != number_of(Phase::Retreat))
+    bounces.feed(bounces.m.time + 5e-4, 30.0);
+  // As a tool does that late torques shake: off for 16 ms, on for 8 ms, until it is away.
+  for (int i = 0; i < 4; ++i) {
+    bounces.feed(bounces.m.time + 0.016, 0.0);
+    bounces.feed(bounces.m.time + 0.008, 20.0);
+  }
+  bounces.feed(bounces.m.time + 0.1, 0.0);
+  EXPECT_EQ(bounces.mpc.fault().kind, FaultKind::None) << bounces.mpc.fault().text();
+}
+
+TEST(Fault, AnyKind_TorquesComeLate_SaysSoAndBlamesNoMotor) {
+  for (const double delay : {9e-3, 12e-3}) {
+    MpcCase wanted;
+    wanted.task.model_error.boost = 6.0;
+    wanted.task.disturbances.command_delay = delay;
+    MpcRun run(wanted);
+    ASSERT_EQ(run.polish(), Status::Ok);
+    const FaultReport& fault = run.mpc().fault();
+    EXPECT_NE(fault.kind, FaultKind::None) << delay;
+    EXPECT_NE(fault.kind, FaultKind::MotorLost) << fault.text();
+    EXPECT_NE(fault.kind, FaultKind::UnexpectedContact) << fault.text();
+    const std::string late = std::to_string(std::lround(1e3 * delay));
+    expect_words(fault.text(), {"follow what was sent " + late + " ms late"});
+  }
+}
+
+/// Commands and measurements that come late, as far as the controller knows and beyond.
+MpcCase late(double known, double command, double measurement) {
+  MpcCase wanted;
+  wanted.task.disturbances = disturbance_preset("mismatch");
+  wanted.task.disturbances.command_delay = command;
+  wanted.task.disturbances.measurement_delay = measurement;
+  wanted.task.command_delay = known * command;
+  wanted.task.measurement_delay = known * measurement;
+  return wanted;
+}
+
+TEST(KnownDelay, OfEightMilliseconds_IsPolishedWithAndFaultsWhereItIsUnknown) {
+  for (const auto& [command, measurement] : {std::pair(8e-3, 0.0), {0.0, 8e-3}, {5e-3, 3e-3}}) {
+    SCOPED_TRACE(std::to_string(command) + " s, " + std::to_string(measurement) + " s");
+    MpcRun known(late(1.0, command, measurement));
+    ASSERT_EQ(known.polish(), Status::Ok);
+    EXPECT_EQ(known.mpc().fault().kind, FaultKind::None) << known.mpc().fault().text();
+    EXPECT_LT(known.metrics().force_rmse, 0.6);
+    EXPECT_LT(known.metrics().position_rmse, 0.5e-3);
+    EXPECT_EQ(known.watched().allocations, 0);
+    MpcRun unknown(late(0.0, command, measurement));
+    ASSERT_EQ(unknown.polish(), Status::Ok);
+    EXPECT_NE(unknown.mpc().fault().kind, FaultKind::None);
+  }
 }
 
 /// A force sensor with noise, white or behind a filter.

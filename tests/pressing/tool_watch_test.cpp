@@ -39,6 +39,12 @@ TEST(FreeSpaceWatch, minds_forces_where_the_tool_is_free_alone) {
   EXPECT_FALSE(beyond(Touch::Leaving, 0.2, 30.0));
   EXPECT_FALSE(beyond(Touch::Leaving, 0.2, 1.0));
   EXPECT_TRUE(beyond(Touch::Leaving, 0.01, 30.0));
+  // A bounce is not off.
+  watch.reset();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(beyond(Touch::Leaving, 0.03, 0.0));
+    EXPECT_FALSE(beyond(Touch::Leaving, 0.01, 30.0));
+  }
   watch.reset();
   EXPECT_FALSE(beyond(Touch::Leaving, 0.5, 30.0));
   EXPECT_TRUE(beyond(Touch::Leaving, 0.01, 30.0));
@@ -46,29 +52,31 @@ TEST(FreeSpaceWatch, minds_forces_where_the_tool_is_free_alone) {
 
 TEST(ApproachWatch, measures_way_and_time_from_when_contact_was_due) {
   ApproachWatch watch({.late_contact_travel = 0.03, .late_contact_time = 1.0});
-  watch.look(false, 0.1, 0.50);
+  watch.look(false, 0.1, 0.50, 9.0);
   EXPECT_EQ(watch.travel().value, 0.0);
-  watch.look(true, 0.1, 0.40);
-  watch.look(true, 0.1, 0.38);
+  watch.look(true, 0.1, 0.40, 1.4);
+  watch.look(true, 0.1, 0.38, 0.2);
+  EXPECT_EQ(watch.felt(), 1.4);
   EXPECT_NEAR(watch.travel().value, 0.02, 1e-15);
   EXPECT_NEAR(watch.lateness().value, 0.2, 1e-15);
   EXPECT_EQ(watch.travel().limit, 0.03);
   EXPECT_EQ(watch.lateness().limit, 1.0);
-  watch.look(false, 0.1, 0.30);
+  watch.look(false, 0.1, 0.30, 0.0);
   EXPECT_EQ(watch.lateness().value, 0.0);
-  watch.look(true, 0.1, 0.30);
+  watch.look(true, 0.1, 0.30, 0.0);
   EXPECT_EQ(watch.travel().value, 0.0) << "from anew";
 }
 
 TEST(LossWatch, measures_time_without_force_in_a_row) {
   LossWatch watch({.contact_lost = 0.15});
-  watch.look(true, 0.1);
-  EXPECT_EQ(watch.look(false, 0.1).value, 0.0);
-  watch.look(true, 0.1);
-  EXPECT_NEAR(watch.look(true, 0.1).value, 0.2, 1e-15);
-  EXPECT_EQ(watch.look(true, 0.1).limit, 0.15);
+  watch.look(true, 0.1, 0.0);
+  EXPECT_EQ(watch.look(false, 0.1, 30.0).value, 0.0);
+  watch.look(true, 0.1, 1.0);
+  EXPECT_NEAR(watch.look(true, 0.1, 0.5).value, 0.2, 1e-15);
+  EXPECT_EQ(watch.felt(), 1.0) << "since it was lost";
+  EXPECT_EQ(watch.look(true, 0.1, 0.0).limit, 0.15);
   watch.reset();
-  EXPECT_EQ(watch.look(false, 0.1).value, 0.0);
+  EXPECT_EQ(watch.look(false, 0.1, 0.0).value, 0.0);
 }
 
 }  // namespace

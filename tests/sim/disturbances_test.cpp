@@ -12,6 +12,7 @@
 #include "burnish/sim/ideal_plant.hpp"
 #include "burnish/sim/sensing.hpp"
 #include "sim/random.hpp"
+#include "support/allocation_guard.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"
@@ -277,11 +278,42 @@ TEST_F(SensingTest, each_disturbance_changes_what_it_should_and_nothing_else) {
       {"velocity_cutoff alone", [](Disturbances& d) { d.velocity_cutoff = 100.0; }, ""},
       {"force_noise", [](Disturbances& d) { d.force_noise = 0.3; }, "force "},
       {"force_cutoff", [](Disturbances& d) { d.force_cutoff = 100.0; }, "force "},
+      {"measurement_delay", [](Disturbances& d) { d.measurement_delay = 2e-3; }, "q v tau force "},
       {"actuation", [](Disturbances& d) { d.torque_noise = d.command_delay = 1.0; }, ""}};
   for (const Case& c : cases) {
     Disturbances d;
     c.switch_on(d);
     EXPECT_EQ(changes(see(d), ideal), c.changed) << c.what;
+  }
+}
+
+TEST_F(SensingTest, MeasurementDelay_OfAllButTheTime_IsRoundedToMeasurements) {
+  Disturbances d;
+  d.velocity_noise = 1e-3;
+  const Seen now = see(d);
+  d.measurement_delay = 3.4e-3;
+  const Seen late = see(d);
+  constexpr Eigen::Index ticks = 3;
+  const Eigen::Index rest = now.q.cols() - ticks;
+  EXPECT_EQ(late.q.rightCols(rest), now.q.leftCols(rest));
+  EXPECT_EQ(late.v.rightCols(rest), now.v.leftCols(rest));
+  EXPECT_EQ(late.tau.rightCols(rest), now.tau.leftCols(rest));
+  EXPECT_EQ(late.force.rightCols(rest), now.force.leftCols(rest));
+  for (Eigen::Index i = 0; i < ticks; ++i) EXPECT_EQ(late.q.col(i), now.q.col(0)) << "at first";
+  d.measurement_delay = 0.4e-3;
+  EXPECT_EQ(changes(see(d), now), "") << "less than half a measurement";
+
+  const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
+  ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  d.measurement_delay = 5e-3;
+  Sensing sensing(model, d, 0, plant->dt());
+  for (int i = 0; i < 20; ++i) {
+    const AllocationGuard guard;
+    EXPECT_EQ(sensing.measure(*plant, q).time, plant->time());
+    if (AllocationGuard::unavailable() == nullptr) {
+      EXPECT_EQ(guard.count(), 0);
+    }
+    ASSERT_EQ(plant->step(q, Eigen::Vector3d::Zero()), Status::Ok);
   }
 }
 

@@ -101,12 +101,12 @@ TEST_F(Stand, says_whether_it_fell) {
   EXPECT_FALSE(fallen.done);
   EXPECT_TRUE(fallen.fell) << fallen.outcome;
   EXPECT_EQ(fallen.fault.kind, FaultKind::Watched);
-  expect_words(fallen.outcome, {"beyond a limit", "slip of a foot", "; it fell"});
+  expect_words(fallen.outcome, {"beyond a limit", "slip of foot '", "; it fell"});
   task.disturbances.pushes.clear();
   task.slip = 1e-5;
   const RunResult stopped = run(task);
   EXPECT_FALSE(stopped.done || stopped.fell);
-  expect_words(stopped.outcome, {"slip of a foot", "; it stands"});
+  expect_words(stopped.outcome, {"slip of foot '", "; it stands"});
 }
 
 TEST_F(Stand, stands_on_a_description_of_ones_own) {

@@ -149,7 +149,7 @@ TEST(PolishingRun, ASurfaceThatIsNotThereIsAFaultOfTheController) {
   EXPECT_FALSE(result.polished);
   EXPECT_EQ(result.fault.kind, FaultKind::NoContact);
   EXPECT_EQ(result.outcome, result.fault.text());
-  expect_words(result.outcome, {"no contact at 2.", "went on 0.03", "m without a force"});
+  expect_words(result.outcome, {"no contact at 2.", "went on 0.03", "m without contact"});
   // As long as the controller waits, so does the run.
   spec.task.tool_limits.late_contact_travel = std::numeric_limits<double>::infinity();
   spec.task.tool_limits.late_contact_time = 5.0;

@@ -35,14 +35,21 @@ struct FaultReport {
   FaultKind kind = FaultKind::None;
   double time = 0.0;  ///< s, of the measurement, or when it was due if there was none
   int joint = -1;     ///< entry of v that it is about, or -1
-  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m) and rad/s.
+  /// What was measured: s, updates, N, m, m/s, or of a joint rad (m), rad/s and Nm (N).
   double value = 0.0;
-  double limit = 0.0;         ///< what was allowed, in the same unit
-  std::string quantity = {};  ///< of FaultKind::Watched: its name and unit
+  double limit = 0.0;  ///< what was allowed, in the same unit
+  /// of FaultKind::Watched: its name and unit; of SupportSlipped: the support; else the part that
+  /// it is about, such as "hand 'left'"; or empty
+  std::string quantity = {};
+  std::string joint_name = {};  ///< of that entry of v; empty: none
+  std::string unit = {};        ///< of value and limit of a joint; empty: the kind has one
+  /// What led to it, as far as measurements tell: clauses, such as "the force came to 1.4 N at
+  /// most; 2 N count as contact"; or empty.
+  std::string cause = {};
   Trace last_second;  ///< oldest row first, the fault's tick last; empty while there is no fault
 
-  /// One sentence, such as "contact lost at 3.2140 s: no force for 0.1505 s while it was wanted;
-  /// allowed are 0.15 s". Allocates.
+  /// One sentence, such as "speed limit at 3.2140 s: joint 'wrist_3': 3.9 rad/s, allowed 3.6
+  /// rad/s". Allocates.
   std::string text() const;
 };
 

@@ -132,6 +132,13 @@ struct MpcSpec {
   /// s from a measurement to the use of the plan that starts from it, at most the update period.
   /// The plan is made for the state that the policy in use leads to by then.
   double solver_delay = 0.0;
+  /// s from a command to the torque that it makes, as far as it is known; rounded to ticks. Plans
+  /// begin in the state that the torques already sent lead to, feedback acts on that state at every
+  /// tick, and the model error is told from the torque that acted when it was measured.
+  double command_delay = 0.0;
+  /// s from what is measured to the tick that has it, all but its time, as far as it is known; see
+  /// command_delay
+  double measurement_delay = 0.0;
   double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
   DdpOptions solver = {
       .update = StepUpdate::MultipleShooting, .max_iterations = 1, .limits = {.tolerance = 1e-6}};
@@ -169,7 +176,8 @@ struct MpcSpec {
 /// limits are checked, the controller's and then the task's; (5) when an update is due,
 /// the horizon is given its stages and targets, warm-started from the last solution, and solved
 /// from the measured state, or from the one that the policy is predicted to lead to after
-/// `solver_delay`; (6) the policy gives the torque, within the effort limits.
+/// `solver_delay`; (6) the policy gives the torque, within the effort limits. With known delays the
+/// measured state of (5) and (6) is the predicted one in which the torque will act.
 ///
 /// Constraints of the problem are kept by every plan, with as many recursions as `max_factors` says
 /// and no more: what that leaves open, and what the plan breaks, is in Command::limits_open and

@@ -85,6 +85,8 @@ struct WatchedQuantity {
   std::string name = {};  ///< for FaultKind::Watched, such as "slip of the tool"
   std::string unit = {};  ///< such as "m"
   FaultKind fault = FaultKind::Watched;
+  /// of other kinds: what of the robot it is about, such as "hand 'left'"; empty: the tool, or all
+  std::string part = {};
 };
 
 /// A quantity now, and the most that it may be; NaN and what is not to be watched now are within.
@@ -121,6 +123,9 @@ class MpcTask {
   virtual double surface_depth() const noexcept { return 0.0; }
   /// After the clock went on: one reading for each of watched().
   virtual void watch(const TaskView& /*view*/, std::span<Reading> /*readings*/) noexcept {}
+  /// What led to the fault of a quantity, right after watch() found it: at most so many characters
+  /// and a zero, such as "the force came to 1.4 N at most; 2 N count as contact".
+  virtual void explain(std::size_t /*quantity*/, std::span<char> /*clause*/) const noexcept {}
   /// Writes what is aimed at into `p_target_world` and `target_force` of the command: for the
   /// record, and for friction, which goes with the force. `time` is the schedule's, s. What it
   /// throws is kept for take_exception().

@@ -82,6 +82,8 @@ struct Disturbances {
   double joint_viscous = 0.0;  ///< Nms/rad, joint friction
 
   // From plant to measurement (class Sensing).
+  /// s from the plant to the controller, of all that is measured but its time; rounded to ticks
+  double measurement_delay = 0.0;
   int encoder_bits = 0;         ///< per turn; 0: exact; of revolute and continuous joints
   double position_noise = 0.0;  ///< rad, deviation, before the encoder rounds
   double velocity_noise = 0.0;  ///< rad/s, deviation

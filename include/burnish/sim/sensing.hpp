@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "burnish/mpc/controller.hpp"
 #include "burnish/sim/disturbances.hpp"
@@ -12,13 +13,14 @@ namespace burnish {
 
 struct Tree;
 
-/// The chain noise, encoder, differences and filters. Called once per tick of the controller;
-/// allocates nothing after construction and throws nothing.
+/// The chain noise, encoder, differences, filters and delay. Called once per tick of the
+/// controller; allocates nothing after construction and throws nothing.
 class Sensing {
  public:
-  /// `supports`: of the plant's scene, whose wrenches are measured. Throws Error as
-  /// check_disturbances() does.
-  Sensing(const Model& model, const Disturbances& disturbances, int supports = 0);
+  /// `supports`: of the plant's scene, whose wrenches are measured. `period`: s between
+  /// measurements, which their delay is rounded to. Throws Error as check_disturbances() does.
+  Sensing(const Model& model, const Disturbances& disturbances, int supports = 0,
+          double period = 1e-3);
   ~Sensing();
 
   /// From now on measurements have readings of an inertial measurement unit at a frame of the
@@ -29,7 +31,8 @@ class Sensing {
   void reset() noexcept;
 
   /// Reads the plant; `applied` (nv) is the motors' torque during the plant's last step. The first
-  /// measurement after reset() starts the filters: differences begin at the true velocity. With
+  /// measurement after reset() starts the filters: differences begin at the true velocity, and what
+  /// is on its way then says the same. With
   /// velocities by finite differences, entries of a floating base stay true.
   const Measurement& measure(const Plant& plant, const ConstVectorRef& applied) noexcept;
 
@@ -39,6 +42,7 @@ class Sensing {
   void measure_velocity(const Plant& plant) noexcept;
   void measure_force(const Plant& plant) noexcept;
   void measure_supports(const Plant& plant) noexcept;
+  const Measurement& delayed() noexcept;
 
   Disturbances disturbances_;
   std::vector<Joint> joints_;
@@ -51,6 +55,8 @@ class Sensing {
   Eigen::VectorXd work_;         ///< nv
   std::optional<ImuSensor> imu_;
   Measurement measurement_;
+  std::vector<Measurement> late_;  ///< a ring of what is on its way; empty without a delay
+  std::size_t next_ = 0;           ///< the oldest of them
 };
 
 }  // namespace burnish

@@ -120,8 +120,13 @@ struct Task {
   /// passes, in simulations too; thread: they are made in a thread of their own
   PlanTiming timing = PlanTiming::Fixed;
   double solver_delay = 0.0;  ///< s from a measurement to the use of the plan made from it
-  double slowdown = 1.0;      ///< of measured timing: a machine by this factor slower
-  int iterations = 1;         ///< of the solver, per plan
+  /// s from a command to the torque that it makes, as far as it is known. Rounded to ticks. Plans
+  /// and feedback begin in the state that the torques already sent lead to.
+  double command_delay = 0.0;
+  /// s from what is measured to the tick that has it, as far as it is known
+  double measurement_delay = 0.0;
+  double slowdown = 1.0;  ///< of measured timing: a machine by this factor slower
+  int iterations = 1;     ///< of the solver, per plan
   StepUpdate solver = StepUpdate::MultipleShooting;  ///< multiple_shooting or rollout
   double contact_kd = 40.0;  ///< 1/s, damping of the contact constraint (Baumgarte)
   /// m/s of sliding below which the friction of plans fades: their steps bear no less

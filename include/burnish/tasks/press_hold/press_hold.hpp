@@ -50,6 +50,11 @@ struct Task {
   double retreat_duration = 0.5;  ///< s off the surface, by the clearance
 
   double tick_rate = 1000.0;  ///< Hz, of torque commands and of new plans
+  /// s from a command to the torque that it makes, as far as it is known. Rounded to ticks. Plans
+  /// and feedback begin in the state that the torques already sent lead to.
+  double command_delay = 0.0;
+  /// s from what is measured to the tick that has it, as far as it is known
+  double measurement_delay = 0.0;
   /// 1/rad^2: joints to where they shall be, beside 1e4 1/m^2 of the point
   double posture_weight = 1.0;
 

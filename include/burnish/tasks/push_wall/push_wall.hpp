@@ -97,9 +97,14 @@ struct Task {
   double tick_rate = 1000.0;    ///< Hz, of torque commands
   double update_rate = 200.0;   ///< Hz, of new plans; divides the tick rate
   double solver_delay = 0.005;  ///< s from a measurement to the use of the plan made from it
-  double horizon = 1.0;         ///< s that are planned ahead
-  double step = 0.01;           ///< s between the first two knots of the plan
-  int knots = 30;               ///< of the plan; the steps grow so that they fill the horizon
+  /// s from a command to the torque that it makes, as far as it is known. Rounded to ticks. Plans
+  /// and feedback begin in the state that the torques already sent lead to.
+  double command_delay = 0.0;
+  /// s from what is measured to the tick that has it, as far as it is known
+  double measurement_delay = 0.0;
+  double horizon = 1.0;  ///< s that are planned ahead
+  double step = 0.01;    ///< s between the first two knots of the plan
+  int knots = 30;        ///< of the plan; the steps grow so that they fill the horizon
   Weights weights = {};
   ModelErrorOptions model_error = {.bandwidth = 60.0, .boost = 2.0, .fading = 0.2};
 

@@ -1,0 +1,109 @@
+#include "mpc/delayed_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/integration.hpp"
+#include "dynamics/tree.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double step = 1e-3;  // s of a prediction's step, about: a contact is held all along
+
+int ticks_of(double delay, double tick_period) {
+  return static_cast<int>(std::lround(delay / tick_period));
+}
+
+}  // namespace
+
+DelayedState::DelayedState(const MpcSpec& spec)
+    : tick_period_(spec.tick_period),
+      lead_(ticks_of(spec.command_delay, spec.tick_period) * spec.tick_period),
+      ticks_(ticks_of(spec.command_delay, spec.tick_period) +
+             ticks_of(spec.measurement_delay, spec.tick_period)),
+      per_step_(std::max(1, ticks_of(step, spec.tick_period))),
+      most_(ticks_ == 0 ? 0 : ticks_ + ticks_of(std::min(spec.limits.stale, 0.1), tick_period_)),
+      nq_(spec.problem.model.nq),
+      nv_(spec.problem.model.nv),
+      filter_(spec.problem.torque_model
+                  ? std::exp(-spec.problem.torque_model->cutoff * spec.tick_period)
+                  : 0.0),
+      tree_(std::make_unique<const Tree>(spec.problem.model)),
+      tool_(RigidBody(spec.problem.model), spec.tool, spec.base),
+      sent_(nv_, ticks_),
+      effective_(nv_, most_) {
+  for (const Joint& joint : spec.problem.model.joints)
+    if (joint.kind != JointKind::FreeFlyer && !joint.follows)
+      for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
+  start_ = spec.problem.initial_state;
+  tau_ = total_ = dq_ = Eigen::VectorXd::Zero(nv_);
+}
+
+DelayedState::~DelayedState() = default;
+
+void DelayedState::reset() noexcept {
+  tau_.setZero();
+  sent_.fill(tau_);
+  effective_.fill(tau_);
+  started_ = false;
+}
+
+void DelayedState::send(const Eigen::VectorXd& tau, const Eigen::VectorXd& friction) noexcept {
+  tau_ = tau - friction;
+  if (started_) {
+    sent_.add(tau);
+    effective_.add(tau_);
+  } else {
+    sent_.fill(tau);
+    effective_.fill(tau_);
+  }
+  started_ = true;
+}
+
+bool DelayedState::predict(ContactForceEstimate& dynamics, const MeasurementGate& gate,
+                           const Known& known, Eigen::VectorXd& x) noexcept {
+  if (!started_) return false;
+  const Measurement& m = gate.last();
+  const bool holds = known.touches && dynamics.has_contact(known.stage);
+  const bool is_filtered = filter_ > 0.0 && x.size() > nq_ + nv_;
+  start_ = x;
+  auto q = x.head(nq_);
+  auto v = x.segment(nq_, nv_);
+  // What is bridged is predicted too.
+  const int missed = ticks_of(gate.now() - m.time, tick_period_);
+  int left = std::min(most_, ticks_ + std::max(0, missed));
+  // What a contact does not hold is felt: along the surface friction, in the air all that there is.
+  Eigen::Vector3d felt_world = m.tool_force_world;
+  if (holds) felt_world -= known.normal_world * known.normal_world.dot(felt_world);
+  const bool feels = !(holds && known.has_friction);
+  if (feels) tool_.update(gate.body());
+  while (left > 0) {
+    const int count = std::min(left, per_step_);
+    tau_.setZero();
+    for (int i = 1; i <= count; ++i) {
+      const auto command = effective_.ago(left - i);
+      if (is_filtered)
+        for (std::size_t k = 0; k < actuated_.size(); ++k) {
+          double& acts = x[nq_ + nv_ + static_cast<Eigen::Index>(k)];
+          acts = filter_ * acts + (1.0 - filter_) * command[actuated_[k]];
+          tau_[actuated_[k]] += acts / count;
+        }
+      else
+        tau_ += command / count;
+    }
+    total_ = tau_ + known.torque_error;
+    if (feels) total_.noalias() += tool_.jacobian().transpose() * felt_world;
+    const double dt = count * tick_period_;
+    if (!dynamics.forward(known.stage, known.schedule_time, holds, q, v, total_)) break;
+    dq_ = dt * (v + 0.5 * dt * dynamics.acceleration());
+    integrate_configuration(*tree_, q.data(), dq_.data(), q.data());
+    v += dt * dynamics.acceleration();
+    left -= count;
+  }
+  if (left == 0 && x.allFinite()) return true;
+  x = start_;
+  return false;
+}
+
+}  // namespace burnish

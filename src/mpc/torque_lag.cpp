@@ -1,0 +1,62 @@
+#include "mpc/torque_lag.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr double resolution = 1e-3;  // s
+constexpr double window = 0.03;      // s, of means
+constexpr double usual = 100.0;      // Nm (N), for joints without an effort limit
+
+}  // namespace
+
+TorqueLag::TorqueLag(const MpcSpec& spec, std::vector<int> actuated)
+    : actuated_(std::move(actuated)),
+      weight_(Eigen::VectorXd::Zero(spec.problem.model.nv)),
+      tick_period_(spec.tick_period),
+      step_(std::max(1, static_cast<int>(std::lround(resolution / spec.tick_period)))),
+      sent_(spec.problem.model.nv, step_ * (lags - 1)),
+      gaps_(Eigen::MatrixXd::Zero(spec.problem.model.nv, lags)) {
+  for (const int k : actuated_) {
+    const double effort = spec.problem.model.effort_limit[k];
+    const double size = std::isfinite(effort) && effort > 0.0 ? effort : usual;
+    weight_[k] = 1.0 / (size * size);
+  }
+}
+
+void TorqueLag::reset() noexcept {
+  gaps_.setZero();
+  errors_.setZero();
+  started_ = false;
+  best_ = 0;
+}
+
+void TorqueLag::look(const ConstVectorRef& sent, const Eigen::VectorXd& measured,
+                     double dt) noexcept {
+  if (started_)
+    sent_.add(sent);
+  else
+    sent_.fill(sent);
+  started_ = true;
+  const double part = -std::expm1(-dt / window);
+  for (int lag = 0; lag < lags; ++lag) {
+    const auto then = sent_.ago(lag * step_);
+    now_[lag] = 0.0;
+    for (const int k : actuated_) {
+      const double gap = then[k] - measured[k];
+      gaps_(k, lag) += part * (gap - gaps_(k, lag));
+      now_[lag] += weight_[k] * gap * gap;
+    }
+  }
+  errors_ += part * (now_ - errors_);
+  // A lag shows where it explains most of a gap that is more than noise.
+  constexpr double noise = 0.01, explained = 0.25;  // of the effort limit; of the mean square
+  Eigen::Index least = 0;
+  const double error = errors_.minCoeff(&least);
+  const bool shows = errors_[0] > noise * noise && error < explained * errors_[0];
+  best_ = shows ? static_cast<int>(least) : 0;
+}
+
+}  // namespace burnish
