@@ -6,6 +6,7 @@
 
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "command.hpp"
 #include "draft_settings.hpp"
 #include "record/page_json.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct ShowArguments {
   RobotArguments robot;
   std::string posture;  ///< to look at; empty for the default
+  std::string tool;     ///< frame whose margins are wanted; empty for none
   bool all_frames = false;
   bool json = false;
   std::string html;      ///< file for a page; empty for none
@@ -202,6 +204,40 @@ void write_page(const Robot& robot, const Eigen::VectorXd& q, const ShowArgument
     fmt::print("meshes that could not be read are left out: {}\n", fmt::join(missing, ", "));
 }
 
+/// Margins of a tool, and what was fitted to have them.
+struct ToolMargins {
+  polishing::FittedGains fitted;
+  polishing::TaskMargins margins;
+};
+
+/// What the pressing controller tolerates with a tool on a table, with the gains that `burnish
+/// polish` chooses for it.
+ToolMargins margins_of(const Robot& robot, const ShowArguments& arguments) {
+  polishing::Task task;
+  task.robot = arguments.robot.robot;
+  task.tool = arguments.tool;
+  task.posture = arguments.posture;
+  const polishing::Setting setting = polishing::make_setting(task, robot);
+  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, {});
+  if (const auto margins = polishing::margins(task, setting)) return {fitted, *margins};
+  const std::string why = without_margins(polishing::make_mpc(task, setting));
+  throw Error(why.empty() ? "margins: there is no plan from the posture" : why);
+}
+
+void print_margins(const ToolMargins& of, const std::string& tool) {
+  fmt::print("\nMargins at {} on a table\n", tool);
+  if (!of.fitted.changes.empty()) fmt::print("  {}\n", of.fitted.changes);
+  fmt::print("  tolerates {}\n", of.margins.text());
+  Table table(1);
+  table.add({"gain of joint", "in free air", "", "in contact", ""});
+  for (std::size_t i = 0; i < of.margins.air.gains.size(); ++i) {
+    const GainRange &air = of.margins.air.gains[i], &contact = of.margins.contact.gains[i];
+    table.add({air.joint, fmt::format("{:.2f}", air.below), fmt::format("{:.2f}", air.above),
+               fmt::format("{:.2f}", contact.below), fmt::format("{:.2f}", contact.above)});
+  }
+  table.print();
+}
+
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
@@ -222,6 +258,8 @@ void show(const ShowArguments& arguments) {
     fmt::print("{}\n", json_text(show_json(robot, q, posture)));
     return;
   }
+  std::optional<ToolMargins> margins;
+  if (!arguments.tool.empty()) margins = margins_of(robot, arguments);
   print_heading(robot);
   print_joints(robot.model);
   print_followers(robot.model);
@@ -230,6 +268,7 @@ void show(const ShowArguments& arguments) {
   print_loops(robot.model, q, at);
   print_frames(robot.model, q, at, arguments.all_frames);
   print_postures(robot);
+  if (margins) print_margins(*margins, arguments.tool);
 }
 
 }  // namespace
@@ -240,6 +279,11 @@ void add_show(CLI::App& app, int& exit_code) {
   arguments->robot.add_to(*command);
   command->add_option("--posture", arguments->posture, "Posture at which frames are placed")
       ->type_name("NAME");
+  command
+      ->add_option("--tool", arguments->tool,
+                   "Frame of a tool: print what the pressing controller tolerates of delay and "
+                   "wrong gains with it")
+      ->type_name("FRAME");
   command->add_flag("--all-frames", arguments->all_frames, "Frames of joints as well");
   command->add_flag("--json", arguments->json, "As JSON, numbers in full");
   command
@@ -254,6 +298,7 @@ void add_show(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  burnish show talos:right_arm --posture table\n"
       "  burnish show quadruped --html quadruped.html\n"
+      "  burnish show my_arm.urdf --tool flange\n"
       "  burnish show my_arm.urdf --lock finger_left finger_right --json\n"
       "  burnish show <(xacro my_arm.urdf.xacro)\n"
       "  burnish show my_arm.urdf --write-settings my_arm\n"
