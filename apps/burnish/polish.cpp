@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/yaml_word.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
@@ -211,20 +212,60 @@ void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
   if (!name.empty()) fmt::print("posture '{}' is in {}\n", name, file.string());
 }
 
-/// What the arm can do is known before anything moves.
-void check(const std::vector<PolishJob>& jobs, const Texts& texts,
-           const PolishArguments& arguments) {
+/// Keys of the controller that no text states.
+polishing::FreeKeys free_keys(const std::vector<document::Reader>& texts) {
+  const auto is_free = [&](const char* key) {
+    return std::none_of(texts.begin(), texts.end(), [&](const document::Reader& text) {
+      return files::stated(text, key).has_value();
+    });
+  };
+  return {.boost = is_free("model_error.boost"),
+          .bandwidth = is_free("model_error.bandwidth"),
+          .position = is_free("weights.position")};
+}
+
+/// Fits the controller of a task to its arm, and says what it tolerates.
+void fit(polishing::Task& task, const polishing::Setting& setting, const PolishArguments& arguments,
+         const polishing::FreeKeys& free, const std::string& place) {
+  const polishing::RequiredMargins required;
+  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, free, required);
+  const std::optional<polishing::TaskMargins> margins = polishing::margins(task, setting);
+  if (!margins) return;
+  if (arguments.talks()) {
+    if (!fitted.changes.empty()) fmt::print("{}: {}\n", place, fitted.changes);
+    fmt::print("{}: tolerates {}\n", place, margins->text());
+  }
+  // Whoever states gains is told what they tolerate, and no more.
+  const bool is_stated = !free.boost || !free.bandwidth || !free.position;
+  if (is_stated || fitted.meets) return;
+  fmt::print(stderr,
+             "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms, and half and twice the "
+             "gain (model_error.boost, model_error.bandwidth, weights.position)\n",
+             place, margins->text(), 1e3 * required.delay);
+}
+
+/// What the controller tolerates and what the arm can do is known before anything moves. All jobs
+/// of a place have its controller.
+void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArguments& arguments) {
   std::vector<CheckedPlace> places;
-  for (const PolishJob& job : jobs) {
-    if (!places.empty() && places.back().job->place == job.place) continue;
+  for (PolishJob& job : jobs) {
+    polishing::Task& task = job.spec.task;
+    if (!places.empty() && places.back().job->place == job.place) {
+      const polishing::Task& fitted = places.back().job->spec.task;
+      task.model_error = fitted.model_error;
+      task.weights = fitted.weights;
+      continue;
+    }
     places.push_back({&job});
+    const auto& said = texts.at(job.place);
+    const bool plans = job.spec.controller == ControllerKind::Mpc;
+    if (arguments.unchecked && !plans) continue;
+    const polishing::Setting setting =
+        files::placed(said, [&] { return polishing::make_setting(task, *job.spec.robot); });
+    if (plans) fit(task, setting, arguments, free_keys(said), job.place);
     if (arguments.unchecked) continue;
-    const polishing::Task& task = job.spec.task;
     polishing::ReachReport& reach = places.back().reach;
-    const polishing::Setting setting = files::placed(
-        texts.at(job.place), [&] { return polishing::make_setting(task, *job.spec.robot); });
-    if (job.spec.controller == ControllerKind::Mpc)
-      print_step_complaints(job.place, polishing::make_mpc(task, setting));
+    if (plans) print_step_complaints(job.place, polishing::make_mpc(task, setting));
     reach = polishing::check_reach(task, setting);
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
     if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
@@ -284,6 +325,23 @@ void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult
   }
 }
 
+/// The table's times are the machine's. In the simulation plans are ready at once, unless the task
+/// says otherwise.
+void note_plan_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const polishing::Task& task = jobs[i].spec.task;
+    if (!results[i].metrics || !results[i].metrics->solver) continue;
+    if (task.timing != PlanTiming::Fixed) continue;
+    fmt::print(
+        "\nsolver times are this machine's. In the simulation a plan is used {:g} ms after its "
+        "measurement,\nhowever long it took, and none misses a deadline unless limits.deadline "
+        "sets "
+        "one;\n--set controller.timing=measured lets the time pass\n",
+        1e3 * task.solver_delay);
+    return;
+  }
+}
+
 /// What a call of the program makes: results, and files of them as long as these can be written.
 struct Outcomes {
   PageWriter pages;
@@ -332,6 +390,7 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].standing) stood.push_back({jobs[i].name, *results[i].standing});
   if (!stood.empty()) fmt::print("\n{}", standing_table(stood));
+  note_plan_times(jobs, results);
   if (arguments.time) print_times(jobs, results);
   if (!arguments.talks() || !outcomes.unwritten.empty()) return;
   fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());

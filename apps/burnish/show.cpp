@@ -6,6 +6,7 @@
 
 #include "burnish/contact/loops.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
@@ -26,11 +27,11 @@ namespace fs = std::filesystem;
 struct ShowArguments {
   RobotArguments robot;
   std::string posture;  ///< to look at; empty for the default
+  std::string tool;     ///< frame whose margins are wanted or that a draft takes; empty for none
   bool all_frames = false;
   bool json = false;
   std::string html;      ///< file for a page; empty for none
   std::string settings;  ///< folder for a draft of settings; empty for none
-  std::string tool;      ///< frame that the draft takes as the tool; empty: a likely one
 };
 
 /// A number for people: four significant digits, "-" where there is no limit.
@@ -231,13 +232,46 @@ void draft(const Robot& robot, const ShowArguments& arguments) {
   }
 }
 
+/// Margins of a tool, and what was fitted to have them.
+struct ToolMargins {
+  polishing::FittedGains fitted;
+  polishing::TaskMargins margins;
+};
+
+/// What the pressing controller tolerates with a tool on a table, with the gains that `burnish
+/// polish` chooses for it.
+ToolMargins margins_of(const Robot& robot, const ShowArguments& arguments) {
+  polishing::Task task;
+  task.robot = arguments.robot.robot;
+  task.tool = arguments.tool;
+  task.posture = arguments.posture;
+  const polishing::Setting setting = polishing::make_setting(task, robot);
+  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, {});
+  if (const auto margins = polishing::margins(task, setting)) return {fitted, *margins};
+  const std::string why = without_margins(polishing::make_mpc(task, setting));
+  throw Error(why.empty() ? "margins: there is no plan from the posture" : why);
+}
+
+void print_margins(const ToolMargins& of, const std::string& tool) {
+  fmt::print("\nMargins at {} on a table\n", tool);
+  if (!of.fitted.changes.empty()) fmt::print("  {}\n", of.fitted.changes);
+  fmt::print("  tolerates {}\n", of.margins.text());
+  Table table(1);
+  table.add({"gain of joint", "in free air", "", "in contact", ""});
+  for (std::size_t i = 0; i < of.margins.air.gains.size(); ++i) {
+    const GainRange &air = of.margins.air.gains[i], &contact = of.margins.contact.gains[i];
+    table.add({air.joint, fmt::format("{:.2f}", air.below), fmt::format("{:.2f}", air.above),
+               fmt::format("{:.2f}", contact.below), fmt::format("{:.2f}", contact.above)});
+  }
+  table.print();
+}
+
 void show(const ShowArguments& arguments) {
   const Robot robot = arguments.robot.load();
   const std::string posture = arguments.posture.empty() ? robot.default_posture : arguments.posture;
   const Eigen::VectorXd q =
       posture.empty() ? robot.reference_configuration() : robot.posture(posture);
   if (!arguments.settings.empty()) return draft(robot, arguments);
-  if (!arguments.tool.empty()) throw Error("--tool goes with --write-settings");
   if (!arguments.html.empty()) {
     write_page(robot, q, arguments);
     return;
@@ -246,6 +280,8 @@ void show(const ShowArguments& arguments) {
     fmt::print("{}\n", json_text(show_json(robot, q, posture)));
     return;
   }
+  std::optional<ToolMargins> margins;
+  if (!arguments.tool.empty()) margins = margins_of(robot, arguments);
   print_heading(robot);
   print_joints(robot.model);
   print_followers(robot.model);
@@ -254,6 +290,7 @@ void show(const ShowArguments& arguments) {
   print_loops(robot.model, q, at);
   print_frames(robot.model, q, at, arguments.all_frames);
   print_postures(robot);
+  if (margins) print_margins(*margins, arguments.tool);
 }
 
 }  // namespace
@@ -264,6 +301,11 @@ void add_show(CLI::App& app, int& exit_code) {
   arguments->robot.add_to(*command);
   command->add_option("--posture", arguments->posture, "Posture at which frames are placed")
       ->type_name("NAME");
+  command
+      ->add_option("--tool", arguments->tool,
+                   "Frame of a tool: print what the pressing controller tolerates of delay and "
+                   "wrong gains with it; with --write-settings the frame that the draft takes")
+      ->type_name("FRAME");
   command->add_flag("--all-frames", arguments->all_frames, "Frames of joints as well");
   command->add_flag("--json", arguments->json, "As JSON, numbers in full");
   command
@@ -274,14 +316,11 @@ void add_show(CLI::App& app, int& exit_code) {
       ->add_option("--write-settings", arguments->settings,
                    "Draft robot.yaml for a URDF or MJCF file in this folder, and print no table")
       ->type_name("DIR");
-  command
-      ->add_option("--tool", arguments->tool,
-                   "With --write-settings: frame that the draft takes as the tool [a likely one]")
-      ->type_name("FRAME");
   command->footer(
       "Examples:\n"
       "  burnish show talos:right_arm --posture table\n"
       "  burnish show quadruped --html quadruped.html\n"
+      "  burnish show my_arm.urdf --tool flange\n"
       "  burnish show my_arm.urdf --lock finger_left finger_right --json\n"
       "  burnish show <(xacro my_arm.urdf.xacro)\n"
       "  burnish show my_arm.urdf --write-settings my_arm --tool flange\n"

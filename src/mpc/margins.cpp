@@ -124,8 +124,12 @@ std::string without_margins(const MpcSpec& spec) {
     return "margins: the robot has loops; they are computed for open chains";
   if (!spec.supports.empty())
     return "margins: the robot stands on supports; they are computed for arms";
+  if (!spec.base.empty())
+    return "margins: the robot carries the surface; they are computed for one that stands";
   if (!spec.force_sensor)
     return "margins: the force is estimated from torques; they are computed for a force sensor";
+  if (spec.model_error.kind == ModelErrorKind::Force)
+    return "margins: the error of the force is estimated; they are computed for that of torques";
   return {};
 }
 

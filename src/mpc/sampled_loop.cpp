@@ -69,10 +69,8 @@ SampledLoop::SampledLoop(const MpcSpec& spec, const LoopChain& chain, int phase)
   pull_ = dynamics.da_dq();
   J_ = Eigen::RowVectorXd::Zero(n_);
   if (!presses_in(spec, phase)) return;
-  Eigen::Vector3d normal_world = spec.normal_world.normalized();
-  if (!spec.base.empty())
-    normal_world = body.placement(body.frame(spec.base)).linear() * normal_world;
-  J_ = normal_world.transpose() * ToolMotion(body, spec.tool, spec.base).jacobian();
+  const ToolMotion tool(body, spec.tool, spec.base);
+  J_ = spec.normal_world.normalized().transpose() * tool.jacobian();
 }
 
 LoopState SampledLoop::identity(int queue) const {

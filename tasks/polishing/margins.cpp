@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/sentence.hpp"
+#include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 
 namespace burnish::polishing {
@@ -24,7 +25,11 @@ struct Loops {
 std::optional<Loops> loops_of(const Task& task, const Setting& setting, const LoopChain& chain) {
   const MpcSpec spec = make_mpc(task, setting);
   if (!without_margins(spec).empty()) return std::nullopt;
-  return Loops{{spec, chain, free_phase(spec)}, {spec, chain, pressing_phase(spec)}};
+  try {
+    return Loops{{spec, chain, free_phase(spec)}, {spec, chain, pressing_phase(spec)}};
+  } catch (const Error&) {
+    return std::nullopt;  // no plan from the start: the run says why
+  }
 }
 
 LoopChain chain_of(const Task& task, const Disturbances& disturbances) {
@@ -111,11 +116,6 @@ class Fit {
 
 }  // namespace
 
-bool TaskMargins::meet(const RequiredMargins& required) const {
-  return delay() >= required.delay && narrowest(*this, true).above >= required.gain &&
-         narrowest(*this, false).below <= 1.0 / required.gain;
-}
-
 std::string TaskMargins::text() const {
   const GainRange least = narrowest(*this, false), most = narrowest(*this, true);
   const bool is_far = delay() >= LoopAnalysis::longest_delay;
@@ -145,27 +145,27 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                      loops->contact.margins(task.model_error)};
 }
 
-std::string fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
+FittedGains fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
                       const RequiredMargins& required) {
   if (!free.boost && !free.bandwidth && !free.position) return {};
   Fit fit(task, setting, free, required);
-  const bool found = fit.find();
+  FittedGains result{.meets = fit.find()};
   if (!fit.has_loops()) return {};
   const Task before = task;
   task = fit.task();
-  std::string changes;
   const auto note = [&](const char* key, double was, double now) {
     if (was != now)
-      changes += (changes.empty() ? "" : ", ") + std::string(key) + " " + number(now) +
-                 " in place of " + number(was);
+      result.changes += (result.changes.empty() ? "" : ", ") + std::string(key) + " " +
+                        number(now) + " in place of " + number(was);
   };
   note("model_error.boost", before.model_error.boost, task.model_error.boost);
   note("model_error.bandwidth", before.model_error.bandwidth, task.model_error.bandwidth);
   note("weights.position", before.weights.position, task.weights.position);
-  if (changes.empty()) return {};
-  return changes + (found ? ", with which the arm tolerates " : ", and yet the arm lacks ") +
-         rounded(1e3 * required.delay, "%g ms") + " of extra delay and a factor of " +
-         number(required.gain) + " in each joint's gain";
+  if (!result.changes.empty() && result.meets)
+    result.changes += ", with which the arm tolerates " + rounded(1e3 * required.delay, "%g ms") +
+                      " of extra delay and a factor of " + number(required.gain) +
+                      " in each joint's gain";
+  return result;
 }
 
 }  // namespace burnish::polishing

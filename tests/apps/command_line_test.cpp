@@ -58,6 +58,15 @@ TEST(Check, AContactIsStatedAsInAFileToo) {
   EXPECT_EQ(pairs.out, braces.out) << braces.err;
 }
 
+TEST(Show, MarginsOfATool_NameEveryJoint) {
+  const Outcome outcome = run("show talos:right_arm --tool tool");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* words : {"Margins at tool on a table", "ms of extra delay", "gain of joint",
+                            "in free air", "in contact", "arm_right_4_joint"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+  expect_refused(run("show talos:right_arm --tool tol"), "tol");
+}
+
 TEST(Show, DrawsTheTree) {
   const Outcome outcome = run("show crane");
   EXPECT_EQ(outcome.exit_code, 0);

@@ -53,6 +53,28 @@ TEST(Polish, WritesWhatItSays) {
   }
 }
 
+TEST(Polish, Gains_ThatNothingStates_AreFittedToTheArmAndKept) {
+  const Scratch scratch;
+  const auto out = scratch.folder / "out";
+  const std::string what = "polish --surface table --controller mpc --no-page" + short_run;
+  const Outcome fitted = run(what + " --out " + quoted(out));
+  EXPECT_EQ(fitted.exit_code, 0) << fitted.out << fitted.err;
+  EXPECT_EQ(fitted.err, "");
+  for (const char* words :
+       {"model_error.boost 1 in place of 6", "weights.position 100000 in place of 10000",
+        "table: tolerates ", "ms of extra delay", "solver times are this machine's"})
+    EXPECT_NE(fitted.out.find(words), std::string::npos) << words << "\n" << fitted.out;
+  const std::string task = contents(out / "table_mpc" / "task.yaml");
+  EXPECT_NE(task.find("  boost: 1\n"), std::string::npos) << task;
+  const Outcome stated = run(what +
+                             " --set weights.position=1e4 --set model_error.boost=6 --set "
+                             "model_error.bandwidth=120 --out " +
+                             quoted(scratch.folder / "stated"));
+  EXPECT_EQ(stated.err, "");
+  EXPECT_EQ(stated.out.find("in place of"), std::string::npos) << stated.out;
+  EXPECT_NE(stated.out.find("table: tolerates 1."), std::string::npos) << stated.out;
+}
+
 TEST(Polish, CurvedPath_OnItsPage_IsAsFarOffAsTheToolWas) {
   for (const char* shape :
        {"{kind: cylinder, radius: 0.2}", "{kind: sphere, radius: 0.3, hollow: true}"}) {

@@ -23,7 +23,6 @@ struct TaskMargins {
 
   /// The smaller one of both.
   double delay() const { return std::min(air.delay, contact.delay); }
-  bool meet(const RequiredMargins& required) const;
   /// "2.3 ms of extra delay (in free air), gains of 0.31 (joint 'wrist_3') to 3.4 (joint
   /// 'wrist_3')"
   std::string text() const;
@@ -36,8 +35,8 @@ LoopChain usual_chain(const Task& task);
 /// The chain of a task's own disturbances.
 LoopChain loop_chain(const Task& task);
 
-/// Margins with the usual chain or another one; none where without_margins() says why. Throws Error
-/// as make_mpc() does.
+/// Margins with the usual chain or another one; none where without_margins() says why, and where
+/// there is no plan from the start. Throws Error as make_mpc() does.
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
@@ -49,11 +48,16 @@ struct FreeKeys {
   bool position = true;   ///< weights.position
 };
 
+/// What fit_gains() did.
+struct FittedGains {
+  bool meets = true;         ///< The required margins; true where none are computed.
+  std::string changes = {};  ///< A sentence for the user; empty where nothing was changed.
+};
+
 /// Raises weights.position as far as the required margins allow, to ten times what the task has,
 /// and slows down what does not have them: first the boost, then the bandwidth, then the weight.
-/// Changes nothing where there are no margins. Returns a sentence that says what was chosen; empty
-/// where nothing was changed.
-std::string fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
+/// Changes nothing where there are no margins. Throws Error as make_mpc() does.
+FittedGains fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
                       const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing
