@@ -81,6 +81,9 @@ int run_as(const RunArguments& a) {
   });
   for (const std::string& note : task_notes(spec.task, pressing::states_disturbances(said.texts)))
     fmt::print(stderr, "burnish: note: {}\n", note);
+  if constexpr (requires { setting_notes(spec.task, *spec.setting); })
+    for (const std::string& note : setting_notes(spec.task, *spec.setting))
+      fmt::print(stderr, "burnish: note: {}\n", note);
   const StopRequest stop("the run ends, and what there is of it is written");
   RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
   folder.claim(pressing::run_file_names());

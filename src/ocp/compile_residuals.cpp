@@ -275,20 +275,21 @@ void TermBuilder::operator()(const residual::ContactForceRate& r) {
   dense_block(term.rows, all_columns());
 }
 
-void TermBuilder::needs(int c, Directions wanted) const {
+void TermBuilder::needs_most(int c, Directions wanted, int normal) const {
   const Directions held = problem.contacts.contacts()[c].spec.directions;
-  if ((held.bits & wanted.bits) != wanted.bits)
+  const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};
+  if (!held.has(normal) || both.count() + 1 < wanted.count())
     refuse("contact " + in_quotes(problem.contacts.contacts()[c].spec.name) + " holds " +
            held.text() + "; wanted " + wanted.text() + " among them");
 }
 
 void TermBuilder::operator()(const residual::FrictionCone& r) {
   const int c = contact(r.contact);
-  needs(c, Directions::linear());
   if (!(r.friction > 0.0) || !std::isfinite(r.friction))
     refuse("friction is " + number(r.friction) + "; wanted a number above 0");
   if (r.normal < 0 || r.normal > 2)
     refuse("normal is " + std::to_string(r.normal) + "; wanted 0, 1 or 2");
+  needs_most(c, Directions::linear(), r.normal);
   try {
     check_sides(r.sides);
   } catch (const Error& error) {
@@ -306,14 +307,14 @@ void TermBuilder::operator()(const residual::FrictionCone& r) {
 
 void TermBuilder::operator()(const residual::CenterOfPressure& r) {
   const int c = contact(r.contact);
-  needs(c, Directions::pad_z());
+  needs_most(c, Directions::pad_z(), 2);
   if (!(r.half_x > 0.0 && r.half_y > 0.0) || !std::isfinite(r.half_x * r.half_y))
     refuse("half lengths are " + number(r.half_x) + " and " + number(r.half_y) +
            " m; wanted positive numbers");
   if (!(r.friction >= 0.0) || !std::isfinite(r.friction))
     refuse("friction is " + number(r.friction) + "; wanted a number of at least zero");
   const bool rubs = r.friction > 0.0;
-  if (rubs) needs(c, Directions::all());
+  if (rubs) needs_most(c, Directions::all(), 2);
   term.rows = rubs ? 12 : 4;
   term.residual = PressureMargin{wrench(c, Reference::local()), r.half_x, r.half_y, rubs};
   if (rubs) target({}, 1, Eigen::VectorXd::Constant(1, r.friction));

@@ -79,7 +79,9 @@ struct TermBuilder {
   FramePositionError position(const std::string& name, const Reference& reference);
   /// Of a frame in axes that it turns against.
   FrameView turned(int frame, Reference reference);
-  void needs(int c, Directions wanted) const;
+  /// Refuses a contact that does not hold its normal (0 to 2), or lacks more than one of `wanted`.
+  /// The force along the one is zero.
+  void needs_most(int c, Directions wanted, int normal) const;
 
   // compile_terms.cpp: what a cost or a constraint has beside its residual.
 

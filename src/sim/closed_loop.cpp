@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decomposition.hpp"
 #include "base/sentence.hpp"
+#include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "model/joint_entries.hpp"
 
@@ -35,6 +37,34 @@ void add_entries_of_v(std::vector<TraceColumn>& columns, const Model& model, con
                       const char* turning, const char* sliding) {
   for (int k = 0; k < model.nv; ++k)
     columns.push_back({what + model.v_name(k), unit_of_v(model, k, turning, sliding)});
+}
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Springs and dampers of a hoist, along and about the world's axes: stiff beside what a robot's
+/// legs push with, well damped, and slow beside a plant's step.
+struct HoistGains {
+  explicit HoistGains(double mass) {
+    constexpr double arm = 0.3;  // m, of a robot's inertia, about
+    stiffness << Eigen::Vector3d::Constant(2e3 * mass),
+        Eigen::Vector3d::Constant(arm * arm * 2e3 * mass);
+    damping << Eigen::Vector3d::Constant(60.0 * mass),
+        Eigen::Vector3d::Constant(arm * arm * 60.0 * mass);
+  }
+  Vector6 stiffness;  ///< N/m, Nm/rad
+  Vector6 damping;    ///< Ns/m, Nms/rad
+};
+
+/// Acceleration of a frame by a wrench on it, J M^-1 J^T, world axes. Allocates.
+Matrix6 mobility_of(const Model& model, const RigidBody& body, int frame,
+                    const Eigen::VectorXd& q) {
+  ContactDynamics dynamics(model);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
+  if (dynamics.forward(q, rest, rest) > Status::NotConverged) return Matrix6::Zero();
+  FrameDerivatives motion;
+  body.frame_derivatives(frame, Reference::centered(), motion);
+  const Eigen::MatrixXd J = motion.jacobian;
+  return J * solve_positive(dynamics.mass_matrix(), J.transpose());
 }
 
 /// In the order in which record_state() and record_step() write.
@@ -151,7 +181,7 @@ struct ClosedLoop::Impl {
   double* record_state(double* to) noexcept;
   void record_step(double* to, Status status, bool ticked) const noexcept;
   void place_tool() noexcept;
-  void hang() noexcept;
+  void hang();
   void add_hoist(double share) noexcept;
   void place_surface() noexcept {
     if (carrier >= 0) surface_world = body.placement(carrier);
@@ -173,6 +203,9 @@ struct ClosedLoop::Impl {
   HoistSpec hoist;
   int hung;                                                      ///< frame of the hoist; -1: none
   Eigen::Isometry3d hung_world = Eigen::Isometry3d::Identity();  ///< of it, at first
+  /// What is left of the hoist's spring and damper where they are stiff for the plant's step beside
+  /// a light base: of an implicit step.
+  Matrix6 yields = Matrix6::Identity();
   Eigen::VectorXd total;
   Trace trace;
   long steps = 0;
@@ -261,25 +294,32 @@ void ClosedLoop::Impl::place_tool() noexcept {
   turned = rotation.angle() * rotation.axis();
 }
 
-void ClosedLoop::Impl::hang() noexcept {
-  if (hung >= 0) hung_world = body.placement(hung);
+void ClosedLoop::Impl::hang() {
+  if (hung < 0) return;
+  hung_world = body.placement(hung);
+  const HoistGains gains(body.mass());
+  const double dt = plant->dt();
+  const Matrix6 step = (dt * gains.damping + dt * dt * gains.stiffness).asDiagonal();
+  // Explicit steps are accurate below it, and unsteady from 2 on.
+  constexpr double stiff = 0.5;
+  const Matrix6 stepped = step * mobility_of(plant->model(), body, hung, plant->q());
+  yields.setIdentity();
+  if (stepped.diagonal().maxCoeff() > stiff)
+    yields = least_squares(Matrix6::Identity() + stepped, Matrix6::Identity());
 }
 
 /// To the total, at the state of the body.
 void ClosedLoop::Impl::add_hoist(double share) noexcept {
   const double mass = body.mass();
-  // Stiff beside what a robot's legs push with, well damped, and slow beside a plant's step.
-  const double stiffness = 2e3 * mass, damping = 60.0 * mass;  // N/m, Ns/m
-  constexpr double arm = 0.3;                                  // m, of a robot's inertia, about
+  const HoistGains gains(mass);
   const Eigen::Isometry3d now = body.placement(hung);
   const Vector6 v_hung_world = body.velocity(hung, Reference::centered());
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.linear() * hung_world.linear().transpose()));
-  Vector6 wrench_world;
-  wrench_world.head<3>() = -mass * plant->model().gravity -
-                           stiffness * (now.translation() - hung_world.translation()) -
-                           damping * v_hung_world.head<3>();
-  wrench_world.tail<3>() =
-      -arm * arm * (stiffness * turn.angle() * turn.axis() + damping * v_hung_world.tail<3>());
+  Vector6 way;
+  way << now.translation() - hung_world.translation(), turn.angle() * turn.axis();
+  Vector6 wrench_world =
+      -yields * (gains.stiffness.cwiseProduct(way) + gains.damping.cwiseProduct(v_hung_world));
+  wrench_world.head<3>() -= mass * plant->model().gravity;
   body.frame_derivatives(hung, Reference::centered(), motion);
   total.noalias() += share * (motion.jacobian.transpose() * wrench_world);
 }

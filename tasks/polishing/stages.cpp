@@ -14,6 +14,7 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/horizon.hpp"
 #include "pressing/arm.hpp"
+#include "pressing/foot_contacts.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
 
@@ -64,6 +65,8 @@ struct Builder {
   std::shared_ptr<const Path> path;
   /// s of the schedule that plans may know the force until: without preview, now.
   std::shared_ptr<const std::atomic<double>> known = {};
+  /// What the feet hold, as contacts.
+  std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
     const int filtered = task.torque_cutoff > 0.0 ? model.nv : 0;
@@ -176,7 +179,7 @@ struct Builder {
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    pressing::keep_standing(task.standing, result);
+    pressing::keep_standing(model, task.standing, feet, result);
     if (!contact) return result;
     result.contacts.insert(result.contacts.begin(), "surface");
     const double least = task.force_profile.least(task.force);
@@ -341,8 +344,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.problem.model = model;
   ProblemSpec& problem = mpc.problem;
   problem.contacts = {surface_contact(task, setting)};
-  for (const ContactSpec& foot : pressing::foot_contacts(task.standing))
-    problem.contacts.push_back(foot);
+  for (const ContactSpec& foot : build.feet) problem.contacts.push_back(foot);
   problem.initial_state = build.state_target();
   if (task.torque_cutoff > 0.0) problem.torque_model = TorqueModel{task.torque_cutoff};
   const CostTerm press = pressing::force_cost(build.force(), task.weights.force);

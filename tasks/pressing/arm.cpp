@@ -60,12 +60,13 @@ Robot simulable(Robot robot) {
 
 }  // namespace
 
-Robot load_floating(const std::string& robot) {
-  Robot loaded = about("robot", [&] { return load_robot(robot); });
+Robot load_floating(const std::string& robot, const std::vector<std::string>& locked) {
+  RobotOverrides overrides;
+  overrides.locked = locked;
+  Robot loaded = about("robot", [&] { return load_robot(robot, overrides); });
   // A description may have a floating base of its own, as those in MJCF do.
   if (!loaded.model.joints.empty() && loaded.model.joints.front().kind == JointKind::FreeFlyer)
     return simulable(std::move(loaded));
-  RobotOverrides overrides;
   overrides.base = Base::FreeFlyer;
   return simulable(about("robot", [&] { return load_robot(robot, overrides); }));
 }

@@ -17,9 +17,9 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands = 
 /// those that its files add, sites among them, and the links at its ends, of many the first.
 std::string none_of(const Model& model, const std::string& frame);
 
-/// With a base that floats, whatever its files say of it. Throws EntryError, "robot", as
-/// load_robot() refuses it.
-Robot load_floating(const std::string& robot);
+/// With a base that floats, whatever its files say of it, and these joints locked. Throws
+/// EntryError, "robot", as load_robot() refuses it.
+Robot load_floating(const std::string& robot, const std::vector<std::string>& locked = {});
 
 /// Throws EntryError, "robot", where the base floats free.
 void refuse_floating_base(const Model& model);

@@ -87,16 +87,35 @@ const Description& description_of(const Standing* /*of*/) {
           .field("half_y", &S::half_y, "{m}, along y", size)
           .field("radius", &S::radius, "{m}, of a foot that is a ball", range::positive)
           .field("friction", &S::friction, "Coulomb coefficient of the plant's ground", size)
-          .field("stiffness", &S::stiffness, "{N/m}, of the plant's ground under each foot",
+          .field("stiffness", &S::stiffness,
+                 "{N/m}, of the plant's ground under each foot; auto: 0.23 mm of way under the "
+                 "weight, of balls 0.245 mm",
                  range::positive)
-          .field("damping", &S::damping, "{Ns/m}, of the plant's ground under each foot",
+          .in_code(
+              "N/m, of the plant's ground under each foot; none: 0.23 mm of way under the "
+              "weight, of balls 0.245 mm")
+          .word("auto")
+          .field("damping", &S::damping,
+                 "{Ns/m}, of the plant's ground under each foot; auto: 0.05 s of the stiffness, of "
+                 "balls 0.02 s",
                  range::positive)
+          .in_code(
+              "Ns/m, of the plant's ground under each foot; none: 0.05 s of the stiffness, of "
+              "balls 0.02 s")
+          .word("auto")
           .field("plan_friction", &S::plan_friction, "coefficient that plans keep within",
                  range::positive)
           .field("plan_sole", &S::plan_sole,
                  "of half a sole's sides, that plans keep the centre of pressure within; 0 to 1",
                  range::share)
-          .field("least_load", &S::least_load, "{N} that plans keep on each foot", size)
+          .field("least_load", &S::least_load,
+                 "{N} that plans keep on each foot; auto: 0.09 of the weight that a foot bears "
+                 "when all bear alike",
+                 size)
+          .in_code(
+              "N that plans keep on each foot; none: 0.09 of the weight that a foot bears when all "
+              "bear alike")
+          .word("auto")
           .field("balance", &S::balance, "{1/m^2}: centre of mass to where it starts", size)
           .field("base", &S::base, "{1/rad^2}: base to its orientation at the start", size)
           .field("momentum", &S::momentum,

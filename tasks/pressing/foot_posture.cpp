@@ -21,6 +21,16 @@ Eigen::Vector3d turn_to(const Eigen::Matrix3d& target, const Eigen::Matrix3d& R)
   return turn.angle() * turn.axis();
 }
 
+/// Whether each entry of v (nv) is between a foot and the base, or the base's.
+std::vector<bool> entries_of_legs(const Model& model, const Standing& standing) {
+  std::vector<bool> leg(static_cast<std::size_t>(model.nv), false);
+  for (const std::string& foot : standing.feet) {
+    const Frame& frame = model.frames[static_cast<std::size_t>(model.frame_index(foot))];
+    for (const int k : model.support(frame.body)) leg[static_cast<std::size_t>(k)] = true;
+  }
+  return leg;
+}
+
 /// What is off, and how the robot's motion changes it.
 class OffPlace {
  public:
@@ -78,8 +88,15 @@ void clamp(const Model& model, Eigen::VectorXd& q) {
           std::clamp(q[joint.q_index], model.q_lower[joint.q_index], model.q_upper[joint.q_index]);
 }
 
+/// rad (m) that a joint is to be off its limits where nothing asks for more: of a short range a
+/// part.
+double room_of(const Model& model, const Joint& joint) {
+  constexpr double usual = 0.2, part = 0.1;
+  return std::min(usual, part * (model.q_upper[joint.q_index] - model.q_lower[joint.q_index]));
+}
+
 /// The neutral configuration with the joints of the legs moved by `way`, rad (m), within their
-/// ranges.
+/// ranges. Others come off their limits, at which they could not move.
 Eigen::VectorXd bent(const Model& model, const Standing& standing, double way) {
   Eigen::VectorXd dq = Eigen::VectorXd::Zero(model.nv);
   for (const std::string& foot : standing.feet) {
@@ -89,7 +106,25 @@ Eigen::VectorXd bent(const Model& model, const Standing& standing, double way) {
   }
   Eigen::VectorXd q = integrate(model, model.q_neutral, dq);
   clamp(model, q);
+  const std::vector<bool> leg = entries_of_legs(model, standing);
+  for (const Joint& joint : model.joints) {
+    const int k = joint.q_index;
+    if (!ocp::has_position_limit(model, joint) || leg[static_cast<std::size_t>(joint.v_index)])
+      continue;
+    const double room = room_of(model, joint);
+    q[k] = std::clamp(q[k], model.q_lower[k] + room, model.q_upper[k] - room);
+  }
   return q;
+}
+
+/// Whether all joints are off their limits.
+bool has_room(const Model& model, const Eigen::VectorXd& q) {
+  return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+    if (!ocp::has_position_limit(model, joint)) return true;
+    const int k = joint.q_index;
+    const double room = 0.5 * room_of(model, joint);
+    return q[k] >= model.q_lower[k] + room && q[k] <= model.q_upper[k] - room;
+  });
 }
 
 /// Nm: all torques that hold it on its feet, as the root of their squares.
@@ -118,24 +153,34 @@ std::string base_frame(const Model& model) {
 }
 
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
-                                               const FootPosture& wanted,
-                                               const Eigen::VectorXd& q) {
+                                               const FootPosture& wanted, const Eigen::VectorXd& q,
+                                               double tolerance) {
   constexpr int most = 200;
-  constexpr double longest = 0.2, enough = 1e-4, damping = 1e-4;
+  constexpr double longest = 0.2, damping = 1e-4;
   OffPlace off(model, standing, wanted);
+  const std::vector<bool> leg = entries_of_legs(model, standing);
+  Eigen::VectorXd goes = Eigen::VectorXd::Ones(model.nv);
+  for (Eigen::Index k = 0; k < goes.size(); ++k)
+    if (!leg[static_cast<std::size_t>(k)]) goes[k] = wanted.others;
   Eigen::VectorXd at = q;
   for (int i = 0; i < most; ++i) {
     clamp(model, at);
     if (!off.look(at)) return std::nullopt;
-    if (off.error.cwiseAbs().maxCoeff() < enough) return at;
-    const Eigen::VectorXd dq =
-        damped_step(off.J, Eigen::VectorXd::Constant(off.error.size(), damping), off.error);
+    if (off.error.cwiseAbs().maxCoeff() < tolerance) return at;
+    const Eigen::VectorXd dq = goes.cwiseProduct(
+        damped_step(off.J * goes.asDiagonal(), Eigen::VectorXd::Constant(off.error.size(), damping),
+                    off.error));
     at = integrate(model, at, dq * std::min(1.0, longest / dq.cwiseAbs().maxCoeff()));
   }
   return std::nullopt;
 }
 
-Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
+namespace {
+
+/// The posture that takes the least torque with the base lower by `crouch`; nothing where none was
+/// found.
+std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
+                                                double crouch) {
   const Eigen::VectorXd& q = model.q_neutral;
   const Eigen::Isometry3d base = frame_placement(model, q, base_frame(model));
   FootPosture wanted{.R_base = base.linear(), .com = Eigen::Vector3d::Zero()};
@@ -150,21 +195,40 @@ Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, d
   }
   wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
   // Straight legs do not know which way to bend.
-  Eigen::VectorXd best;
+  std::optional<Eigen::VectorXd> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-    const auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
-    if (!found) continue;
-    const double torque = torque_at(model, standing, *found);
-    if (torque < least) best = *found;
-    least = std::min(least, torque);
+  for (const double others : {0.1, 1.0}) {
+    wanted.others = others;
+    for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
+      auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
+      if (!found) continue;
+      const double torque = torque_at(model, standing, *found);
+      if (torque < least) best = std::move(found);
+      least = std::min(least, torque);
+    }
+    if (best) break;  // the legs alone
   }
-  if (best.size() == 0)
+  return best;
+}
+
+}  // namespace
+
+Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
+  constexpr double less = 0.7;
+  constexpr int most = 4;  // times less: a quarter of it
+  const auto found = posture_lower_by(model, standing, crouch);
+  if (!found)
     throw Error("no posture was found that has the feet level, the base upright and lower by " +
                 number(crouch) +
                 " of its height above them (crouch), and the centre of mass above "
                 "their middle; wanted one of the robot's settings, or another crouch");
-  return best;
+  if (has_room(model, *found)) return *found;
+  for (int i = 0; i < most; ++i) {
+    crouch *= less;
+    auto higher = posture_lower_by(model, standing, crouch);
+    if (higher && has_room(model, *higher)) return *higher;
+  }
+  return *found;
 }
 
 }  // namespace burnish::pressing

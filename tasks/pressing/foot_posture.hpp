@@ -20,18 +20,22 @@ struct FootPosture {
   Eigen::Matrix3d R_base;                    ///< of base_frame(), world
   Eigen::Vector3d com;                       ///< centre of mass, m, world
   std::optional<double> base_height = {};    ///< m, of base_frame(), in the place of com.z()
+  /// Part of their way that joints outside the legs go; 1: as far as those of the legs.
+  double others = 1.0;
 };
 
 /// nq: by damped least squares from q on, joints within their ranges; nothing where feet or trunk
-/// stay off their places by 0.1 mm or 0.1 mrad.
+/// stay off their places by more than `tolerance`, m and rad.
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
-                                               const FootPosture& wanted, const Eigen::VectorXd& q);
+                                               const FootPosture& wanted, const Eigen::VectorXd& q,
+                                               double tolerance = 1e-4);
 
 /// nq: a posture to stand in, for a robot without any. The base is upright as in the neutral
 /// configuration, the feet are level where they are there seen from above, the centre of mass is
-/// above their middle, and the base lower than there by `crouch` of its height above the feet. Legs
-/// may bend to either side: of the postures that are found it is the one that takes the least
-/// torque. Throws Error where none is found.
+/// above their middle, and the base lower than there by `crouch` of its height above the feet, or
+/// by less where that leaves a joint of the legs no room to its limits. Legs may bend to either
+/// side: of the postures that are found it is the one that takes the least torque. Throws Error
+/// where none is found.
 Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch);
 
 }  // namespace burnish::pressing

@@ -21,6 +21,26 @@ const Joint* floating_base(const Model& model) {
   return nullptr;
 }
 
+/// N, when all feet bear alike.
+double weight_per_foot(const Model& model, const Standing& standing) {
+  return model.total_mass() * model.gravity.norm() / static_cast<double>(standing.feet.size());
+}
+
+struct Ground {
+  double stiffness, damping;  ///< N/m, Ns/m
+};
+/// As it is stated, or as the weight asks for: the ground under a light robot is softer, so that
+/// its light feet do not hammer.
+Ground ground_of(const Model& model, const Standing& standing) {
+  // Of the shipped tasks: 2e6 N/m under a sole of Talos, 2e5 N/m under a ball of the quadruped.
+  constexpr double sole_way = 2.305e-4, ball_way = 2.4525e-4;  // m
+  constexpr double sole_lag = 0.05, ball_lag = 0.02;           // s
+  const double way = standing.has_soles() ? sole_way : ball_way;
+  const double stiffness = standing.stiffness.value_or(weight_per_foot(model, standing) / way);
+  return {stiffness,
+          standing.damping.value_or(stiffness * (standing.has_soles() ? sole_lag : ball_lag))};
+}
+
 }  // namespace
 
 void check_standing(const Model& model, const Standing& standing) {
@@ -45,17 +65,17 @@ void check_standing(const Model& model, const Standing& standing) {
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q) {
   std::vector<SupportSpec> supports;
+  const Ground ground = ground_of(model, standing);
   // As far into what gives way as the weight presses them: the robot has been let down already.
-  const double sinks = model.total_mass() * model.gravity.norm() /
-                       (static_cast<double>(standing.feet.size()) * standing.stiffness);
+  const double sinks = weight_per_foot(model, standing) / ground.stiffness;
   for (const std::string& foot : standing.feet) {
     SupportSpec support{.frame = foot,
                         .half_x = standing.half_x,
                         .half_y = standing.half_y,
                         .radius = standing.radius,
                         .friction = standing.friction,
-                        .stiffness = standing.stiffness,
-                        .damping = standing.damping};
+                        .stiffness = ground.stiffness,
+                        .damping = ground.damping};
     const Eigen::Isometry3d at = frame_placement(model, q, foot);
     support.point = at.translation();
     constexpr double upright = 0.98;  // cosine: 11 degrees
@@ -79,18 +99,6 @@ HoistSpec hoist_of(const Model& model, const Standing& standing) {
         model.joints[static_cast<std::size_t>(frame.body)].kind == JointKind::FreeFlyer)
       return {frame.name, std::min(standing.hoist, standing.settle)};
   return {};
-}
-
-std::vector<ContactSpec> foot_contacts(const Standing& standing) {
-  std::vector<ContactSpec> contacts;
-  for (const std::string& foot : standing.feet) {
-    ContactSpec contact{.name = foot, .tool = foot};
-    contact.directions = standing.has_soles() ? Directions::all() : Directions::linear();
-    contact.reference = Reference::centered();
-    contact.with_gains(0.0, standing.contact_kd);
-    contacts.push_back(contact);
-  }
-  return contacts;
 }
 
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
@@ -183,6 +191,20 @@ FootContactOptions foot_contact_options(const Model& model) {
   return options;
 }
 
+Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances) {
+  constexpr double part = 0.022;  // 1 N of the shipped quadruped's 49 N, rounded up
+  constexpr double arm = 0.1;     // m
+  const double most = part * weight_per_foot(model, standing);
+  disturbances.support_force_noise = std::min(disturbances.support_force_noise, most);
+  disturbances.support_moment_noise = std::min(disturbances.support_moment_noise, arm * most);
+  return disturbances;
+}
+
+double least_load_of(const Model& model, const Standing& standing) {
+  constexpr double part = 0.09;  // of a foot's part of the weight: 40 N of Talos, of 900 N
+  return standing.least_load.value_or(part * weight_per_foot(model, standing));
+}
+
 std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing) {
   for (SupportSpec& foot : feet) {
     foot.friction = standing.plan_friction;
@@ -194,41 +216,49 @@ std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Stand
 
 namespace {
 
+/// The entries of a wrench (6) that a contact holds.
+Eigen::VectorXd held_of(const ContactSpec& contact, const Eigen::VectorXd& wrench) {
+  Eigen::VectorXd rows(contact.directions.count());
+  Eigen::Index row = 0;
+  for (int d = 0; d < 6; ++d)
+    if (contact.directions.has(d)) rows[row++] = wrench[d];
+  return rows;
+}
+
 /// What each foot bears along the ground and about its normal.
-std::vector<CostTerm> rubbing_costs(const Standing& standing) {
+std::vector<CostTerm> rubbing_costs(const Standing& standing,
+                                    const std::vector<ContactSpec>& feet) {
   std::vector<CostTerm> terms;
   if (standing.rubbing == 0.0) return terms;
+  Vector6 weights = Vector6::Zero();
+  weights.head<2>().setOnes();
   // A moment is as bad as the forces at the ends of a sole that make it.
-  const double per_square = 1.0 / (standing.half_x * standing.half_x);
-  for (const std::string& foot : standing.feet) {
-    Eigen::VectorXd rows = Eigen::VectorXd::Zero(standing.has_soles() ? 6 : 3);
-    rows.head<2>().setOnes();
-    if (standing.has_soles()) rows[5] = per_square;
-    terms.push_back({.name = "rubbing of " + foot,
-                     .residual = residual::ContactForce{foot},
+  if (standing.has_soles()) weights[5] = 1.0 / (standing.half_x * standing.half_x);
+  for (const ContactSpec& foot : feet)
+    terms.push_back({.name = "rubbing of " + foot.name,
+                     .residual = residual::ContactForce{foot.name},
                      .weight = standing.rubbing,
-                     .weights = rows});
-  }
+                     .weights = held_of(foot, weights)});
   return terms;
 }
 
 /// Friction, load and pressure of every foot.
-std::vector<Constraint> standing_constraints(const Standing& standing) {
+std::vector<Constraint> standing_constraints(const Model& model, const Standing& standing,
+                                             const std::vector<ContactSpec>& feet) {
   std::vector<Constraint> rows;
-  for (const std::string& foot : standing.feet) {
-    rows.push_back({.name = "friction of " + foot,
-                    .residual = residual::FrictionCone{foot, standing.plan_friction}});
-    Eigen::VectorXd least = Eigen::VectorXd::Constant(standing.has_soles() ? 6 : 3,
-                                                      -std::numeric_limits<double>::infinity());
-    least[2] = standing.least_load;
-    rows.push_back({.name = "load of " + foot,
-                    .residual = residual::ContactForce{foot},
-                    .lower = least,
-                    .scale = Eigen::VectorXd::Constant(least.size(), 100.0)});
+  Vector6 least = Vector6::Constant(-std::numeric_limits<double>::infinity());
+  least[2] = least_load_of(model, standing);
+  for (const ContactSpec& foot : feet) {
+    rows.push_back({.name = "friction of " + foot.name,
+                    .residual = residual::FrictionCone{foot.name, standing.plan_friction}});
+    rows.push_back({.name = "load of " + foot.name,
+                    .residual = residual::ContactForce{foot.name},
+                    .lower = held_of(foot, least),
+                    .scale = Eigen::VectorXd::Constant(foot.directions.count(), 100.0)});
     if (!standing.has_soles()) continue;
     rows.push_back(
-        {.name = "pressure of " + foot,
-         .residual = residual::CenterOfPressure{foot, standing.plan_sole * standing.half_x,
+        {.name = "pressure of " + foot.name,
+         .residual = residual::CenterOfPressure{foot.name, standing.plan_sole * standing.half_x,
                                                 standing.plan_sole * standing.half_y,
                                                 standing.plan_friction / std::numbers::sqrt2}});
   }
@@ -237,9 +267,11 @@ std::vector<Constraint> standing_constraints(const Standing& standing) {
 
 }  // namespace
 
-void keep_standing(const Standing& standing, Stage& stage) {
-  for (const CostTerm& term : rubbing_costs(standing)) stage.costs.push_back(term);
-  for (const Constraint& rows : standing_constraints(standing)) stage.constraints.push_back(rows);
+void keep_standing(const Model& model, const Standing& standing,
+                   const std::vector<ContactSpec>& feet, Stage& stage) {
+  for (const CostTerm& term : rubbing_costs(standing, feet)) stage.costs.push_back(term);
+  for (const Constraint& rows : standing_constraints(model, standing, feet))
+    stage.constraints.push_back(rows);
 }
 
 }  // namespace burnish::pressing

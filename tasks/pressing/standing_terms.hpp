@@ -9,6 +9,7 @@
 #include "burnish/estimate/foot_contacts.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/robots/robot.hpp"
+#include "burnish/sim/disturbances.hpp"
 #include "burnish/sim/scene.hpp"
 #include "burnish/tasks/pressing/standing.hpp"
 
@@ -25,9 +26,6 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
 
 /// What holds its base at first.
 HoistSpec hoist_of(const Model& model, const Standing& standing);
-
-/// One contact per foot, called as its frame: soles hold everything, balls their place.
-std::vector<ContactSpec> foot_contacts(const Standing& standing);
 
 /// Jacobian of what supports hold at the state of `body`, in world axes at their frames: 6 rows of
 /// a sole, 3 of a ball.
@@ -53,11 +51,21 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing);
 /// When its feet stand. The noise of their sensors is some that is chosen for the robot's weight.
 FootContactOptions foot_contact_options(const Model& model);
 
+/// `disturbances` with noise of the sensors in the feet, and of their moments, as sensors of a
+/// range for this robot have it: at most 0.022 of a foot's part of the weight, and as much on 0.1
+/// m.
+Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances);
+
+/// N, of standing.least_load.
+double least_load_of(const Model& model, const Standing& standing);
+
 /// Supports with the friction and the soles that plans keep within.
 std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing);
 
 /// To a stage, not the end: friction, load and pressure of every foot as limits, and what feet do
-/// against each other as a cost.
-void keep_standing(const Standing& standing, Stage& stage);
+/// against each other as a cost. `feet`: of foot_contacts(). A direction that a foot does not hold
+/// carries no force, and its terms are left out.
+void keep_standing(const Model& model, const Standing& standing,
+                   const std::vector<ContactSpec>& feet, Stage& stage);
 
 }  // namespace burnish::pressing

@@ -55,7 +55,8 @@ class Replay {
   double sole_share(std::size_t foot, int row) const {
     const std::string name = "support_" + task_.standing.feet[foot];
     const double load = trace_.at(row, trace_.index(name + "_fz"));
-    if (!task_.standing.has_soles() || !(load > task_.standing.least_load)) return 0.0;
+    if (!task_.standing.has_soles() || !(load > pressing::least_load_of(model_, task_.standing)))
+      return 0.0;
     const double mx = trace_.at(row, trace_.index(name + "_mx"));
     const double my = trace_.at(row, trace_.index(name + "_my"));
     return std::max(std::abs(my) / load / task_.standing.half_x,

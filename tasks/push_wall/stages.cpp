@@ -9,6 +9,7 @@
 #include "burnish/dynamics/placement.hpp"
 #include "ocp/position_limits.hpp"
 #include "pressing/arm.hpp"
+#include "pressing/foot_contacts.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
 #include "push_wall/pushing.hpp"
@@ -44,6 +45,8 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   Shared lean;
+  /// What the feet hold, as contacts.
+  std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -148,7 +151,7 @@ struct Builder {
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    pressing::keep_standing(task.standing, result);
+    pressing::keep_standing(model, task.standing, feet, result);
     return result;
   }
   std::vector<Stage> stages() const {
@@ -320,7 +323,7 @@ double force_at(const Task& task, const Setting& setting, const LeanState& lean,
 pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
   pressing::BearingSpec spec{
       .feet = setting.scene.supports,
-      .least_load = task.standing.least_load,
+      .least_load = pressing::least_load_of(setting.robot.model, task.standing),
       .hands = task.hands,
       .normal_world = setting.wall_axes.col(2),
       .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
@@ -335,7 +338,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared lean) {
   const Builder build{task, setting, model, lean};
   MpcSpec mpc;
   mpc.problem.model = model;
-  mpc.problem.contacts = pressing::foot_contacts(task.standing);
+  mpc.problem.contacts = build.feet;
   for (const std::string& hand : task.hands) {
     ContactSpec contact{.name = hand, .tool = hand, .directions = Directions::linear()};
     contact.reference = Reference::surface(setting.wall_axes);

@@ -24,7 +24,10 @@ const Description& description_of(const Sway* /*of*/) {
           .field("shift_rate", &S::shift_rate, "{Hz}", not_negative)
           .field("turn", &S::turn, "{rad}, amplitudes of the base: roll, pitch, yaw")
           .field("turn_rate", &S::turn_rate, "{Hz}", not_negative)
-          .field("rise", &S::rise, "{s} until it is that wide", positive);
+          .field("rise", &S::rise, "{s} until it is that wide", positive)
+          .field("fit", &S::fit,
+                 "directions that the feet or the joints do not allow are left out, or made "
+                 "smaller; false: a sway that cannot be followed is refused");
   return all;
 }
 

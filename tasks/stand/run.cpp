@@ -154,19 +154,20 @@ RunResult run_task(const RunSpec& spec) {
   MpcController mpc(make_mpc(task, setting));
   const double end = setting.sway_end + task.rest_duration;
   const double longest = task.standing.settle + end;
-  pressing::ClosedRun run{.controller = mpc,
-                          .period = 1.0 / task.tick_rate,
-                          .model = model,
-                          .scene = setting.scene,
-                          .disturbances = task.disturbances,
-                          .q_start = setting.q_start,
-                          .longest = longest + 1.0,
-                          .plant = spec.plant,
-                          .standing = &task.standing,
-                          .mpc = &mpc,
-                          .plan_step = task.step,
-                          .solver_delay = task.solver_delay + task.command_delay,
-                          .plan_rate = spec.plan_rate};
+  pressing::ClosedRun run{
+      .controller = mpc,
+      .period = 1.0 / task.tick_rate,
+      .model = model,
+      .scene = setting.scene,
+      .disturbances = pressing::for_feet(model, task.standing, task.disturbances),
+      .q_start = setting.q_start,
+      .longest = longest + 1.0,
+      .plant = spec.plant,
+      .standing = &task.standing,
+      .mpc = &mpc,
+      .plan_step = task.step,
+      .solver_delay = task.solver_delay + task.command_delay,
+      .plan_rate = spec.plan_rate};
   run.goes_on = [&](double now, const Command&) {
     return mpc.schedule().time() < end && now < longest + 0.5;
   };

@@ -7,10 +7,13 @@
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
 #include "pressing/arm.hpp"
-#include "pressing/bearing.hpp"
+#include "pressing/foot_contacts.hpp"
 #include "pressing/foot_posture.hpp"
+#include "pressing/light_joints.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
+#include "pressing/steady_hold.hpp"
+#include "stand/reach.hpp"
 #include "stand/swaying.hpp"
 
 namespace burnish::stand {
@@ -22,6 +25,8 @@ struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
+  /// What the feet hold, as contacts.
+  std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd start_state() const {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -83,7 +88,7 @@ struct Builder {
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    pressing::keep_standing(task.standing, result);
+    pressing::keep_standing(model, task.standing, feet, result);
     return result;
   }
 };
@@ -109,34 +114,6 @@ Eigen::Matrix3d heading_of(const Eigen::Matrix3d& R_base) {
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// What the feet bear at rest within the limits that plans keep.
-pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
-  pressing::BearingSpec spec{
-      .feet = pressing::within_plans(setting.scene.supports, task.standing),
-      .least_load = task.standing.least_load,
-      .torque_limit = pressing::torque_limit(setting.robot.model, task.constraints)};
-  return {setting.robot.model, spec};
-}
-
-/// Throws EntryError where they do not bear it at q.
-void refuse_unborne(const Task& task, const Setting& setting, pressing::Bearing& bearing,
-                    const Eigen::VectorXd& q, const std::string& entry, const std::string& where) {
-  const Model& model = setting.robot.model;
-  RigidBody body(model);
-  if (body.update(q, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
-    throw EntryError(entry, "a posture " + where + " cannot be evaluated");
-  if (bearing.most(body) >= 0.0) return;
-  const std::string& limit = bearing.name(bearing.limit());
-  throw EntryError(entry,
-                   "the robot, which weighs " + number(model.total_mass() * model.gravity.norm()) +
-                       " N, cannot stand " + where + " within what plans keep: in the way is the " +
-                       limit +
-                       (limit.starts_with("load of ")
-                            ? ", " + number(task.standing.least_load) +
-                                  " N; wanted another posture, or " + "less of standing.least_load"
-                            : "; wanted another posture, or less of a sway"));
-}
-
 }  // namespace
 
 const std::vector<std::string>& phase_names() {
@@ -144,7 +121,10 @@ const std::vector<std::string>& phase_names() {
   return names;
 }
 
-Robot load_task_robot(const Task& task) { return pressing::load_floating(task.robot); }
+Robot load_task_robot(const Task& task) {
+  Robot robot = pressing::load_floating(task.robot);
+  return pressing::light_joints_locked(std::move(robot), task.robot, task.standing);
+}
 
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
@@ -166,35 +146,10 @@ Setting make_setting(const Task& task, const Robot& robot) {
   if (body.update(s.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
     throw EntryError("posture", "it cannot be evaluated");
   s.com = body.com();
+  s.sway = task.sway;
   s.sway_end = task.settle_duration + task.sway_duration;
+  if (task.sway.fit) s.sway = fitted_sway(task, s);
   return s;
-}
-
-void refuse_out_of_reach(const Task& task, const Setting& setting) {
-  constexpr int places = 100;  // on the way, that are looked at
-  const Model& model = setting.robot.model;
-  if (!model.loops.empty()) return;  // what closed chains bear is not told by the tree alone
-  pressing::Bearing bearing = make_bearing(task, setting);
-  refuse_unborne(task, setting, bearing, setting.q_start, "posture", "at the start");
-  pressing::FootPosture wanted;
-  for (const std::string& foot : task.standing.feet)
-    wanted.feet.push_back(frame_placement(model, setting.q_start, foot));
-  Eigen::VectorXd q = setting.q_start;
-  for (int i = 0; i <= places; ++i) {
-    const double since = task.sway_duration * i / places;
-    const Trunk trunk = trunk_at(task, setting, task.settle_duration + since);
-    wanted.com = trunk.com;
-    wanted.R_base = trunk.base;
-    const auto found = pressing::posture_on_feet(model, task.standing, wanted, q);
-    const std::string where = number(since) + " s into its sway";
-    if (!found)
-      throw EntryError("sway",
-                       "no posture on these feet, with joints in their ranges, has the "
-                       "trunk where it is to be " +
-                           where + "; wanted less of it");
-    q = *found;
-    refuse_unborne(task, setting, bearing, q, "sway", where);
-  }
 }
 
 MpcSpec make_mpc(const Task& task, const Setting& setting) {
@@ -202,7 +157,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   const Builder build{task, setting, model};
   MpcSpec mpc;
   mpc.problem.model = model;
-  mpc.problem.contacts = pressing::foot_contacts(task.standing);
+  mpc.problem.contacts = build.feet;
   mpc.problem.initial_state = build.start_state();
   mpc.problem.stages = {build.stage()};
   mpc.problem.terminal = build.everywhere();
@@ -228,7 +183,29 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
   mpc.limits = task.limits;
+  mpc.fallback = pressing::steady_fallback(mpc, setting.scene.supports);
   return mpc;
+}
+
+std::vector<std::string> setting_notes(const Task& task, const Setting& setting) {
+  std::vector<std::string> notes = sway_notes(task, setting);
+  const MpcSpec mpc = make_mpc(task, setting);
+  const std::string left = pressing::directions_left_out(task.standing, mpc.problem.contacts);
+  if (!left.empty())
+    notes.push_back("standing.feet: the legs cannot move every foot by itself, so that " + left +
+                    " follows from the other directions, which hold the feet");
+  const double part = mpc.fallback.damping / task.standing.fallback.damping;
+  if (part < 1.0)
+    notes.push_back("standing.fallback: " + number(part) +
+                    " of its stiffness and damping is used; with more the feet, which are light "
+                    "beside what they carry, shake on their ground");
+  const double noise = task.disturbances.support_force_noise;
+  const double used =
+      pressing::for_feet(setting.robot.model, task.standing, task.disturbances).support_force_noise;
+  if (used < noise)
+    notes.push_back("disturbances.support_force_noise: " + number(used) + " N in place of " +
+                    number(noise) + " N, as sensors for feet that bear so little have it");
+  return notes;
 }
 
 }  // namespace burnish::stand

@@ -18,8 +18,7 @@ struct Swung {
 };
 
 /// `time`: s since the sway began.
-Swung swung_at(const Task& task, double time) {
-  const Sway& s = task.sway;
+Swung swung_at(const Task& task, const Sway& s, double time) {
   const double wide =
       pressing::smooth(time / s.rise) * pressing::smooth((task.sway_duration - time) / s.rise);
   const auto sine = [&](const Eigen::Vector3d& amplitude, const Eigen::Vector3d& rate) {
@@ -36,12 +35,12 @@ Swung swung_at(const Task& task, double time) {
 Trunk trunk_at(const Task& task, const Setting& setting, double time) {
   constexpr double h = 1e-4;  // s
   const double since = time - task.settle_duration;
-  const Swung now = swung_at(task, since);
+  const Swung now = swung_at(task, setting.sway, since);
   Trunk trunk;
   trunk.com = setting.com + setting.heading * now.shift;
-  trunk.com_velocity =
-      setting.heading *
-      ((swung_at(task, since + h).shift - swung_at(task, since - h).shift) / (2.0 * h));
+  trunk.com_velocity = setting.heading * ((swung_at(task, setting.sway, since + h).shift -
+                                           swung_at(task, setting.sway, since - h).shift) /
+                                          (2.0 * h));
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(now.turn.z(), Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(now.turn.y(), Eigen::Vector3d::UnitY()) *
                                 Eigen::AngleAxisd(now.turn.x(), Eigen::Vector3d::UnitX()))

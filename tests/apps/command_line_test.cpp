@@ -218,7 +218,6 @@ TEST(Show, DraftsSettingsForATool_WithAPostureForATable) {
   const std::string folder = quoted(scratch.folder / "drafted");
   const std::string draft = "show " + file + " --write-settings " + folder;
   expect_refused(run(draft + " --tool flang"), "did you mean 'flange'?");
-  expect_refused(run("show " + file + " --tool flange"), "--tool goes with --write-settings");
   EXPECT_FALSE(std::filesystem::exists(scratch.folder / "drafted"));
   const Outcome outcome = run(draft + " --tool flange");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -35,6 +35,13 @@ Task short_task(const std::string& robot = quadruped, std::vector<std::string> o
   return read_task(shipped, overrides);
 }
 
+/// All notes, one after the other.
+std::string notes_text(const Task& task, const Setting& setting) {
+  std::string text;
+  for (const std::string& note : setting_notes(task, setting)) text += note + "; ";
+  return text;
+}
+
 RunResult run(const Task& task) { return run_task({.task = task, .plan_rate = 0.0}); }
 
 class Stand : public ::testing::Test {
@@ -137,11 +144,12 @@ TEST_F(Stand, stands_on_a_small_robot_from_elsewhere) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
   const std::string feet = "standing.feet=[FL_FOOT, FR_FOOT, HL_FOOT, HR_FOOT]";
   Task task = short_task(file, {feet});
+  task.standing.least_load = 12.0;
   // Left and right bear the same: which one comes first is rounding.
   expect_words(refusal([&] { run(task); }),
                {"posture: the robot, which weighs 24.525 N, cannot stand at the start",
                 "in the way is the load of ", "_FOOT, 12 N", "standing.least_load"});
-  task.standing.least_load = 1.0;
+  task.standing.least_load = std::nullopt;
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
   EXPECT_LT(result.sway->com_rmse, 5e-3);
@@ -186,13 +194,166 @@ TEST(StandTrunk, is_refused_where_feet_do_not_bear_it) {
     return refusal([&] { refuse_out_of_reach(task, make_setting(task)); });
   };
   EXPECT_EQ(refused({}), "");
-  expect_words(refused({"sway.shift=[0, 0.2, 0]"}),
+  expect_words(refused({"sway.shift=[0, 0.2, 0]", "sway.fit=false"}),
                {"sway: the robot", "cannot stand", "s into its sway", "load of r"});
-  expect_words(refused({"sway.turn=[0, 0, 0.9]"}), {"sway: no posture on these feet"});
+  expect_words(refused({"sway.turn=[0, 0, 0.9]", "sway.fit=false"}),
+               {"sway: no posture on these feet"});
   expect_words(refused({"standing.least_load=60"}),
                {"posture: the robot, which weighs 196.2 N, cannot stand at the start", "60 N"});
   expect_words(refused({"constraints.torque=0.1"}), {"posture: ", "torque limits/"});
   expect_words(refused({"posture=search", "crouch=0.99"}), {"posture: no posture was found"});
+}
+
+TEST(StandTrunk, sways_less_where_feet_or_joints_do_not_let_it) {
+  const Task task = short_task(quadruped, {"sway.shift=[0.02, 0.2, 0]"});
+  const Setting setting = make_setting(task);
+  EXPECT_EQ(refusal([&] { refuse_out_of_reach(task, setting); }), "");
+  EXPECT_GT(setting.sway.shift.y(), 0.01);
+  EXPECT_LT(setting.sway.shift.y(), 0.05);
+  expect_words(notes_text(task, setting), {"sway: made smaller", "y ", " in place of 0.2 m"});
+  const Task shipped_one = short_task();
+  EXPECT_EQ(notes_text(shipped_one, make_setting(shipped_one)), "");
+}
+
+/// A biped without roll of its ankles, in any size: lengths by `size`, masses by its cube, efforts
+/// by both; `more` stands behind its links.
+std::string biped(double size, const std::string& more = "") {
+  const auto text = [](double value) { return std::to_string(value); };
+  const double m = size * size * size, I = m * size * size, effort = m * size;
+  const auto link = [&](const std::string& name, double mass, double z, double inertia) {
+    const std::string i = std::to_string(1e6 * inertia * I) + "e-6";
+    return "<link name='" + name + "'><inertial><origin xyz='0 0 " + text(z * size) +
+           "'/><mass value='" + text(mass * m) + "'/><inertia ixx='" + i +
+           "' ixy='0' ixz='0' iyy='" + i + "' iyz='0' izz='" + i + "'/></inertial></link>";
+  };
+  const auto joint = [&](const std::string& name, const std::string& parent,
+                         const std::string& child, double y, double z, const std::string& axis,
+                         double lower, double upper, double most) {
+    return "<joint name='" + name + "' type='revolute'><parent link='" + parent +
+           "'/><child link='" + child + "'/><origin xyz='0 " + text(y * size) + " " +
+           text(z * size) + "'/><axis xyz='" + axis + "'/><limit lower='" + text(lower) +
+           "' upper='" + text(upper) + "' effort='" + text(most * effort) +
+           "' velocity='20'/></joint>";
+  };
+  std::string all = "<robot name='biped'>" + link("pelvis", 25.0, 0.2, 0.7);
+  for (const auto& [s, y] : {std::pair<std::string, double>{"l", 0.1}, {"r", -0.1}})
+    all += link(s + "_1", 2.0, -0.03, 0.01) + link(s + "_2", 2.0, -0.03, 0.01) +
+           link(s + "_3", 4.0, -0.2, 0.05) + link(s + "_4", 3.0, -0.2, 0.04) +
+           link(s + "_foot", 1.0, -0.04, 0.005) +
+           joint(s + "_yaw", "pelvis", s + "_1", y, 0.0, "0 0 1", -0.5, 0.5, 200.0) +
+           joint(s + "_roll", s + "_1", s + "_2", 0.0, -0.08, "1 0 0", -0.5, 0.5, 200.0) +
+           joint(s + "_pitch", s + "_2", s + "_3", 0.0, 0.0, "0 1 0", -1.6, 1.6, 200.0) +
+           joint(s + "_knee", s + "_3", s + "_4", 0.0, -0.4, "0 1 0", -0.2, 2.2, 300.0) +
+           joint(s + "_ankle", s + "_4", s + "_foot", 0.0, -0.4, "0 1 0", -1.0, 0.7, 100.0) +
+           "<link name='" + s + "_sole'/><joint name='" + s + "_s' type='fixed'><parent link='" +
+           s + "_foot'/><child link='" + s + "_sole'/><origin xyz='0.03 0 " + text(-0.06 * size) +
+           "'/></joint>";
+  return all + more + "</robot>";
+}
+
+Task biped_task(const std::string& file, double size, std::vector<std::string> overrides = {}) {
+  const std::vector<std::string> always{"robot=" + file,
+                                        "standing.feet=[l_sole, r_sole]",
+                                        "posture=search",
+                                        "standing.half_x=" + std::to_string(0.1 * size),
+                                        "standing.half_y=" + std::to_string(0.065 * size),
+                                        "standing.settle=0.3",
+                                        "phases.settle_duration=0.1",
+                                        "phases.sway_duration=1.6",
+                                        "phases.rest_duration=0.1",
+                                        "sway.rise=0.7",
+                                        "controller.update_rate=100",
+                                        "controller.solver_delay=0.01",
+                                        "controller.knots=20"};
+  overrides.insert(overrides.begin(), always.begin(), always.end());
+  return read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", overrides);
+}
+
+TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
+  const testing::Scratch scratch;
+  const Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
+  const Setting setting = make_setting(task);
+  EXPECT_EQ(setting.sway.shift.y(), 0.0);
+  EXPECT_EQ(setting.sway.turn.x(), 0.0);
+  EXPECT_EQ(setting.sway.turn.z(), 0.0);
+  EXPECT_GT(setting.sway.shift.x(), 0.01);
+  EXPECT_GT(setting.sway.turn.y(), 0.01);
+  expect_words(notes_text(task, setting),
+               {"sway: y, roll and yaw left out", " of r_sole follows from the other directions"});
+  // Eleven of the twelve directions are independent.
+  int held = 0;
+  for (const ContactSpec& foot : make_mpc(task, setting).problem.contacts)
+    held += foot.directions.count();
+  EXPECT_EQ(held, 11);
+  const RunResult result = run(task);
+  EXPECT_TRUE(result.done) << result.outcome;
+  ASSERT_TRUE(result.sway);
+  EXPECT_LT(result.sway->com_rmse, 3e-3);
+}
+
+TEST_F(Stand, stands_with_one_file_whether_it_weighs_little_or_much) {
+  const testing::Scratch scratch;
+  for (const double size : {0.5, 1.6}) {  // 6 kg and 200 kg
+    const RunResult result = run(biped_task(
+        scratch.write("biped.urdf", biped(size)).string(), size,
+        {"controller.update_rate=200", "controller.solver_delay=0.005", "controller.knots=30",
+         "sway.rise=1.6", "phases.sway_duration=3.4", "sway.shift_rate=[0.3, 0.25, 0.4]"}));
+    EXPECT_TRUE(result.done) << size << ": " << result.outcome;
+  }
+}
+
+TEST_F(Stand, is_held_at_first_where_its_base_is_light) {
+  const testing::Scratch scratch;
+  // A pelvis of 0.3 kg under the trunk that weighs the rest.
+  std::string text = biped(1.0,
+                           "<link name='trunk'><inertial><origin xyz='0 0 0.2'/><mass value='25'/>"
+                           "<inertia ixx='0.7' ixy='0' ixz='0' iyy='0.7' iyz='0' izz='0.7'/>"
+                           "</inertial></link><joint name='waist' type='revolute'><parent "
+                           "link='pelvis'/><child link='trunk'/><axis xyz='0 0 1'/><limit "
+                           "lower='-1' upper='1' effort='200' velocity='20'/></joint>");
+  const std::size_t mass = text.find("<mass value='25.0");
+  text.replace(mass, text.find("/>", mass) - mass, "<mass value='0.3'");
+  const std::size_t inertia = text.find("<inertia ", mass);
+  text.replace(inertia, text.find("/>", inertia) - inertia,
+               "<inertia ixx='1e-3' ixy='0' ixz='0' iyy='1e-3' iyz='0' izz='1e-3'");
+  const Task task =
+      biped_task(scratch.write("biped.urdf", text).string(), 1.0, {"phases.sway_duration=1.4"});
+  const RunResult result = run(task);
+  EXPECT_TRUE(result.done) << result.outcome;
+}
+
+TEST(StandRobot, locks_what_is_so_light_that_noise_throws_it_about) {
+  const testing::Scratch scratch;
+  const auto finger = [](const std::string& dynamics) {
+    return "<link name='finger'><inertial><origin xyz='0 0 0.01'/><mass value='0.01'/><inertia "
+           "ixx='1e-6' ixy='0' ixz='0' iyy='1e-6' iyz='0' izz='1e-6'/></inertial></link><joint "
+           "name='finger_joint' type='revolute'><parent link='pelvis'/><child link='finger'/>"
+           "<axis xyz='1 0 0'/><limit lower='-1' upper='1' effort='1' velocity='10'/>" +
+           dynamics + "</joint>";
+  };
+  const Robot light = load_task_robot(
+      biped_task(scratch.write("light.urdf", biped(1.0, finger(""))).string(), 1.0));
+  EXPECT_EQ(light.model.nv, 16);
+  ASSERT_EQ(light.notes.size(), 1U);
+  expect_words(light.notes.front(), {"locked: joint 'finger_joint'", "armature"});
+  const Robot geared = load_task_robot(biped_task(
+      scratch.write("geared.urdf", biped(1.0, finger("<dynamics armature='0.01'/>"))).string(),
+      1.0));
+  EXPECT_EQ(geared.model.nv, 17);
+  EXPECT_TRUE(geared.notes.empty());
+}
+
+TEST(StandRobot, is_held_less_firmly_where_its_feet_would_shake) {
+  const testing::Scratch scratch;
+  const auto damping = [&](double size, const std::vector<std::string>& overrides) {
+    const Task task =
+        biped_task(scratch.write("biped.urdf", biped(size)).string(), size, overrides);
+    const Setting setting = make_setting(task);
+    return make_mpc(task, setting).fallback.damping;
+  };
+  EXPECT_EQ(damping(1.0, {}), 15.0);
+  // Ground that gives way far beside what the legs carry.
+  EXPECT_LT(damping(1.0, {"standing.stiffness=1e5", "standing.damping=5e3"}), 15.0);
 }
 
 TEST(StandFile, writes_a_file_that_reads_back_with_every_key_explained) {
@@ -232,7 +393,8 @@ TEST(StandFile, refuses_what_it_cannot_read_or_do_where_the_file_says_it) {
   expect_words(refused(head + "standing: {half_x: 0.1}\n"), {"standing.half_x: half sides"});
   expect_words(refused(head + "standing: {half_x: 0.1, half_y: 0.1}\n"),
                {"standing.feet: the z axis of"});
-  expect_words(refused(head + "sway: {shift: [0, 0.2, 0]}\n"), {"line 3: sway: ", "in the way"});
+  expect_words(refused(head + "sway: {shift: [0, 0.2, 0], fit: false}\n"),
+               {"line 3: sway: ", "in the way"});
   expect_words(refused(head + "posture: standin\n"), {"line 3: posture", "'standing'"});
   expect_words(refused(head + "controller: {update_rate: 300}\n"),
                {"line 3: controller.update_rate: it is 300 Hz"});

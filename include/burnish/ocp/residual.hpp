@@ -153,6 +153,8 @@ struct ContactForceRate {
 /// normal (y after x, x after z) and the others follow every 360 / n degrees, towards the axis
 /// after that. What keeps them at zero or above keeps the cone and f_n.
 ///
+/// One of the two directions along the ground need not be held by the contact: its force is zero.
+///
 /// To Problem::set_target its coefficient is its target: what is under a foot may change.
 struct FrictionCone {
   std::string contact = {};
@@ -175,6 +177,8 @@ struct FrictionCone {
 /// 2015, equations 21 and 22). Friction there is a pyramid, |f_x| and |f_y| each within the
 /// coefficient times f_z: one inside the cone has that of the cone over sqrt(2). To
 /// Problem::set_target the coefficient is its target.
+///
+/// One direction beside the normal need not be held by the contact: its force or moment is zero.
 struct CenterOfPressure {
   std::string contact = {};
   double half_x = 0.1;  ///< m

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,21 @@ struct Standing {
   double half_y = 0.065;  ///< m, along y
   double radius = 0.02;   ///< m, of a foot that is a ball
 
-  double friction = 0.7;   ///< Coulomb coefficient of the plant's ground
-  double stiffness = 2e6;  ///< N/m, of the plant's ground under each foot
-  double damping = 1e5;    ///< Ns/m, of the plant's ground under each foot
+  double friction = 0.7;  ///< Coulomb coefficient of the plant's ground
+  /// N/m, of the plant's ground under each foot; none: 0.23 mm of way under the weight, of
+  /// balls 0.245 mm
+  std::optional<double> stiffness = 2e6;
+  /// Ns/m, of the plant's ground under each foot; none: 0.05 s of the stiffness, of balls 0.02 s
+  std::optional<double> damping = 1e5;
 
   double plan_friction = 0.5;  ///< coefficient that plans keep within
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1
   double plan_sole = 0.95;
-  double least_load = 40.0;  ///< N that plans keep on each foot
-  double balance = 1e3;      ///< 1/m^2: centre of mass to where it starts
-  double base = 100.0;       ///< 1/rad^2: base to its orientation at the start
-  double momentum = 1e-2;    ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
+  /// N that plans keep on each foot; none: 0.09 of the weight that a foot bears when all bear alike
+  std::optional<double> least_load = 40.0;
+  double balance = 1e3;    ///< 1/m^2: centre of mass to where it starts
+  double base = 100.0;     ///< 1/rad^2: base to its orientation at the start
+  double momentum = 1e-2;  ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass
   /// 1/N^2: what each foot bears along the ground, and about its normal as forces at a sole's ends;
   /// what feet do against each other costs grip and holds nothing
   double rubbing = 1e-4;

@@ -25,6 +25,9 @@ struct Sway {
   Eigen::Vector3d turn = Eigen::Vector3d(0.06, 0.06, 0.1);
   Eigen::Vector3d turn_rate = Eigen::Vector3d(0.4, 0.6, 0.3);  ///< Hz
   double rise = 1.5;                                           ///< s until it is that wide
+  /// directions that the feet or the joints do not allow are left out, or made smaller; false: a
+  /// sway that cannot be followed is refused
+  bool fit = true;
 };
 
 /// Cost weights, per second of horizon.
@@ -47,9 +50,9 @@ struct Task {
                        .half_x = 0.0,
                        .half_y = 0.0,
                        .radius = 0.018,
-                       .stiffness = 2e5,
-                       .damping = 4e3,
-                       .least_load = 12.0,
+                       .stiffness = std::nullopt,
+                       .damping = std::nullopt,
+                       .least_load = std::nullopt,
                        .balance = 1e4,
                        .base = 1e3};
 
@@ -116,6 +119,7 @@ struct Setting {
   Eigen::Matrix3d R_base;  ///< axes of that frame at the start, world
   Eigen::Vector3d p_base;  ///< m, and its origin, world
   Eigen::Vector3d com;     ///< m, centre of mass at the start, world
+  Sway sway = {};          ///< the task's, within what the feet allow where it is to fit
   double sway_end = 0.0;   ///< s of the schedule
 };
 /// The task's robot, whose base floats whatever its description says of it. Throws Error as
@@ -141,6 +145,9 @@ Trunk trunk_at(const Task& task, const Setting& setting, double time);
 /// with closed chains nothing is said.
 void refuse_out_of_reach(const Task& task, const Setting& setting);
 MpcSpec make_mpc(const Task& task, const Setting& setting);
+/// Returns a sentence for everything that this robot is given other than the task says: directions
+/// that its feet do not hold by themselves, parts of the sway, how it is held.
+std::vector<std::string> setting_notes(const Task& task, const Setting& setting);
 
 struct RunSpec {
   Task task;

@@ -1,0 +1,55 @@
+#include "pressing/foot_contacts.hpp"
+
+#include <algorithm>
+
+#include "burnish/contact/loops.hpp"
+#include "burnish/derivatives/diagnosis.hpp"
+
+namespace burnish::pressing {
+namespace {
+
+/// Part of a row's length that has to be left beside the rows before it. A searched posture is
+/// level to 1e-4 rad, which leaves as much of a row that depends on others; legs that can move
+/// a foot leave 0.05 and more.
+constexpr double independent_part = 3e-3;
+
+Directions held_by(const Standing& standing) {
+  return standing.has_soles() ? Directions::all() : Directions::linear();
+}
+
+Directions without(Directions directions, const std::string& left_out) {
+  directions.bits = static_cast<std::uint8_t>(directions.bits & ~Directions::parse(left_out).bits);
+  return directions;
+}
+
+}  // namespace
+
+std::vector<ContactSpec> foot_contacts(const Model& model, const Standing& standing,
+                                       const Eigen::VectorXd& q) {
+  std::vector<ContactSpec> feet;
+  for (const std::string& frame : standing.feet) {
+    ContactSpec contact{.name = frame, .tool = frame, .directions = held_by(standing)};
+    contact.reference = Reference::centered();
+    feet.push_back(contact.with_gains(0.0, standing.contact_kd));
+  }
+  if (feet.empty()) return feet;
+  // Loops go first: what follows from them is the feet's.
+  std::vector<ContactSpec> all = loop_contacts(model);
+  all.insert(all.end(), feet.begin(), feet.end());
+  const ContactSet set(model, all);
+  for (const RedundantRow& row : diagnose(model, set, q, {}, independent_part).redundant)
+    for (ContactSpec& foot : feet)
+      if (foot.name == row.contact) foot.directions = without(foot.directions, row.direction);
+  return feet;
+}
+
+std::string directions_left_out(const Standing& standing, const std::vector<ContactSpec>& feet) {
+  std::string text;
+  for (const ContactSpec& foot : feet) {
+    const Directions missing = without(held_by(standing), foot.directions.text());
+    if (missing.bits != 0) text += (text.empty() ? "" : ", ") + missing.text() + " of " + foot.name;
+  }
+  return text;
+}
+
+}  // namespace burnish::pressing
