@@ -15,6 +15,7 @@
 #include "plan_steps.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
+#include "polishing/rotors.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
@@ -24,6 +25,7 @@
 #include "settings_posture.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
+#include "tick_table.hpp"
 
 namespace burnish::app {
 namespace {
@@ -40,7 +42,7 @@ struct PolishArguments {
   std::vector<int> seeds;
   std::optional<double> duration;
   int record_every = 10;
-  bool quiet = false, json = false, time = false, unchecked = false;
+  bool quiet = false, json = false, time = false, unchecked = false, assume_rotors = false;
   bool no_page = false, plots = false, mcap = false, force = false, strict = false;
 
   bool talks() const { return !quiet && !json; }
@@ -53,6 +55,7 @@ files::Said<polishing::Task> make_task(const PolishArguments& arguments,
   if (!arguments.tool.empty()) words.push_back("tool.frame=" + yaml_word(arguments.tool));
   if (!surface.empty()) words.push_back("surface=" + surface);
   if (!arguments.disturbances.empty()) words.push_back("disturbances=" + arguments.disturbances);
+  if (arguments.assume_rotors) words.emplace_back("assume_rotors=true");
   if (arguments.duration)
     words.push_back(fmt::format("phases.polish_duration={}", *arguments.duration));
   words.insert(words.end(), arguments.overrides.begin(), arguments.overrides.end());
@@ -69,14 +72,13 @@ files::Said<polishing::Task> make_task(const PolishArguments& arguments,
 /// Unless said, the first two, or the only one that can do the task.
 std::vector<ControllerKind> controllers_of(const PolishArguments& arguments,
                                            const polishing::Task& task) {
-  constexpr auto mpc = ControllerKind::Mpc, baseline = ControllerKind::Baseline,
-                 admittance = ControllerKind::Admittance;
-  if (arguments.controller.empty() && !polishing::wants_plans(task).empty()) return {mpc};
-  if (arguments.controller.empty() || arguments.controller == "both") return {mpc, baseline};
-  if (arguments.controller == "all") return {mpc, baseline, admittance};
-  for (const ControllerKind kind : {mpc, baseline})
+  using enum ControllerKind;
+  if (arguments.controller.empty() && !polishing::wants_plans(task).empty()) return {Mpc};
+  if (arguments.controller.empty() || arguments.controller == "both") return {Mpc, Baseline};
+  if (arguments.controller == "all") return {Mpc, Baseline, Admittance};
+  for (const ControllerKind kind : {Mpc, Baseline})
     if (arguments.controller == name_of(kind)) return {kind};
-  return {admittance};
+  return {Admittance};
 }
 
 /// The words that make one run of all that were asked for.
@@ -96,6 +98,7 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
   for (const std::string& change : arguments.overrides) add("--set", change);
   add("--seed", std::to_string(job.spec.task.disturbances.seed));
   if (arguments.duration) add("--duration", fmt::format("{}", *arguments.duration));
+  if (arguments.assume_rotors) words.emplace_back("--assume-rotors");
   if (arguments.unchecked) words.emplace_back("--unchecked");
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
@@ -193,6 +196,7 @@ struct CheckedPlace {
   const PolishJob* job;
   polishing::ReachReport reach = {};
   std::optional<Posture> found = {};  ///< the start, where it was searched for
+  std::vector<LightJoint> light_joints = {};
 };
 
 /// The posture that was searched for: added to the robot's settings where that is wanted, and said.
@@ -268,10 +272,14 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
     if (plans) print_step_complaints(job.place, polishing::make_mpc(task, setting));
     reach = polishing::check_reach(task, setting);
     if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
+    places.back().light_joints = polishing::light_joints(task, setting);
     if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
       places.back().found = posture_of(setting.robot.model, setting.q_start);
   }
   for (const CheckedPlace& place : places) {
+    if (!place.light_joints.empty())
+      fmt::print(stderr, "burnish: {}: note: {}, or --assume-rotors\n", place.job->place,
+                 light_joints_text(place.light_joints));
     keep_posture(place, arguments);
     describe_job(*place.job, place.reach, texts, arguments);
   }
@@ -286,60 +294,6 @@ RunResult run_job(PolishJob& job, bool bar) {
   RunResult result = polishing::run_task(job.spec);
   if (bar) fmt::print(stderr, "\r\033[K");
   return result;
-}
-
-/// What the times of plans in the table stand beside: they do not pass in a simulation unless the
-/// task says so.
-void print_timing(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const polishing::Task& task = jobs[i].spec.task;
-    if (!results[i].metrics || !results[i].metrics->solver || task.timing != PlanTiming::Fixed ||
-        results[i].metrics->solver->p99 <= task.solver_delay)
-      continue;
-    const std::string used =
-        task.solver_delay > 0.0
-            ? fmt::format(
-                  "plans are used {:g} ms after their measurement, however long they take "
-                  "(controller.timing fixed)",
-                  1e3 * task.solver_delay)
-            : "plans take no time in this simulation (controller.timing fixed, solver_delay 0)";
-    const std::string late = std::isinf(task.limits.deadline) ? ", and none counts as late" : "";
-    return fmt::print("{}{}: with --set controller.timing=measured they take what the table says\n",
-                      used, late);
-  }
-}
-
-void print_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
-  fmt::print(
-      "\ntime of a tick [ms]       rate [Hz]   ticks  median     p99     max   first   late\n");
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const polishing::TickTimes& t = results[i].ticks;
-    fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}  {:6.1f}  {:5d}\n", jobs[i].name,
-               1.0 / t.period, t.count, 1e3 * t.median, 1e3 * t.p99, 1e3 * t.maximum,
-               1e3 * results[i].first_tick, t.late);
-    if (!results[i].metrics || !results[i].metrics->solver) continue;
-    const SolverFigures& s = *results[i].metrics->solver;
-    fmt::print("{:<24}  {:9.0f}  {:6d}  {:6.3f}  {:6.3f}  {:6.3f}\n", "  of these, with a plan",
-               jobs[i].spec.task.update_rate, s.updates, 1e3 * s.median, 1e3 * s.p99,
-               1e3 * s.maximum);
-  }
-}
-
-/// The table's times are the machine's. In the simulation plans are ready at once, unless the task
-/// says otherwise.
-void note_plan_times(const std::vector<PolishJob>& jobs, const std::vector<RunResult>& results) {
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const polishing::Task& task = jobs[i].spec.task;
-    if (!results[i].metrics || !results[i].metrics->solver) continue;
-    if (task.timing != PlanTiming::Fixed) continue;
-    fmt::print(
-        "\nsolver times are this machine's. In the simulation a plan is used {:g} ms after its "
-        "measurement,\nhowever long it took, and none misses a deadline unless limits.deadline "
-        "sets "
-        "one;\n--set controller.timing=measured lets the time pass\n",
-        1e3 * task.solver_delay);
-    return;
-  }
 }
 
 /// What a call of the program makes: results, and files of them as long as these can be written.
@@ -382,15 +336,19 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
   if (arguments.json) return fmt::print("{}\n", json_text(outcomes.summary));
   const std::vector<RunResult>& results = outcomes.results;
   std::vector<NamedMetrics> rows;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
-  if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
-  print_timing(jobs, results);
   std::vector<NamedStanding> stood;
-  for (std::size_t i = 0; i < results.size(); ++i)
+  std::string rotors;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (results[i].metrics) rows.push_back({jobs[i].name, *results[i].metrics});
     if (results[i].standing) stood.push_back({jobs[i].name, *results[i].standing});
+    if (const std::string assumed = polishing::assumed_rotors_text(results[i].setting);
+        !assumed.empty())
+      rotors += jobs[i].name + ": with assumed rotors, in the plant too: " + assumed + "\n";
+  }
+  if (!rows.empty()) fmt::print("\n{}", metrics_table(rows));
   if (!stood.empty()) fmt::print("\n{}", standing_table(stood));
-  note_plan_times(jobs, results);
+  fmt::print("{}", rotors);
+  print_timing(jobs, results);
   if (arguments.time) print_times(jobs, results);
   if (!arguments.talks() || !outcomes.unwritten.empty()) return;
   fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
@@ -497,6 +455,9 @@ void add_task_options(CLI::App& command, PolishArguments& a) {
                   "What the controller does not know: none, sensors, mismatch or joint_friction, "
                   "each with those before [the file's, or mismatch]")
       ->type_name("PRESET");
+  command.add_flag("--assume-rotors", a.assume_rotors,
+                   "Give joints whose rotor is missing in the description a usual one, in the "
+                   "plant too; tables say so");
   command.add_option("--set", a.overrides, "Any key of a task file, such as force=20; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
 #include "command.hpp"
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
@@ -20,6 +21,7 @@
 #include "robot_arguments.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
+#include "sim/light_joints.hpp"
 #include "stand/record.hpp"
 
 namespace burnish::app {
@@ -51,6 +53,16 @@ std::string command_of(const RunArguments& a, PlantKind plant) {
   return text + (a.unchecked ? " --unchecked" : "");
 }
 
+/// Joints whose rotors are missing are named before anything moves.
+template <class Task, class Setting>
+void note_light_joints(const Task& task, const Setting& setting) {
+  const double period = 1.0 / task.tick_rate;
+  const std::vector<LightJoint> light =
+      light_joints(setting.robot.model, setting.q_start, task.disturbances,
+                   {plant_step(period), period, task.limits.joint_speed_ratio});
+  if (!light.empty()) fmt::print(stderr, "burnish: note: {}\n", light_joints_text(light));
+}
+
 /// A task of the table: the functions are found by its types.
 template <class Named>
 int run_as(const RunArguments& a) {
@@ -74,6 +86,7 @@ int run_as(const RunArguments& a) {
       const Robot robot = load_task_robot(spec.task);
       print_warnings(robot, a.strict);
       spec.setting = make_setting(spec.task, robot);
+      note_light_joints(spec.task, *spec.setting);
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
       if constexpr (requires { spec.task.step; })
         print_step_complaints(run.name, make_mpc(spec.task, *spec.setting));

@@ -16,6 +16,19 @@ std::vector<char> motors(const Model& model) {
   return result;
 }
 
+/// Deviations of Disturbances::torque_noise, nv.
+Eigen::VectorXd added_noise(const Model& model, const std::vector<char>& motor,
+                            const Disturbances& d) {
+  Eigen::VectorXd noise = Eigen::VectorXd::Zero(model.nv);
+  for (int k = 0; k < model.nv; ++k) {
+    if (motor[static_cast<std::size_t>(k)] == 0) continue;
+    noise[k] = d.torque_noise;
+    if (d.torque_noise_share > 0.0)
+      noise[k] = std::min(noise[k], d.torque_noise_share * model.effort_limit[k]);
+  }
+  return noise;
+}
+
 /// `given`, or `centre` and what is drawn within the range about it.
 Eigen::VectorXd drawn(const std::vector<char>& motor, const Eigen::VectorXd& given, double centre,
                       double range, RandomStream random) {
@@ -28,6 +41,16 @@ Eigen::VectorXd drawn(const std::vector<char>& motor, const Eigen::VectorXd& giv
 }
 
 }  // namespace
+
+Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbances) {
+  const std::vector<char> motor = motors(model);
+  Eigen::VectorXd noise = added_noise(model, motor, disturbances);
+  if (!disturbances.torque_loop) return noise;
+  for (int k = 0; k < model.nv; ++k)
+    if (motor[static_cast<std::size_t>(k)] != 0)
+      noise[k] = std::hypot(noise[k], disturbances.torque_sensor_noise);
+  return noise;
+}
 
 struct Actuation::Random {
   explicit Random(std::uint64_t seed)
@@ -44,6 +67,7 @@ Actuation::Actuation(const Model& model, const Disturbances& disturbances, doubl
       bias_(drawn(motor_, disturbances.torque_bias, 0.0, disturbances.torque_bias_range,
                   {disturbances.seed, streams::torque_bias})),
       at_rest_(Eigen::VectorXd::Zero(model.nv)),
+      noise_(added_noise(model, motor_, disturbances)),
       delay_steps_(static_cast<int>(std::lround(disturbances.command_delay / dt))),
       dt_(dt),
       tracking_(disturbances.torque_cutoff > 0.0 ? -std::expm1(-disturbances.torque_cutoff * dt)
@@ -69,6 +93,7 @@ Actuation::Actuation(const Actuation& other)
       scale_(other.scale_),
       bias_(other.bias_),
       at_rest_(other.at_rest_),
+      noise_(other.noise_),
       queue_(other.queue_),
       delay_steps_(other.delay_steps_),
       next_(other.next_),
@@ -132,8 +157,7 @@ void Actuation::distort() noexcept {
       step_.applied[k] = step_.tracked[k];
       continue;
     }
-    if (disturbances_.torque_noise > 0.0)
-      noise += disturbances_.torque_noise * random_->noise.normal();
+    if (disturbances_.torque_noise > 0.0) noise += noise_[k] * random_->noise.normal();
     // The loop brings the sensor's reading to what is wanted, its noise included.
     if (loop && disturbances_.torque_sensor_noise > 0.0)
       noise -= disturbances_.torque_sensor_noise * random_->sensor_noise.normal();

@@ -131,6 +131,8 @@ const Description& description_of(const Disturbances* /*of*/) {
           .word("none")
           .field("torque_noise", &D::torque_noise, "{Nm}, deviation", size)
           .more("new at every plant step")
+          .field("torque_noise_share", &D::torque_noise_share,
+                 "of a joint's effort limit that this noise is at most; 0: any", size)
           .field("torque_limits", &D::torque_limits,
                  "joints give no more than the robot's effort limits")
           .field("torque_loop", &D::torque_loop,

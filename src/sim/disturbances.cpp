@@ -61,6 +61,8 @@ Disturbances disturbance_preset(const std::string& name) {
   constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, rad/s
   result.command_delay = 1e-3;
   result.torque_noise = 0.05;
+  // Of small motors; the weakest of Talos, with 4 Nm, has all of the 0.05 Nm.
+  result.torque_noise_share = 1.0 / 80.0;
   result.encoder_bits = 17;
   result.finite_difference_velocity = true;
   result.velocity_cutoff = cutoff;

@@ -186,6 +186,11 @@ Describe<T>& describe_place(Describe<T>& task) {
       .more(
           "Of the robot's settings, or find_posture()'s. Empty: the robot's default, or searched "
           "where it has none. So is a named surface's, where the robot has none of that name.")
+      .field("assume_rotors", &T::assume_rotors,
+             "joints whose rotor is missing get an armature of 2 ms * effort / velocity")
+      .more(
+          "In plans and plant. Missing: torque noise alone drives the joint past its speed limit; "
+          "without this a note names it.")
       .field("force", &T::force, "{N}, that the tool presses with", positive);
   pressing::describe_tool(task)
       .group(

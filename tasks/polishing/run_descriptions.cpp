@@ -62,7 +62,9 @@ const Description& description_of(const Setting* /*of*/) {
           .field("reach_end", &S::reach_end, "{s} of the schedule")
           .field("touch", &S::touch, "{s} of the schedule")
           .field("ramp_end", &S::ramp_end, "{s} of the schedule")
-          .field("track_end", &S::track_end, "{s} of the schedule");
+          .field("track_end", &S::track_end, "{s} of the schedule")
+          .field("assumed_rotors", &S::assumed_rotors,
+                 "kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature");
   return all;
 }
 

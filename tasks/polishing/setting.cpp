@@ -9,6 +9,8 @@
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "burnish/tasks/pressing/plants.hpp"
+#include "polishing/rotors.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/standing_terms.hpp"
 #include "pressing/tool_direction.hpp"
@@ -34,6 +36,11 @@ bool searches_posture(const Task& task, const Robot& robot) {
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
 namespace {
+LightJointOptions light_options(const Task& task) {
+  const double period = 1.0 / task.tick_rate;
+  return {plant_step(period), period, task.limits.joint_speed_ratio};
+}
+
 /// Throws Error where a curved surface ends, as seen along its normal, before the path does, or
 /// falls off too steeply for a path that is drawn as seen from there.
 void check_path_on(const Setting& setting, const Task& task) {
@@ -110,12 +117,28 @@ Setting make_setting(const Task& task, const Robot& robot) {
                       }));
 }
 
+std::vector<LightJoint> light_joints(const Task& task, const Setting& setting) {
+  return burnish::light_joints(setting.robot.model, setting.q_start, task.disturbances,
+                               light_options(task));
+}
+
+std::string assumed_rotors_text(const Setting& setting) {
+  std::string text;
+  for (const auto& [joint, armature] : setting.assumed_rotors)
+    text += (text.empty() ? "joint " : ", joint ") + in_quotes(joint) + " " + number(armature) +
+            " kg m^2";
+  return text;
+}
+
 Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd& q_start) {
   pressing::check_standing(robot.model, task.standing);
   check_carrier(task, robot.model);
   Setting s;
   s.robot = robot;
   s.q_start = q_start;
+  if (task.assume_rotors)
+    s.assumed_rotors =
+        pressing::assume_rotors(s.robot.model, q_start, task.disturbances, light_options(task));
   SceneSpec scene;
   scene.tip = {task.tool, task.tip_radius};
   scene.surface.frame = task.surface_frame;

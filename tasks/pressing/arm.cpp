@@ -109,6 +109,18 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
                        "posture");
 }
 
+std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
+                                            const Disturbances& disturbances,
+                                            const LightJointOptions& options) {
+  std::map<std::string, double> added;
+  for (const LightJoint& light : light_joints(model, q, disturbances, options)) {
+    if (!std::isfinite(light.armature)) continue;
+    model.armature[light.v] += light.armature;
+    added[light.joint] = light.armature;
+  }
+  return added;
+}
+
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot) {
   std::vector<Eigen::VectorXd> known;
   for (const auto& [name, posture] : robot.postures) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "burnish/robots/robot.hpp"
+#include "sim/light_joints.hpp"
 
 namespace burnish::pressing {
 
@@ -32,6 +33,12 @@ Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
 /// Throws EntryError, "tool.axis", where the direction that a tool presses in is more than `most`
 /// [rad] off the way into a surface, against its normal. Both in the same axes, of length one.
 void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal, double most);
+
+/// Adds an armature of 2 ms * effort / velocity to each light joint of the model (light_joints())
+/// whose effort and speed are limited; what was added, by joint [kg m^2 (kg)].
+std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
+                                            const Disturbances& disturbances,
+                                            const LightJointOptions& options);
 
 /// Of the robot's named postures, to search from.
 std::vector<Eigen::VectorXd> known_postures(const Robot& robot);

@@ -140,6 +140,30 @@ TEST_F(ActuationTest, adds_noise_of_the_wanted_deviation_to_nothing_else) {
   EXPECT_NEAR(deviation, 0.05, 0.008);
 }
 
+TEST_F(ActuationTest, noise_is_at_most_a_share_of_the_effort_limit) {
+  Model weak = model;
+  weak.effort_limit.setConstant(100.0);
+  weak.effort_limit[1] = 1.0;
+  Disturbances d;
+  d.torque_noise = 0.05;
+  const Response all = respond(weak, d);
+  d.torque_noise_share = 0.0125;
+  const Response noisy = respond(weak, d);
+  EXPECT_EQ(noisy.noise.row(0), all.noise.row(0));
+  EXPECT_LE((noisy.noise.row(1) - 0.25 * all.noise.row(1)).norm(), 1e-15);
+  EXPECT_EQ(torque_noise(weak, d).head<2>(), Eigen::Vector2d(0.05, 0.0125));
+  d.torque_loop = true;
+  d.torque_sensor_noise = 0.1;
+  EXPECT_NEAR(torque_noise(weak, d)[0], std::hypot(0.05, 0.1), 1e-15);
+}
+
+TEST(DisturbancePreset, torque_noise_of_talos_is_the_same_in_all_joints) {
+  const Model talos = named_robot("talos");
+  const Eigen::VectorXd noise = torque_noise(talos, disturbance_preset("mismatch"));
+  EXPECT_EQ(noise.head<6>(), Eigen::VectorXd::Zero(6));
+  EXPECT_EQ(noise.tail(talos.nv - 6), Eigen::VectorXd::Constant(talos.nv - 6, 0.05));
+}
+
 TEST_F(ActuationTest, takes_scale_and_bias_away_by_its_torque_loop_and_follows_the_sensor) {
   Disturbances d;
   d.torque_scale_range = 0.2;

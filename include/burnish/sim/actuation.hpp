@@ -9,6 +9,10 @@
 
 namespace burnish {
 
+/// Deviation of the torque noise of each motor, that of a torque loop's sensor included: nv, zero
+/// where there is no motor [Nm or N].
+Eigen::VectorXd torque_noise(const Model& model, const Disturbances& disturbances);
+
 /// One plant step of the actuation: the torque after each part, nv each, Nm or N.
 struct ActuationStep {
   Eigen::VectorXd command;  ///< as it came
@@ -61,6 +65,7 @@ class Actuation {
   Disturbances disturbances_;
   std::vector<char> motor_;  ///< nv: whether the entry has one
   Eigen::VectorXd limit_, scale_, bias_, at_rest_;
+  Eigen::VectorXd noise_;  ///< nv, deviation of what is added to the torque, without the loop's
   Eigen::MatrixXd queue_;  ///< nv x delay_steps, a ring
   int delay_steps_ = 0, next_ = 0;
   std::vector<Loss> losses_;

@@ -70,7 +70,9 @@ struct Disturbances {
   double torque_bias_range = 0.0;     ///< Nm: each joint adds b, |b| <= this
   Eigen::VectorXd torque_bias = {};   ///< nv, Nm (N), in place of drawn ones, or empty
   double torque_noise = 0.0;          ///< Nm, deviation; new at every plant step
-  bool torque_limits = true;          ///< joints give no more than the robot's effort limits
+  /// of a joint's effort limit that this noise is at most; 0: any
+  double torque_noise_share = 0.0;
+  bool torque_limits = true;  ///< joints give no more than the robot's effort limits
   /// a loop around a torque sensor takes away scale, bias and joint friction; ideal in its
   /// bandwidth; it follows the sensor's noise instead
   bool torque_loop = false;
@@ -124,9 +126,10 @@ struct Disturbances {
   std::vector<Push> pushes = {};                     ///< on the robot
 };
 
-/// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N and 0.05 Nm of
-/// noise, 1 ms of delay); mismatch (the same, masses 5 % above the controller's, surface friction
-/// 0.3); joint_friction (the same, 1 Nm of Coulomb and 1 Nms/rad of viscous joint friction).
+/// none; sensors (17 bit encoders, differences and forces filtered at 50 Hz, 0.3 N of noise and
+/// 0.05 Nm, at most 1/80 of a joint's effort limit, 1 ms of delay); mismatch (the same, masses 5 %
+/// above the controller's, surface friction 0.3); joint_friction (the same, 1 Nm of Coulomb and 1
+/// Nms/rad of viscous joint friction).
 const std::vector<std::string>& disturbance_presets();
 /// Throws Error with the nearest known name. Its seed is 0.
 Disturbances disturbance_preset(const std::string& name);

@@ -46,6 +46,8 @@ Json run_json(const PolishJob& job, const RunResult& result) {
                    {"tightest_torque", result.reach.tightest_torque},
                    {"force_per_torque_1_per_m", result.reach.force_per_torque},
                    {"force_joint", result.reach.force_joint}};
+  if (!result.setting.assumed_rotors.empty())
+    json["assumed_rotors_kg_m2"] = result.setting.assumed_rotors;
   json["wall_time_s"] = result.wall_time;
   return json;
 }

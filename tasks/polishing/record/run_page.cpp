@@ -5,6 +5,7 @@
 
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/record/run_files.hpp"
+#include "polishing/rotors.hpp"
 #include "pressing/record.hpp"
 
 namespace burnish::polishing {
@@ -29,6 +30,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PolishJob& job,
     facts.emplace_back("plans", fmt::format("{:g} Hz, horizon {:g} s in steps of {:g} s",
                                             task.update_rate, task.horizon, task.step));
   facts.emplace_back("plant", name_of(job.spec.plant));
+  if (!result.setting.assumed_rotors.empty())
+    facts.emplace_back("assumed rotors", assumed_rotors_text(result.setting));
   facts.emplace_back("seed", std::to_string(task.disturbances.seed));
   return facts;
 }

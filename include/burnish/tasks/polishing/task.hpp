@@ -72,6 +72,10 @@ struct Task {
   /// robot's settings, or find_posture()'s. Empty: the robot's default, or searched where it has
   /// none. So is a named surface's, where the robot has none of that name.
   std::string posture = {};
+  /// joints whose rotor is missing get an armature of 2 ms * effort / velocity. In plans and plant.
+  /// Missing: torque noise alone drives the joint past its speed limit; without this a note names
+  /// it.
+  bool assume_rotors = false;
   PostureLimits search = {};
   Standing standing = {};     ///< of a robot whose base floats
   std::string tool = "tool";  ///< its origin is the centre of a round tip

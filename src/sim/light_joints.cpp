@@ -1,0 +1,78 @@
+#include "sim/light_joints.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "base/sentence.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/sim/actuation.hpp"
+
+namespace burnish {
+namespace {
+
+/// Deviations that a normal variable exceeds once in 16 000 draws: a run has about as many.
+constexpr double deviations = 4.0;
+/// Time in which a usual motor accelerates its own rotor from rest to its speed limit [s].
+constexpr double rotor_time = 2e-3;
+
+/// Diagonal of the inverse of the mass matrix, armature included; empty where it is singular.
+Eigen::VectorXd mobility(const Model& model, const ConstVectorRef& q) {
+  RigidBody body(model);
+  Eigen::MatrixXd M(model.nv, model.nv);
+  for (int k = 0; k < model.nv; ++k) {
+    if (body.update(q, Eigen::VectorXd::Unit(model.nv, k)) > Status::NotConverged) return {};
+    body.update_derivatives();
+    M.col(k) = body.kinetic_energy_dv();
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(M);
+  if (factor.info() != Eigen::Success) return {};
+  return factor.solve(Eigen::MatrixXd::Identity(model.nv, model.nv)).diagonal();
+}
+
+/// Time until a command can answer what a velocity shows [s].
+double answer_time(const Disturbances& d, double control_period) {
+  const bool filtered = d.finite_difference_velocity && d.velocity_cutoff > 0.0;
+  return d.command_delay + control_period + (filtered ? 1.0 / d.velocity_cutoff : 0.0);
+}
+
+}  // namespace
+
+std::vector<LightJoint> light_joints(const Model& model, const ConstVectorRef& q,
+                                     const Disturbances& disturbances,
+                                     const LightJointOptions& options) {
+  const Eigen::VectorXd noise = torque_noise(model, disturbances);
+  if (noise.isZero(0.0)) return {};
+  const Eigen::VectorXd speed_per_torque = mobility(model, q);
+  if (speed_per_torque.size() == 0) return {};
+  const double walk =
+      std::sqrt(options.plant_step * answer_time(disturbances, options.control_period));
+  std::vector<LightJoint> light;
+  for (int k = 0; k < model.nv; ++k) {
+    const double limit = options.joint_speed_ratio * model.velocity_limit[k];
+    const double speed = deviations * noise[k] * speed_per_torque[k] * walk;
+    if (!(speed > limit)) continue;
+    light.push_back({model.v_name(k), k, 1.0 / speed_per_torque[k], noise[k], speed, limit,
+                     rotor_time * model.effort_limit[k] / model.velocity_limit[k]});
+  }
+  return light;
+}
+
+std::string light_joints_text(const std::vector<LightJoint>& joints) {
+  std::string text, lines;
+  for (const LightJoint& each : joints) {
+    text += (text.empty() ? "joint " : ", joint ") + in_quotes(each.joint) + " (" +
+            number(each.inertia) + " kg m^2, up to " + number(each.speed) + " rad/s, allowed " +
+            number(each.limit) + ")";
+    if (std::isfinite(each.armature))
+      lines +=
+          (lines.empty() ? "" : ", ") + each.joint + ": {armature: " + number(each.armature) + "}";
+  }
+  text += ": torque noise alone drives " + std::string(joints.size() > 1 ? "them" : "it") +
+          " past the speed limit before any control acts; the rotors of motors are probably "
+          "missing in the description";
+  if (!lines.empty())
+    text += ". Of usual rotors, 2 ms x effort / velocity: joints: {" + lines + "} in robot.yaml";
+  return text;
+}
+
+}  // namespace burnish
