@@ -12,6 +12,7 @@
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
+#include "fitted_controller.hpp"
 #include "plan_steps.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
@@ -193,10 +194,11 @@ void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) 
 
 /// What is known of a place before anything moves.
 struct CheckedPlace {
-  const PolishJob* job;
+  PolishJob* job;  ///< the first one there
   polishing::ReachReport reach = {};
   std::optional<Posture> found = {};  ///< the start, where it was searched for
   std::vector<LightJoint> light_joints = {};
+  FittedController controller = {};
 };
 
 /// The posture that was searched for: added to the robot's settings where that is wanted, and said.
@@ -216,71 +218,45 @@ void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
   if (!name.empty()) fmt::print("posture '{}' is in {}\n", name, file.string());
 }
 
-/// Keys of the controller that no text states.
-polishing::FreeKeys free_keys(const std::vector<document::Reader>& texts) {
-  const auto is_free = [&](const char* key) {
-    return std::none_of(texts.begin(), texts.end(), [&](const document::Reader& text) {
-      return files::stated(text, key).has_value();
-    });
-  };
-  return {.boost = is_free("model_error.boost"),
-          .bandwidth = is_free("model_error.bandwidth"),
-          .position = is_free("weights.position")};
-}
-
-/// Fits the controller of a task to its arm, and says what it tolerates.
-void fit(polishing::Task& task, const polishing::Setting& setting, const PolishArguments& arguments,
-         const polishing::FreeKeys& free, const std::string& place) {
-  const polishing::RequiredMargins required;
-  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, free, required);
-  const std::optional<polishing::TaskMargins> margins = polishing::margins(task, setting);
-  if (!margins) return;
-  if (arguments.talks()) {
-    if (!fitted.changes.empty()) fmt::print("{}: {}\n", place, fitted.changes);
-    fmt::print("{}: tolerates {}\n", place, margins->text());
+/// Reach, then gains that are fitted to the arm.
+void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, bool unchecked) {
+  polishing::Task& task = place.job->spec.task;
+  const bool plans = place.job->spec.controller == ControllerKind::Mpc;
+  if (unchecked && !plans) return;
+  const polishing::Setting setting =
+      files::placed(said, [&] { return polishing::make_setting(task, *place.job->spec.robot); });
+  if (!unchecked) {
+    const std::string& name = place.job->place;
+    if (plans) print_step_complaints(name, polishing::make_mpc(task, setting));
+    place.reach = polishing::check_reach(task, setting);
+    if (!place.reach.ok())
+      throw Error(fmt::format("{} is out of reach: {}", name, place.reach.text));
+    place.light_joints = polishing::light_joints(task, setting);
+    if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
+      place.found = posture_of(setting.robot.model, setting.q_start);
   }
-  // Whoever states gains is told what they tolerate, and no more.
-  const bool is_stated = !free.boost || !free.bandwidth || !free.position;
-  if (is_stated || fitted.meets) return;
-  fmt::print(stderr,
-             "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms, and half and twice the "
-             "gain (model_error.boost, model_error.bandwidth, weights.position)\n",
-             place, margins->text(), 1e3 * required.delay);
+  if (plans) place.controller = fit_controller(task, setting, said);
 }
 
-/// What the controller tolerates and what the arm can do is known before anything moves. All jobs
-/// of a place have its controller.
+/// What the arm can do and what its controller tolerates is known before anything moves. All jobs
+/// of a place have the same controller.
 void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArguments& arguments) {
   std::vector<CheckedPlace> places;
   for (PolishJob& job : jobs) {
-    polishing::Task& task = job.spec.task;
-    if (!places.empty() && places.back().job->place == job.place) {
-      const polishing::Task& fitted = places.back().job->spec.task;
-      task.model_error = fitted.model_error;
-      task.weights = fitted.weights;
-      continue;
+    if (places.empty() || places.back().job->place != job.place) {
+      places.push_back({.job = &job});
+      look_at(places.back(), texts.at(job.place), arguments.unchecked);
     }
-    places.push_back({&job});
-    const auto& said = texts.at(job.place);
-    const bool plans = job.spec.controller == ControllerKind::Mpc;
-    if (arguments.unchecked && !plans) continue;
-    const polishing::Setting setting =
-        files::placed(said, [&] { return polishing::make_setting(task, *job.spec.robot); });
-    if (plans) fit(task, setting, arguments, free_keys(said), job.place);
-    if (arguments.unchecked) continue;
-    polishing::ReachReport& reach = places.back().reach;
-    if (plans) print_step_complaints(job.place, polishing::make_mpc(task, setting));
-    reach = polishing::check_reach(task, setting);
-    if (!reach.ok()) throw Error(fmt::format("{} is out of reach: {}", job.place, reach.text));
-    places.back().light_joints = polishing::light_joints(task, setting);
-    if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
-      places.back().found = posture_of(setting.robot.model, setting.q_start);
+    const polishing::Task& fitted = places.back().job->spec.task;
+    job.spec.task.model_error = fitted.model_error;
+    job.spec.task.weights = fitted.weights;
   }
   for (const CheckedPlace& place : places) {
     if (!place.light_joints.empty())
       fmt::print(stderr, "burnish: {}: note: {}, or --assume-rotors\n", place.job->place,
                  light_joints_text(place.light_joints));
     keep_posture(place, arguments);
+    describe(place.controller, place.job->place, arguments.talks());
     describe_job(*place.job, place.reach, texts, arguments);
   }
 }
