@@ -117,10 +117,12 @@ Eigen::VectorXd bent(const Model& model, const Standing& standing, double way) {
   return q;
 }
 
-/// Whether all joints are off their limits.
-bool has_room(const Model& model, const Eigen::VectorXd& q) {
+/// Whether the joints of the legs are off their limits.
+bool has_room(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
+  const std::vector<bool> leg = entries_of_legs(model, standing);
   return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
-    if (!ocp::has_position_limit(model, joint)) return true;
+    if (!ocp::has_position_limit(model, joint) || !leg[static_cast<std::size_t>(joint.v_index)])
+      return true;
     const int k = joint.q_index;
     const double room = 0.5 * room_of(model, joint);
     return q[k] >= model.q_lower[k] + room && q[k] <= model.q_upper[k] - room;
@@ -197,7 +199,7 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
   // Straight legs do not know which way to bend.
   std::optional<Eigen::VectorXd> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double others : {0.1, 1.0}) {
+  for (const double others : {1.0, 0.1}) {
     wanted.others = others;
     for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
       auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
@@ -206,7 +208,7 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
       if (torque < least) best = std::move(found);
       least = std::min(least, torque);
     }
-    if (best) break;  // the legs alone
+    if (best) break;
   }
   return best;
 }
@@ -222,11 +224,11 @@ Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, d
                 number(crouch) +
                 " of its height above them (crouch), and the centre of mass above "
                 "their middle; wanted one of the robot's settings, or another crouch");
-  if (has_room(model, *found)) return *found;
+  if (has_room(model, standing, *found)) return *found;
   for (int i = 0; i < most; ++i) {
     crouch *= less;
     auto higher = posture_lower_by(model, standing, crouch);
-    if (higher && has_room(model, *higher)) return *higher;
+    if (higher && has_room(model, standing, *higher)) return *higher;
   }
   return *found;
 }

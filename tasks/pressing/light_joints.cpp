@@ -12,8 +12,8 @@ namespace burnish::pressing {
 namespace {
 
 /// kg m^2 (kg) that a joint has to move. White noise of 0.05 Nm, as the shipped disturbances have
-/// it, drives this against the damping of the hold, 15 1/s, with a deviation of 0.5 rad/s.
-constexpr double least_inertia = 6e-4;
+/// it, drives this against the damping of the hold, 15 1/s, with a deviation of 1 rad/s.
+constexpr double least_inertia = 3e-4;
 
 /// nv: whether an entry is between a foot and the base, or the base's.
 std::vector<bool> legs_of(const Model& model, const Standing& standing) {

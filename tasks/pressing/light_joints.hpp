@@ -10,7 +10,7 @@
 namespace burnish::pressing {
 
 /// Names of joints between no foot and the base, such as those of fingers, that move less than
-/// 6e-4 kg m^2 (kg) at the robot's reference posture, armature included. None of robots with loops.
+/// 3e-4 kg m^2 (kg) at the robot's reference posture, armature included. None of robots with loops.
 /// Throws Error for a posture that is no state.
 std::vector<std::string> light_joints(const Robot& robot, const Standing& standing);
 

@@ -139,9 +139,9 @@ struct Builder {
     RigidBody body(model);
     if (body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv)) > Status::NotConverged)
       throw Error("the starting posture cannot be evaluated");
-    std::vector<SupportSpec> feet = setting.scene.supports;
-    feet.resize(task.standing.feet.size());
-    return pressing::torque_on_supports(model, body, feet, body.gravity_torque())
+    std::vector<SupportSpec> supports = setting.scene.supports;
+    supports.resize(task.standing.feet.size());
+    return pressing::torque_on_supports(model, body, supports, body.gravity_torque())
         .tail(model.nv - 6);
   }
   Stage stage(const std::string& name) const {

@@ -255,6 +255,8 @@ Task biped_task(const std::string& file, double size, std::vector<std::string> o
   const std::vector<std::string> always{"robot=" + file,
                                         "standing.feet=[l_sole, r_sole]",
                                         "posture=search",
+                                        "standing.stiffness=auto",
+                                        "standing.damping=auto",
                                         "standing.half_x=" + std::to_string(0.1 * size),
                                         "standing.half_y=" + std::to_string(0.065 * size),
                                         "standing.settle=0.3",
