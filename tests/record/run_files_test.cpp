@@ -59,9 +59,12 @@ TEST(RobotFolders, KnownNames_InAFolderOfThatName_AreTheKnownRobots) {
   scratch.write("arm7/robot.yaml", "urdf: arm7.urdf\n");
   const fs::path before = fs::current_path();
   fs::current_path(scratch.folder);
-  EXPECT_EQ(robot_folder("arm7").parent_path().filename(), "robots");
-  EXPECT_EQ(robot_folder("./arm7"), fs::current_path() / "." / "arm7");
-  EXPECT_EQ(robot_folder("nowhere"), fs::path());
+  for (const fs::path& folder : mesh_folders("arm7"))
+    EXPECT_EQ(folder.parent_path().filename(), "robots") << folder;
+  EXPECT_EQ(mesh_folders("./arm7"),
+            std::vector<fs::path>{fs::weakly_canonical(fs::current_path() / "arm7")});
+  EXPECT_TRUE(mesh_folders("nowhere").empty());
+  EXPECT_FALSE(mesh_folders("arm7").empty());
   fs::current_path(before);
 }
 

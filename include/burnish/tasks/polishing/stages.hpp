@@ -22,7 +22,7 @@ struct Setting {
   Eigen::Vector3d p_start;       ///< of the tool, m, world
   Eigen::Vector3d p_center;      ///< of the tool at the path's origin in contact, m, world
   double reach_end = 0.0, touch = 0.0, ramp_end = 0.0, track_end = 0.0;  ///< s of the schedule
-  /// kg m^2 (kg) by joint, that Task::assume_rotors added to the robot's armature
+  /// kg m^2 (kg) by joint, that Task.assume_rotors added to the robot's armature
   std::map<std::string, double> assumed_rotors = {};
 };
 
