@@ -118,19 +118,20 @@ bool MeasurementGate::is_bad(const char* what, const Entries& entries,
 void MeasurementGate::say_what_is_bad(const Measurement& m) noexcept {
   if (!std::isfinite(m.time)) {
     std::snprintf(bad_, sizeof bad_, "its time is not finite");
-  } else if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
-             is_bad("tau", m.tau.transpose(), v_names_)) {
     return;
-  } else if (has_force_ && !m.tool_force_world.allFinite()) {
-    std::snprintf(bad_, sizeof bad_, "the force at the tool is not finite");
-  } else if (supports_ > 0 &&
-             is_bad("the wrench of the support", m.support_wrenches, support_names_)) {
-    return;
-  } else {
-    const Status status = body_.update(m.q, m.v);
-    std::snprintf(bad_, sizeof bad_, "q and v are not a state (%.*s)",
-                  static_cast<int>(describe(status).size()), describe(status).data());
   }
+  if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
+      is_bad("tau", m.tau.transpose(), v_names_))
+    return;
+  if (has_force_ && !m.tool_force_world.allFinite()) {
+    std::snprintf(bad_, sizeof bad_, "the force at the tool is not finite");
+    return;
+  }
+  if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))
+    return;
+  const Status status = body_.update(m.q, m.v);
+  std::snprintf(bad_, sizeof bad_, "q and v are not a state (%.*s)",
+                static_cast<int>(describe(status).size()), describe(status).data());
 }
 
 }  // namespace burnish

@@ -79,6 +79,20 @@ void check_torque_limit(const MpcSpec& spec) {
                   number(limit[k]) + "; wanted a number of at least 0");
 }
 
+void check_delays(const MpcSpec& spec) {
+  if (!(spec.solver_delay >= 0.0) ||
+      (spec.timing == PlanTiming::Fixed && spec.solver_delay > spec.update_period))
+    throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
+                " s; wanted between 0 and the update period of " + number(spec.update_period) +
+                " s");
+  constexpr double longest = 0.1;  // s
+  for (const auto& [name, delay] :
+       {std::pair("command", spec.command_delay), {"measurement", spec.measurement_delay}})
+    if (!(delay >= 0.0 && delay <= longest))
+      throw Error("MPC: a " + std::string(name) + " delay of " + number(delay) +
+                  " s; wanted between 0 and " + number(longest) + " s");
+}
+
 }  // namespace
 
 int checked_ticks_per_update(const MpcSpec& spec) {
@@ -97,17 +111,7 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error("MPC: settling for " + number(spec.settle) + " s; wanted a number of at least 0");
   if (!(spec.slowdown > 0.0) || !std::isfinite(spec.slowdown))
     throw Error("MPC: a slowdown of " + number(spec.slowdown) + "; wanted a positive number");
-  if (!(spec.solver_delay >= 0.0) ||
-      (spec.timing == PlanTiming::Fixed && spec.solver_delay > spec.update_period))
-    throw Error("MPC: a solver delay of " + number(spec.solver_delay) +
-                " s; wanted between 0 and the update period of " + number(spec.update_period) +
-                " s");
-  constexpr double longest = 0.1;  // s
-  for (const auto& [name, delay] :
-       {std::pair("command", spec.command_delay), {"measurement", spec.measurement_delay}})
-    if (!(delay >= 0.0 && delay <= longest))
-      throw Error("MPC: a " + std::string(name) + " delay of " + number(delay) +
-                  " s; wanted between 0 and " + number(longest) + " s");
+  check_delays(spec);
   const double horizon = duration_of(spec.problem);
   if (!(horizon > 2.0 * spec.update_period))
     throw Error("MPC: a horizon of " + number(horizon) +

@@ -72,6 +72,7 @@ const Description& description_of(const PostureLimits* /*of*/) {
   return all;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const Description& description_of(const Standing* /*of*/) {
   using S = Standing;
   constexpr Range size = range::not_negative;

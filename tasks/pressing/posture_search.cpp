@@ -50,7 +50,7 @@ struct Searched {
 class Search {
  public:
   /// `press`: the direction that the tool presses in, in its frame, of length one.
-  Search(const Searched& in, const Eigen::Vector3d& press)
+  Search(const Searched& in, Eigen::Vector3d press)
       : place_(in.place),
         options_(in.options),
         known_(in.known),
@@ -58,7 +58,7 @@ class Search {
         body_(model_),
         tool_(body_.frame(place_.tool)),
         into_(-place_.normal_world.normalized()),
-        press_(press),
+        press_(std::move(press)),
         q_middle_(model_.q_neutral),
         reach_(Eigen::VectorXd::Ones(model_.nv)) {
     for (const Joint& joint : model_.joints) {

@@ -200,8 +200,8 @@ void refuse_out_of_reach(const Task& task, const Setting& setting) {
   // What closed chains bear is not known from the tree alone.
   if (!setting.robot.model.loops.empty()) return;
   Reach reach(task, setting);
-  if (auto error = reach.trouble_at_start()) throw *error;
-  if (auto error = reach.trouble_on_the_way(setting)) throw *error;
+  if (auto error = reach.trouble_at_start()) throw EntryError(*error);
+  if (auto error = reach.trouble_on_the_way(setting)) throw EntryError(*error);
 }
 
 }  // namespace burnish::stand
