@@ -158,6 +158,7 @@ TEST_F(ActuationTest, noise_is_at_most_a_share_of_the_effort_limit) {
 }
 
 TEST(DisturbancePreset, torque_noise_of_talos_is_the_same_in_all_joints) {
+  if (!has_robot_files) GTEST_SKIP() << "needs robots in files";
   const Model talos = named_robot("talos");
   const Eigen::VectorXd noise = torque_noise(talos, disturbance_preset("mismatch"));
   EXPECT_EQ(noise.head<6>(), Eigen::VectorXd::Zero(6));
