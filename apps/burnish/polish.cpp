@@ -3,21 +3,19 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "base/yaml_word.hpp"
-#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/polishing/stages.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
 #include "fitted_controller.hpp"
+#include "job_notes.hpp"
 #include "plan_steps.hpp"
 #include "polishing/descriptions.hpp"
 #include "polishing/record/run_files.hpp"
 #include "polishing/rotors.hpp"
-#include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -147,34 +145,6 @@ std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts)
   return jobs;
 }
 
-/// Notes on what is probably not meant, and what the arm has left.
-void describe_job(const PolishJob& job, const polishing::ReachReport& reach, const Texts& texts,
-                  const PolishArguments& arguments) {
-  const bool states = pressing::states_disturbances(texts.at(job.place));
-  for (const std::string& note : polishing::task_notes(job.spec.task, states))
-    fmt::print(stderr, "burnish: {}: note: {}\n", job.place, note);
-  if (!job.spec.task.force_sensor && reach.points > 0)
-    fmt::print(
-        stderr,
-        "burnish: {}: note: without a force sensor the force is told from the torques of the "
-        "joints. What they are wrong by in the air just before is taken off; of what changes "
-        "after that, as friction does where a joint turns around, 1 Nm in every joint is {:.1f} N "
-        "along the normal ({} has most part in it)\n",
-        job.place, reach.force_per_torque, reach.force_joint);
-  if (!arguments.talks() || reach.points == 0) return;
-  fmt::print("{}: {:.3f} m of path; joints keep {:.2f} rad ({})", job.place, reach.path_length,
-             reach.joint_margin, reach.tightest_joint);
-  if (reach.tightest_torque.empty())
-    fmt::print(", no torque is limited");
-  else
-    fmt::print(", statics take {:.0f} % of the torque limits ({})", 100.0 * reach.torque_share,
-               reach.tightest_torque);
-  if (!reach.tightest_clearance.empty())
-    fmt::print(", the arm keeps {:.2f} m off the surface ({})", reach.clearance,
-               reach.tightest_clearance);
-  fmt::print("\n");
-}
-
 /// Each robot once: a pipe can be read but once.
 void load_robots(std::vector<PolishJob>& jobs, const Texts& texts, bool strict) {
   std::map<std::pair<std::string, std::string>, Robot> robots;
@@ -257,7 +227,7 @@ void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArgumen
                  light_joints_text(place.light_joints));
     keep_posture(place, arguments);
     describe(place.controller, place.job->place, arguments.talks());
-    describe_job(*place.job, place.reach, texts, arguments);
+    describe_job(*place.job, place.reach, texts.at(place.job->place), arguments.talks());
   }
 }
 

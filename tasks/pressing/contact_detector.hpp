@@ -47,7 +47,7 @@ class ContactDetector {
   bool knows_noise() const noexcept;
   /// N: what is compared with needed(), the newest sample or a mean.
   double felt() const noexcept { return !knows_noise() || is_quiet() ? last_ : mean_; }
-  double needed() const noexcept;  ///< N that count as contact
+  double needed() const noexcept;  ///< least force that counts as contact [N]
 
  private:
   double deviation() const noexcept;       ///< N, of a sample

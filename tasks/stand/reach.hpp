@@ -8,11 +8,11 @@
 
 namespace burnish::stand {
 
-/// The task's sway, or what of it the robot can follow: shifts are at most 0.05 of the height of
-/// the centre of mass, on balls 0.11. A direction of which no part has a posture
-/// on the feet is left out; others are made smaller until there is one on the whole way. As it is
-/// for robots with loops, and where the robot cannot even stand at the start. `setting`: complete
-/// but for its sway.
+/// The part of the task's sway that the robot can follow. Shifts are at most 0.05 of the height of
+/// the centre of mass, on balls 0.11. A direction in which no posture on the feet moves the trunk is
+/// left out. Others are made smaller until there is a posture on the whole way. The sway stays as
+/// it is for robots with loops, and for one that cannot stand at the start. `setting`: complete
+/// except for its sway.
 Sway fitted_sway(const Task& task, const Setting& setting);
 
 /// A sentence for directions that Setting::sway leaves out, and one for those that it has smaller.
