@@ -11,9 +11,8 @@ namespace burnish {
 
 struct Tree;
 
-/// A command that is sent now acts `lead()` later, on a state that was measured still earlier. The
-/// torques that act between are sent already: from the state that was measured they lead to the one
-/// that the command will meet. Without delays there is nothing between.
+/// Predicts the state at which the next command acts, `lead()` after it is sent. Integrates the
+/// torques that were sent already from the measured state. Without delays that state is returned.
 class DelayedState {
  public:
   explicit DelayedState(const MpcSpec& spec);
@@ -24,11 +23,11 @@ class DelayedState {
   int ticks() const noexcept { return ticks_; }
   /// s from a command to its effect.
   double lead() const noexcept { return lead_; }
-  /// At the end of a tick: the torque that was sent, and what of it makes up for friction in joints
-  /// (nv, Nm or N). Before the first one the motors gave the first one.
+  /// Records the torque that was sent at the end of a tick, and its part that compensates joint
+  /// friction; nv each [Nm or N]. Earlier torques are taken to equal the first.
   void send(const Eigen::VectorXd& tau, const Eigen::VectorXd& friction) noexcept;
-  /// nv, Nm (N): what of a command acted on the joints until the measurement was taken, less the
-  /// friction that it made up for.
+  /// Commanded torque that acted when the measurement was taken, without its part that compensates
+  /// joint friction; nv [Nm or N].
   auto acted() const noexcept { return effective_.ago(ticks_); }
   /// nv, Nm (N), the whole command that acted then.
   auto sent() const noexcept { return sent_.ago(ticks_); }
@@ -38,9 +37,9 @@ class DelayedState {
     int stage;                            ///< whose contacts hold
     double schedule_time;                 ///< s
     bool touches;                         ///< the tool, as its stage has it
-    const Eigen::VectorXd& torque_error;  ///< nv, Nm (N), beside what the next two say
-    bool has_friction;                    ///< contacts have friction of their own, else it is felt
-    Eigen::Vector3d normal_world;         ///< of length one, that contacts hold
+    const Eigen::VectorXd& torque_error;  ///< estimated, nv [Nm or N]
+    bool has_friction;             ///< of the contact's model; else the measured force has it
+    Eigen::Vector3d normal_world;  ///< of length one, that contacts hold
   };
   /// Moves x (nx), the state that was measured, to the one in which the next command will act.
   /// False, and x as it was, where the dynamics cannot be evaluated.
@@ -50,7 +49,7 @@ class DelayedState {
  private:
   double tick_period_, lead_;  ///< s
   int ticks_, per_step_;       ///< of both delays together; of a step of the prediction
-  int most_;                   ///< ticks that are predicted over, with those that are bridged
+  int most_;                   ///< longest prediction, missing measurements included [ticks]
   int nq_, nv_;
   std::vector<int> actuated_;
   double filter_;  ///< of the torque model, what is left after a tick; 0: none

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Compares measured torques with those that were sent up to 20 ms before. While they move far
-/// enough, the lag is the one that explains them best.
+/// Finds the lag at which measured torques match those sent up to 20 ms before: the smallest mean
+/// square of their differences. It is updated while torques vary enough.
 class TorqueLag {
  public:
   /// actuated: entries of v that have a motor.

@@ -9,9 +9,9 @@
 
 namespace burnish::pressing {
 
-/// Names of joints between no foot and the base, such as those of fingers, that move less than
-/// 3e-4 kg m^2 (kg) at the robot's reference posture, armature included. None of robots with loops.
-/// Throws Error for a posture that is no state.
+/// Names of joints outside every chain from the base to a foot, such as fingers, whose effective
+/// inertia at the reference posture, armature included, is below 3e-4 [kg m^2 or kg]. Empty for
+/// robots with loops. Throws Error for a posture that cannot be evaluated.
 std::vector<std::string> light_joints(const Robot& robot, const Standing& standing);
 
 /// `robot`, loaded by load_floating(name), with those joints locked, and a note that says so.

@@ -8,13 +8,14 @@
 
 namespace burnish::pressing {
 
-/// mpc.fallback, or a part of its stiffness and damping that holds the robot steadily on `feet`.
-/// The hold acts in the metric of the robot on rigid feet. A light foot on ground that gives way
-/// feels its torque at once, and the velocity that it answers late: heavy robots with light feet
-/// shake. Motion about the start is linear: open mass matrix, springs and dampers of the ground,
-/// motors one tick late, velocities from differences behind a low-pass of 50 Hz. With twice what is
-/// returned it dies away, or at least with what is returned, where a part does. As it is for robots
-/// with loops. Throws Error for a start that is no state.
+/// Returns mpc.fallback, with stiffness and damping scaled down where the hold on `feet` would not
+/// be stable. The hold uses the mass matrix of the robot on rigid feet. On compliant ground a light
+/// foot is accelerated at once, but the velocity feedback is late: heavy robots with light feet
+/// oscillate. The motion about the start is linearized: open mass matrix, springs and dampers of
+/// the ground, motors one tick late, velocities from differences behind a low-pass of 50 Hz. It
+/// decays with twice the returned gains; where no scale achieves that, with the returned gains.
+/// Returns mpc.fallback unchanged for robots with loops. Throws Error for a start that cannot be
+/// evaluated.
 Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet);
 
 }  // namespace burnish::pressing

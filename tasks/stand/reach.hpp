@@ -9,9 +9,9 @@
 namespace burnish::stand {
 
 /// The part of the task's sway that the robot can follow. Shifts are at most 0.05 of the height of
-/// the centre of mass, on balls 0.11. A direction in which no posture on the feet moves the trunk is
-/// left out. Others are made smaller until there is a posture on the whole way. The sway stays as
-/// it is for robots with loops, and for one that cannot stand at the start. `setting`: complete
+/// the centre of mass, on balls 0.11. A direction in which no posture on the feet moves the trunk
+/// is left out. Others are made smaller until there is a posture on the whole way. The sway stays
+/// as it is for robots with loops, and for one that cannot stand at the start. `setting`: complete
 /// except for its sway.
 Sway fitted_sway(const Task& task, const Setting& setting);
 

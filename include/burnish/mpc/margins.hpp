@@ -60,12 +60,13 @@ class LoopAnalysis {
   /// Rate at which the fastest disturbance grows [1/s], with the observer at `bandwidth` [rad/s]
   /// and commands `extra_delay` later [s].
   double growth(double bandwidth, double extra_delay) const;
-  /// Whether the loop is stable with an extra delay [s] and, apart from that, with the torque of
-  /// any one joint wrong by `factor` or its inverse. Everything but `options` is the
-  /// specification's.
+  /// Whether the loop is stable with an extra delay [s] and, tested separately, with the torque of
+  /// any one joint scaled by `factor` or 1 / `factor`. `options` take the place of the
+  /// specification's model_error.
   bool tolerates(const ModelErrorOptions& options, double delay, double factor) const;
-  /// Largest extra delay; without the ranges of gains, which take longest.
+  /// Margins without the ranges of gains, which take longest.
   LoopMargins delay_margin(const ModelErrorOptions& options) const;
+  /// Delay and ranges of gains.
   LoopMargins margins(const ModelErrorOptions& options) const;
 
  private:

@@ -28,9 +28,8 @@ struct TaskMargins {
   std::string text() const;
 };
 
-/// The chain that controllers are fitted to: that of the disturbances `sensors` whatever the task's
-/// are, so that a task has the same controller under all of them; the lag of the motors that the
-/// task plans with; and its surface.
+/// Chain that gains are fitted to: always that of the disturbances `sensors`, with the task's
+/// surface and the motors' lag that its plans know. So the gains do not depend on its disturbances.
 LoopChain usual_chain(const Task& task);
 /// The chain of a task's own disturbances.
 LoopChain loop_chain(const Task& task);
@@ -54,9 +53,9 @@ struct FittedGains {
   std::string changes = {};  ///< A sentence for the user; empty where nothing was changed.
 };
 
-/// Raises weights.position as far as the required margins allow, to ten times what the task has,
-/// and slows down what does not have them: first the boost, then the bandwidth, then the weight.
-/// Changes nothing where there are no margins. Throws Error as make_mpc() does.
+/// Raises weights.position to at most ten times the task's value, as far as the required margins
+/// allow. Where they are missed it lowers the boost, then the bandwidth, then weights.position.
+/// Changes nothing where margins() has none. Throws Error as make_mpc() does.
 FittedGains fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
                       const RequiredMargins& required = {});
 
