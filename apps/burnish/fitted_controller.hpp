@@ -3,22 +3,19 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "burnish/tasks/polishing/margins.hpp"
-#include "files/described_file.hpp"
 
 namespace burnish::app {
 
 struct FittedController {
-  polishing::FreeKeys free = {};
+  bool fits_all = true;  ///< No gain was stated.
   polishing::FittedGains fitted = {};
   std::optional<polishing::TaskMargins> margins = {};
 };
 
-/// Changes those of the task's gains that none of its texts states.
-FittedController fit_controller(polishing::Task& task, const polishing::Setting& setting,
-                                const std::vector<document::Reader>& said);
+/// Gives the task the gains that it has not.
+FittedController fit_controller(polishing::Task& task, const polishing::Setting& setting);
 
 /// Prints what was chosen and what the loop tolerates, and warns where that is too little.
 void describe(const FittedController& controller, const std::string& place, bool talks);

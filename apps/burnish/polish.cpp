@@ -188,13 +188,14 @@ void keep_posture(const CheckedPlace& place, const PolishArguments& arguments) {
   if (!name.empty()) fmt::print("posture '{}' is in {}\n", name, file.string());
 }
 
-/// Reach, then gains that are fitted to the arm.
+/// Gains that are fitted to the arm, and reach.
 void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, bool unchecked) {
   polishing::Task& task = place.job->spec.task;
   const bool plans = place.job->spec.controller == ControllerKind::Mpc;
   if (unchecked && !plans) return;
   const polishing::Setting setting =
       files::placed(said, [&] { return polishing::make_setting(task, *place.job->spec.robot); });
+  if (plans) place.controller = fit_controller(task, setting);
   if (!unchecked) {
     const std::string& name = place.job->place;
     if (plans) print_step_complaints(name, polishing::make_mpc(task, setting));
@@ -205,7 +206,6 @@ void look_at(CheckedPlace& place, const std::vector<document::Reader>& said, boo
     if (polishing::searches_posture(task, setting.robot) && !task.standing.stands())
       place.found = posture_of(setting.robot.model, setting.q_start);
   }
-  if (plans) place.controller = fit_controller(task, setting, said);
 }
 
 /// What the arm can do and what its controller tolerates is known before anything moves. All jobs

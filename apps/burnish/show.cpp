@@ -246,7 +246,7 @@ ToolMargins margins_of(const Robot& robot, const ShowArguments& arguments) {
   task.tool = arguments.tool;
   task.posture = arguments.posture;
   const polishing::Setting setting = polishing::make_setting(task, robot);
-  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, {});
+  const polishing::FittedGains fitted = polishing::fit_gains(task, setting);
   if (const auto margins = polishing::margins(task, setting)) return {fitted, *margins};
   const std::string why = without_margins(polishing::make_mpc(task, setting));
   throw Error(why.empty() ? "margins: there is no plan from the posture" : why);

@@ -1045,13 +1045,16 @@ from .polishing import (
     Experiment,
     ExperimentReport,
     ExperimentSpec,
+    FittedGains,
     NamedSurface,
     PathSpec,
     PlanarPoint,
+    RequiredMargins,
     ResultTable,
     RunSpec,
     Setting,
     Task,
+    TaskMargins,
     VerdictFigures,
 )
 from .pressing import (
@@ -1121,6 +1124,8 @@ class RunResult(_TaskRun):
     @property
     def reach(self) -> Optional[ReachReport]: ...
     @property
+    def fitted(self) -> str: ...
+    @property
     def polished(self) -> bool: ...
     @property
     def metrics(self) -> Optional[Metrics]: ...
@@ -1144,6 +1149,10 @@ def make_setting(
 ) -> Setting: ...
 def task_point(task: Task, setting: Setting, path: SurfacePath, time: float) -> TaskPoint: ...
 def make_mpc(task: Task, setting: Setting) -> MpcSpec: ...
+def fit_gains(
+    task: Task, setting: Setting, required: Optional[RequiredMargins] = None
+) -> Tuple[Task, FittedGains]: ...
+def margins(task: Task, setting: Setting) -> Optional[TaskMargins]: ...
 def make_admittance(task: Task, setting: Setting) -> AdmittanceSpec: ...
 def make_baseline(task: Task, setting: Setting) -> ImpedanceSpec: ...
 def check_reach(

@@ -22,7 +22,7 @@ if TYPE_CHECKING:  # it imports what is here
 
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
-    "FrictionEstimateOptions", "LinearFeedback", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
+    "FrictionEstimateOptions", "GainRange", "LinearFeedback", "LoopMargins", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
     "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "SlipOptions", "TorqueErrorObserver",
 ]
 

@@ -24,10 +24,12 @@ from ._core import (
     disturbance_presets,
     experiments,
     find_posture,
+    fit_gains,
     make_admittance,
     make_baseline,
     make_mpc,
     make_setting,
+    margins,
     named_surfaces,
     override_task,
     perform_experiment,
@@ -47,7 +49,7 @@ from ._spec import Spec
 from ._task import with_changes
 from .contact import SurfaceShape
 from .model import Robot
-from .mpc import Fallback, FrictionEstimateOptions, ModelErrorOptions, PlanTiming, SafetyLimits
+from .mpc import Fallback, FrictionEstimateOptions, LoopMargins, ModelErrorOptions, PlanTiming, SafetyLimits
 from .pressing import (
     SEARCHED_POSTURE,
     FoundPosture,
@@ -69,19 +71,16 @@ from .sim import AdmittanceGains, Disturbances, ImpedanceGains, SceneSpec, has_m
 from .solver import StepUpdate
 
 __all__ = [
-    "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "ForceAxes", "ForceProfile",
-    "ForceProfileKind",
-    "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec", "PlanLimits", "PlanRecord",
-    "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions", "ReachProblem",
-    "ReachReport",
-    "ResultCell", "ResultColumn", "ResultTable", "RunResult", "RunSpec", "SEARCHED_POSTURE",
-    "Setting", "SurfacePath", "Task", "TickTimes", "Verdict", "VerdictFigures", "Waving", "Weights",
-    "check_reach", "check_task",
-    "disturbance_preset", "disturbance_presets", "experiments", "find_posture", "has_mujoco",
-    "make_admittance", "make_baseline", "make_mpc", "make_setting", "make_task", "named_surfaces", "override_task",
-    "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on",
-    "read_task", "run", "run_task", "task_notes",
-    "task_point", "task_text", "task_units", "write_task",
+    "ControllerKind", "Experiment", "ExperimentReport", "ExperimentSpec", "Figure", "FittedGains", "ForceAxes",
+    "ForceProfile", "ForceProfileKind", "FoundPosture", "NamedSurface", "NamedTask", "PathKind", "PathSpec",
+    "PlanLimits", "PlanRecord", "PlanarPoint", "PlantKind", "PostureLimits", "PostureOptions", "ReachOptions",
+    "ReachProblem", "ReachReport", "RequiredMargins", "ResultCell", "ResultColumn", "ResultTable", "RunResult",
+    "RunSpec", "SEARCHED_POSTURE", "Setting", "SurfacePath", "Task", "TaskMargins", "TickTimes", "Verdict",
+    "VerdictFigures", "Waving", "Weights", "check_reach", "check_task", "disturbance_preset",
+    "disturbance_presets", "experiments", "find_posture", "fit_gains", "has_mujoco", "make_admittance",
+    "make_baseline", "make_mpc", "make_setting", "make_task", "margins", "named_surfaces", "override_task",
+    "perform_experiment", "posture_options", "pressing_axis", "pressing_direction", "put_on", "read_task",
+    "run", "run_task", "task_notes", "task_point", "task_text", "task_units", "write_task",
 ]
 
 # Described classes stand here (scripts/describe).
@@ -113,6 +112,14 @@ class ResultTable(Spec):
     def csv(self) -> str:
         """First line `name [unit],...`; text with commas or quotes is quoted."""
         return _core.table_csv(self)
+
+
+@dataclass(eq=False, repr=False)
+class TaskMargins(Spec):
+    @property
+    def delay(self) -> float:
+        """The smaller one of both, s."""
+        return min(self.air.delay, self.contact.delay)
 
 
 @dataclass(eq=False, repr=False)

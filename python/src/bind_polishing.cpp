@@ -4,6 +4,7 @@
 #include <future>
 
 #include "bind_task.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/run.hpp"
 #include "polishing/descriptions.hpp"
 #include "specs_polishing.hpp"
@@ -75,7 +76,7 @@ std::string repr_of(const Run& run) {
 
 py::tuple state_of_run(const Run& run) {
   const RunResult& r = run.result;
-  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.polished, r.metrics,
+  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.polished, r.metrics,
                         r.verdict);
 }
 
@@ -90,6 +91,7 @@ Run run_of(const py::tuple& state) {
   set_state(r, state[next++]);
   take(r.setting);
   take(r.reach);
+  take(r.fitted);
   take(r.polished);
   take(r.metrics);
   take(r.verdict);
@@ -118,6 +120,9 @@ void bind_result(py::module_& m) {
              "Setting: the task with everything resolved; a copy.");
   add_result(run_class, "polished", &RunResult::polished,
              "Whether the path's end was reached without fault, as Task.verdict asks for.");
+  run_class.def_property_readonly(
+      "fitted", [](const Run& self) { return self.result.fitted; },
+      "What fit_gains() chose, a sentence; empty if nothing.");
   add_result(run_class, "metrics", &RunResult::metrics,
              "Metrics over the path after its start; None if it was never reached.");
   add_result(run_class, "verdict", &RunResult::verdict,
@@ -196,7 +201,27 @@ void bind_setting(py::module_& m) {
         "TaskPoint: where the tool shall be and how hard it shall press, at a time (s) of the "
         "schedule.");
   m.def("make_mpc", &make_mpc, py::arg("task"), py::arg("setting"),
-        "MpcSpec: the task as an optimal control problem over time.");
+        "MpcSpec: the task as an optimal control problem over time. Gains that the task has not "
+        "are fitted to the arm, see fit_gains().");
+  m.def(
+      "fit_gains",
+      [](Task task, const Setting& setting, const std::optional<RequiredMargins>& required) {
+        FittedGains fitted = fit_gains(task, setting, required.value_or(RequiredMargins{}));
+        return std::pair(std::move(task), std::move(fitted));
+      },
+      py::arg("task"), py::arg("setting"), py::arg("required") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "(Task, FittedGains): a copy of the task in which model_error.boost, model_error.bandwidth "
+      "and weights.position have values where they were None: 6, 120 rad/s and 1e4 /m^2 at first. "
+      "weights.position is raised to at most ten times that, as far as the required margins "
+      "allow; where they are missed the boost is lowered, then the bandwidth, then "
+      "weights.position.");
+  m.def(
+      "margins", [](const Task& task, const Setting& setting) { return margins(task, setting); },
+      py::arg("task"), py::arg("setting"), py::call_guard<py::gil_scoped_release>(),
+      "TaskMargins behind the disturbances `sensors`; None for robots on their feet or with "
+      "loops, plates that the robot carries, tasks without a force sensor, and where there is no "
+      "plan from the start.");
   m.def("make_admittance", &make_admittance, py::arg("task"), py::arg("setting"),
         "AdmittanceSpec: the admittance controller on the same task.");
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"),

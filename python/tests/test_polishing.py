@@ -231,6 +231,23 @@ class TestSetting:
         assert baseline.path.task(1.0).force == 22.0
         np.testing.assert_array_equal(baseline.path.posture, setting.q_start)
 
+    def test_gains_that_it_has_not_are_fitted_to_the_arm(self):
+        task = polishing.make_task("table")
+        setting = polishing.make_setting(task)
+        fitted, what = polishing.fit_gains(task, setting)
+        assert task.weights.position is None and task.model_error.boost is None
+        assert fitted.weights.position == 1e5 and fitted.model_error.boost == 1.0
+        assert what.meets and "weights.position 100000 in place of 10000" in what.changes
+        assert polishing.make_mpc(task, setting).model_error == fitted.model_error
+        margins = polishing.margins(task, setting)
+        assert 2e-3 <= margins.delay == min(margins.air.delay, margins.contact.delay)
+        assert [gain.joint for gain in margins.air.gains][0] == "torso_1_joint"
+        stated = task.replace(weights=task.weights.replace(position=2e4))
+        assert polishing.fit_gains(stated, setting)[0].weights.position == 2e4
+        slower, what = polishing.fit_gains(task, setting, polishing.RequiredMargins(delay=5e-3, gain=1.5))
+        assert what.meets and slower.model_error.bandwidth < 120.0
+        assert "model_error.boost 1 in place of 6" in short_run("table").fitted
+
     def test_its_plans_have_steps_that_are_short_enough(self):
         task = polishing.make_task("table")
         mpc = polishing.make_mpc(task, polishing.make_setting(task))

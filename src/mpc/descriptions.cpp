@@ -36,16 +36,27 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                   "given back to the model (offset-free model predictive control).")
           .field("kind", &M::kind, "none, torque (per joint) or force (along the normal)")
           .field("bandwidth", &M::bandwidth,
-                 "{rad/s} of the observer; more follows friction, and bears less delay",
+                 "{rad/s} of the observer; more follows friction, and bears less delay; auto: "
+                 "fitted to the arm where a task does that, else 30",
                  range::positive)
+          .in_code(
+              "rad/s of the observer; more follows friction, and bears less delay; none: fitted to "
+              "the arm where a task does that, else 30")
+          .word("auto")
           .more(
               "Force closes a loop through the controller and is not to be faster than its delays "
               "bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well, 100 rad/s "
               "oscillate.")
           .field("boost", &M::boost,
                  "times the bandwidth, while a torque error changes faster than its noise does: "
-                 "after a push, an impact, where a joint turns around; 1: never",
+                 "after a push, an impact, where a joint turns around; 1: never; auto: fitted to "
+                 "the arm where a task does that, else 3",
                  range::positive)
+          .in_code(
+              "times the bandwidth, while a torque error changes faster than its noise does: after "
+              "a push, an impact, where a joint turns around; 1: never; none: fitted to the arm "
+              "where a task does that, else 3")
+          .word("auto")
           .field("calm", &M::calm,
                  "times the bandwidth, while what changes is noise alone (encoders' steps): then a "
                  "slower observer passes less of it on; 1: never",
@@ -433,6 +444,33 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("fallback", &M::fallback)
           .field("feedback", &M::feedback,
                  "the Riccati policy between solves; without, the planned torque is held");
+  return all;
+}
+
+const Description& description_of(const GainRange* /*of*/) {
+  using G = GainRange;
+  static const Description all =
+      Describe<G>("mpc", "GainRange",
+                  "Factors by which the torque of one joint may be wrong while the others are "
+                  "right: 0.1 to 10 were tried.")
+          .result()
+          .field("joint", &G::joint)
+          .field("below", &G::below, "smallest factor")
+          .field("above", &G::above, "largest factor");
+  return all;
+}
+
+const Description& description_of(const LoopMargins* /*of*/) {
+  using L = LoopMargins;
+  static const Description all =
+      Describe<L>("mpc", "LoopMargins", "What a controller's loop around an arm tolerates.")
+          .result()
+          .field("delay", &L::delay,
+                 "{s}, largest extra delay of the commands, up to 0.01; zero where the loop is "
+                 "unstable without any")
+          .field("bandwidth", &L::bandwidth,
+                 "{rad/s} of the model-error observer at which the delay is least")
+          .field("gains", &L::gains, "one per entry of v");
   return all;
 }
 

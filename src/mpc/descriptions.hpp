@@ -1,6 +1,7 @@
 // What the layer's specifications hold.
 #pragma once
 
+#include "burnish/mpc/margins.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/mpc/surface_estimate.hpp"
 #include "estimate/descriptions.hpp"
@@ -24,5 +25,7 @@ const Description& description_of(const SchedulePhase*);
 const Description& description_of(const FaultReport*);
 const Description& description_of(const LinearFeedback*);
 const Description& description_of(const MpcSpec*);
+const Description& description_of(const GainRange*);
+const Description& description_of(const LoopMargins*);
 
 }  // namespace burnish

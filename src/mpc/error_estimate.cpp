@@ -71,7 +71,7 @@ const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const Co
 void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
                            const ConstVectorRef& acted, int stage, double schedule_time) noexcept {
   const Measurement& m = gate.last();
-  const double share = -std::expm1(-options_.bandwidth * gate.dt());
+  const double share = -std::expm1(-options_.usual_bandwidth() * gate.dt());
   if (has_sensor_) follow_command(gate, acted);  // else it was, by feel()
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
@@ -117,7 +117,7 @@ void ErrorEstimate::follow_friction(const MeasurementGate& gate, const Command& 
   const Measurement& m = gate.last();
   const Eigen::Vector3d& n = normal_world_;
   const double bandwidth =
-      options_.sliding_bandwidth > 0.0 ? options_.sliding_bandwidth : options_.bandwidth;
+      options_.sliding_bandwidth > 0.0 ? options_.sliding_bandwidth : options_.usual_bandwidth();
   const double share = -std::expm1(-bandwidth * gate.dt());
   pressed_ += share * (normal_force(m) - pressed_);
   const Eigen::Vector3d across = m.tool_force_world - normal_force(m) * n;

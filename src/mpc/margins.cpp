@@ -17,11 +17,11 @@ constexpr double mean_boost = 0.5;
 
 /// Bandwidths that the observer works at [rad/s].
 std::vector<double> bandwidths(const ModelErrorOptions& options) {
-  std::vector<double> all{options.bandwidth};
+  const double stated = options.usual_bandwidth(), boost = options.usual_boost();
+  std::vector<double> all{stated};
   if (options.kind != ModelErrorKind::Torque) return all;
-  if (options.calm < 1.0) all.push_back(options.calm * options.bandwidth);
-  if (options.boost > 1.0)
-    all.push_back((1.0 + mean_boost * (options.boost - 1.0)) * options.bandwidth);
+  if (options.calm < 1.0) all.push_back(options.calm * stated);
+  if (boost > 1.0) all.push_back((1.0 + mean_boost * (boost - 1.0)) * stated);
   return all;
 }
 
@@ -94,7 +94,7 @@ bool LoopAnalysis::tolerates(const ModelErrorOptions& options, double delay, dou
 }
 
 LoopMargins LoopAnalysis::delay_margin(const ModelErrorOptions& options) const {
-  LoopMargins result{.delay = longest_delay, .bandwidth = options.bandwidth};
+  LoopMargins result{.delay = longest_delay, .bandwidth = options.usual_bandwidth()};
   for (const double bandwidth : bandwidths(options)) {
     const double delay = impl_->largest_delay(bandwidth, result.delay);
     if (delay < result.delay) result.bandwidth = bandwidth;

@@ -18,7 +18,7 @@ namespace {
 class Haste {
  public:
   Haste(const Model& model, const ModelErrorOptions& options)
-      : boost_(std::max(options.boost, 1.0)),
+      : boost_(std::max(options.usual_boost(), 1.0)),
         calm_(options.calm),
         rate_(Eigen::VectorXd::Zero(model.nv)),
         usual_(rate_),
@@ -29,8 +29,8 @@ class Haste {
     constexpr double small = 2e-3;  // of a joint's effort limit: what need not be known at once
     for (int k = 0; k < model.nv; ++k) {
       const double effort = model.effort_limit[k];
-      const double rate =
-          small * options.bandwidth * (std::isfinite(effort) && effort > 0.0 ? effort : 100.0);
+      const double rate = small * options.usual_bandwidth() *
+                          (std::isfinite(effort) && effort > 0.0 ? effort : 100.0);
       least_[k] = rate * rate;
     }
   }
@@ -124,9 +124,9 @@ struct TorqueErrorObserver::Impl {
         change(Eigen::VectorXd::Zero(model.nv)),
         most(Eigen::VectorXd::Constant(model.nv, given.limit)),
         haste(model, given),
-        bandwidth(given.bandwidth) {
-    if (!(given.bandwidth > 0.0) || !std::isfinite(given.bandwidth))
-      throw Error("model error: a bandwidth of " + number(given.bandwidth) +
+        bandwidth(given.usual_bandwidth()) {
+    if (!(bandwidth > 0.0) || !std::isfinite(bandwidth))
+      throw Error("model error: a bandwidth of " + number(bandwidth) +
                   " rad/s; wanted a positive number");
     if (!(given.calm >= 0.01 && given.calm <= 1.0))
       throw Error("model error: calm " + number(given.calm) + "; wanted 0.01 to 1");
@@ -185,7 +185,7 @@ void TorqueErrorObserver::reset() noexcept {
   impl_->started = false;
   impl_->error.setZero();
   impl_->haste.reset();
-  impl_->bandwidth = impl_->options.bandwidth;
+  impl_->bandwidth = impl_->options.usual_bandwidth();
 }
 
 Status TorqueErrorObserver::set_payload(std::string_view frame, const InertiaSpec& payload) {
@@ -225,7 +225,7 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
   }
   status = dynamics.forward(q, v, d.total);
   if (status > Status::NotConverged) return status;
-  d.bandwidth = d.haste.factor() * d.options.bandwidth;
+  d.bandwidth = d.haste.factor() * d.options.usual_bandwidth();
   const double pole = std::exp(-d.bandwidth * dt);
   d.velocity += dt * dynamics.a();
   d.innovation = v - d.velocity;

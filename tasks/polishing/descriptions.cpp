@@ -113,7 +113,13 @@ const Description& description_of(const Weights* /*of*/) {
           "error that the others force on its term.")
           .field("force", &W::force, "{1/N^2}: force along the normal to its target", weight)
           .field("position", &W::position,
-                 "{1/m^2}: tool to the path, in the reach to the point above the surface", weight)
+                 "{1/m^2}: tool to the path, in the reach to the point above the surface; auto: "
+                 "fitted to the arm",
+                 weight)
+          .in_code(
+              "1/m^2: tool to the path, in the reach to the point above the surface; none: fitted "
+              "to the arm, see fit_gains()")
+          .word("auto")
           .field("approach", &W::approach,
                  "{s^2/m^2}: speed along the normal to that of approach and retreat", weight)
           .field("rotation", &W::rotation,

@@ -57,12 +57,27 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
-/// A choice of what may be changed: finds the fastest one that the loops tolerate.
+/// The task with the gains that the fit begins with. They were tuned with Talos' right arm.
+Task with_first_gains(Task task) {
+  ModelErrorOptions& error = task.model_error;
+  // A force error's loop is slower than a force sensor's filter, see ModelErrorOptions.
+  if (!error.bandwidth) error.bandwidth = error.kind == ModelErrorKind::Force ? 50.0 : 120.0;
+  if (!error.boost) error.boost = 6.0;
+  if (!task.weights.position) task.weights.position = 1e4;
+  return task;
+}
+
+/// A choice of the gains that a task has not: finds the fastest one that the loops tolerate.
 class Fit {
  public:
-  Fit(const Task& task, const Setting& setting, const FreeKeys& free,
-      const RequiredMargins& required)
-      : stated_(task), task_(task), setting_(setting), free_(free), required_(required) {}
+  Fit(const Task& task, const Setting& setting, const RequiredMargins& required)
+      : first_(with_first_gains(task)),
+        task_(first_),
+        setting_(setting),
+        fits_boost_(!task.model_error.boost),
+        fits_bandwidth_(!task.model_error.bandwidth),
+        fits_position_(!task.weights.position),
+        required_(required) {}
 
   /// False where no choice has the required margins, or where there are none; then the task is the
   /// slowest that was tried, or as it was.
@@ -71,44 +86,45 @@ class Fit {
     constexpr std::array lowered{0.3, 0.1, 0.03};       // the same, as the last resort
     constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // times model_error.bandwidth
     for (const double share : raised)
-      if ((free_.position || share == 1.0) && try_position(share)) return true;
+      if ((fits_position_ || share == 1.0) && try_position(share)) return true;
     if (!has_loops_) return false;
-    if (free_.bandwidth)
+    if (fits_bandwidth_)
       for (const double share : slowed)
         if (try_bandwidth(share)) return true;
-    if (free_.position)
+    if (fits_position_)
       for (const double share : lowered)
         if (try_position(share)) return true;
     return false;
   }
+  const Task& first() const { return first_; }
   const Task& task() const { return task_; }
   bool has_loops() const { return has_loops_; }
 
  private:
   bool try_position(double share) {
-    task_.weights.position = share * stated_.weights.position;
+    task_.weights.position = share * *first_.weights.position;
     loops_ = loops_of(task_, setting_, usual_chain(task_));
     has_loops_ = loops_.has_value();
     return has_loops_ && try_boosts();
   }
   bool try_bandwidth(double share) {
-    task_.model_error.bandwidth = share * stated_.model_error.bandwidth;
+    task_.model_error.bandwidth = share * *first_.model_error.bandwidth;
     return try_boosts();
   }
   bool try_boosts() {
-    const double most = stated_.model_error.boost;
+    const double most = *first_.model_error.boost;
     std::vector<double> boosts{most};
-    if (free_.boost && most > 1.0) boosts.insert(boosts.end(), {0.5 * (1.0 + most), 1.0});
+    if (fits_boost_ && most > 1.0) boosts.insert(boosts.end(), {0.5 * (1.0 + most), 1.0});
     return std::any_of(boosts.begin(), boosts.end(), [&](double boost) {
       task_.model_error.boost = boost;
       return loops_->tolerate(task_.model_error, required_);
     });
   }
 
-  const Task stated_;
+  const Task first_;
   Task task_;
   const Setting& setting_;
-  FreeKeys free_;
+  bool fits_boost_, fits_bandwidth_, fits_position_;
   RequiredMargins required_;
   std::optional<Loops> loops_;
   bool has_loops_ = true;
@@ -137,30 +153,31 @@ std::optional<TaskMargins> margins(const Task& task, const Setting& setting) {
   return margins(task, setting, usual_chain(task));
 }
 
-std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
+std::optional<TaskMargins> margins(const Task& asked, const Setting& setting,
                                    const LoopChain& chain) {
+  Task task = asked;
+  (void)fit_gains(task, setting);
   const std::optional<Loops> loops = loops_of(task, setting, chain);
   if (!loops) return std::nullopt;
   return TaskMargins{loops->air.margins(task.model_error),
                      loops->contact.margins(task.model_error)};
 }
 
-FittedGains fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
-                      const RequiredMargins& required) {
-  if (!free.boost && !free.bandwidth && !free.position) return {};
-  Fit fit(task, setting, free, required);
+FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required) {
+  if (task.model_error.boost && task.model_error.bandwidth && task.weights.position) return {};
+  Fit fit(task, setting, required);
   FittedGains result{.meets = fit.find()};
+  const Task& before = fit.first();
+  task = fit.has_loops() ? fit.task() : before;
   if (!fit.has_loops()) return {};
-  const Task before = task;
-  task = fit.task();
   const auto note = [&](const char* key, double was, double now) {
     if (was != now)
       result.changes += (result.changes.empty() ? "" : ", ") + std::string(key) + " " +
                         number(now) + " in place of " + number(was);
   };
-  note("model_error.boost", before.model_error.boost, task.model_error.boost);
-  note("model_error.bandwidth", before.model_error.bandwidth, task.model_error.bandwidth);
-  note("weights.position", before.weights.position, task.weights.position);
+  note("model_error.boost", *before.model_error.boost, *task.model_error.boost);
+  note("model_error.bandwidth", *before.model_error.bandwidth, *task.model_error.bandwidth);
+  note("weights.position", *before.weights.position, *task.weights.position);
   if (!result.changes.empty() && result.meets)
     result.changes += ", with which the arm tolerates " + rounded(1e3 * required.delay, "%g ms") +
                       " of extra delay and a factor of " + number(required.gain) +

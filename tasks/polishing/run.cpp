@@ -6,6 +6,7 @@
 #include "base/sentence.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/run_descriptions.hpp"
 #include "polishing/verdict.hpp"
@@ -138,7 +139,8 @@ std::string name_of(ControllerKind kind) {
   return words_of(kind).words[static_cast<std::size_t>(kind)].word;
 }
 
-RunResult run_task(const RunSpec& spec) {
+RunResult run_task(const RunSpec& asked) {
+  RunSpec spec = asked;
   check_task(spec.task);
   RunResult result;
   result.setting = make_setting(spec.task, spec.robot ? *spec.robot : load_task_robot(spec.task));
@@ -147,6 +149,7 @@ RunResult run_task(const RunSpec& spec) {
     result.reach = check_reach(spec.task, setting, spec.reach);
     if (!result.reach.ok()) throw Error("the task is out of reach: " + result.reach.text);
   }
+  if (spec.controller == ControllerKind::Mpc) result.fitted = fit_gains(spec.task, setting).changes;
   const Pieces pieces = make_controller(spec, setting);
   Watch watch(spec, pieces);
   pressing::ClosedRun run{.controller = *pieces.controller,

@@ -87,4 +87,36 @@ const Description& description_of(const RunSpec* /*of*/) {
   return all;
 }
 
+const Description& description_of(const RequiredMargins* /*of*/) {
+  using R = RequiredMargins;
+  static const Description all =
+      Describe<R>("polishing", "RequiredMargins",
+                  "What every arm must tolerate beyond what the chain of its loop has.")
+          .field("delay", &R::delay, "{s}, extra delay of the commands", range::not_negative)
+          .field("gain", &R::gain, "factor of one joint's torque, and its inverse",
+                 range::positive);
+  return all;
+}
+
+const Description& description_of(const TaskMargins* /*of*/) {
+  using T = TaskMargins;
+  static const Description all =
+      Describe<T>("polishing", "TaskMargins",
+                  "What a polishing task's loop tolerates at its starting posture.")
+          .result()
+          .field("air", &T::air, "in free air")
+          .field("contact", &T::contact, "with the tool on the surface");
+  return all;
+}
+
+const Description& description_of(const FittedGains* /*of*/) {
+  using F = FittedGains;
+  static const Description all =
+      Describe<F>("polishing", "FittedGains", "What fit_gains() did.")
+          .result()
+          .field("meets", &F::meets, "the required margins, or none are computed")
+          .field("changes", &F::changes, "a sentence; empty where nothing is fitted");
+  return all;
+}
+
 }  // namespace burnish::polishing

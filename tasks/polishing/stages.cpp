@@ -10,6 +10,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/reach.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/horizon.hpp"
@@ -147,7 +148,7 @@ struct Builder {
   }
   CostTerm place(double normal_weight) const {
     return pressing::place_cost("position", task.tool, position(), on_surface(setting.surface_axes),
-                                task.weights.position, normal_weight);
+                                *task.weights.position, normal_weight);
   }
   /// Speed along the normal of the tool that goes off the surface, m/s over the schedule's time.
   /// Where the surface is nobody knows better than the tool that lies on it: a height to go to
@@ -333,7 +334,9 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
 }
 }  // namespace
 
-MpcSpec make_mpc(const Task& task, const Setting& setting) {
+MpcSpec make_mpc(const Task& asked, const Setting& setting) {
+  Task task = asked;
+  (void)fit_gains(task, setting);
   const Model& model = setting.robot.model;
   const auto path = std::make_shared<const Path>(task.path);
   std::shared_ptr<std::atomic<double>> known;

@@ -34,8 +34,8 @@ void note_lag(const Task& task, std::vector<std::string>& notes) {
 void note_force_error(const Task& task, std::vector<std::string>& notes) {
   constexpr double most = 50.0;  // rad/s, see ModelErrorOptions
   const ModelErrorOptions& error = task.model_error;
-  if (error.kind != ModelErrorKind::Force || error.bandwidth <= most) return;
-  notes.push_back("model_error.kind is force with a bandwidth of " + number(error.bandwidth) +
+  if (error.kind != ModelErrorKind::Force || !error.bandwidth || *error.bandwidth <= most) return;
+  notes.push_back("model_error.kind is force with a bandwidth of " + number(*error.bandwidth) +
                   " rad/s: behind a filtered force sensor that rings; " + number(most) +
                   " rad/s are well");
 }

@@ -38,6 +38,7 @@ inline polishing::Task short_task() {
   task.iterations = 1;
   task.contact_kd = 50.0;
   task.model_error.bandwidth = 100.0;
+  task.model_error.boost = 6.0;
   task.weights.posture = 0.1;
   task.weights.velocity = 1.0;
   task.weights.torque = 1e-4;

@@ -10,7 +10,6 @@
 namespace burnish::test {
 namespace {
 
-using polishing::FreeKeys;
 using polishing::Task;
 
 Task sensed_task(const std::string& robot) {
@@ -59,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, MarginsInSimulation, ::testing::Values("talos:rig
 TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
-  const polishing::FittedGains fitted = polishing::fit_gains(task, setting, {});
+  const polishing::FittedGains fitted = polishing::fit_gains(task, setting);
   const std::string& said = fitted.changes;
   EXPECT_TRUE(fitted.meets);
   EXPECT_EQ(task.weights.position, 1e5);
@@ -73,13 +72,13 @@ TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
 TEST(TaskMargins, FitGains_WithStatedKeys_LeavesThem) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
-  const std::string before = task_text(task);
-  EXPECT_EQ(polishing::fit_gains(task, setting, FreeKeys{false, false, false}).changes, "");
-  EXPECT_EQ(task_text(task), before);
-  (void)polishing::fit_gains(task, setting,
-                             FreeKeys{.boost = true, .bandwidth = true, .position = false});
+  task.weights.position = 1e4;
+  EXPECT_EQ(polishing::fit_gains(task, setting).changes.find("position"), std::string::npos);
   EXPECT_EQ(task.weights.position, 1e4);
   EXPECT_LT(task.model_error.boost, 6.0);
+  const std::string before = task_text(task);
+  EXPECT_EQ(polishing::fit_gains(task, setting).changes, "") << "all of them are there";
+  EXPECT_EQ(task_text(task), before);
 }
 
 TEST(TaskMargins, FitGains_WhateverTheDisturbances_ChoosesTheSame) {
@@ -87,8 +86,8 @@ TEST(TaskMargins, FitGains_WhateverTheDisturbances_ChoosesTheSame) {
   late.disturbances = disturbance_preset("joint_friction");
   late.disturbances.command_delay = 4e-3;
   const polishing::Setting setting = polishing::make_setting(ideal);
-  EXPECT_EQ(polishing::fit_gains(late, setting, {}).changes,
-            polishing::fit_gains(ideal, setting, {}).changes);
+  EXPECT_EQ(polishing::fit_gains(late, setting).changes,
+            polishing::fit_gains(ideal, setting).changes);
   EXPECT_EQ(late.weights.position, ideal.weights.position);
 }
 
@@ -96,7 +95,7 @@ TEST(TaskMargins, FitGains_ForALongDelay_SlowsTheObserverAfterTheBoost) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
   const polishing::RequiredMargins required{.delay = 5e-3, .gain = 1.5};
-  const std::string said = polishing::fit_gains(task, setting, {}, required).changes;
+  const std::string said = polishing::fit_gains(task, setting, required).changes;
   EXPECT_EQ(task.model_error.boost, 1.0);
   EXPECT_LT(task.model_error.bandwidth, 120.0) << said;
   EXPECT_EQ(task.weights.position, 1e4);
@@ -106,15 +105,16 @@ TEST(TaskMargins, FitGains_ForALongDelay_SlowsTheObserverAfterTheBoost) {
 TEST(TaskMargins, FitGains_WhereNothingIsSlowEnough_SaysSo) {
   Task task = first_task();
   const polishing::Setting setting = polishing::make_setting(task);
-  EXPECT_FALSE(polishing::fit_gains(task, setting, {}, {.delay = 2e-3, .gain = 100.0}).meets);
+  EXPECT_FALSE(polishing::fit_gains(task, setting, {.delay = 2e-3, .gain = 100.0}).meets);
 }
 
 TEST(TaskMargins, RobotOnItsFeet_HasNone) {
   Task task = polishing::read_task(std::string(BURNISH_TASKS_DIR) + "/polishing/standing.yaml");
   const polishing::Setting setting = polishing::make_setting(task);
   EXPECT_FALSE(polishing::margins(task, setting));
-  EXPECT_EQ(polishing::fit_gains(task, setting, {}).changes, "");
-  EXPECT_EQ(task.weights.position, Task{}.weights.position);
+  EXPECT_EQ(polishing::fit_gains(task, setting).changes, "");
+  EXPECT_EQ(task.weights.position, 1e4);
+  EXPECT_EQ(task.model_error.boost, 2.0) << "the file's";
 }
 
 }  // namespace

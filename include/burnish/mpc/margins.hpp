@@ -24,18 +24,17 @@ struct LoopChain {
 
 /// Factors by which the torque of one joint may be wrong while the others are right.
 struct GainRange {
-  std::string joint;   ///< As Model::v_name() says.
-  double below = 0.0;  ///< Smallest factor, down to LoopAnalysis::smallest_gain.
-  double above = 0.0;  ///< Largest factor, up to LoopAnalysis::largest_gain.
+  std::string joint;
+  double below = 0.0;  ///< smallest factor
+  double above = 0.0;  ///< largest factor
 };
 
 struct LoopMargins {
-  /// Largest extra delay of the commands, beyond the chain's [s]: up to
-  /// LoopAnalysis::longest_delay. Zero where the loop is unstable without any.
+  /// s, largest extra delay of the commands, up to 0.01; zero where the loop is unstable without
+  /// any
   double delay = 0.0;
-  /// Bandwidth of the model-error observer at which the delay is least [rad/s].
-  double bandwidth = 0.0;
-  std::vector<GainRange> gains = {};  ///< One per entry of v.
+  double bandwidth = 0.0;  ///< rad/s of the model-error observer at which the delay is least
+  std::vector<GainRange> gains = {};  ///< one per entry of v
 };
 
 /// The loop of one phase of a schedule about the specification's initial state, at rest: mass

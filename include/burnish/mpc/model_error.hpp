@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,15 @@ enum class ModelErrorKind {
 struct ModelErrorOptions {
   /// none, torque (per joint) or force (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// rad/s of the observer; more follows friction, and bears less delay. Force closes a loop
-  /// through the controller and is not to be faster than its delays bear: behind a force sensor
-  /// filtered at 50 Hz, 50 rad/s are well, 100 rad/s oscillate.
-  double bandwidth = 30.0;
+  /// rad/s of the observer; more follows friction, and bears less delay; none: fitted to the arm
+  /// where a task does that, else 30. Force closes a loop through the controller and is not to be
+  /// faster than its delays bear: behind a force sensor filtered at 50 Hz, 50 rad/s are well,
+  /// 100 rad/s oscillate.
+  std::optional<double> bandwidth = {};
   /// times the bandwidth, while a torque error changes faster than its noise does: after a push, an
-  /// impact, where a joint turns around; 1: never
-  double boost = 3.0;
+  /// impact, where a joint turns around; 1: never; none: fitted to the arm where a task does that,
+  /// else 3
+  std::optional<double> boost = {};
   /// times the bandwidth, while what changes is noise alone (encoders' steps): then a slower
   /// observer passes less of it on; 1: never
   double calm = 1.0;
@@ -50,6 +53,9 @@ struct ModelErrorOptions {
   /// once where a joint turns around
   bool joint_friction = true;
   double friction_speed = 0.001;  ///< rad/s (m/s) within which that friction changes its sign
+
+  double usual_bandwidth() const { return bandwidth.value_or(30.0); }  ///< rad/s
+  double usual_boost() const { return boost.value_or(3.0); }
 };
 
 /// An observer of the joint velocity with the torque error as its disturbance state: with e = v -

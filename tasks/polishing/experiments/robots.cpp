@@ -71,7 +71,7 @@ std::optional<RunSpec> run_of(const ExperimentSpec& spec, Entry& entry) {
     const Setting setting = make_setting(run.task, *run.robot);
     const ReachReport reach = check_reach(run.task, setting, run.reach);
     if (!reach.ok()) throw Error("the task is out of reach: " + reach.text);
-    entry.bandwidth = make_mpc(run.task, setting).model_error.bandwidth;
+    entry.bandwidth = make_mpc(run.task, setting).model_error.usual_bandwidth();
     return run;
   } catch (const Error& error) {
     entry.reason = error.what();

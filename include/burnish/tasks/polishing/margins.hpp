@@ -13,8 +13,8 @@ namespace burnish::polishing {
 
 /// What every arm must tolerate beyond what the chain of its loop has.
 struct RequiredMargins {
-  double delay = 2e-3;  ///< Extra delay of the commands [s].
-  double gain = 2.0;    ///< Factor of one joint's torque, and its inverse.
+  double delay = 2e-3;  ///< s, extra delay of the commands
+  double gain = 2.0;    ///< factor of one joint's torque, and its inverse
 };
 
 /// Margins in free air and with the tool on the surface, at the starting posture.
@@ -35,28 +35,23 @@ LoopChain usual_chain(const Task& task);
 LoopChain loop_chain(const Task& task);
 
 /// Margins with the usual chain or another one; none where without_margins() says why, and where
-/// there is no plan from the start. Throws Error as make_mpc() does.
+/// there is no plan from the start. Gains that the task has not are fitted first. Throws Error as
+/// make_mpc() does.
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
 
-/// Keys that fit_gains() may change.
-struct FreeKeys {
-  bool boost = true;      ///< model_error.boost
-  bool bandwidth = true;  ///< model_error.bandwidth
-  bool position = true;   ///< weights.position
-};
-
 /// What fit_gains() did.
 struct FittedGains {
-  bool meets = true;         ///< The required margins; true where none are computed.
-  std::string changes = {};  ///< A sentence for the user; empty where nothing was changed.
+  bool meets = true;         ///< the required margins, or none are computed
+  std::string changes = {};  ///< a sentence; empty where nothing is fitted
 };
 
-/// Raises weights.position to at most ten times the task's value, as far as the required margins
-/// allow. Where they are missed it lowers the boost, then the bandwidth, then weights.position.
-/// Changes nothing where margins() has none. Throws Error as make_mpc() does.
-FittedGains fit_gains(Task& task, const Setting& setting, const FreeKeys& free,
-                      const RequiredMargins& required = {});
+/// Gives model_error.boost, model_error.bandwidth and weights.position values where the task has
+/// none: 6, 120 rad/s and 1e4 /m^2 at first. Raises weights.position to at most ten times that, as
+/// far as the required margins allow. Where they are missed it lowers the boost, then the
+/// bandwidth, then weights.position. The first values stay where margins() has none; of the kind
+/// force the bandwidth is then 50 rad/s. Throws Error as make_mpc() does.
+FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

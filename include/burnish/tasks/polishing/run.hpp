@@ -47,7 +47,9 @@ struct VerdictFigures {
 /// as "not polished: ..." or, where the time was too short for the path, "stopped early: ...".
 struct RunResult : TaskRun {
   Setting setting;
-  ReachReport reach;               ///< empty unless it was checked
+  ReachReport reach;  ///< empty unless it was checked
+  /// "model_error.boost 1 in place of 6, ...": what fit_gains() chose; empty if nothing
+  std::string fitted;
   bool polished = false;           ///< to the path's end without fault, as Task::verdict asks for
   std::optional<Metrics> metrics;  ///< over the path after its start; none if it was never reached
   /// What Task::verdict is about, over all of the path that there was; none if it was never

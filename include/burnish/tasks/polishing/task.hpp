@@ -46,7 +46,9 @@ struct Weights {
   double posture = 0.1;
   double velocity = 1.0;  ///< s^2/rad^2: joint speeds; more damps, and lags on fast paths
   double torque = 1e-4;   ///< 1/Nm^2: torques to those that hold the start
-  double position = 1e4;  ///< 1/m^2: tool to the path, in the reach to the point above the surface
+  /// 1/m^2: tool to the path, in the reach to the point above the surface; none: fitted to the arm,
+  /// see fit_gains()
+  std::optional<double> position = {};
   double approach = 1e2;  ///< s^2/m^2: speed along the normal to that of approach and retreat
   /// 1/rad^2: tool to its orientation at the start; less lets the wrist follow
   double rotation = 1.0;
@@ -140,8 +142,8 @@ struct Task {
   ForceAxes axes =
       ForceAxes::Surface;  ///< of contact and force: surface, local (the tool's) or world
   bool feedback = true;    ///< between plans follow their Riccati gains, not just their torques
-  ModelErrorOptions model_error = {
-      .bandwidth = 120.0, .boost = 6.0, .calm = 0.25, .sliding_bandwidth = 360.0};
+  /// bandwidth and boost that are none are fitted to the arm, see fit_gains()
+  ModelErrorOptions model_error = {.calm = 0.25, .sliding_bandwidth = 360.0};
   SurfaceEstimateOptions surface_estimate = {};
   /// of the tool on the surface; plans know friction, by this coefficient
   FrictionEstimateOptions friction_estimate = {.enabled = false};
