@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import copy
 import dataclasses
 import functools
-from typing import Any, ClassVar, Dict, Tuple, TypeVar
+import inspect
+import sys
+from typing import Any, ClassVar, Dict, List, Tuple, TypeVar
 
 import numpy as np
 
@@ -37,12 +40,82 @@ def _names(of: type) -> Tuple[str, ...]:
     return tuple(f.name for f in dataclasses.fields(of))
 
 
-class Spec:
+@functools.lru_cache(maxsize=None)
+def _meanings(module: str) -> Dict[str, Dict[str, str]]:
+    """Of a module's classes: what stands behind each entry, by class and entry."""
+    tree = ast.parse(inspect.getsource(sys.modules[module]))
+    classes: Dict[str, Dict[str, str]] = {}
+    for node in tree.body:
+        if not isinstance(node, ast.ClassDef):
+            continue
+        texts = classes.setdefault(node.name, {})
+        for entry, text in zip(node.body, node.body[1:]):
+            if (isinstance(entry, ast.AnnAssign) and isinstance(entry.target, ast.Name)
+                    and isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)):
+                texts[entry.target.id] = inspect.cleandoc(str(text.value.value))
+    return classes
+
+
+def _unknown(of: type, name: str) -> str:
+    known = _names(of)
+    hint = _core.did_you_mean(name, list(known)) or f"; it has {', '.join(known)}"
+    return f"{of.__name__} has no entry '{name}'{hint}"
+
+
+def _listed(of: type, values: Dict[str, str]) -> List[str]:
+    """A line for each entry, with its meaning below."""
+    lines = []
+    meanings = _meanings(of.__module__).get(of.__name__, {})
+    for name in _names(of):
+        lines.append(f"{name}: {values[name]}")
+        lines += ["    " + line for line in meanings.get(name, "").splitlines()]
+    return lines
+
+
+def _text(value: Any, brief: bool = False) -> str:
+    if isinstance(value, np.ndarray):
+        return np.array2string(value, threshold=20, precision=6, separator=", ")
+    if brief and isinstance(value, float):
+        return f"{value:.6g}"
+    if brief and isinstance(value, list) and len(value) > 3 and isinstance(value[0], Spec):
+        return f"[{len(value)} of {type(value[0]).__name__}]"
+    return repr(value)
+
+
+class _SpecType(type):
+    """Classes of values: their documentation lists their entries, and an entry that there is not is
+    answered with the nearest one."""
+
+    @property
+    def __doc__(cls) -> str:  # type: ignore[override]
+        summary = inspect.cleandoc(cls.__dict__.get("__doc__") or "")
+        if not dataclasses.is_dataclass(cls):
+            return summary
+        types = {f.name: str(f.type) for f in dataclasses.fields(cls)}
+        return "\n".join([summary, "", "Entries:", "", *_listed(cls, types)])
+
+    @property
+    def __signature__(cls) -> inspect.Signature:
+        whole = inspect.signature(getattr(cls, "__init__"))
+        return whole.replace(parameters=list(whole.parameters.values())[1:])
+
+    def __call__(cls, *entries: Any, **named: Any) -> Any:
+        if dataclasses.is_dataclass(cls):
+            for name in named:
+                if name not in _names(cls):
+                    raise TypeError(_unknown(cls, name))
+        return super().__call__(*entries, **named)
+
+
+class Spec(metaclass=_SpecType):
     """A plain value: compared entry by entry, printed with what differs from the defaults, copied
-    and pickled like any dataclass. Entries that it does not have cannot be set."""
+    and pickled like any dataclass. Entries that it does not have cannot be set. describe() prints
+    all of it."""
 
     __dataclass_fields__: ClassVar[Dict[str, dataclasses.Field[Any]]]
     __hash__ = None  # type: ignore[assignment]
+    _brief = False
+    """Of results, that nobody pastes: six digits, and how many there are of a long list."""
 
     def replace(self: S, **changes: Any) -> S:
         """A deep copy with these entries changed."""
@@ -56,22 +129,23 @@ class Spec:
             for f in dataclasses.fields(self)
         )
 
+    def describe(self) -> str:
+        """All entries, with their values and meanings, a text."""
+        values = {name: _text(getattr(self, name)) for name in _names(type(self))}
+        return "\n".join(_listed(type(self), values))
+
     def __repr__(self) -> str:
         entries = []
         for f in dataclasses.fields(self):
             value = getattr(self, f.name)
             default = _default(f)
             if default is dataclasses.MISSING or not _same(value, default):
-                text = np.array2string(value, threshold=20, precision=6, separator=", ") if isinstance(
-                    value, np.ndarray) else repr(value)
-                entries.append(f"{f.name}={text}")
+                entries.append(f"{f.name}={_text(value, self._brief)}")
         return f"{type(self).__name__}({', '.join(entries)})"
 
     def __setattr__(self, name: str, value: Any) -> None:
-        known = _names(type(self))
-        if name not in known:
-            hint = _core.did_you_mean(name, list(known)) or f"; it has {', '.join(known)}"
-            raise AttributeError(f"{type(self).__name__} has no entry '{name}'{hint}")
+        if name not in _names(type(self)):
+            raise AttributeError(_unknown(type(self), name))
         object.__setattr__(self, name, value)
 
 

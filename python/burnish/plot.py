@@ -1,8 +1,9 @@
-"""Figures of polishing runs, with matplotlib: forces and paths, as figures 2 and 4 of the paper
-show them, and an overview of one run.
+"""Figures with matplotlib: of polishing runs forces and paths, as figures 2 and 4 of the paper show
+them, and an overview of one run; of an optimal control problem its solution.
 
-Every function takes a run (RunResult) or a dict of names and runs, draws into the axes that it is
-given or into a new figure, and returns the axes as an array: forces(runs)[0].figure.savefig(...).
+forces(), paths() and overview() take a run (RunResult) or a dict of names and runs, solution() a
+solver. All draw into the axes that they are given or into a new figure, and return an array of the
+matplotlib axes, one per panel: forces(runs)[0].figure.savefig("forces.png").
 Colours are told apart by people of any colour vision."""
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ._core import DdpSolver
 from .polishing import ControllerKind, RunResult, SurfacePath, named_surfaces
 
-__all__ = ["PALETTE", "Runs", "forces", "overview", "paths"]
+__all__ = ["PALETTE", "Runs", "forces", "overview", "paths", "solution"]
 
 Runs = Union[RunResult, Mapping[str, RunResult]]
 Array = NDArray[np.float64]
@@ -122,7 +124,8 @@ def forces(runs: Runs, axes: Any = None, *, estimated: bool = False) -> NDArray[
     on; a panel for each surface, a line for each run (the paper's figure 2).
 
     The force is the true one, mean over 10 ms; with `estimated`, what the controller believes. Time
-    counts from the moment when the path begins. axes: one or several, as many as surfaces."""
+    counts from the moment when the path begins. axes: one or several, as many as surfaces. Returns
+    the axes, (surfaces,)."""
     groups = _by_surface(_named(runs))
     panels = _axes(axes, len(groups), (7.0, 2.6))
     for axis, (surface, group) in zip(panels, groups):
@@ -167,7 +170,7 @@ def _same_line(a: Tuple[Array, Array], b: Tuple[Array, Array]) -> bool:
 def paths(runs: Runs, axes: Any = None) -> NDArray[Any]:
     """The end effector in the plane of the surface, on the path asked for, with equal scales; a
     panel for each surface, a line for each run (the paper's figure 4). axes: one or several, as many
-    as surfaces."""
+    as surfaces. Returns the axes, (surfaces,)."""
     groups = _by_surface(_named(runs))
     panels = _axes(axes, len(groups), (5.0, 3.8), columns=2 if len(groups) > 1 else 1)
     for axis, (surface, group) in zip(panels, groups):
@@ -202,7 +205,8 @@ def _asked_for(result: RunResult) -> Array:
 
 def overview(result: RunResult, axes: Any = None) -> NDArray[Any]:
     """One run on four panels: normal force, distance from the path, torques as shares of their
-    limits, and computing times (of plans of the MPC; of the whole run's ticks without). axes: four."""
+    limits, and computing times (of plans of the MPC; of the whole run's ticks without). axes: four.
+    Returns the axes, (4,)."""
     panels = _axes(axes, 4, (6.0, 2.6), columns=2)
     trace = result.trace
     _draw_force(panels[0], result)
@@ -256,3 +260,42 @@ def _draw_plans(axis: Any, result: RunResult) -> None:
     axis.axhline(1e3 / task.update_rate, linestyle="--", color="black", linewidth=0.9,
                  label="between two plans")
     _finish(axis, "computing time", "time [s]", "per plan [ms]")
+
+
+def solution(solver: DdpSolver, axes: Any = None) -> NDArray[Any]:
+    """What a solver returned, on three panels over time: coordinates q, velocities v, controls.
+    Controls hold from their knot to the next; bounds of the first knot are dashed, where they are near.
+    axes: three. Returns the axes, (3,)."""
+    panels = _axes(axes, 3, (6.0, 2.4))
+    problem = solver.problem
+    nq, nv = problem.model.nq, problem.model.nv
+    times = np.array([problem.time_of(knot) for knot in range(problem.knots + 1)])
+    parts = ((0, nq, "coordinates", "q [rad or m]"), (nq, nq + nv, "velocities", "v [rad/s or m/s]"))
+    for axis, (begin, end, title, label) in zip(panels, parts):
+        for i, name in enumerate(problem.state_names[begin:end]):
+            axis.plot(times, solver.xs[:, begin + i], label=name, **_line_of(i))
+        _finish(axis, title, "time [s]", label, **_beside())
+    bounds = []
+    for i, name in enumerate(problem.control_names):
+        held = np.append(solver.us[:, i], np.nan)
+        panels[2].step(times, held, where="post", label=name, **_line_of(i))
+        for side in (problem.control_lower(0), problem.control_upper(0)):
+            if side is not None and i < len(side):
+                bounds.append((float(side[i]), _line_of(i)["color"]))
+    most = 1.2 * np.nanmax(np.abs(solver.us), initial=0.0)
+    for value, colour in bounds:
+        if abs(value) <= most:
+            panels[2].axhline(value, linestyle="--", linewidth=0.7, color=colour)
+    _finish(panels[2], "controls", "time [s]", "u [Nm or N]", **_beside())
+    return panels
+
+
+def _line_of(i: int) -> Dict[str, Any]:
+    """Colour and dashes of the line number i."""
+    return {"color": PALETTE[i % len(PALETTE)], "linewidth": 0.9,
+            "linestyle": ("-", ":", "--", "-.")[i // len(PALETTE) % 4]}
+
+
+def _beside() -> Dict[str, Any]:
+    """A legend to the right of its panel."""
+    return {"fontsize": "x-small", "loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}

@@ -24,6 +24,8 @@ __all__ = ["Curve", "Metrics", "MetricsSpec", "NamedMetrics", "Panel", "PlotSpec
 
 @dataclass(eq=False, repr=False)
 class Metrics(Spec):
+    _brief = True
+
     def text(self) -> str:
         """All figures, one per line: name, value, unit, what it means."""
         return _core.metrics_text(self)

@@ -26,6 +26,8 @@ class DdpOptions(Spec):
 
 @dataclass(eq=False, repr=False)
 class DdpSummary(Spec):
+    _brief = True
+
     def text(self, problem: Problem) -> str:
         """One sentence that says why the solver stopped, with names from the problem."""
         return _core.summary_text(self, problem)

@@ -110,39 +110,41 @@ void bind_inverse(DynamicsClass& of) {
           self.require_state_sizes(name, q, v);
           require_size(name, "a", a.size(), self.machine.nv());
           require_size(name, "lambda_", lambda.size(), self.machine.rows());
-          (void)self.run(inverse, name,
-                         [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
+          return self.run(inverse, name,
+                          [&](auto& machine) { return machine.inverse(q, v, a, lambda); });
         },
         py::arg("q"), py::arg("v"), py::arg("a"), py::arg("lambda_"),
         "Fills tau = M a + b - J^T lambda_. q: (nq,), v: (nv,), a: (nv,), lambda_: (rows,), N or "
-        "Nm. Raises as forward().")
+        "Nm. Returns and raises as forward().")
       .def(
           "inverse_derivatives",
           [](Dynamics& self) {
-            (void)self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
-                           [](auto& machine) { return machine.inverse_derivatives(); });
+            return self.run(inverse | derivatives, "ContactDynamics.inverse_derivatives",
+                            [](auto& machine) { return machine.inverse_derivatives(); });
           },
           "Fills dtau_dq and dtau_dv at the last inverse(); dtau/da is mass_matrix, dtau/dlambda "
-          "is -jacobian.T.")
+          "is -jacobian.T. Returns as forward_derivatives().")
       .def(
           "acceleration",
           [](Dynamics& self, const Vector& q, const Vector& v, const Vector& a) {
             constexpr const char* name = "ContactDynamics.acceleration";
             self.require_state_sizes(name, q, v);
             require_size(name, "a", a.size(), self.machine.nv());
-            (void)self.run(acceleration, name,
-                           [&](auto& machine) { return machine.acceleration(q, v, a); });
+            return self.run(acceleration, name,
+                            [&](auto& machine) { return machine.acceleration(q, v, a); });
           },
           py::arg("q"), py::arg("v"), py::arg("a"),
           "Fills alpha, the contact acceleration J a + alpha_0 plus kd nu + kp e. q: (nq,), v: "
-          "(nv,), a: (nv,). Raises as forward().")
+          "(nv,), a: (nv,). Returns and raises as forward().")
       .def(
           "acceleration_derivatives",
           [](Dynamics& self) {
-            (void)self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
-                           [](auto& machine) { return machine.acceleration_derivatives(); });
+            return self.run(acceleration | derivatives, "ContactDynamics.acceleration_derivatives",
+                            [](auto& machine) { return machine.acceleration_derivatives(); });
           },
-          "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian.");
+          "Fills dalpha_dq and dalpha_dv at the last acceleration(); dalpha/da is jacobian. "
+          "Returns "
+          "as forward_derivatives().");
 }
 
 void bind_results(DynamicsClass& of) {

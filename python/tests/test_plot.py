@@ -13,7 +13,8 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 
-from burnish import plot, polishing
+import burnish
+from burnish import plot, polishing, residual
 
 
 @pytest.fixture(scope="module")
@@ -137,3 +138,24 @@ def test_the_package_does_not_need_matplotlib():
             "except ImportError as missing: print(missing)")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert "burnish.plot needs matplotlib" in done.stdout
+
+
+def test_a_solution_has_a_line_for_each_entry():
+    model = burnish.load_robot("arm7").model
+    spec = burnish.ProblemSpec(
+        model, initial_state=np.zeros(14),
+        stages=[burnish.Stage("move", step=0.05, costs=[burnish.CostTerm(residual.State()),
+                                                        burnish.CostTerm(residual.Control())])],
+        horizon=[burnish.HorizonSegment("move", 4)])
+    solver = burnish.DdpSolver(burnish.Problem(spec))
+    solver.solve()
+    axes = plot.solution(solver)
+    assert [axis.get_title() for axis in axes] == ["coordinates", "velocities", "controls"]
+    problem = solver.problem
+    assert labels(axes[0]) == list(problem.state_names[:7])
+    assert labels(axes[2]) == list(problem.control_names)
+    first = line(axes[1], problem.state_names[7])
+    np.testing.assert_allclose(first.get_xdata(), [0.0, 0.05, 0.1, 0.15, 0.2])
+    np.testing.assert_array_equal(first.get_ydata(), solver.xs[:, 7])
+    held = line(axes[2], problem.control_names[3])
+    np.testing.assert_array_equal(held.get_ydata()[:-1], solver.us[:, 3])

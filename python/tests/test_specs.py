@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import enum
 import importlib
+import inspect
 import pickle
 import pkgutil
 import typing
@@ -204,6 +205,14 @@ class TestEveryDataclass:
         with pytest.raises(AttributeError, match="has no entry 'qqqqqq'"):
             setattr(value, "qqqqqq", 1)
 
+    def test_help_and_describe_have_every_entry(self, name: str) -> None:
+        value = a_value(SPECS[name])
+        lines = value.describe().splitlines()
+        listed = (SPECS[name].__doc__ or "").split("Entries:")[1].splitlines()
+        for field in dataclasses.fields(value):
+            assert any(line.startswith(field.name + ": ") for line in lines)
+            assert f"{field.name}: {field.type}" in listed
+
     def test_differs_from_other_dataclasses(self, name: str) -> None:
         assert a_value(SPECS[name]) != object()
 
@@ -218,6 +227,24 @@ def test_a_name_that_an_enumeration_does_not_have_is_answered_with_the_nearest()
     contact = burnish.ContactSpec(error="log5")  # type: ignore[arg-type]
     with pytest.raises(burnish.Error, match="PoseError: there is no 'log5'; did you mean 'log6'"):
         _core.spec_round_trip(contact)
+
+
+def test_a_keyword_that_there_is_not_is_answered_with_the_nearest() -> None:
+    with pytest.raises(TypeError, match="ContactSpec has no entry 'directons'; did you mean 'directions'"):
+        burnish.ContactSpec(directons="z")  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="did you mean 'tool'"):
+        burnish.ContactSpec().replace(toool="hand")
+
+
+def test_help_has_the_meaning_of_entries() -> None:
+    assert "0: none, until it is set" in (burnish.SlidingFriction.__doc__ or "")
+    assert "coefficient" in str(inspect.signature(burnish.SlidingFriction))
+    assert "m/s, below which it fades" in burnish.SlidingFriction().describe()
+
+
+def test_summaries_are_short() -> None:
+    summary = burnish.DdpSummary(cost=1.0 / 3.0, log=[burnish.DdpProgress()] * 5)
+    assert repr(summary) == "DdpSummary(cost=0.333333, log=[5 of DdpProgress])"
 
 
 def test_lists_of_a_value_are_python_s_own() -> None:
