@@ -102,8 +102,7 @@ def test_figures_have_the_names_units_and_meanings_of_the_table():
     texts = {group: documented(spec) for group, spec in specs.items()}
     table = (DOCS / "polishing.md").read_text().split("<!-- figures -->")[1]
     rows = [line.strip("| ").split(" | ") for line in table.split("<!-- end")[0].splitlines()[3:]]
-    of_runs = {"force_error_mean", "run_torque_margin", "run_limited_torque", "largest_command",
-               "tool_to_normal"}
+    of_runs = {"force_error_mean", "run_torque_margin", "run_limited_torque", "largest_command"}
     named = {name.strip("`"): ", ".join(filter(None, [cells[0].strip(), cells[2]]))
              for name, *cells in rows}
     assert len(named) > 40 and of_runs < set(named)

@@ -55,7 +55,12 @@ const Description& description_of(const MetricsSpec* /*of*/) {
                  "robot, any length but zero; none: the normal of the surface at the tool, as it "
                  "is in each row.")
           .field("average", &M::average,
-                 "{s}, of the moving average of the force, centred; 0: none");
+                 "{s}, of the moving average of the force, centred; 0: none")
+          .field("tool_axis", &M::tool_axis,
+                 "that the tool presses along, in its frame, any length but zero; none: "
+                 "tool_to_normal is not measured")
+          .field("tool_start_world", &M::tool_start_world,
+                 "columns: the tool's axes where the trace begins, world");
   return all;
 }
 

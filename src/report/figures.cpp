@@ -124,13 +124,14 @@ std::string metrics_text(const Metrics& metrics) {
 }
 
 PageMetric page_metric(const ShownFigure& figure) {
-  // The page finds how large its millimetres are by itself; shares are percent to it.
+  // The page finds how large its millimetres are by itself; shares are percent to it, and angles
+  // degrees.
   const FigureUnit& unit = figure.entry.unit;
-  const bool share = !*unit.unit && *unit.shown;
+  const bool is_shown = (!*unit.unit && *unit.shown) || std::string_view(unit.shown) == "deg";
   std::optional<double> value;
-  if (std::isfinite(figure.value)) value = share ? unit.factor * figure.value : figure.value;
+  if (std::isfinite(figure.value)) value = is_shown ? unit.factor * figure.value : figure.value;
   return {figure.name, figure.entry.label, value,
-          share        ? unit.shown
+          is_shown     ? unit.shown
           : *unit.unit ? unit.unit
                        : "1",
           figure.meaning};

@@ -102,9 +102,15 @@ void each_metric(const See& see) {  // NOLINT(readability-function-size): a tabl
                   "controller believes it to be",
                   "normal error, rms", 2},
       &M::normal_error);
-  see(FigureEntry{"orientation_drift", angle, "largest rotation of the tool since the window began",
+  see(FigureEntry{"orientation_drift", angle,
+                  "largest rotation of the tool since the window began, about any axis",
                   "tool turned", 1},
       &M::orientation_drift);
+  see(FigureEntry{"tool_to_normal", angle,
+                  "largest angle between the axis that the tool presses along and the surface's "
+                  "normal, reversed",
+                  "tool leans", 1},
+      &M::tool_to_normal);
   see(FigureEntry{"joint_margin", joint,
                   "smallest distance of a joint to its limit (m where it slides)", "joint margin",
                   2},

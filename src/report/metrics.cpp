@@ -120,13 +120,12 @@ void measure_force(const Trace& trace, const MetricsSpec& spec, const Window& wi
   }
 }
 
-double square_of_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-  return angle * angle;
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-void measure_motion(const Trace& trace, const Window& window, const Normals& normals,
-                    Metrics& metrics) {
+void measure_motion(const Trace& trace, const MetricsSpec& spec, const Window& window,
+                    const Normals& normals, Metrics& metrics) {
   const Vectors tool(trace, "tool", "world"), target(trace, "target", "world");
   const Vectors turned(trace, "tool_rx_start", "tool_ry_start", "tool_rz_start");
   const Eigen::Matrix3d start = rotation_of(turned[window.first]);
@@ -137,10 +136,16 @@ void measure_motion(const Trace& trace, const Window& window, const Normals& nor
     const Eigen::Vector3d off = tool[row] - target[row];
     const Eigen::Vector3d n = normals[row];
     error[row - window.first] = (off - n.dot(off) * n).norm();
-    squares += square_of_angle(n, believed[row]);
-    const Eigen::Matrix3d since = start.transpose() * rotation_of(turned[row]);
+    const double angle = angle_between(n, believed[row]);
+    squares += angle * angle;
+    const Eigen::Matrix3d since_start = rotation_of(turned[row]);
+    const Eigen::Matrix3d since = start.transpose() * since_start;
     metrics.orientation_drift =
         std::max(metrics.orientation_drift, std::abs(Eigen::AngleAxisd(since).angle()));
+    if (!spec.tool_axis) continue;
+    const Eigen::Vector3d axis = spec.tool_start_world * since_start * *spec.tool_axis;
+    metrics.tool_to_normal =
+        std::max(metrics.tool_to_normal.value_or(0.0), angle_between(axis, -n));
   }
   metrics.normal_error = std::sqrt(squares / window.size());
   metrics.position_mean = error.mean();
@@ -209,6 +214,8 @@ void measure_solver(const Trace& trace, const Window& window, Metrics& metrics) 
 Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec) {
   if (spec.normal_world && !(spec.normal_world->allFinite() && spec.normal_world->norm() > 1e-9))
     throw Error("the surface's normal has no direction; wanted one to measure along");
+  if (spec.tool_axis && !(spec.tool_axis->allFinite() && spec.tool_axis->norm() > 1e-9))
+    throw Error("the tool's axis has no direction; wanted the one that it presses along");
   const Trace::Column time = trace.column("time");
   const Window window = window_of(time, spec.start, spec.end);
   if (window.size() == 0)
@@ -220,7 +227,7 @@ Metrics measure(const Trace& trace, const Model& model, const MetricsSpec& spec)
   metrics.end = time[window.last - 1];
   metrics.rows = window.size();
   measure_force(trace, spec, window, normals, metrics);
-  measure_motion(trace, window, normals, metrics);
+  measure_motion(trace, spec, window, normals, metrics);
   measure_margins(trace, model, window, metrics);
   measure_solver(trace, window, metrics);
   return metrics;

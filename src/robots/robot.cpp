@@ -172,6 +172,14 @@ JointSpec& moving_joint(TreeSpec& tree, const std::string& name, const std::stri
   return *joint;
 }
 
+/// Takes back what a file's limit of 0 was taken for: the settings state the limit.
+void drop_assumption(TreeSpec& tree, const std::string& joint, const char* limit) {
+  const std::string said = "joint " + in_quotes(joint) + ": <limit> has '" + limit + "' = 0";
+  std::erase_if(tree.warnings, [&](const std::string& warning) {
+    return warning.find(said) != std::string::npos;
+  });
+}
+
 void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limits,
                 const std::string& origin) {
   const std::string key = "limits: joint " + in_quotes(name);
@@ -184,6 +192,8 @@ void set_limits(TreeSpec& tree, const std::string& name, const JointLimits& limi
   joint.upper = limits.upper.value_or(joint.upper);
   joint.velocity_limit = limits.velocity.value_or(joint.velocity_limit);
   joint.effort_limit = limits.effort.value_or(joint.effort_limit);
+  if (limits.velocity) drop_assumption(tree, name, "velocity");
+  if (limits.effort) drop_assumption(tree, name, "effort");
 }
 
 void set_figures(TreeSpec& tree, const std::string& name, const JointFigures& figures,

@@ -27,7 +27,8 @@ LinkSpec read_link(const tinyxml2::XMLElement& element, const Colours& colours, 
 JointSpec read_joint(const tinyxml2::XMLElement& element, Findings& findings);
 
 /// What <origin> in `parent` says; the identity where there is none.
-Eigen::Isometry3d read_origin(const tinyxml2::XMLElement& parent, const XmlPlace& place);
+Eigen::Isometry3d read_origin(const tinyxml2::XMLElement& parent, const XmlPlace& place,
+                              Findings& findings);
 
 /// Warns of what xacro has left in an element.
 void warn_of_macros(const tinyxml2::XMLElement& element, const XmlPlace& place, Findings& findings);

@@ -42,8 +42,9 @@ void read_number(const XMLElement& element, const char* attribute, const XmlPlac
   });
 }
 
-void read_axis(const XMLElement& element, const XmlPlace& place, JointSpec& joint) {
-  const XMLElement* axis = only_child(element, "axis", place);
+void read_axis(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
+               Findings& findings) {
+  const XMLElement* axis = first_child(element, "axis", place, findings);
   if (axis == nullptr) return;
   needed_attribute(*axis, "xyz", place);
   const std::vector<double> xyz = *numbers(*axis, "xyz", 3, place);
@@ -98,7 +99,7 @@ void read_largest(const XMLElement& limit, const char* attribute, const XmlPlace
 
 void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
                  Findings& findings) {
-  const XMLElement* limit = only_child(element, "limit", place);
+  const XMLElement* limit = first_child(element, "limit", place, findings);
   const bool has_range = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
   if (limit == nullptr) {
     if (has_range) {
@@ -118,7 +119,7 @@ void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& jo
 
 void read_dynamics(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
                    Findings& findings) {
-  const XMLElement* dynamics = only_child(element, "dynamics", place);
+  const XMLElement* dynamics = first_child(element, "dynamics", place, findings);
   if (dynamics == nullptr) return;
   read_number(*dynamics, "damping", place, false, joint.damping, findings);
   read_number(*dynamics, "friction", place, false, joint.friction, findings);
@@ -129,7 +130,7 @@ void read_dynamics(const XMLElement& element, const XmlPlace& place, JointSpec& 
 
 void read_mimic(const XMLElement& element, const XmlPlace& place, JointSpec& joint,
                 Findings& findings) {
-  const XMLElement* mimic = only_child(element, "mimic", place);
+  const XMLElement* mimic = first_child(element, "mimic", place, findings);
   if (mimic == nullptr) return;
   MimicSpec spec;
   spec.leader = needed_attribute(*mimic, "joint", place);
@@ -146,10 +147,10 @@ JointSpec read_joint(const XMLElement& element, Findings& findings) {
   joint.line = element.GetLineNum();
   const XmlPlace place{findings.origin(), "joint " + in_quotes(joint.name)};
   const bool has_type = findings.attempt([&] { joint.type = type_of(element, place); });
-  findings.attempt([&] { joint.placement = read_origin(element, place); });
+  findings.attempt([&] { joint.placement = read_origin(element, place, findings); });
   if (has_type && joint.type != JointType::Fixed) {
     if (joint.type != JointType::Floating) {
-      findings.attempt([&] { read_axis(element, place, joint); });
+      findings.attempt([&] { read_axis(element, place, joint, findings); });
     }
     findings.attempt([&] { read_limits(element, place, joint, findings); });
     findings.attempt([&] { read_dynamics(element, place, joint, findings); });

@@ -16,7 +16,7 @@ Eigen::Vector3d vector_of(const std::vector<double>& values) {
 InertiaSpec read_inertia(const XMLElement& inertial, const XmlPlace& place, Findings& findings) {
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   InertiaSpec result;
-  findings.attempt([&] { origin = read_origin(inertial, place); });
+  findings.attempt([&] { origin = read_origin(inertial, place, findings); });
   findings.attempt(
       [&] { result.mass = needed_number(needed_child(inertial, "mass", place), "value", place); });
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
@@ -107,13 +107,13 @@ std::optional<Eigen::Vector4d> colour_of(const XMLElement& visual, const Colours
 }
 
 void add_visual(const XMLElement& element, const Colours& colours, const XmlPlace& place,
-                std::vector<VisualSpec>& visuals) {
+                std::vector<VisualSpec>& visuals, Findings& findings) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
   if (shape == nullptr) return;  // nothing to draw
   VisualSpec visual;
   visual.shape = read_shape(*shape, place);
-  visual.placement = read_origin(element, place);
+  visual.placement = read_origin(element, place, findings);
   visual.rgba = colour_of(element, colours).value_or(visual.rgba);
   visuals.push_back(std::move(visual));
 }
@@ -139,13 +139,13 @@ LinkSpec read_link(const XMLElement& element, const Colours& colours, Findings& 
   link.line = element.GetLineNum();
   const XmlPlace place{findings.origin(), "link " + in_quotes(link.name)};
   findings.attempt([&] {
-    if (const XMLElement* inertial = only_child(element, "inertial", place)) {
+    if (const XMLElement* inertial = first_child(element, "inertial", place, findings)) {
       link.inertia = read_inertia(*inertial, place, findings);
     }
   });
   for (const XMLElement* visual = element.FirstChildElement("visual"); visual != nullptr;
        visual = visual->NextSiblingElement("visual")) {
-    findings.attempt_or_warn([&] { add_visual(*visual, colours, place, link.visuals); },
+    findings.attempt_or_warn([&] { add_visual(*visual, colours, place, link.visuals, findings); },
                              "; this visual is not drawn");
   }
   warn_of_macros(element, place, findings);

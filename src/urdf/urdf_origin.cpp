@@ -20,9 +20,9 @@ Eigen::Quaterniond from_roll_pitch_yaw(const std::vector<double>& rpy) {
 
 }  // namespace
 
-Eigen::Isometry3d read_origin(const XMLElement& parent, const XmlPlace& place) {
+Eigen::Isometry3d read_origin(const XMLElement& parent, const XmlPlace& place, Findings& findings) {
   Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
-  const XMLElement* origin = only_child(parent, "origin", place);
+  const XMLElement* origin = first_child(parent, "origin", place, findings);
   if (origin == nullptr) return placement;
   for (const tinyxml2::XMLAttribute* attribute = origin->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next()) {

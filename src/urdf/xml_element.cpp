@@ -74,20 +74,23 @@ std::string name_of(const tinyxml2::XMLElement& element, const std::string& sour
          line_text(element) + tag(element) + " has no name; the attribute 'name' is needed");
 }
 
-const tinyxml2::XMLElement* only_child(const tinyxml2::XMLElement& parent, const char* name,
-                                       const XmlPlace& place) {
+const tinyxml2::XMLElement* first_child(const tinyxml2::XMLElement& parent, const char* name,
+                                        const XmlPlace& place, Findings& findings) {
   const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
-  if (child != nullptr && child->NextSiblingElement(name) != nullptr) {
-    refuse(place, *child, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");
-  }
+  if (child != nullptr && child->NextSiblingElement(name) != nullptr)
+    findings.warn(line_text(*child) + place.element + ": " + tag(parent) + " holds " + tag(*child) +
+                  " twice; the first one counts");
   return child;
 }
 
 const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, const char* name,
                                          const XmlPlace& place) {
-  const tinyxml2::XMLElement* child = only_child(parent, name, place);
+  const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
   if (child == nullptr) {
     refuse(place, parent, tag(parent) + " has no <" + name + ">; it must hold one");
+  }
+  if (child->NextSiblingElement(name) != nullptr) {
+    refuse(place, *child, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");
   }
   return *child;
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/findings.hpp"
+
 namespace burnish {
 
 /// Where a sentence points: the file, and the link or joint that is being read.
@@ -28,9 +30,10 @@ std::string line_text(const tinyxml2::XMLElement& element);
 /// The attribute 'name' of a link, a joint or a material, which needs one.
 std::string name_of(const tinyxml2::XMLElement& element, const std::string& source);
 
-/// The child of that name, or nullptr; two of them are refused.
-const tinyxml2::XMLElement* only_child(const tinyxml2::XMLElement& parent, const char* name,
-                                       const XmlPlace& place);
+/// The first child of that name, or nullptr; a warning says that there are others.
+const tinyxml2::XMLElement* first_child(const tinyxml2::XMLElement& parent, const char* name,
+                                        const XmlPlace& place, Findings& findings);
+/// The child of that name; two of them are refused.
 const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, const char* name,
                                          const XmlPlace& place);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sentence.hpp"
+#include "burnish/dynamics/placement.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
@@ -100,9 +101,15 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
     metrics.end = std::min(end.time, path_end) - 0.02;
   }
   if (!has_rows(result.trace, metrics.start, metrics.end)) return;
+  const Setting& setting = result.setting;
+  const Model& model = setting.robot.model;
+  metrics.tool_axis = pressing_direction(spec.task, model);
+  metrics.tool_start_world =
+      (surface_placement(model, setting.q_start, setting.scene.surface).inverse() *
+       frame_placement(model, setting.q_start, spec.task.tool))
+          .linear();
   Trace room;
-  result.metrics =
-      measure(seen_from_surface(result.trace, room), result.setting.robot.model, metrics);
+  result.metrics = measure(seen_from_surface(result.trace, room), model, metrics);
 }
 
 /// All of the path that there was, from the ramp's end on.

@@ -186,6 +186,24 @@ TEST(Metrics, find_the_drift_and_the_smallest_margins) {
   EXPECT_NEAR(m.limited_torque, 0.2, 1e-12);
 }
 
+TEST(Metrics, find_how_far_the_pressing_axis_leans) {
+  const Trace leaning = trace_with([](int row, Trace& trace, double* values) {
+    values[trace.index("tool_rx_start")] = row == 700 ? 0.3 : 0.0;
+  });
+  MetricsSpec spec = from_half();
+  EXPECT_FALSE(measure(leaning, one_joint(), spec).tool_to_normal);
+  // At the start the tool's z points along -y of the world, and its x presses down.
+  spec.tool_start_world << 0, 1, 0, 0, 0, -1, -1, 0, 0;
+  spec.tool_axis = Eigen::Vector3d(2.0, 0.0, 0.0);
+  EXPECT_NEAR(measure(leaning, one_joint(), spec).tool_to_normal.value_or(-1.0), 0.0, 1e-9)
+      << "a turn about the pressing axis is no lean";
+  spec.tool_axis = Eigen::Vector3d(2.0, 0.2, 0.0);
+  EXPECT_NEAR(measure(leaning, one_joint(), spec).tool_to_normal.value_or(-1.0), std::atan(0.1),
+              1e-9);
+  spec.tool_axis = Eigen::Vector3d::Zero();
+  expect_words(refusal([&] { measure(leaning, one_joint(), spec); }), {"tool's axis", "direction"});
+}
+
 TEST(Metrics, report_the_solver_over_its_ticks) {
   const Metrics m = measure(trace_with([](int row, Trace& trace, double* values) {
                               if (row % 10 != 0) return;

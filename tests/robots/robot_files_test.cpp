@@ -201,6 +201,43 @@ TEST_F(RobotFiles, WhatIsOddAboutSrdfIsAWarning) {
   expect_words(refusal([&] { load_robot(file, overrides); }), {"arm.srdf", "not well formed"});
 }
 
+TEST_F(RobotFiles, ALimitOfZeroIsNotTakenForUnlimitedWhereTheSettingsStateIt) {
+  std::string xml = two_joints();
+  const std::size_t at = xml.find("effort='3'");
+  xml.replace(at, 10, "effort='0'");
+  write("arm.urdf", xml);
+  ASSERT_EQ(load_robot((folder_ / "arm.urdf").string()).warnings.size(), 1U);
+  write("robot.yaml", "urdf: arm.urdf\nlimits: {hinge: {effort: 0}}");
+  const Robot robot = load_robot(folder_.string());
+  EXPECT_EQ(robot.warnings, std::vector<std::string>());
+  EXPECT_EQ(robot.model.effort_limit[0], 0.0);
+  write("robot.yaml", "urdf: arm.urdf\nlimits: {wheel: {effort: 0}}");
+  EXPECT_EQ(load_robot(folder_.string()).warnings.size(), 1U);
+}
+
+TEST_F(RobotFiles, WhatAnElementHoldsTwiceCountsOnceWithAWarning) {
+  struct Twice {
+    const char *before, *more, *words;
+  };
+  for (const Twice& twice :
+       {Twice{"</inertial>", "<inertial><mass value='7'/></inertial>", "<link> holds <inertial>"},
+        {"<limit", "<axis xyz='0 1 0'/><axis xyz='0 0 1'/>", "<joint> holds <axis>"},
+        {"<limit", "<limit lower='-0.1' upper='0.1' velocity='2' effort='3'/>", "holds <limit>"},
+        {"<limit", "<dynamics damping='1'/><dynamics damping='2'/>", "holds <dynamics>"},
+        {"<limit", "<origin xyz='0 0 1'/><origin xyz='0 0 2'/>", "holds <origin>"}}) {
+    std::string xml = two_joints();
+    const std::string before = twice.before;
+    xml.insert(xml.find(before) + (before[1] == '/' ? before.size() : 0), twice.more);
+    const Robot robot = load_robot(write("arm.urdf", xml));
+    ASSERT_EQ(robot.warnings.size(), 1U) << twice.more;
+    expect_words(robot.warnings[0], {twice.words, "twice", "the first one counts"});
+    EXPECT_EQ(robot.model.total_mass(), 2.0);
+    const Model& model = robot.model;
+    EXPECT_EQ(model.damping[0], twice.words == std::string("holds <dynamics>") ? 1.0 : 0.0);
+    EXPECT_EQ(model.q_upper[0], twice.words == std::string("holds <limit>") ? 0.1 : 1.0);
+  }
+}
+
 TEST_F(RobotFiles, LimitsOfTheSettingsGoBeforeThoseOfTheUrdf) {
   write("arm.urdf", two_joints());
   write("robot.yaml",

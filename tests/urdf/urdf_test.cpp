@@ -294,7 +294,6 @@ const std::vector<BadFile>& bad_files() {
        "<robot name=\"r\"><link name=\"a\"/><joint name=\"j\" type=\"fixed\"><parent "
        "link=\"a\"/><child/></joint></robot>",
        {"joint 'j'", "<child>", "'link'"}},
-      {"TwoOrigins", robot_of_type("fixed", "<origin/><origin/>"), {"'j'", "<origin>", "twice"}},
       {"OriginWord", robot_of_type("fixed", "<origin xyz=\"0 0 up\"/>"), {"'j'", "xyz", "'up'"}},
       {"OriginNan", robot_of_type("fixed", "<origin xyz=\"0 0 nan\"/>"), {"'j'", "nan", "finite"}},
       {"OriginInf", robot_of_type("fixed", "<origin rpy=\"0 inf 0\"/>"), {"'j'", "rpy", "finite"}},
@@ -334,9 +333,6 @@ const std::vector<BadFile>& bad_files() {
       {"MassOfXacro", with_link(inertial("${m}", "1", "1")), {"link 'b'", "'${m}'", "xacro first"}},
       {"MassUnit", with_link(inertial("1.2kg", "1", "1")), {"link 'b'", "'1.2kg'"}},
       {"InertiaSign", with_link(inertial("1", "-1", "1")), {"link 'b'", "-1", "negative"}},
-      {"TwoInertials",
-       with_link(inertial("1", "1", "1") + inertial("1", "1", "1")),
-       {"link 'b'", "<inertial>", "twice"}},
       {"NoMass",
        with_link("<inertial><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" "
                  "iyz=\"0\"/></inertial>"),

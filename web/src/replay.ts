@@ -1,6 +1,7 @@
 // What the 3D view of a run shows: robot, tool, surface, paths, forces, contact, horizon.
 
 import {
+  Box3,
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
@@ -14,6 +15,7 @@ import {
   MeshBasicMaterial,
   MeshStandardMaterial,
   RingGeometry,
+  Sphere,
   SphereGeometry,
   Vector3,
 } from 'three';
@@ -475,13 +477,12 @@ export class RunScene {
           .multiplyScalar(0.55)
           .addScaledVector(ahead, 0.85)
           .add(new Vector3(0, 0, 0.5));
-    const middle = new Vector3(base[0], base[1], base[2]).lerp(p, 0.66);
-    const distance = new Vector3(base[0], base[1], base[2]).distanceTo(p);
+    const { middle, radius } = this.wholeRobot();
     const above = this.normal.clone().add(new Vector3(-0.001, 0, 0.0005));
     const feet = (this.run.supports ?? []).filter(isLevel).map(({ point }) => vector(point));
     if (feet.length > 0) return this.standingViews(feet, from, above);
     return [
-      { name: 'Robot', target: middle, from, radius: Math.max(0.62 * distance + 0.34, 0.5) },
+      { name: 'Robot', target: middle, from, radius },
       {
         name: 'Contact',
         target: p.clone().addScaledVector(this.normal, 0.03),
@@ -489,8 +490,16 @@ export class RunScene {
         radius: this.extent + 0.13,
       },
       { name: 'Along n', target: p, from: above, radius: this.extent + 0.07 },
-      { name: 'Side', target: middle, from: side, radius: 0.62 * distance + 0.35 },
+      { name: 'Side', target: middle, from: side, radius },
     ];
+  }
+
+  /** A ball around the joints that move and the point of contact, with room for their links. */
+  private wholeRobot(): { middle: Vector3; radius: number } {
+    const box = new Box3().setFromPoints([this.contactPoint]);
+    for (const [x, y, z] of this.robot.placements) box.expandByPoint(new Vector3(x, y, z));
+    const ball = box.getBoundingSphere(new Sphere());
+    return { middle: ball.center, radius: Math.max(1.15 * ball.radius + 0.12, 0.45) };
   }
 
   /** Of a robot that stands all is seen, from head to feet; `from`, `above`: as without feet. */

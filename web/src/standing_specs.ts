@@ -112,7 +112,7 @@ function friction(runs: Run[]): PlotSpec {
       'Of its friction cone what each foot uses, while it bears 20 N',
       'Of its friction cone what the foot uses that uses the most, while it bears 20 N',
     ),
-    axis: '|tangential| / (µ normal) [%]',
+    axis: 'of the cone [%]',
     curves: ofFeet(runs, 'friction_used', 'most', percent),
     levels,
     range: [0, 112],

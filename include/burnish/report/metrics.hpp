@@ -18,6 +18,11 @@ struct MetricsSpec {
   /// but zero; none: the normal of the surface at the tool, as it is in each row.
   std::optional<Eigen::Vector3d> normal_world = {};
   double average = 0.010;  ///< s, of the moving average of the force, centred; 0: none
+  /// that the tool presses along, in its frame, any length but zero; none: tool_to_normal is not
+  /// measured
+  std::optional<Eigen::Vector3d> tool_axis = {};
+  /// columns: the tool's axes where the trace begins, world
+  Eigen::Matrix3d tool_start_world = Eigen::Matrix3d::Identity();
 };
 
 /// Over the control ticks of the window that solved something.
@@ -65,7 +70,11 @@ struct Metrics {
   /// rad, root mean square angle between the surface's normal at the tool and what the controller
   /// believes it to be
   double normal_error = 0.0;
-  double orientation_drift = 0.0;  ///< rad, largest rotation of the tool since the window began
+  /// rad, largest rotation of the tool since the window began, about any axis
+  double orientation_drift = 0.0;
+  /// rad, largest angle between the axis that the tool presses along and the surface's normal,
+  /// reversed
+  std::optional<double> tool_to_normal;
 
   /// rad, smallest distance of a joint to its limit (m where it slides)
   double joint_margin = 0.0;

@@ -120,40 +120,97 @@ main{max-width:1200px;margin:auto}section{background:var(--card);border:1px soli
 padding:16px;margin:16px 0}h1{font-size:20px}h2{font-size:15px;margin:0 0 8px}table{border-collapse:collapse}
 td,th{padding:3px 12px 3px 0;text-align:right}td:first-child,th:first-child{text-align:left}th{color:var(--muted);
 font-weight:500}pre{overflow:auto;margin:0}svg{margin:4px}.bar{fill:var(--accent)}.dot{fill:var(--accent);opacity:.55}
-.axis{stroke:var(--line)}text{fill:var(--muted);font-size:11px}"""
+.axis{stroke:var(--line)}text{fill:var(--muted);font-size:11px}.title{fill:var(--ink)}"""
 
 
-def _frame(title: str, label: str, low: float, high: float, inner: str) -> str:
-    return (f'<svg width="270" height="190" role="img" aria-label="{html.escape(title)}">'
-            f'<text x="10" y="14">{html.escape(title)}</text>{inner}'
-            f'<line class="axis" x1="10" y1="160" x2="260" y2="160"/>'
-            f'<text x="10" y="174">{low:.4g}</text><text x="260" y="174" text-anchor="end">{high:.4g}</text>'
-            f'<text x="135" y="187" text-anchor="middle">{html.escape(label)}</text></svg>')
+_FOR_PEOPLE = {"m": (1e3, "mm"), "rad": (180.0 / math.pi, "deg")}
+_WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _BOTTOM = 330, 200, 46, 320, 24, 158  # pixels
 
 
-def _label(figure: str) -> str:
-    return f"{bare(figure)} [{unit(figure)}]" if unit(figure) else figure
+def _scale(of: str) -> Tuple[float, str]:
+    """What a unit is multiplied by to be shown, and as what."""
+    return _FOR_PEOPLE.get(of, (1.0, of))
+
+
+def _label(name: str, of: str) -> str:
+    return f"{name} [{of}]" if of else name
+
+
+def _shown_figure(figure: str) -> Tuple[float, str]:
+    factor, of = _scale(unit(figure))
+    return factor, _label(bare(figure), of)
+
+
+def _ticks(low: float, high: float) -> List[float]:
+    """Round numbers within a range, three to six."""
+    step = 10.0 ** math.floor(math.log10((high - low) / 2.5))
+    step *= next(m for m in (1.0, 2.0, 5.0, 10.0) if (high - low) / (m * step) <= 5.0)
+    first = math.ceil(low / step - 1e-9)
+    return [i * step for i in range(first, math.floor(high / step + 1e-9) + 1)]
+
+
+class _Axes:
+    """A panel with ticks: places of values, and what is drawn around them."""
+
+    def __init__(self, x: Tuple[float, float], y: Tuple[float, float]) -> None:
+        self.x, self.y = (self._widened(*range_) for range_ in (x, y))
+
+    @staticmethod
+    def _widened(low: float, high: float) -> Tuple[float, float]:
+        return (low, high) if high > low else (low - 0.5 * (abs(low) or 1.0), low + 0.5 * (abs(low) or 1.0))
+
+    def at_x(self, value: float) -> float:
+        return _LEFT + (_RIGHT - _LEFT) * (value - self.x[0]) / (self.x[1] - self.x[0])
+
+    def at_y(self, value: float) -> float:
+        return _BOTTOM - (_BOTTOM - _TOP) * (value - self.y[0]) / (self.y[1] - self.y[0])
+
+    def svg(self, title: str, label: str, inner: str) -> str:
+        across = "".join(
+            f'<line class="axis" x1="{_LEFT}" x2="{_RIGHT}" y1="{self.at_y(t):.1f}" y2="{self.at_y(t):.1f}"/>'
+            f'<text x="{_LEFT - 5}" y="{self.at_y(t) + 4:.1f}" text-anchor="end">{t:.6g}</text>'
+            for t in _ticks(*self.y))
+        along = "".join(
+            f'<line class="axis" x1="{self.at_x(t):.1f}" x2="{self.at_x(t):.1f}" y1="{_BOTTOM}" y2="{_BOTTOM + 4}"/>'
+            f'<text x="{self.at_x(t):.1f}" y="{_BOTTOM + 16}" text-anchor="middle">{t:.6g}</text>'
+            for t in _ticks(*self.x))
+        middle = (_LEFT + _RIGHT) // 2
+        return (f'<svg width="{_WIDTH}" height="{_HEIGHT}" role="img" aria-label="{html.escape(title)}">'
+                f'<text class="title" x="{_LEFT}" y="14">{html.escape(title)}</text>{across}{along}{inner}'
+                f'<text x="{middle}" y="{_BOTTOM + 34}" text-anchor="middle">{html.escape(label)}</text></svg>')
 
 
 def histogram(figure: str, values: Sequence[float]) -> str:
-    """An SVG."""
-    low, high = min(values), max(values)
-    counts, _ = np.histogram(values, bins=min(30, max(5, int(math.sqrt(len(values))))),
-                             range=(low, high) if high > low else (low - 0.5, low + 0.5))
-    width = 250 / len(counts)
-    bars = "".join(f'<rect class="bar" x="{10 + i * width:.1f}" y="{160 - 135 * c / counts.max():.1f}" '
-                   f'width="{width - 1:.1f}" height="{135 * c / counts.max():.1f}"/>' for i, c in enumerate(counts))
-    return _frame(f"{bare(figure)}, {len(values)} runs", _label(figure), low, high, bars)
+    """An SVG: how many runs had which value."""
+    factor, label = _shown_figure(figure)
+    shown = [factor * value for value in values]
+    axes = _Axes((min(shown), max(shown)), (0.0, 1.0))
+    counts, edges = np.histogram(shown, bins=min(30, max(5, int(math.sqrt(len(shown))))), range=axes.x)
+    axes.y = (0.0, float(counts.max()))
+    bars = "".join(
+        f'<rect class="bar" x="{axes.at_x(a):.1f}" width="{max(axes.at_x(b) - axes.at_x(a) - 1, 1):.1f}" '
+        f'y="{axes.at_y(c):.1f}" height="{_BOTTOM - axes.at_y(c):.1f}"/>'
+        for c, a, b in zip(counts, edges, edges[1:]) if c)
+    return axes.svg(f"runs, of {len(shown)}", label, bars)
 
 
-def scatter(key: str, figure: str, pairs: Sequence[Tuple[float, float]]) -> str:
-    """An SVG of a figure over a key."""
-    x, y = np.array(pairs).T
-    wide, tall = (float(np.ptp(x)) or 1.0), (float(np.ptp(y)) or 1.0)
-    dots = "".join(f'<circle class="dot" r="2.5" cx="{10 + 250 * (a - x.min()) / wide:.1f}" '
-                   f'cy="{155 - 130 * (b - y.min()) / tall:.1f}"/>' for a, b in pairs[:3000])
-    return _frame(f"{bare(figure)}: {y.min():.4g} to {y.max():.4g} {unit(figure)}", key, float(x.min()),
-                  float(x.max()), dots)
+def scatter(label: str, factor: float, figure: str, pairs: Sequence[Tuple[float, float]]) -> str:
+    """An SVG of a figure over a key, whose values are shown times `factor`."""
+    scale, title = _shown_figure(figure)
+    x, y = factor * np.array(pairs).T[0], scale * np.array(pairs).T[1]
+    axes = _Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())))
+    dots = "".join(f'<circle class="dot" r="2.5" cx="{axes.at_x(a):.1f}" cy="{axes.at_y(b):.1f}"/>'
+                   for a, b in list(zip(x, y))[:3000])
+    return axes.svg(title, label, dots)
+
+
+def _point_text(point: Dict[str, Any], units: Dict[str, str]) -> str:
+    """What a run was made with: "force 20 N, disturbances.seed 7"."""
+    def value(given: Any) -> str:
+        return f"{given:.6g}" if isinstance(given, float) else given if isinstance(given, str) else json.dumps(given)
+
+    return ", ".join(" ".join(filter(None, [key, value(given), units.get(key, "")]))
+                     for key, given in point.items())
 
 
 _SHOWN = ("force_rmse_N", "force_peak_N", "position_rmse_m", "without_contact", "impact_peak_N", "slip_m")
@@ -162,7 +219,7 @@ _SHOWN = ("force_rmse_N", "force_peak_N", "position_rmse_m", "without_contact", 
 def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -> str:
     """A page that needs nothing besides itself."""
     rows, figures = result.rows, [f for f in result.figures if result.values(f)]
-    done = sum(row.outcome.done for row in rows)
+    done, units = sum(row.outcome.done for row in rows), result.sweep.task.units()
     body = [f"<h1>{html.escape(result.sweep.name)}</h1><p>{len(rows)} runs, {done} done. "
             f"{html.escape(result.stopped)}</p>"]
     if result.kernels:
@@ -170,27 +227,33 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
                     f"{html.escape(result.kernels)}.</p>")
     if figures:
         head = list(statistics_of([0.0, 1.0]))
-        lines = "".join(f"<tr><td>{html.escape(_label(f))}</td>" + "".join(
-            f"<td>{v:.4g}</td>" for v in statistics_of(result.values(f)).values()) + "</tr>" for f in figures)
+        lines = ""
+        for figure in figures:
+            factor, label = _shown_figure(figure)
+            cells = statistics_of(result.values(figure)).items()
+            lines += f"<tr><td>{html.escape(label)}</td>" + "".join(
+                f"<td>{v:.4g}</td>" if name == "runs" else f"<td>{factor * v:.4g}</td>" for name, v in cells) + "</tr>"
         body.append("<section><h2>Over all runs that have the figure</h2><table><tr><th></th>" + "".join(
             f"<th>{h}</th>" for h in head) + f"</tr>{lines}</table><p>+-: half width of the mean's 95 % interval."
             "</p></section>")
         shown = [f for f in _SHOWN if f in figures] or figures[:6]
         body.append("<section><h2>Distributions</h2>" + "".join(
             histogram(f, result.values(f)) for f in shown) + "</section>")
-        plots, units = "", result.sweep.task.units()
+        plots = ""
         for key in rows[0].point:
+            if len({json.dumps(row.point[key]) for row in rows}) < 2:
+                continue
+            factor, of = _scale(units.get(key, ""))
             for figure in shown[:4]:
                 pairs = [(float(row.point[key]), row.outcome.figures[figure]) for row in rows
                          if figure in row.outcome.figures and isinstance(row.point[key], (int, float))]
-                label = f"{key} [{units[key]}]" if key in units else key
-                plots += scatter(label, figure, pairs) if pairs else ""
+                plots += scatter(_label(key, of), factor, figure, pairs) if pairs else ""
         if plots:
             body.append(f"<section><h2>Over what varies</h2>{plots}</section>")
     if worst:
         body.append("<section><h2>Worst runs</h2>" + "".join(
             f'<p>Run {row.number}: {html.escape(row.outcome.outcome)} '
-            f'{html.escape(json.dumps(row.point))} (<a href="worst/run_{row.number}/run/">its record</a>)</p>'
+            f'{html.escape(_point_text(row.point, units))} (<a href="worst/run_{row.number}/run/">its record</a>)</p>'
             f"<pre>{html.escape(words)}</pre>" for row, words in worst) + "</section>")
     failed = [row for row in rows if not row.outcome.done]
     if failed:

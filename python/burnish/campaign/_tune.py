@@ -138,7 +138,8 @@ def _start(task: TaskFile, key: str) -> float:
         tree = tree.get(part) if isinstance(tree, dict) else None
     if isinstance(tree, bool) or not isinstance(tree, (int, float)):
         said = "nothing" if tree is None else repr(tree)
-        raise CampaignError(f"tune.{key}: the task '{task.path}' says {said} there; wanted a key with a number")
+        raise CampaignError(f"tune.{key}: the task '{task.path}' says {said} there; wanted a key with a number, or "
+                            f"`start` beside from and to")
     return float(tree)
 
 
@@ -150,17 +151,17 @@ def _keys(given: Any, task: TaskFile) -> List[Key]:
         where = f"tune.{name}"
         if not isinstance(span, dict) or "from" not in span or "to" not in span:
             raise CampaignError(f"{where} is {span!r}; wanted from and to")
-        only(where, span, ["from", "to", "log"])
+        only(where, span, ["from", "to", "log", "start"])
         low, high, log = number(where, span["from"]), number(where, span["to"]), bool(span.get("log", False))
         if not low < high:
             raise CampaignError(f"{where} goes from {low:g} to {high:g}; wanted the lower one first")
         if log and low <= 0:
             raise CampaignError(f"{where} is a range over powers from {low:g}; wanted one from above 0")
         task.changed({str(name): low}), task.changed({str(name): high})
-        start = _start(task, str(name))
+        start = number(where, span["start"]) if "start" in span else _start(task, str(name))
         if not low <= start <= high:
-            raise CampaignError(f"{where} goes from {low:g} to {high:g}, and the task has {start:g}; wanted a range "
-                                f"that holds it")
+            raise CampaignError(f"{where} goes from {low:g} to {high:g} and starts at {start:g}; wanted a range that "
+                                f"holds it")
         keys.append(Key(str(name), low, high, log, start))
     return keys
 

@@ -33,29 +33,6 @@ double largest_share(const Trace& trace, const Model& model, const std::string& 
   return share;
 }
 
-/// Largest angle on the path.
-double tool_to_normal(const Task& task, const RunResult& result) {
-  const Trace& trace = result.trace;
-  const Eigen::Isometry3d start =
-      frame_placement(result.setting.robot.model, result.setting.q_start, task.tool);
-  const Eigen::Vector3d into = -result.setting.scene.surface.normal;
-  const Eigen::Vector3d press = pressing_direction(task, result.setting.robot.model);
-  const auto x = trace.column("tool_rx_start"), y = trace.column("tool_ry_start"),
-             z = trace.column("tool_rz_start"), phase = trace.column("phase");
-  double largest = none;
-  for (int row = 0; row < trace.rows(); ++row) {
-    if (phase[row] != static_cast<double>(Phase::Track)) continue;
-    const Eigen::Vector3d turned(x[row], y[row], z[row]);
-    Eigen::Isometry3d now = start;
-    const double angle = turned.norm();
-    if (angle > 0.0) now.rotate(Eigen::AngleAxisd(angle, turned / angle));
-    const Eigen::Vector3d axis = now.linear() * press;
-    const double off = std::atan2(axis.cross(into).norm(), axis.dot(into));
-    if (!(largest >= off)) largest = off;
-  }
-  return largest;
-}
-
 std::vector<double> finite_of(const std::vector<double>& values) {
   std::vector<double> result;
   std::copy_if(values.begin(), values.end(), std::back_inserter(result),
@@ -149,7 +126,6 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   if (!result.metrics) return f;
   if (task.force_profile.is_constant())
     f.force_error_mean = result.metrics->force_mean - task.force;
-  f.tool_to_normal = tool_to_normal(task, result);
   return f;
 }
 

@@ -29,7 +29,7 @@ struct RunFigures {
   std::optional<StandingFigures> standing = {};  ///< of a robot that stands
   TickTimes ticks = {};
   // See each_run_figure(); NaN where there is none.
-  double force_error_mean = none, tool_to_normal = none;
+  double force_error_mean = none;
   double run_torque_margin = none, run_limited_torque = none, largest_command = none;
   Eigen::VectorXd q_start = {};                        ///< nq; empty where it was refused
   Eigen::Vector3d p_center = Eigen::Vector3d::Zero();  ///< see Setting::p_center
@@ -64,11 +64,6 @@ void each_run_figure(const See& see) {
                   "largest share of a joint's effort limit that was commanded in the whole run", "",
                   1},
       &R::largest_command);
-  see(FigureEntry{"tool_to_normal", angle,
-                  "largest angle on the path between the axis that the tool presses along and the "
-                  "surface's normal, reversed",
-                  "", 1},
-      &R::tool_to_normal);
 }
 
 /// What a figure is. Throws Error for a name that there is not.
