@@ -315,7 +315,7 @@ def held_axes(page, camera, held):
 
 def directions():
     page = Page("directions", 980, 350, "Directions: what a contact holds, and what it leaves free")
-    cases = (("normal_z()", "a tip on a plane", (2,)), ("linear()", "a point that sticks", (0, 1, 2)),
+    cases = (("z()", "a tip on a plane", (2,)), ("linear()", "a point that sticks", (0, 1, 2)),
              ("pad_z()", "a flat pad on a plane", (2, 3, 4)), ("all()", "a glued hand or foot", range(6)))
     for k, (heading, use, held) in enumerate(cases):
         x = 20 + 238 * k
