@@ -53,8 +53,8 @@ class TimeLimit {
     const std::lock_guard lock(mutex_);
     seen_.push_back(seconds);
   }
-  double seconds() {
-    constexpr double times = 20.0, least = 10.0;
+  double seconds(double least) {
+    constexpr double times = 20.0;
     constexpr std::size_t enough = 5;
     if (said_ > 0.0) return said_;
     const std::lock_guard lock(mutex_);
@@ -144,7 +144,7 @@ RunFigures perform(const BatchRun& run, const RunProgress& progress) {
 
 RunFigures make_run(const BatchRun& run, const RunProgress& goes_on, TimeLimit& limit) {
   RunFigures figure{.name = run.name, .seed = run.spec.task.disturbances.seed};
-  const double begin = computed(), allowed = limit.seconds();
+  const double begin = computed(), allowed = limit.seconds(run.usual_limit);
   const auto progress = [&](double time, double end) {
     figure.late = computed() - begin > allowed;
     return goes_on(time, end) && !figure.late;

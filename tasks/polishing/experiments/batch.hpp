@@ -19,6 +19,9 @@ struct BatchRun {
   /// are `made` unless the progress function stopped it.
   std::function<RunFigures(const RunProgress& progress)> perform = {};
   std::string depends_on = {};  ///< with `perform`: all that its result depends on
+  /// s of computing that it may take at least, whatever the runs before it took; less where the
+  /// specification's time_limit says so
+  double usual_limit = 10.0;
 };
 
 /// Adds a run of the task on the spec's plant for each of `seeds` seeds from the spec's first on,

@@ -12,8 +12,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// s on the path: an arm has some 40 runs.
-constexpr double path_duration = 2.0;
+/// s on the path: half of it is until the circle has its full size, the other half is measured.
+constexpr double path_duration = 4.0;
 /// s that commands are late, and whether the controller knows it.
 constexpr std::pair<double, bool> delays[] = {{3e-3, false}, {5e-3, true}};
 
@@ -117,12 +117,8 @@ void ArmBench::search() {
     }
   };
   double refused = task.force, possible = std::min(least_force, task.force);
-  const std::string why = attempt(refused);
-  if (why.empty()) return;
-  if (!attempt(possible).empty()) {
-    reason = why;
-    return;
-  }
+  if (attempt(refused).empty()) return;
+  if (reason = attempt(possible); !reason.empty()) return;
   while (refused - possible > 1.0) {
     const double middle = std::floor(0.5 * (refused + possible));
     (attempt(middle).empty() ? possible : refused) = middle;

@@ -25,8 +25,8 @@ struct ArmBench {
   /// Finds start and force, once; they are the task's where posture and motors allow it, or the
   /// largest whole force from least_force on that they allow.
   void search();
-  /// Less would not be told from no contact, N.
-  static constexpr double least_force = 5.0;
+  /// Half again what counts as contact (Task::contact_threshold), N.
+  static constexpr double least_force = 3.0;
 };
 
 /// Runs of an arm that differ in nothing but their seed.

@@ -13,6 +13,9 @@
 namespace burnish::polishing {
 namespace {
 
+/// s that a run may compute at least: the largest humanoids take 10, where an arm takes 3.
+constexpr double longest_computing = 120.0;
+
 /// The shipped file's task with this robot and its feet.
 stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   const auto& texts = shipped_stand_texts();
@@ -145,6 +148,7 @@ void PublicLegs::add(const PublicRobot& robot, const std::filesystem::path& file
     run.spec.task.disturbances.seed = stands.task.disturbances.seed;
     run.perform = stands;
     run.depends_on = depends_on;
+    run.usual_limit = longest_computing;
     runs.push_back(std::move(run));
   }
 }
