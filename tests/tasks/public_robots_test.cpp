@@ -138,6 +138,10 @@ TEST(PublicArms, AreWorseByWhatIsBeyondTheTolerance) {
             "joint_friction: force +0.030 N and path +0.010 mm");
   EXPECT_NEAR(number_at(table, 0, "mismatch: mpc"), 0.109, 1e-12);
   EXPECT_NEAR(number_at(table, 0, "worst"), 0.327, 1e-12);
+  figures[1].made = false;  // of runs that were stopped nothing is said
+  PublicReport none;
+  EXPECT_TRUE(arms_table(trials, figures, none).rows.empty());
+  figures[1].made = true;
   figures[0].polished = false;  // one that does not polish is worse than any
   EXPECT_EQ(std::get<std::string>(arms_table(trials, figures, common).rows[0].back()),
             "mismatch: polishes 2, baseline 3; joint_friction: force +0.030 N and path +0.010 mm");

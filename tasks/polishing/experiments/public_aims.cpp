@@ -83,6 +83,10 @@ std::vector<RunFigures> chosen(const std::vector<RunFigures>& runs,
   return some;
 }
 
+bool all_made(const std::vector<RunFigures>& runs) {
+  return std::all_of(runs.begin(), runs.end(), [](const RunFigures& run) { return run.made; });
+}
+
 int polished_of(const std::vector<RunFigures>& runs) {
   return static_cast<int>(
       std::count_if(runs.begin(), runs.end(), [](const RunFigures& run) { return run.polished; }));

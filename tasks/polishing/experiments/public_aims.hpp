@@ -60,6 +60,9 @@ std::string rotors_text(const RunFigures& run);
 std::vector<RunFigures> chosen(const std::vector<RunFigures>& runs,
                                const std::vector<std::size_t>& numbers);
 
+/// Whether none was stopped or left out; of others no table and no aim says anything.
+bool all_made(const std::vector<RunFigures>& runs);
+
 /// How many polished (of robots with legs: stood to the end).
 int polished_of(const std::vector<RunFigures>& runs);
 

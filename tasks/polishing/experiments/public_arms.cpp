@@ -191,8 +191,9 @@ void PublicArms::report(const std::vector<RunFigures>& figures, PublicReport& co
     for (const RunFigures& run : chosen(figures, trial.runs))
       common.add_run(trial.bench->arm.name, trial.bench->surface, trial.name(), run);
   if (trials_.empty()) return;
-  report.tables.push_back(arms_table(trials_, figures, common));
-  report.tables.push_back(delays_table(trials_, figures, common));
+  for (auto make : {arms_table, delays_table})
+    if (ResultTable table = make(trials_, figures, common); !table.rows.empty())
+      report.tables.push_back(std::move(table));
 }
 
 }  // namespace burnish::polishing

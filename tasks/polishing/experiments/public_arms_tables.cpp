@@ -165,6 +165,7 @@ ResultTable arms_table(const std::vector<ArmTrial>& trials, const std::vector<Ru
   table.columns.push_back({"worse by"});
   std::vector<SurfaceAims> aims;
   for (const BenchFigures& bench : benches_of(trials, figures)) {
+    if (!all_made(bench.all)) continue;
     aims_on(bench.bench->surface, aims).count(bench);
     if (const std::string reason = bench.refusal(); !reason.empty())
       common.add_untried({bench.bench->arm.name, bench.bench->surface, reason});
@@ -185,25 +186,29 @@ ResultTable delays_table(const std::vector<ArmTrial>& trials,
   std::vector<std::vector<ResultCell>> rows;
   const ArmBench* before = nullptr;
   for (const ArmTrial& trial : trials) {
-    if (trial.delay == 0.0) continue;
     const std::vector<RunFigures> runs = chosen(figures, trial.runs);
-    const auto of_trial = [&](const PublicAim& aim) { return aim.what == trial.name() + " delay"; };
-    if (std::ranges::none_of(aims, of_trial)) {
-      aims.push_back({.what = trial.name() + " delay", .where = trial.bench->surface});
+    if (trial.delay == 0.0 || !all_made(runs)) continue;
+    const RunFigures& run = runs.front();
+    const std::string what = trial.name() + " delay";
+    auto aim = std::ranges::find(aims, what, &PublicAim::what);
+    if (aim == aims.end()) {
+      aim = aims.insert(aim, {.what = what, .where = trial.bench->surface});
       table.columns.push_back({trial.name(), "N"});
       table.columns.push_back({"outcome"});
     }
-    std::ranges::find_if(aims, of_trial)->count(trial.bench->arm.name, polished_of(runs) > 0);
-    const RunFigures& run = runs.front();
+    aim->count(trial.bench->arm.name, run.polished);
     if (run.refused) continue;
     if (trial.bench != before)
       rows.push_back({trial.bench->arm.name, trial.bench->surface,
                       measured(run, public_figures::force),
                       1e3 * measured(run, public_figures::delay)});
     before = trial.bench;
+    const auto at = static_cast<std::size_t>(4 + 2 * (aim - aims.begin()));
+    rows.back().resize(at);  // of a run that was stopped there is nothing
     rows.back().emplace_back(shown("force_rmse", run["force_rmse"]));
     rows.back().emplace_back(run.polished ? std::string("polished") : run.outcome);
   }
+  for (std::vector<ResultCell>& row : rows) row.resize(table.columns.size());
   for (std::vector<ResultCell>& row : rows) table.add(std::move(row));
   for (PublicAim& aim : aims) common.add_aim(std::move(aim));
   return table;

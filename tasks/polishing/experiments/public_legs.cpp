@@ -177,13 +177,14 @@ void PublicLegs::report(const std::vector<RunFigures>& figures, PublicReport& co
   for (const Stander& stander : standers_) {
     const std::vector<RunFigures> runs = chosen(figures, stander.runs);
     for (const RunFigures& run : runs) common.add_run(stander.robot.name, "ground", "stand", run);
+    if (!all_made(runs)) continue;
     aim.count(stander.robot.name, polished_of(runs) == static_cast<int>(runs.size()));
     if (const std::string reason = refusal_of(runs); !reason.empty())
       common.add_untried({stander.robot.name, "ground", reason});
     else
       table.add(cells_of(stander.robot, runs));
   }
-  report.tables.push_back(std::move(table));
+  if (!table.rows.empty()) report.tables.push_back(std::move(table));
   common.add_aim(std::move(aim));
 }
 
