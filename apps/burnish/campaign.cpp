@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "document/reader.hpp"
 #include "polishing/experiments/disturbance_ranges.hpp"
+#include "polishing/experiments/public_robots.hpp"
 #include "polishing/record/experiment_files.hpp"
 #include "record/json_text.hpp"
 #include "robot_arguments.hpp"
@@ -28,6 +29,7 @@ void each_word(const See& see) {
   see("surface", &Campaign::surfaces);
   see("robot", &Campaign::robots);
   see("tool", &Campaign::tools);
+  see("folder", &Campaign::folder);
   see("plant", &Campaign::plant);
   see("quick", &Campaign::quick);
   see("set", &Campaign::overrides);
@@ -53,6 +55,7 @@ std::vector<std::string> Campaign::command_words() const {
   for (const std::string& surface : surfaces) add("--surface", surface);
   for (const std::string& robot : robots) add("--robot", robot);
   for (const std::string& tool : tools) add("--tool", tool);
+  if (!folder.empty()) add("--folder", folder);
   if (!plant.empty()) add("--plant", plant);
   if (quick) words.emplace_back("--quick");
   for (const std::string& change : overrides) add("--set", change);
@@ -76,6 +79,7 @@ polishing::ExperimentSpec Campaign::spec() const {
   spec.ranges = ranges;
   spec.robots = robots;
   spec.tools = tools;
+  spec.folder = folder;
   spec.overrides = overrides;
   return spec;
 }
@@ -113,6 +117,12 @@ void check_campaign(const Campaign& campaign, bool strict) {
   if (!any_robot && !(campaign.robots.empty() && campaign.tools.empty()))
     throw Error("--robot and --tool are for the experiments 'robots' and 'force_test'; for " +
                 fmt::format("'{}'", experiment.name) + " say --set robot=NAME");
+  if (!campaign.folder.empty() && experiment.name != "robots")
+    throw Error(
+        fmt::format("--folder is for the experiment 'robots', not for '{}'", experiment.name));
+  if (!campaign.folder.empty() && !campaign.robots.empty())
+    throw Error("--folder brings its own robots; it goes without --robot and --tool");
+  if (!campaign.folder.empty()) (void)polishing::public_robots_in(campaign.folder);
   (void)polishing::ranges_named(campaign.ranges);
   if (experiment.name != "seeds" && !campaign.ranges.empty())
     throw Error(fmt::format("--ranges are for the experiment 'seeds'; '{}' draws no sizes",

@@ -13,7 +13,7 @@ namespace burnish::app {
 
 /// All words that change the results, and no others.
 struct Campaign {
-  std::string name, plant, ranges;
+  std::string name, plant, ranges, folder;
   std::vector<std::string> surfaces, robots, tools, overrides;
   int seeds = 0, first_seed = 0;
   bool quick = false;

@@ -180,9 +180,10 @@ std::string list_of_experiments() {
 void add_words(CLI::App& command, Campaign& a) {
   command.add_option("EXPERIMENT", a.name, "Its name, see below")->required()->type_name("");
   command
-      .add_option("--seeds", a.seeds,
-                  "Number of seeds: of runs that differ in what is drawn [frames 2, paper, robots, "
-                  "force_test and surfaces 5, tilt 10, standing 50, seeds 200]")
+      .add_option(
+          "--seeds", a.seeds,
+          "Number of seeds: of runs that differ in what is drawn [frames 2, robots with --folder "
+          "3, paper, robots, force_test and surfaces 5, tilt 10, standing 50, seeds 200]")
       ->type_name("N")
       ->check(CLI::Range(1, polishing::max_seeds));
   command.add_option("--first-seed", a.first_seed, "First of the seeds [0]")
@@ -211,6 +212,12 @@ void add_words(CLI::App& command, Campaign& a) {
           "Frame that holds the tool, for each --robot in its turn [tool] (robots, force_test)")
       ->type_name("FRAME")
       ->allow_extra_args(false);
+  command
+      .add_option("--folder", a.folder,
+                  "Folder with checkouts of public repositories, whose arms and robots with legs "
+                  "are tried: those of robots.yaml in it, or of the list in docs/public_robots.md "
+                  "(robots)")
+      ->type_name("DIR");
   command
       .add_option("--plant", a.plant,
                   polishing::has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
@@ -286,6 +293,7 @@ void add_experiment(CLI::App& app, int& exit_code) {
       "  burnish experiment paper --seeds 3\n"
       "  burnish experiment orientation --set path.radius=0.04\n"
       "  burnish experiment force_test --robot my_arm.urdf --tool flange\n"
+      "  burnish experiment robots --folder ~/checkouts\n"
       "  burnish experiment seeds --first-seed 17 --seeds 1\n"
       "  burnish experiment seeds --ranges wide --seeds 20\n"
       "  burnish experiment standing --seeds 10 --duration 2\n"

@@ -276,12 +276,15 @@ void show(const ShowArguments& arguments) {
     write_page(robot, q, arguments);
     return;
   }
-  if (arguments.json) {
-    fmt::print("{}\n", json_text(show_json(robot, q, posture)));
-    return;
-  }
   std::optional<ToolMargins> margins;
   if (!arguments.tool.empty()) margins = margins_of(robot, arguments);
+  if (arguments.json) {
+    Json json = show_json(robot, q, posture);
+    if (margins)
+      json["margins"] = margins_json(margins->margins, arguments.tool, margins->fitted.changes);
+    fmt::print("{}\n", json_text(json));
+    return;
+  }
   print_heading(robot);
   print_joints(robot.model);
   print_followers(robot.model);

@@ -64,7 +64,25 @@ Json loops_json(const Model& model, const LoopFreedom& freedom) {
   return loops;
 }
 
+Json loop_json(const LoopMargins& loop) {
+  Json gains = Json::array();
+  for (const GainRange& gain : loop.gains)
+    gains.push_back({{"joint", gain.joint}, {"below", gain.below}, {"above", gain.above}});
+  return {{"delay", loop.delay}, {"bandwidth", loop.bandwidth}, {"gains", gains}};
+}
+
 }  // namespace
+
+Json margins_json(const polishing::TaskMargins& margins, const std::string& tool,
+                  const std::string& fitted) {
+  return {{"tool", tool},
+          {"surface", "table"},
+          {"fitted", fitted},
+          {"delay", margins.delay()},
+          {"longest_delay", LoopAnalysis::longest_delay},
+          {"air", loop_json(margins.air)},
+          {"contact", loop_json(margins.contact)}};
+}
 
 std::string kind_text(FrameKind kind) {
   switch (kind) {

@@ -5,12 +5,18 @@
 #include <string>
 
 #include "burnish/robots/robot.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 
 namespace burnish::app {
 
 /// `q` is the configuration at which frames are placed, `posture` its name (may be empty).
 nlohmann::ordered_json show_json(const Robot& robot, const Eigen::VectorXd& q,
                                  const std::string& posture);
+
+/// What the pressing controller tolerates with a tool on a table: delays in s, gains by joint.
+/// `fitted`: what was chosen for that, a sentence that may be empty.
+nlohmann::ordered_json margins_json(const polishing::TaskMargins& margins, const std::string& tool,
+                                    const std::string& fitted);
 
 std::string kind_text(FrameKind kind);
 

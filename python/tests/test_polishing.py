@@ -501,3 +501,7 @@ class TestExperiments:
     def test_bad_overrides_are_refused_before_anything_is_run(self):
         with pytest.raises(burnish.Error, match="did you mean 'force'"):
             polishing.perform_experiment("paper", polishing.ExperimentSpec(overrides=["froce=3"]))
+
+    def test_public_robots_want_a_folder_that_has_some(self, tmp_path):
+        with pytest.raises(burnish.Error, match="has none of the"):
+            polishing.perform_experiment("robots", polishing.ExperimentSpec(folder=str(tmp_path)))

@@ -127,6 +127,26 @@ TEST(Campaign, ListsItsRuns) {
             std::string::npos);
 }
 
+TEST(Campaign, PublicRobotsOfAFolderAreSharedToo) {
+  const Scratch scratch;
+  scratch.write("checkouts/arm7.urdf", contents(BURNISH_ROBOTS_DIR "/arm7/arm7.urdf"));
+  scratch.write("checkouts/robots.yaml", "arms: {Seven: {file: arm7.urdf, tool: flange}}");
+  const std::string command = "experiment robots --quick --plant ideal --folder " +
+                              quoted(scratch.folder / "checkouts") + " ";
+  const std::string list = run(command + "--list").out;
+  EXPECT_TRUE(std::regex_search(list, std::regex("2\t[0-9a-f]{32}\tSeven, table, mismatch, "
+                                                 "baseline, seed 0\n")))
+      << list;
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 6);
+  const fs::path out = scratch.folder / "out";
+  const std::string shard = command + "--shard 2/6 --resume" + to(out);
+  const Outcome first = run(shard);
+  EXPECT_EQ(first.exit_code, 0) << first.out << first.err;
+  EXPECT_NE(run(shard).out.find("0 made and 1 there before"), std::string::npos);
+  EXPECT_NE(list.find(fs::path(files_in(out / "runs").begin()->first).stem().string()),
+            std::string::npos);
+}
+
 TEST(Campaign, ShardsThatDoNotGoTogetherAreRefused) {
   const Scratch scratch;
   const fs::path first = scratch.folder / "first", second = scratch.folder / "second",

@@ -65,6 +65,20 @@ TEST(Show, MarginsOfATool_NameEveryJoint) {
                             "in free air", "in contact", "arm_right_4_joint"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
   expect_refused(run("show talos:right_arm --tool tol"), "tol");
+  const Json json = Json::parse(run("show talos:right_arm --tool tool --json").out);
+  const Json& margins = json.at("margins");
+  EXPECT_EQ(margins["tool"], "tool");
+  char text[32];
+  std::snprintf(text, sizeof text, "tolerates %.1f ms", 1e3 * margins["delay"].get<double>());
+  EXPECT_NE(outcome.out.find(text), std::string::npos) << text << "\n" << outcome.out;
+  for (const char* situation : {"air", "contact"}) {
+    const Json& gains = margins[situation]["gains"];
+    ASSERT_EQ(gains.size(), 6U);
+    EXPECT_EQ(gains[5]["joint"], "arm_right_4_joint");
+    EXPECT_LT(gains[5]["below"], 1.0);
+    EXPECT_GT(gains[5]["above"], 1.0);
+  }
+  EXPECT_FALSE(Json::parse(run("show talos:right_arm --json").out).contains("margins"));
 }
 
 TEST(Show, DrawsTheTree) {

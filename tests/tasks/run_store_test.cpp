@@ -194,6 +194,35 @@ TEST(Batch, MakesNoRunTwiceAndShardsMakeThemAll) {
   }
 }
 
+TEST(Batch, ARunOfAnotherTaskIsKeptAndFoundByWhatItDependsOn) {
+  const Scratch scratch;
+  const RunStore store("e", "1", {scratch.folder});
+  ExperimentSpec spec = short_spec();
+  RunCounts counts;
+  spec.counts = &counts;
+  spec.store = &store;
+  BatchRun run{.name = "it stands"};
+  run.depends_on = "a text";
+  int calls = 0;
+  run.perform = [&calls](const RunProgress& progress) {
+    ++calls;
+    EXPECT_TRUE(progress(0.5, 1.0));
+    return RunFigures{.name = "it stands", .made = true, .polished = true};
+  };
+  EXPECT_TRUE(run_batch(spec, {run})[0].polished);
+  EXPECT_TRUE(run_batch(spec, {run})[0].polished);
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(counts.found, 1);
+  run.depends_on = "another text";
+  run_batch(spec, {run});
+  EXPECT_EQ(calls, 2);
+  run.depends_on = "refused";
+  run.perform = [](const RunProgress&) -> RunFigures { throw Error("out of reach"); };
+  const RunFigures refused = run_batch(spec, {run})[0];
+  EXPECT_TRUE(refused.refused);
+  EXPECT_EQ(refused.outcome, "out of reach");
+}
+
 TEST(Batch, ResultsOfOtherKernelsAreTakenOnlyWhereItIsSaid) {
   const Scratch scratch;
   const RunStore store("e", "1", {scratch.folder});

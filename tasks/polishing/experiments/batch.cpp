@@ -53,8 +53,8 @@ class TimeLimit {
     const std::lock_guard lock(mutex_);
     seen_.push_back(seconds);
   }
-  double seconds() {
-    constexpr double times = 20.0, least = 10.0;
+  double seconds(double least) {
+    constexpr double times = 20.0;
     constexpr std::size_t enough = 5;
     if (said_ > 0.0) return said_;
     const std::lock_guard lock(mutex_);
@@ -125,25 +125,38 @@ void check_kernels(const ExperimentSpec& spec, std::vector<RunFigures> figures, 
                 "), whose results differ in their last digits; wanted one kind, or --mixed");
 }
 
-RunFigures make_run(const BatchRun& run, const std::function<bool(double, double)>& goes_on,
-                    TimeLimit& limit) {
-  RunFigures figure{.name = run.name, .seed = run.spec.task.disturbances.seed};
+std::string name_in(const RunStore& store, const BatchRun& run) {
+  if (run.perform) return store.name_of(run.name, run.depends_on);
+  return store.name_of(run.name + (run.curves.empty() ? "" : ", curves " + run.curves), run.spec);
+}
+
+RunFigures perform(const BatchRun& run, const RunProgress& progress) {
+  if (run.perform) return run.perform(progress);
   RunSpec spec = run.spec;
-  const double begin = computed(), allowed = limit.seconds();
-  spec.progress = [&](double time, double end) {
+  spec.progress = progress;
+  const RunResult result = run_task(spec);
+  RunFigures figure = figures_of(run.name, spec.task, result);
+  if (run.measure && figure.polished) figure.measured = run.measure(result);
+  if (!run.curves.empty()) figure.curves = curves_of(result, run.curves);
+  figure.made = !result.interrupted;
+  return figure;
+}
+
+RunFigures make_run(const BatchRun& run, const RunProgress& goes_on, TimeLimit& limit) {
+  RunFigures figure{.name = run.name, .seed = run.spec.task.disturbances.seed};
+  const double begin = computed(), allowed = limit.seconds(run.usual_limit);
+  const auto progress = [&](double time, double end) {
     figure.late = computed() - begin > allowed;
     return goes_on(time, end) && !figure.late;
   };
   try {
-    const RunResult result = run_task(spec);
+    RunFigures made = perform(run, progress);
     if (figure.late) {
       figure.outcome = "ended by its time limit";
+      figure.made = true;
     } else {
-      figure = figures_of(run.name, spec.task, result);
-      if (run.measure && figure.polished) figure.measured = run.measure(result);
-      if (!run.curves.empty()) figure.curves = curves_of(result, run.curves);
+      figure = std::move(made);
     }
-    figure.made = figure.late || !result.interrupted;
   } catch (const Error& error) {
     figure.outcome = error.what();
     figure.refused = figure.made = true;
@@ -195,10 +208,7 @@ void for_each_index(int count, int threads, const std::function<void(int index)>
 std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs) {
   std::vector<std::string> names(runs.size());
   for (std::size_t i = 0; i < runs.size() && spec.store != nullptr; ++i)
-    if (spec.shard.has(i))
-      names[i] = spec.store->name_of(
-          runs[i].name + (runs[i].curves.empty() ? "" : ", curves " + runs[i].curves),
-          runs[i].spec);
+    if (spec.shard.has(i)) names[i] = name_in(*spec.store, runs[i]);
   std::vector<RunFigures> figures(runs.size());
   if (spec.list) {
     for (std::size_t i = 0; i < runs.size(); ++i)

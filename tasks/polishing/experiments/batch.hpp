@@ -11,10 +11,17 @@ namespace burnish::polishing {
 /// A run that is to be made.
 struct BatchRun {
   std::string name;
-  RunSpec spec;
+  RunSpec spec = {};
   std::string curves = {};  ///< name of the curves to keep; empty: none
   /// What is measured besides, of a run that came to its end; empty: nothing.
   std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure = {};
+  /// Makes the run in the place of run_task(spec), of which the seed alone counts then. Its figures
+  /// are `made` unless the progress function stopped it.
+  std::function<RunFigures(const RunProgress& progress)> perform = {};
+  std::string depends_on = {};  ///< with `perform`: all that its result depends on
+  /// s of computing that it may take at least, whatever the runs before it took; less where the
+  /// specification's time_limit says so
+  double usual_limit = 10.0;
 };
 
 /// Adds a run of the task on the spec's plant for each of `seeds` seeds from the spec's first on,

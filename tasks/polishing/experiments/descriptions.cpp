@@ -18,6 +18,10 @@ const Description& description_of(const ExperimentSpec* /*of*/) {
           .field(
               "tools", &E::tools,
               "the frame that each of these holds its tool with; \"tool\" for those that lack one")
+          .field("folder", &E::folder,
+                 "of the experiment `robots`: a folder with descriptions of public robots, which "
+                 "are tried in place of those that come along; its list is robots.yaml there, or "
+                 "the shipped one; empty: none")
           .field("overrides", &E::overrides,
                  "changes to the task, as override_task() takes them; what the experiment sweeps "
                  "is set after them")

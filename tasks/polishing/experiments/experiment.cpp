@@ -34,7 +34,7 @@ const std::vector<Experiment>& experiments() {
        perform_tilt},
       {"surfaces", "bent surfaces, known and not; soft and stiff ones; without a force sensor",
        perform_surfaces},
-      {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg",
+      {"robots", "the shipped task with other robots, and one of them from 3 to 30 kg; public ones",
        perform_robots},
       {"force_test", "how well a force is controlled: steps, sines, impacts, pushes, edges, motion",
        perform_force_test},

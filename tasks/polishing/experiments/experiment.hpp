@@ -36,6 +36,10 @@ struct ExperimentSpec {
   std::vector<std::string> robots = {};
   /// The frame that each of these holds its tool with; "tool" for those that lack one.
   std::vector<std::string> tools = {};
+  /// Of the experiment `robots`: a folder with descriptions of public robots, which are tried in
+  /// place of those that come along. Its list is robots.yaml there, or the shipped one. Empty:
+  /// none.
+  std::string folder = {};
   /// Changes to the task, as override_task() takes them. What the experiment sweeps is set after
   /// them.
   std::vector<std::string> overrides = {};

@@ -8,6 +8,7 @@
 #include "polishing/experiments/batch.hpp"
 #include "polishing/experiments/force_catalogue.hpp"
 #include "polishing/experiments/force_figures.hpp"
+#include "polishing/experiments/found_posture.hpp"
 #include "report/trace_curves.hpp"
 
 namespace burnish::polishing {
@@ -62,16 +63,6 @@ double worst_of(const FigureRow& row) {
   });
 }
 
-/// The model's posture by its joints, so that one that was searched is not searched again.
-Posture posture_of(const Model& model, const Eigen::VectorXd& q) {
-  Posture posture;
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    const Joint& joint = model.joints[i];
-    if (joint.nv == 1 && !joint.follows) posture[joint.name] = {q[joint.q_index]};
-  }
-  return posture;
-}
-
 /// The task that all tests change, the robot with the posture that it was given, and the tests.
 TestPlace place_of(const ExperimentSpec& spec, const std::string& robot, const std::string& tool,
                    const std::string& surface) {
@@ -86,11 +77,7 @@ TestPlace place_of(const ExperimentSpec& spec, const std::string& robot, const s
                   .path_share = 0.0};
   Robot loaded = load_task_robot(task);
   const Setting setting = make_setting(task, loaded);
-  if (searches_posture(task, loaded)) {
-    static const std::string found = "found_by_force_test";
-    loaded.postures[found] = posture_of(loaded.model, setting.q_start);
-    task.posture = found;
-  }
+  if (searches_posture(task, loaded)) start_from(setting.q_start, loaded, task);
   return {task.robot, surface, force_catalogue(task, setting, spec.quick), std::move(loaded)};
 }
 

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "polishing/experiments/batch.hpp"
+#include "polishing/experiments/public_arms.hpp"
+#include "polishing/experiments/public_legs.hpp"
 #include "polishing/experiments/scaled_robot.hpp"
 #include "robots/known_robots.hpp"
 
@@ -146,9 +148,53 @@ void note_missing(const std::vector<Entry>& entries, ExperimentReport& report) {
       report.findings.push_back("Robot " + name + " was not tried: name it and its tool's frame.");
 }
 
+/// A sentence for each robot whose description is not in the folder.
+void note_absent(const std::vector<PublicRobot>& absent, std::size_t all,
+                 ExperimentReport& report) {
+  report.findings.push_back(std::to_string(all - absent.size()) + " of " + std::to_string(all) +
+                            " descriptions are there.");
+  for (const PublicRobot& robot : absent)
+    report.findings.push_back("Not there: " + robot.name + ", " + robot.url() + ".");
+}
+
+/// Of runs that were refused a reason is given once per robot and surface.
+std::vector<RunFigures> not_refused(const std::vector<RunFigures>& figures) {
+  std::vector<RunFigures> runs;
+  std::ranges::copy_if(figures, std::back_inserter(runs),
+                       [](const RunFigures& run) { return !run.refused; });
+  return runs;
+}
+
+ExperimentReport perform_public_robots(const ExperimentSpec& spec) {
+  ExperimentReport report{.title = "The first command on public robots"};
+  PublicArms arms(spec);
+  PublicLegs legs(spec);
+  std::vector<BatchRun> runs;
+  std::vector<PublicRobot> absent;
+  const std::vector<PublicRobotFile> robots = public_robots_in(spec.folder);
+  for (const auto& [robot, file] : robots) {
+    if (!file)
+      absent.push_back(robot);
+    else if (robot.stands())
+      legs.add(robot, *file, runs);
+    else
+      arms.add(robot, *file, runs);
+  }
+  const std::vector<RunFigures> figures = run_batch(spec, runs);
+  if (!spec.reports()) return report;
+  note_absent(absent, robots.size(), report);
+  PublicReport common;
+  arms.report(figures, common, report);
+  legs.report(figures, common, report);
+  common.write(report);
+  note_failures(spec, not_refused(figures), report);
+  return report;
+}
+
 }  // namespace
 
 ExperimentReport perform_robots(const ExperimentSpec& spec) {
+  if (!spec.folder.empty()) return perform_public_robots(spec);
   ExperimentReport report{.title = "The shipped task with other robots"};
   const std::vector<std::string> surfaces =
       spec.surfaces.empty() ? std::vector<std::string>{"table"} : spec.surfaces;

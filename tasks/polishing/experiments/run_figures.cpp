@@ -16,13 +16,6 @@ namespace {
 
 constexpr double none = RunFigures::none;
 
-bool all_finite(const Trace& trace) {
-  const int columns = static_cast<int>(trace.columns().size());
-  for (int column = 0; column < columns; ++column)
-    if (!trace.column(column).allFinite()) return false;
-  return true;
-}
-
 /// Largest share of an effort limit that a torque column takes.
 double largest_share(const Trace& trace, const Model& model, const std::string& what) {
   double share = 0.0;
@@ -70,6 +63,13 @@ constexpr const char* figures_of_a_row[] = {
     "largest_command",   "tool_to_normal"};
 
 }  // namespace
+
+bool all_finite(const Trace& trace) {
+  const int columns = static_cast<int>(trace.columns().size());
+  for (int column = 0; column < columns; ++column)
+    if (!trace.column(column).allFinite()) return false;
+  return true;
+}
 
 double RunFigures::operator[](const std::string& figure) const {
   figure_named(figure);

@@ -46,6 +46,9 @@ struct RunFigures {
 /// Whether a robot that stands fell. False for one that does not stand.
 bool fell(const RunFigures& run);
 
+/// No NaN or infinity in it.
+bool all_finite(const Trace& trace);
+
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);
 
 /// Calls see(entry, member) for each figure that is the run's and not of Metrics.

@@ -245,21 +245,16 @@ std::string model_text(const Model& model) {
 /// What the run will be made with. One that cannot be loaded is the run's own affair.
 std::string robot_text(const RunSpec& spec) {
   try {
-    const Robot robot = spec.robot ? *spec.robot : load_task_robot(spec.task);
-    std::string text = model_text(robot.model) + robot.default_posture + '\n';
-    for (const auto& [posture, values] : robot.postures)
-      for (const auto& [joint, value] : values)
-        text += posture + ' ' + joint +
-                numbers_text(Eigen::Map<const Eigen::VectorXd>(
-                    value.data(), static_cast<Eigen::Index>(value.size())));
-    return text;
+    return numbers_of(spec.robot ? *spec.robot : load_task_robot(spec.task));
   } catch (const Error& error) {
     return error.what();
   }
 }
 
-/// FNV-1a over 128 bits.
-std::string hash_of(const std::string& text) {
+/// FNV-1a over 128 bits, of the parts and where each ends.
+std::string hash_of(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += std::to_string(part.size()) + ':' + part + '\n';
   __extension__ using Wide = unsigned __int128;
   const Wide prime = (Wide{1} << 88) + 0x13B;
   Wide hash = (Wide{0x6C62272E07BB0142ULL} << 64) + 0x62B821756295C58DULL;
@@ -272,19 +267,29 @@ std::string hash_of(const std::string& text) {
 
 }  // namespace
 
+std::string numbers_of(const Robot& robot) {
+  std::string text = model_text(robot.model) + robot.default_posture + '\n';
+  for (const auto& [posture, values] : robot.postures)
+    for (const auto& [joint, value] : values)
+      text += posture + ' ' + joint +
+              numbers_text(Eigen::Map<const Eigen::VectorXd>(
+                  value.data(), static_cast<Eigen::Index>(value.size())));
+  return text;
+}
+
 RunStore::RunStore(std::string experiment, std::string version, std::vector<fs::path> folders)
     : experiment_(std::move(experiment)),
       version_(std::move(version)),
       folders_(std::move(folders)) {}
 
 std::string RunStore::name_of(const std::string& run, const RunSpec& spec) const {
-  std::string text;
-  for (const std::string& part :
-       {version_, experiment_, run, polishing::name_of(spec.controller),
-        std::string(burnish::name_of(spec.plant)), std::string(spec.check_reach ? "checked" : ""),
-        task_text(spec.task), robot_text(spec)})
-    text += std::to_string(part.size()) + ':' + part + '\n';
-  return hash_of(text);
+  return hash_of({version_, experiment_, run, polishing::name_of(spec.controller),
+                  std::string(burnish::name_of(spec.plant)), spec.check_reach ? "checked" : "",
+                  task_text(spec.task), robot_text(spec)});
+}
+
+std::string RunStore::name_of(const std::string& run, const std::string& depends_on) const {
+  return hash_of({version_, experiment_, run, depends_on});
 }
 
 std::optional<RunFigures> RunStore::find(const std::string& name) const {

@@ -21,6 +21,9 @@ struct Shard {
   }
 };
 
+/// All of a robot that a run depends on, as numbers.
+std::string numbers_of(const Robot& robot);
+
 /// A folder of results, or several. A result is two files: NAME.json, which is the same on every
 /// machine with the same kernels, and NAME.times.json with what was measured and what made it.
 class RunStore {
@@ -32,6 +35,8 @@ class RunStore {
   /// 32 hexadecimal digits of all that a result depends on: version, experiment, the run's name,
   /// its task, its robot in numbers, its controller and plant.
   std::string name_of(const std::string& run, const RunSpec& spec) const;
+  /// The same of a run of any task, by the text of all that its result depends on.
+  std::string name_of(const std::string& run, const std::string& depends_on) const;
   /// Throws Error for a file that is no result.
   std::optional<RunFigures> find(const std::string& name) const;
   /// Throws Error where the files cannot be written; they are there whole or not at all.
