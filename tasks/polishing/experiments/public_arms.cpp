@@ -34,24 +34,10 @@ Task task_of(const ExperimentSpec& spec, const ArmTrial& trial) {
   return task;
 }
 
-/// Gains that no text states. FITTED_BY_RUN: goes, with fit_gains() below, once run_task() fits.
-FreeKeys free_keys(const ExperimentSpec& spec, const PublicRobot& arm) {
-  std::vector<std::string> stated = arm.changes;
-  stated.insert(stated.end(), spec.overrides.begin(), spec.overrides.end());
-  const auto is_free = [&](const std::string& key) {
-    return std::none_of(stated.begin(), stated.end(),
-                        [&](const std::string& change) { return change.starts_with(key + "="); });
-  };
-  return {.boost = is_free("model_error.boost"),
-          .bandwidth = is_free("model_error.bandwidth"),
-          .position = is_free("weights.position")};
-}
-
 /// A run of an arm as `burnish polish` makes it.
 struct ArmRun {
   ArmBench* bench;
   RunSpec spec;  ///< without what the bench finds
-  FreeKeys free;
   bool predicts;  ///< the delay that it bears
   std::string name;
 
@@ -64,7 +50,6 @@ struct ArmRun {
     run.task.force = bench->force;
     start_from(bench->q_start, *run.robot, run.task);
     const Setting setting = make_setting(run.task, *run.robot);
-    if (run.controller == ControllerKind::Mpc) fit_gains(run.task, setting, free);  // FITTED_BY_RUN
     const RunResult result = run_task(run);
     RunFigures figure = figures_of(name, run.task, result);
     figure.made = !result.interrupted;
@@ -140,7 +125,6 @@ void PublicArms::add_trial(ArmTrial trial, int seeds, std::vector<BatchRun>& run
     if (spec_.shard.has(runs.size())) {
       ArmRun made{.bench = trial.bench,
                   .spec = {.task = task_of(spec_, trial), .controller = trial.controller},
-                  .free = free_keys(spec_, arm),
                   .predicts = trial.delay > 0.0 && !trial.known,
                   .name = run.name};
       made.spec.task.disturbances.seed = run.spec.task.disturbances.seed;
