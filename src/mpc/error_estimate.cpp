@@ -81,7 +81,7 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
                                     : Status::Ok;
     if (seen <= Status::NotConverged) {
       torque_offset_ += share * (m.tau - acted_ - torque_offset_);
-      joint_friction_.learn(model_error(), observed_at(), gate.dt());
+      joint_friction_.learn(model_error(), m.v, observed_at(), gate.dt());
     }
     follow_friction(gate, before);
     follow_lasting(gate.dt());
