@@ -12,6 +12,8 @@ namespace {
 constexpr double sliding_speed = 0.02;  // m/s, below which friction fades
 constexpr double until_torques = 2e-3;  // s, from a measurement
 constexpr double since_forces = 3e-3;   // s, of sensors and their filters
+// s of waiting for contact until the force counts as a model error, and until all of it does
+constexpr double waiting = 0.1, waiting_fade = 0.1;
 
 }  // namespace
 
@@ -50,7 +52,7 @@ void ErrorEstimate::reset() noexcept {
   torque_offset_.setZero();
   torque_error_.setZero();
   lasting_error_.setZero();
-  since_ = 0.0;
+  since_ = waits_for_ = 0.0;
   friction_force_.setZero();
   v_ahead_.setZero();
   between_.setZero();
@@ -69,19 +71,21 @@ const Eigen::Vector3d& ErrorEstimate::feel(const MeasurementGate& gate, const Co
 }
 
 void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
-                           const ConstVectorRef& acted, int stage, double schedule_time) noexcept {
+                           const ConstVectorRef& acted, int stage, double schedule_time,
+                           bool waits) noexcept {
   const Measurement& m = gate.last();
   const double share = -std::expm1(-options_.usual_bandwidth() * gate.dt());
   if (has_sensor_) follow_command(gate, acted);  // else it was, by feel()
   total_ = m.tau;
   if (options_.kind == ModelErrorKind::Torque) {
     // What cannot be evaluated changes nothing, of either estimate.
-    const Status seen = has_sensor_ ? observer_.update(m.q, m.v, acted_, m.tool_force_world,
-                                                       gate.dt(), m.support_wrenches)
-                                    : Status::Ok;
+    const Eigen::Vector3d force = known_force(m, gate.dt(), waits);
+    const Status seen =
+        has_sensor_ ? observer_.update(m.q, m.v, acted_, force, gate.dt(), m.support_wrenches)
+                    : Status::Ok;
     if (seen <= Status::NotConverged) {
       torque_offset_ += share * (m.tau - acted_ - torque_offset_);
-      joint_friction_.learn(model_error(), observed_at(), gate.dt());
+      joint_friction_.learn(model_error(), m.v, observed_at(), gate.dt());
     }
     follow_friction(gate, before);
     follow_lasting(gate.dt());
@@ -92,6 +96,16 @@ void ErrorEstimate::update(const MeasurementGate& gate, const Command& before,
   }
   if (options_.kind == ModelErrorKind::Force) follow_force_error(m, stage, schedule_time, share);
   (void)contact_force_.force_at(stage, schedule_time, m.q, m.v, total_, force_world_);
+}
+
+/// The force that the observer is given. A light arm that meets the surface slowly may rest on it
+/// with less than what counts as contact, and its plans, which know of no surface there, push no
+/// harder. While contact is due the force along the normal is therefore given as a model error:
+/// the plans push against it until it is felt.
+Eigen::Vector3d ErrorEstimate::known_force(const Measurement& m, double dt, bool waits) noexcept {
+  waits_for_ = waits ? waits_for_ + dt : 0.0;
+  const double hidden = std::clamp((waits_for_ - waiting) / waiting_fade, 0.0, 1.0);
+  return m.tool_force_world - hidden * normal_force(m) * normal_world_;
 }
 
 /// What the model believes to act on the joints: the command that acted, behind the torque model's

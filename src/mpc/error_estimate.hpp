@@ -18,9 +18,10 @@ class ErrorEstimate {
   void reset() noexcept;
   /// After a good measurement, with the command of the tick before, the torque that acted until it
   /// was taken less what that made up for friction (nv), the stage that the schedule is in and its
-  /// time, s. What cannot be evaluated changes nothing.
+  /// time, s. What cannot be evaluated changes nothing. `waits`: the schedule waits for contact,
+  /// as Schedule::waits() says.
   void update(const MeasurementGate& gate, const Command& before, const ConstVectorRef& acted,
-              int stage, double schedule_time) noexcept;
+              int stage, double schedule_time, bool waits) noexcept;
 
   /// Without a force sensor, first of all after a good measurement: the force at the tool, N, world
   /// axes, at the stage that the schedule is in.
@@ -70,6 +71,7 @@ class ErrorEstimate {
   const Eigen::Vector3d& force_world() const { return force_world_; }
 
  private:
+  Eigen::Vector3d known_force(const Measurement& m, double dt, bool waits) noexcept;
   double normal_force(const Measurement& m) const noexcept {
     return m.tool_force_world.dot(normal_world_);
   }
@@ -103,6 +105,7 @@ class ErrorEstimate {
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
   Eigen::VectorXd v_ahead_;  ///< nv, of a plan
   double since_ = 0.0;       ///< s, of lasting_error_
+  double waits_for_ = 0.0;   ///< s, since contact was due
   double smoothing_;         ///< s
   double known_delay_;       ///< s, of commands and measurements
   /// m/s, of the tool in v_ahead_, smoothed once and twice: its velocity when torques act

@@ -11,10 +11,13 @@
 namespace burnish {
 
 /// Per joint a Kalman filter of the observed model error
-///   d = c - F s(v) - B v,   s(v) = tanh(v / friction_speed),
+///   d = c - F s(v) - B v,   s(v) = tanh(v / w),
 /// with a constant c that wanders, and Coulomb's and viscous friction F, B >= 0 that hardly do. v
 /// is not measured: encoders do not tell when a joint turns around. It is what plans foresee, a
-/// while ahead, smoothed by a filter that is late by the same while.
+/// while ahead, smoothed by a filter that is late by the same while. The width w is
+/// friction_speed, and more where the joint strays from v: s is then the mean sign of a velocity
+/// that is uncertain by as much. Else a light joint, which noise drives, would have a friction
+/// that pushes it on.
 class JointFriction {
  public:
   explicit JointFriction(const MpcSpec& spec);
@@ -29,8 +32,9 @@ class JointFriction {
   /// Nothing is made up for until then.
   void rest() noexcept { torque_.setZero(); }
   /// The error that an observer of a bandwidth (rad/s) tells that was given the commands without
-  /// torque().
-  void learn(const Eigen::VectorXd& torque_error, double bandwidth, double dt) noexcept;
+  /// torque(), and the measured velocity (nv).
+  void learn(const Eigen::VectorXd& torque_error, const Eigen::VectorXd& v, double bandwidth,
+             double dt) noexcept;
 
   const Eigen::VectorXd& torque() const { return torque_; }  ///< nv, Nm (N), to be added
   double coulomb(int k) const { return joints_[static_cast<std::size_t>(k)].x[1]; }  ///< F, Nm (N)
@@ -51,11 +55,13 @@ class JointFriction {
     double prior = 1.0;                          ///< Nm (N), deviation of F at first
     double ahead = 0.0, between = 0.0, v = 0.0;  ///< rad/s: planned, smoothed once and twice
     Late sign, speed, given;
-    Eigen::Vector3d x;  ///< c, F, B
+    Late actual, foreseen;  ///< rad/s: measured and planned velocity behind the same filter
+    double strays = 0.0;    ///< rad^2/s^2, mean square of their difference
+    Eigen::Vector3d x;      ///< c, F, B
     Eigen::Matrix3d P;
     double noise = 0.0;  ///< Nm^2
   };
-  double sign_of(double v) const noexcept;
+  double sign_of(const Joint& joint, double v) const noexcept;
   void learn(Joint& joint, double error, double speed, double share, double dt) noexcept;
 
   bool enabled_;

@@ -176,7 +176,7 @@ void MpcController::Impl::see() noexcept {
   if (base_ >= 0) turn_normal();
   const unsigned happened = task->sense(view);
   look_at_surface();
-  error.update(gate, command_, ahead_.acted(), stage, schedule.time());
+  error.update(gate, command_, ahead_.acted(), stage, schedule.time(), schedule.waits());
   grip.update(gate);
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();

@@ -33,7 +33,7 @@ struct LightJointOptions {
 /// The light joints of a model at q, in the order of v. Torque noise of deviation s, drawn every
 /// plant step h, changes the speed of a joint of inertia I by s sqrt(h T) / I until a command can
 /// answer, T later: the command's delay, the lag of the filter of velocities and a control period.
-/// A joint is light where four times that deviation exceed what is allowed. Joints without a motor
+/// A joint is light where 6.4 times that deviation exceed what is allowed. Joints without a motor
 /// and those without a speed limit are left out.
 std::vector<LightJoint> light_joints(const Model& model, const ConstVectorRef& q,
                                      const Disturbances& disturbances,

@@ -112,8 +112,13 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options) {
+  // A description without one rotor has none: joints that are nearly as light move besides.
+  constexpr double nearly = 1.25;
   std::map<std::string, double> added;
-  for (const LightJoint& light : light_joints(model, q, disturbances, options)) {
+  if (light_joints(model, q, disturbances, options).empty()) return added;
+  LightJointOptions wide = options;
+  wide.joint_speed_ratio /= nearly;
+  for (const LightJoint& light : light_joints(model, q, disturbances, wide)) {
     if (!std::isfinite(light.armature)) continue;
     model.armature[light.v] += light.armature;
     added[light.joint] = light.armature;

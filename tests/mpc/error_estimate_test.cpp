@@ -36,7 +36,7 @@ struct Pressing {
       m.time = 1e-3 * tick;
       m.tau = tau;
       gate.take(m, latch, status);
-      estimate.update(gate, command, tau, stage, m.time);
+      estimate.update(gate, command, tau, stage, m.time, false);
     }
     ASSERT_FALSE(latch.is_set());
   }
@@ -102,7 +102,7 @@ TEST(ErrorEstimate, turns_friction_to_where_a_plan_will_slide) {
       const double ahead =
           estimate.joint_friction().lead() + arm.spec.solver_delay + 0.5 * arm.spec.update_period;
       if (foreseen) estimate.foresee(least_squares(arm.jacobian, speed * direction(t + ahead)));
-      estimate.update(gate, {.tau = arm.m.tau, .target_force = 20.0}, arm.m.tau, 0, t);
+      estimate.update(gate, {.tau = arm.m.tau, .target_force = 20.0}, arm.m.tau, 0, t, false);
     }
     EXPECT_FALSE(latch.is_set());
     const Eigen::Vector3d given = least_squares(arm.jacobian.transpose(), estimate.torque_error());

@@ -61,6 +61,11 @@ TEST(Rotors, LightWrist_FaultsWithoutARotor_AndPressesWithAnAssumedOne) {
   EXPECT_TRUE(light_joints(arm.task, result.setting).empty());
 }
 
+TEST(Rotors, WristThatIsLightForTheLoop_IsNamed) {
+  const Arm arm(1.2e-4);
+  EXPECT_EQ(light_joints(arm.task, make_setting(arm.task)).size(), 1U);
+}
+
 TEST(Rotors, AssumedOnes_LeaveUsualRobotsAlone) {
   Arm arm(1e-3);
   arm.task.assume_rotors = true;

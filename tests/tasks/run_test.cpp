@@ -169,6 +169,19 @@ TEST(PolishingRun, ASurfaceThatIsOffByACentimetreIsPolished) {
   }
 }
 
+/// An arm that comes slowly rests on the surface with less than what counts as contact.
+TEST(PolishingRun, ASlowTouchIsPressedUntilItIsFelt) {
+  if (!has_mujoco()) GTEST_SKIP() << "built without MuJoCo";
+  RunSpec spec = short_run(PlantKind::Mujoco, ControllerKind::Mpc);
+  override_task(spec.task, {"phases.approach_speed=0.004", "phases.clearance=0.004",
+                            "limits.contact_threshold=5", "disturbances=sensors"});
+  spec.task.polish_duration = 0.5;
+  const RunResult result = run_task(spec);
+  EXPECT_EQ(result.fault.kind, FaultKind::None) << result.outcome;
+  ASSERT_TRUE(result.metrics.has_value());
+  EXPECT_NEAR(result.metrics->force_mean, 30.0, 1.0);
+}
+
 TEST(PolishingRun, ANoisyForceIsNoTouch) {
   for (const ControllerKind controller :
        {ControllerKind::Mpc, ControllerKind::Baseline, ControllerKind::Admittance}) {
