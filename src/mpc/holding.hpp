@@ -6,6 +6,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "dynamics/tree.hpp"
+#include "mpc/sole_limits.hpp"
 
 namespace burnish {
 
@@ -54,6 +55,7 @@ class Holding {
     std::vector<char> carries;  ///< nv: whether the entry is between it and the base
   };
   std::vector<Foot> feet_;
+  SoleLimits soles_;
   ContactDynamics open_;    ///< the robot in the air
   Eigen::VectorXd share_;   ///< nv, of what stands: 1, of what hangs: 0
   double gravity_;          ///< m/s^2
