@@ -196,10 +196,11 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
     wanted.com += foot.translation() / static_cast<double>(wanted.feet.size());
   }
   wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
-  // Straight legs do not know which way to bend.
+  // The trunk and the arms stay as they are where the legs alone get there. Straight legs do not
+  // know which way to bend.
   std::optional<Eigen::VectorXd> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double others : {1.0, 0.1}) {
+  for (const double others : {0.0, 0.1, 1.0}) {
     wanted.others = others;
     for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
       auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
@@ -217,20 +218,30 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
 
 Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
   constexpr double less = 0.7;
-  constexpr int most = 4;  // times less: a quarter of it
-  const auto found = posture_lower_by(model, standing, crouch);
-  if (!found)
-    throw Error("no posture was found that has the feet level, the base upright and lower by " +
-                number(crouch) +
-                " of its height above them (crouch), and the centre of mass above "
-                "their middle; wanted one of the robot's settings, or another crouch");
-  if (has_room(model, standing, *found)) return *found;
-  for (int i = 0; i < most; ++i) {
-    crouch *= less;
-    auto higher = posture_lower_by(model, standing, crouch);
-    if (higher && has_room(model, standing, *higher)) return *higher;
+  constexpr int most = 5;  // tries, the last but one at a third of it; then on straight legs
+  std::optional<Eigen::VectorXd> first;
+  double lower = crouch;
+  for (int i = 0; i < most; ++i, lower = i + 1 < most ? lower * less : 0.0) {
+    auto found = posture_lower_by(model, standing, lower);
+    if (found && has_room(model, standing, *found)) return *found;
+    if (!first) first = std::move(found);
   }
-  return *found;
+  if (first) return *first;
+  throw Error("no posture was found that has the feet level, the base upright and lower by " +
+              number(crouch) +
+              " of its height above them (crouch) or less, and the centre of mass above their "
+              "middle; wanted one of the robot's settings, or another crouch");
+}
+
+double crouch_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
+  const std::string base = base_frame(model);
+  const auto height = [&](const Eigen::VectorXd& at) {
+    double ground = std::numeric_limits<double>::infinity();
+    for (const std::string& foot : standing.feet)
+      ground = std::min(ground, frame_placement(model, at, foot).translation().z());
+    return frame_placement(model, at, base).translation().z() - ground;
+  };
+  return 1.0 - height(q) / height(model.q_neutral);
 }
 
 }  // namespace burnish::pressing
