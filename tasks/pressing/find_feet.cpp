@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double level = 0.1;      // of the base's height: feet are as low as this together
 constexpr double opposite = 0.15;  // of the base's height: how far a pair is from mirrored
 constexpr double ball_share = 0.05, sole_length = 0.2, sole_width = 0.1;  // of the base's height
-constexpr double inertia_share = 0.8;  // of the box of a foot's inertia that its sole is long
+constexpr double longest_sole = 0.25, widest_sole = 0.15;                 // of the base's height
 
 bool holds(std::string name, std::initializer_list<const char*> words) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -282,12 +282,11 @@ class FootSearch {
     const Eigen::Matrix3d R = axes.transpose() * body_at(end.body).linear();
     const Eigen::Vector3d box =
         pressing::box_of(foot.mass, R * foot.inertia_at_com * R.transpose());
-    const double length = inertia_share * box.x() / height_;
-    const double width = inertia_share * box.y() / height_;
-    if (length < 0.08 || length > 0.4 || width < 0.03 || width > 0.25) return sole;  // of no foot
+    constexpr double shortest_sole = 0.1, narrowest_sole = 0.04;  // of the base's height
+    if (box.x() < shortest_sole * height_ || box.y() < narrowest_sole * height_) return sole;
     from = Feet::Size::Inertia;
-    sole.half_x = 0.5 * inertia_share * box.x();
-    sole.half_y = 0.5 * inertia_share * box.y();
+    sole.half_x = 0.5 * std::min(box.x(), longest_sole * height_);
+    sole.half_y = 0.5 * std::min(box.y(), widest_sole * height_);
     if (end.frame >= 0 && holds(frame(end.frame).name, {"sole"})) return sole;
     const Eigen::Vector3d com = axes.transpose() * (body_at(end.body) * foot.com);
     const double ankle = (axes.transpose() * body_at(end.body).translation()).z();

@@ -43,6 +43,18 @@ Ground ground_of(const Model& model, const Standing& standing) {
 
 }  // namespace
 
+std::string ground_note(const Model& model, const Standing& standing) {
+  constexpr double most = 10.0;
+  Standing by_weight = standing;
+  by_weight.stiffness = std::nullopt;
+  const double fitting = ground_of(model, by_weight).stiffness;
+  if (!standing.stands() || standing.stiffness.value_or(fitting) < most * fitting) return "";
+  return "standing.stiffness: " + number(*standing.stiffness) + " N/m is " +
+         number(std::round(*standing.stiffness / fitting)) +
+         " times what the weight asks for (auto: " + number(std::round(fitting)) +
+         " N/m); light feet hammer on such ground";
+}
+
 void check_standing(const Model& model, const Standing& standing) {
   const bool floats = floating_base(model) != nullptr;
   if (!floats && standing.stands())
@@ -60,6 +72,13 @@ void check_standing(const Model& model, const Standing& standing) {
     throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
                                             number(standing.half_y) +
                                             " m; wanted both of a sole, or neither of a ball");
+  constexpr std::size_t balls = 3;  // whose middles span more than a line
+  if (standing.stands() && !standing.has_soles() && standing.feet.size() < balls)
+    throw EntryError("standing.feet",
+                     std::to_string(standing.feet.size()) + " point feet, on which robot " +
+                         in_quotes(model.name) +
+                         " cannot stand still without stepping; wanted three of them, or soles "
+                         "(half_x, half_y)");
 }
 
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,

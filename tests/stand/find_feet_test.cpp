@@ -140,8 +140,9 @@ TEST(FindFeet, SoleWithoutPrimitives_SizeOfItsInertiaOrOfTheRobot) {
   ASSERT_TRUE(feet);
   EXPECT_EQ(feet->frames, (Names{"leg0_sole", "leg1_sole"}));
   EXPECT_EQ(feet->size_from, Feet::Size::Inertia);
-  // 0.8 of the box of 1 kg with those moments.
-  EXPECT_NEAR(feet->half_x, 0.4 * std::sqrt(6.0 * (0.0042 + 0.005 - 0.001)), 1e-9);
+  // The box of 1 kg with those moments is 0.22 m long, and 0.1 m wide.
+  EXPECT_NEAR(feet->half_x, 0.125 * 0.75, 1e-9) << "a quarter of the height at most";
+  EXPECT_NEAR(feet->half_y, 0.5 * std::sqrt(6.0 * (0.001 + 0.005 - 0.0042)), 1e-9);
   expect_words(feet_text(*feet), {"from the inertia of the foot"});
 }
 
