@@ -32,6 +32,8 @@ class Holding {
   /// 0), with what the other joints of a robot with loops, or on supports, lay on them. Null where
   /// they cannot be evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
+  /// What ankles may do, which holds for plans too.
+  const SoleLimits& soles() const noexcept { return soles_; }
 
  private:
   bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;

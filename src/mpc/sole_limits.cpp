@@ -37,7 +37,8 @@ std::pair<double, double> moments_of_corners(const residual::CenterOfPressure& s
 SoleLimits::SoleLimits(const MpcSpec& spec) {
   const Model& model = spec.problem.model;
   if (!spec.support_sensors || !model.loops.empty()) return;
-  constexpr double near = 0.15;    // of the base's height, that an ankle is above its sole
+  constexpr double near =
+      0.3;  // of the height of the centre of mass, that an ankle is off its sole
   constexpr double upright = 0.8;  // cosine: axes of the yaw of a foot move no pressure
   constexpr double stretch = 1.0;  // rad, that a foot which hangs may be off
   const Eigen::VectorXd q = spec.problem.initial_state.head(model.nq);

@@ -178,6 +178,10 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
   mpc.slip = standing.slip;
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
+  // N, that a foot bears whose slip counts: 30 N of the shipped quadruped's 49 N.
+  constexpr double slip_share = 0.612;
+  mpc.slip.load =
+      std::min(mpc.slip.load, slip_share * weight_per_foot(mpc.problem.model, standing));
 }
 
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
@@ -267,13 +271,16 @@ std::vector<Constraint> standing_constraints(const Model& model, const Standing&
   std::vector<Constraint> rows;
   Vector6 least = Vector6::Constant(-std::numeric_limits<double>::infinity());
   least[2] = least_load_of(model, standing);
+  // N, of a load that is off: twice what a light robot's foot bears.
+  constexpr double most_scale = 100.0, scale_share = 2.04;
+  const double scale = std::min(most_scale, scale_share * weight_per_foot(model, standing));
   for (const ContactSpec& foot : feet) {
     rows.push_back({.name = "friction of " + foot.name,
                     .residual = residual::FrictionCone{foot.name, standing.plan_friction}});
     rows.push_back({.name = "load of " + foot.name,
                     .residual = residual::ContactForce{foot.name},
                     .lower = held_of(foot, least),
-                    .scale = Eigen::VectorXd::Constant(foot.directions.count(), 100.0)});
+                    .scale = Eigen::VectorXd::Constant(foot.directions.count(), scale)});
     if (!standing.has_soles()) continue;
     rows.push_back(
         {.name = "pressure of " + foot.name,

@@ -276,8 +276,8 @@ std::string biped(double size, const std::string& more = "") {
            joint(s + "_knee", s + "_3", s + "_4", 0.0, -0.4, "0 1 0", -0.2, 2.2, 300.0) +
            joint(s + "_ankle", s + "_4", s + "_foot", 0.0, -0.4, "0 1 0", -1.0, 0.7, 100.0) +
            "<link name='" + s + "_sole'/><joint name='" + s + "_s' type='fixed'><parent link='" +
-           s + "_foot'/><child link='" + s + "_sole'/><origin xyz='0.03 0 " + text(-0.06 * size) +
-           "'/></joint>";
+           s + "_foot'/><child link='" + s + "_sole'/><origin xyz='" + text(0.03 * size) + " 0 " +
+           text(-0.06 * size) + "'/></joint>";
   return all + more + "</robot>";
 }
 
@@ -323,7 +323,7 @@ TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
 
 TEST_F(Stand, stands_with_one_file_whether_it_weighs_little_or_much) {
   const testing::Scratch scratch;
-  for (const double size : {0.5, 1.53}) {  // 6 kg and 175 kg
+  for (const double size : {0.274, 0.5, 1.53}) {  // 1 kg, 6 kg and 175 kg
     const RunResult result = run(biped_task(
         scratch.write("biped.urdf", biped(size)).string(), size,
         {"controller.update_rate=200", "controller.solver_delay=0.005", "controller.knots=30",
