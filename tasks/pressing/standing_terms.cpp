@@ -66,6 +66,10 @@ void check_standing(const Model& model, const Standing& standing) {
                          " floats free, and nothing holds it while it presses; wanted "
                          "standing.feet, the frames that it stands on, or a fixed base, as "
                          "a variant of its settings may have");
+  if (standing.feet == std::vector<std::string>{"auto"})
+    throw EntryError("standing.feet",
+                     "it is auto, which `task: stand` alone takes; wanted frames of robot " +
+                         in_quotes(model.name));
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
   if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
