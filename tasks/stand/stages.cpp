@@ -116,11 +116,12 @@ Eigen::Matrix3d heading_of(const Eigen::Matrix3d& R_base) {
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The task's posture. Where its feet are of another robot, and the posture is too: one that is
-/// searched.
+/// The task's posture; one that is searched where the robot does not have it, and either has no
+/// postures at all or feet that were found.
 std::string posture_of(const Task& task, Setting& s) {
-  if (s.standing.feet == task.standing.feet || task.posture.empty() ||
-      task.posture == searched_posture || s.robot.postures.contains(task.posture))
+  const bool is_of_another = s.robot.postures.empty() || s.standing.feet != task.standing.feet;
+  if (!is_of_another || task.posture.empty() || task.posture == searched_posture ||
+      s.robot.postures.contains(task.posture))
     return task.posture;
   s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
                     in_quotes(task.posture) + "; one was searched");

@@ -371,6 +371,14 @@ TEST_F(Stand, NarrowSoles_HeldAtFirstWithoutTipping) {
   EXPECT_TRUE(result.done) << result.outcome;
 }
 
+TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
+  const testing::Scratch scratch;
+  Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
+  task.posture = "standing_board";
+  expect_words(notes_text(task, make_setting(task)),
+               {"posture: robot 'biped' does not have 'standing_board'; one was searched"});
+}
+
 TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
   const Task stiff = short_task(quadruped, {"standing.stiffness=1e7"});
   expect_words(notes_text(stiff, make_setting(stiff)),
