@@ -25,10 +25,12 @@ struct FootPosture {
 };
 
 /// nq: by damped least squares from q on, joints within their ranges; nothing where feet or trunk
-/// stay off their places by more than `tolerance`, m and rad.
+/// stay off their places by more than `tolerance`, m and rad. `last`: set to where it ended, unless
+/// null.
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
                                                const FootPosture& wanted, const Eigen::VectorXd& q,
-                                               double tolerance = 1e-4);
+                                               double tolerance = 1e-4,
+                                               Eigen::VectorXd* last = nullptr);
 
 /// nq: a posture to stand in, for a robot without any. The base is upright as in the neutral
 /// configuration, the feet are level where they are there seen from above, the centre of mass is

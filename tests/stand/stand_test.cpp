@@ -371,6 +371,19 @@ TEST_F(Stand, NarrowSoles_HeldAtFirstWithoutTipping) {
   EXPECT_TRUE(result.done) << result.outcome;
 }
 
+TEST(StandRobot, LegsThatReachNoPosture_RefusalNamesJointsAtTheirLimits) {
+  const testing::Scratch scratch;
+  std::string text = biped(1.0);
+  for (std::size_t at = text.find("_ankle' type"); at != std::string::npos;
+       at = text.find("_ankle' type", at + 1)) {
+    const std::size_t lower = text.find("lower='-1.0", at);
+    text.replace(lower, text.find("' upper", lower) - lower, "lower='0.6");
+  }
+  const Task task = biped_task(scratch.write("biped.urdf", text).string(), 1.0);
+  expect_words(refusal([&] { make_setting(task); }),
+               {"posture: no posture was found", "ended at limits of '", "'l_ankle'"});
+}
+
 TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
   const testing::Scratch scratch;
   Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
