@@ -66,7 +66,9 @@ bool equal(const Model& a, const Model& b) {
 }
 bool equal(const Robot& a, const Robot& b) {
   return equal(a.model, b.model) && a.postures == b.postures &&
-         a.default_posture == b.default_posture && a.warnings == b.warnings && a.notes == b.notes;
+         a.default_posture == b.default_posture &&
+         same(py::cast(a.collisions), py::cast(b.collisions)) && a.warnings == b.warnings &&
+         a.notes == b.notes;
 }
 /// Against another of the class; Python decides about the rest.
 template <class Machine>
@@ -121,6 +123,9 @@ void bind_robot(py::module_& m) {
           "default_posture", [](const Robot& robot) { return robot.default_posture; },
           "Name in postures, or empty.")
       .def_property_readonly(
+          "collisions", [](const Robot& robot) { return robot.collisions; },
+          "Collision geometry of a URDF file; no dynamics uses it.")
+      .def_property_readonly(
           "warnings", [](const Robot& robot) { return robot.warnings; },
           "What is odd about its files but computes, one sentence each.")
       .def_property_readonly(
@@ -145,13 +150,15 @@ void bind_robot(py::module_& m) {
       .def(py::pickle(
           [](const Robot& robot) {
             return py::make_tuple(model_state(robot.model), robot.postures, robot.default_posture,
-                                  robot.warnings, robot.notes);
+                                  robot.collisions, robot.warnings, robot.notes);
           },
           [](const py::tuple& state) {
-            return Robot{model_of(state[0]), py::cast<std::map<std::string, Posture>>(state[1]),
+            return Robot{model_of(state[0]),
+                         py::cast<std::map<std::string, Posture>>(state[1]),
                          py::cast<std::string>(state[2]),
-                         py::cast<std::vector<std::string>>(state[3]),
-                         py::cast<std::vector<std::string>>(state[4])};
+                         py::cast<std::vector<Visual>>(state[3]),
+                         py::cast<std::vector<std::string>>(state[4]),
+                         py::cast<std::vector<std::string>>(state[5])};
           }));
 
   m.def(

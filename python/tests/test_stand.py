@@ -43,11 +43,18 @@ def test_a_run_has_its_figures_and_travels():
     assert stand.phase_names() == ["settle", "sway", "rest"]
 
 
+def test_finds_the_feet_of_another_robot():
+    setting = stand.make_setting(stand.make_task(SHIPPED, robot="talos"))
+    assert setting.standing.feet == ["left_sole_link", "right_sole_link"]
+    assert setting.standing.half_x == pytest.approx(0.105)
+    assert "(found)" in setting.notes[0]
+
+
 @pytest.mark.parametrize("work, words", [
     (lambda: stand.make_task(sways=3), "no entry 'sways'"),
     (lambda: stand.make_task(overrides=["sways=3"]), "did you mean 'sway'"),
     (lambda: stand.make_task(SHIPPED, sway_duration=1.0), "sway.rise: it is 1.5 s"),
-    (lambda: stand.make_setting(stand.make_task(SHIPPED, robot="talos")), "left_sole_link"),
+    (lambda: stand.make_setting(stand.make_task(SHIPPED, robot="arm7")), "no feet were found"),
     (lambda: stand.run(SHIPPED, overrides=["sway.shift=[0, 0.2, 0]", "sway.fit=false"]), "cannot stand"),
     (lambda: stand.run(SHIPPED, plant="ideal"), "no supports"),
     (lambda: stand.read_task("nowhere.yaml"), "nowhere.yaml"),

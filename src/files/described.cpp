@@ -92,7 +92,10 @@ void read_value(const Field& field, const ValueType& type, void* at, const Reade
       Eigen::Map<Eigen::VectorXd>(type.numbers(at), type.rows).setZero();
       return;
     case Kind::List:
-      return read_list(field, type, at, reader);
+      if (!is_word) return read_list(field, type, at, reader);
+      type.resize(at, 1);  // of texts: the word alone
+      *static_cast<std::string*>(type.entry(at, 0)) = field.word;
+      return;
     case Kind::Map:
       return read_map(field, type, at, reader);
     case Kind::Optional:
@@ -118,6 +121,9 @@ std::string struct_text(const Description& description, const void* spec) {
 }
 
 std::string list_text(const Field& field, const ValueType& type, void* at) {
+  if (!field.word.empty() && type.element().kind == Kind::Text && type.size(at) == 1 &&
+      *static_cast<const std::string*>(type.entry(at, 0)) == field.word)
+    return field.word;
   std::string text;
   for (std::size_t i = 0; i < type.size(at); ++i)
     text += (i == 0 ? "" : ", ") + value_text(field, type.element(), type.entry(at, i));

@@ -17,6 +17,7 @@ Holding::Holding(const MpcSpec& spec, std::vector<int> actuated)
       tree_(spec.problem.model),
       is_closed_(!spec.problem.model.loops.empty() || !supports_of(spec).empty()),
       free_(closed_dynamics(spec.problem.model, supports_of(spec))),
+      soles_(spec),
       open_(spec.problem.model),
       share_(Eigen::VectorXd::Ones(spec.problem.model.nv)),
       gravity_(spec.problem.model.gravity.norm()),
@@ -178,6 +179,7 @@ void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fr
     for (const int j : actuated_) tau[k] -= fallback_.damping * mass_(k, j) * v[j];
     if (held) tau[k] -= pull_[k];
   }
+  soles_.keep(wrenches, tau);
   if (lost_ >= 0) tau[lost_] = 0.0;
 }
 

@@ -6,6 +6,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "dynamics/tree.hpp"
+#include "mpc/sole_limits.hpp"
 
 namespace burnish {
 
@@ -31,6 +32,8 @@ class Holding {
   /// 0), with what the other joints of a robot with loops, or on supports, lay on them. Null where
   /// they cannot be evaluated.
   const Eigen::VectorXd* at_rest(const Eigen::VectorXd& q) noexcept;
+  /// What ankles may do, which holds for plans too.
+  const SoleLimits& soles() const noexcept { return soles_; }
 
  private:
   bool stretch(const Eigen::VectorXd& q, bool fresh) noexcept;
@@ -54,6 +57,7 @@ class Holding {
     std::vector<char> carries;  ///< nv: whether the entry is between it and the base
   };
   std::vector<Foot> feet_;
+  SoleLimits soles_;
   ContactDynamics open_;    ///< the robot in the air
   Eigen::VectorXd share_;   ///< nv, of what stands: 1, of what hangs: 0
   double gravity_;          ///< m/s^2

@@ -53,6 +53,10 @@ JointFriction::JointFriction(const MpcSpec& spec)
       speeds_(torques_),
       speed_(torque_) {
   const std::vector<char> closed = in_closed_chains(spec);
+  // m: an effort that lifts the robot's weight on such an arm, such as 1e9 Nm, stands for none.
+  constexpr double longest_arm = 100.0;
+  const Model& model = spec.problem.model;
+  const double unlimited = longest_arm * model.total_mass() * model.gravity.norm();
   for (std::size_t j = 0; j < closed.size(); ++j) {
     const burnish::Joint& of = spec.problem.model.joints[j];
     if (of.kind == JointKind::FreeFlyer || of.follows || closed[j] != 0) continue;
@@ -60,7 +64,7 @@ JointFriction::JointFriction(const MpcSpec& spec)
       Joint& joint = joints_[static_cast<std::size_t>(k)];
       joint.driven = true;
       const double effort = spec.problem.model.effort_limit[k];
-      if (std::isfinite(effort) && effort > 0.0) joint.prior = 0.03 * effort;
+      if (effort > 0.0 && effort < unlimited) joint.prior = 0.03 * effort;
     }
   }
   reset();

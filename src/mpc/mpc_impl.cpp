@@ -424,6 +424,7 @@ void MpcController::Impl::control() noexcept {
     policy.add_feedforward(i, friction);
     command_.tau[k] = u_[i] + friction;
   }
+  holding_.soles().keep(gate.last().support_wrenches, command_.tau);
   holding_.release();
 }
 

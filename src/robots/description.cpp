@@ -27,6 +27,10 @@ std::string_view outermost_element(std::string_view text) {
 }  // namespace
 
 TreeSpec read_description(const std::filesystem::path& file) {
+  return read_robot_description(file).tree;
+}
+
+RobotDescription read_robot_description(const std::filesystem::path& file) {
   const std::string text = read_text(file, "URDF or MJCF file");
   const std::string name = file.string();
   if (text.starts_with("#usda") || text.starts_with("PXR-USDC"))
@@ -40,8 +44,8 @@ TreeSpec read_description(const std::filesystem::path& file) {
     refuse(name,
            "its outermost element is <mujocoinclude>: it is a part of a model; wanted the file "
            "that includes it");
-  if (outermost == "mujoco") return mjcf::read_model(text, name, file.parent_path());
-  return parse_urdf(text, name);
+  if (outermost == "mujoco") return {mjcf::read_model(text, name, file.parent_path())};
+  return {parse_urdf(text, name), parse_collisions(text, name)};
 }
 
 std::string description_key(const std::filesystem::path& file) {

@@ -12,6 +12,7 @@
 
 #include "base/findings.hpp"
 #include "base/sentence.hpp"
+#include "base/text_file.hpp"
 #include "burnish/contact/loops.hpp"
 #include "burnish/mjcf/mjcf.hpp"
 #include "burnish/urdf/urdf.hpp"
@@ -334,6 +335,26 @@ void check_loops_closed(const Robot& robot, Findings& findings) {
   }
 }
 
+RobotDescription read_urdf_file(const fs::path& file) {
+  const std::string text = read_text(file, "URDF file");
+  return {parse_urdf(text, file.string()), parse_collisions(text, file.string())};
+}
+
+/// Solids of links on the bodies that carry them.
+std::vector<Visual> on_bodies(const std::vector<LinkSolid>& solids, const Model& model) {
+  std::map<std::string, const Frame*> links;
+  for (const Frame& frame : model.frames)
+    if (frame.kind == FrameKind::Link) links.emplace(frame.name, &frame);
+  std::vector<Visual> placed;
+  for (const LinkSolid& solid : solids) {
+    const auto link = links.find(solid.link);
+    if (link == links.end()) continue;
+    placed.push_back({solid.link, link->second->body, link->second->placement * solid.placement,
+                      solid.shape, VisualSpec{}.rgba});
+  }
+  return placed;
+}
+
 /// share/burnish/robots in the folder of the program or library that this code is part of, or in
 /// one of the folders around it: where an installation has it, wherever it was moved to.
 std::optional<fs::path> robots_beside_the_library() {
@@ -475,10 +496,13 @@ Robot load_robot(const std::string& name, const RobotOverrides& overrides) {
   SrdfFile srdf{overrides.srdf, true};
   if (srdf.file.empty() && settings.srdf) srdf.file = folder / *settings.srdf;
   if (srdf.file.empty() && !is_settings(place.file)) srdf = {srdf_of(place.file), false};
-  TreeSpec tree = settings.urdf   ? read_urdf(folder / *settings.urdf)
-                  : settings.mjcf ? read_mjcf(folder / *settings.mjcf)
-                                  : read_description(place.file);
-  return make_robot(std::move(settings), applying, place.file.string(), std::move(tree), srdf);
+  RobotDescription file = settings.urdf   ? read_urdf_file(folder / *settings.urdf)
+                          : settings.mjcf ? RobotDescription{read_mjcf(folder / *settings.mjcf)}
+                                          : read_robot_description(place.file);
+  Robot robot =
+      make_robot(std::move(settings), applying, place.file.string(), std::move(file.tree), srdf);
+  robot.collisions = on_bodies(file.collisions, robot.model);
+  return robot;
 }
 
 }  // namespace burnish

@@ -95,6 +95,16 @@ TreeSpec parse_urdf(const std::string& xml, const std::string& source) {
   return tree;
 }
 
+std::vector<LinkSolid> parse_collisions(const std::string& xml, const std::string& source) {
+  tinyxml2::XMLDocument document;
+  const XMLElement& robot = parse_robot_xml(document, xml, source, "URDF");
+  std::vector<LinkSolid> solids;
+  for (const XMLElement* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link"))
+    read_collisions(*link, solids);
+  return solids;
+}
+
 TreeSpec read_urdf(const std::filesystem::path& file) {
   return parse_urdf(read_text(file, "URDF file"), file.string());
 }

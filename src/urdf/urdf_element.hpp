@@ -8,6 +8,7 @@
 
 #include "base/findings.hpp"
 #include "burnish/model/tree_spec.hpp"
+#include "urdf/collisions.hpp"
 #include "urdf/xml_element.hpp"
 
 namespace burnish {
@@ -21,6 +22,9 @@ Colours read_colours(const tinyxml2::XMLElement& robot);
 /// A link. What is wrong with its inertia is noted; a visual that cannot be drawn is left out, with
 /// a warning unless it is empty. Throws Error where the link has no name.
 LinkSpec read_link(const tinyxml2::XMLElement& element, const Colours& colours, Findings& findings);
+
+/// Adds the solids of its <collision> elements to `solids`. Those that cannot be read are left out.
+void read_collisions(const tinyxml2::XMLElement& element, std::vector<LinkSolid>& solids);
 
 /// A joint. What is wrong with its figures is noted; of a fixed joint what it has none of is not
 /// looked at. Throws Error where its name, its type or one of its links is missing.

@@ -118,7 +118,37 @@ void add_visual(const XMLElement& element, const Colours& colours, const XmlPlac
   visuals.push_back(std::move(visual));
 }
 
+void add_collision(const XMLElement& element, const XmlPlace& place,
+                   std::vector<LinkSolid>& solids) {
+  const XMLElement* geometry = element.FirstChildElement("geometry");
+  const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  if (shape == nullptr) return;
+  const Eigen::Isometry3d placement = read_origin(element, place);
+  if (std::string_view(shape->Name()) != "capsule") {
+    solids.push_back({place.element, read_shape(*shape, place), placement});
+    return;
+  }
+  const double radius = size_of(*shape, "radius", place), length = size_of(*shape, "length", place);
+  solids.push_back({place.element, CylinderShape{radius, length}, placement});
+  for (const double end : {-0.5 * length, 0.5 * length})
+    solids.push_back(
+        {place.element, SphereShape{radius}, placement * Eigen::Translation3d(0.0, 0.0, end)});
+}
+
 }  // namespace
+
+void read_collisions(const XMLElement& element, std::vector<LinkSolid>& solids) {
+  const char* name = element.Attribute("name");
+  if (name == nullptr) return;
+  for (const XMLElement* collision = element.FirstChildElement("collision"); collision != nullptr;
+       collision = collision->NextSiblingElement("collision")) {
+    try {
+      add_collision(*collision, {"", name}, solids);
+    } catch (const Error&) {
+      // Nothing that is computed needs it.
+    }
+  }
+}
 
 Colours read_colours(const XMLElement& robot) {
   Colours colours;

@@ -150,10 +150,37 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   return end;
 }
 
+namespace {
+
+/// "; the fastest joint before: 'knee', 120 rad/s", of the last row that is finite.
+std::string fastest_joint(const Trace& trace) {
+  for (int row = trace.rows() - 1; row >= 0; --row) {
+    std::string joint, unit;
+    double fastest = 0.0;
+    bool finite = true;
+    for (std::size_t c = 0; c < trace.columns().size(); ++c) {
+      const TraceColumn& column = trace.columns()[c];
+      if (!column.name.starts_with("v_")) continue;
+      const double speed = std::abs(trace.at(row, static_cast<int>(c)));
+      finite = finite && std::isfinite(speed);
+      if (!(speed > fastest)) continue;
+      fastest = speed;
+      joint = column.name.substr(2);
+      unit = column.unit;
+    }
+    if (finite && !joint.empty())
+      return "; the fastest before: " + in_quotes(joint) + ", " + number(fastest) + " " + unit;
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::string& phase) {
   const std::string when = " at " + number(end.time) + " s";
   if (result.plant_status > Status::NotConverged)
-    return "the plant failed" + when + ": " + std::string(describe(result.plant_status));
+    return "the plant failed" + when + ": " + std::string(describe(result.plant_status)) +
+           fastest_joint(result.trace);
   if (result.fault.kind != FaultKind::None)
     return result.fault.text() +
            (result.standing ? fell(*result.standing) ? "; it fell" : "; it stands" : "");

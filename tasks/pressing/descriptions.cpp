@@ -81,7 +81,10 @@ const Description& description_of(const Standing* /*of*/) {
                   "Feet on level ground, where they are in the starting posture. Plans hold them "
                   "still within the friction and the pressure that these bear; the plant's ground "
                   "can only push and rub.")
-          .field("feet", &S::feet, "frames of the feet; none: the base is fixed")
+          .field("feet", &S::feet,
+                 "frames of the feet; auto: found in the description, with their sizes; none: the "
+                 "base is fixed")
+          .word("auto")
           .field("half_x", &S::half_x,
                  "{m}, half the side of a sole along x of its frame, about its origin; 0: a ball",
                  size)

@@ -156,7 +156,7 @@ std::string base_frame(const Model& model) {
 
 std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standing& standing,
                                                const FootPosture& wanted, const Eigen::VectorXd& q,
-                                               double tolerance) {
+                                               double tolerance, Eigen::VectorXd* last) {
   constexpr int most = 200;
   constexpr double longest = 0.2, damping = 1e-4;
   OffPlace off(model, standing, wanted);
@@ -167,6 +167,7 @@ std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standin
   Eigen::VectorXd at = q;
   for (int i = 0; i < most; ++i) {
     clamp(model, at);
+    if (last != nullptr) *last = at;
     if (!off.look(at)) return std::nullopt;
     if (off.error.cwiseAbs().maxCoeff() < tolerance) return at;
     const Eigen::VectorXd dq = goes.cwiseProduct(
@@ -179,10 +180,31 @@ std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standin
 
 namespace {
 
+/// "; joints 'knee' and 'ankle' came to their limits" of the legs at q; empty: none did.
+std::string joints_at_limits(const Model& model, const Standing& standing,
+                             const Eigen::VectorXd& q) {
+  constexpr double near = 1e-6;
+  constexpr std::size_t most = 4;
+  if (q.size() != model.nq) return "";
+  const std::vector<bool> leg = entries_of_legs(model, standing);
+  std::vector<std::string> names;
+  for (const Joint& joint : model.joints) {
+    const int k = joint.q_index;
+    if (ocp::has_position_limit(model, joint) && leg[static_cast<std::size_t>(joint.v_index)] &&
+        (q[k] < model.q_lower[k] + near || q[k] > model.q_upper[k] - near))
+      names.push_back(in_quotes(joint.name));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most) text += " and others";
+  return text.empty() ? "" : "; the search ended at limits of " + text;
+}
+
 /// The posture that takes the least torque with the base lower by `crouch`; nothing where none was
-/// found.
+/// found. `last`: where the search ended.
 std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standing& standing,
-                                                double crouch) {
+                                                double crouch, Eigen::VectorXd& last) {
   const Eigen::VectorXd& q = model.q_neutral;
   const Eigen::Isometry3d base = frame_placement(model, q, base_frame(model));
   FootPosture wanted{.R_base = base.linear(), .com = Eigen::Vector3d::Zero()};
@@ -196,13 +218,16 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
     wanted.com += foot.translation() / static_cast<double>(wanted.feet.size());
   }
   wanted.base_height = ground + (1.0 - crouch) * (base.translation().z() - ground);
-  // Straight legs do not know which way to bend.
+  constexpr double tolerance = 1e-4;
+  // The trunk and the arms stay as they are where the legs alone get there. Straight legs do not
+  // know which way to bend.
   std::optional<Eigen::VectorXd> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const double others : {1.0, 0.1}) {
+  for (const double others : {0.0, 0.1, 1.0}) {
     wanted.others = others;
     for (const double way : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-      auto found = posture_on_feet(model, standing, wanted, bent(model, standing, way));
+      auto found =
+          posture_on_feet(model, standing, wanted, bent(model, standing, way), tolerance, &last);
       if (!found) continue;
       const double torque = torque_at(model, standing, *found);
       if (torque < least) best = std::move(found);
@@ -217,20 +242,33 @@ std::optional<Eigen::VectorXd> posture_lower_by(const Model& model, const Standi
 
 Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, double crouch) {
   constexpr double less = 0.7;
-  constexpr int most = 4;  // times less: a quarter of it
-  const auto found = posture_lower_by(model, standing, crouch);
-  if (!found)
-    throw Error("no posture was found that has the feet level, the base upright and lower by " +
-                number(crouch) +
-                " of its height above them (crouch), and the centre of mass above "
-                "their middle; wanted one of the robot's settings, or another crouch");
-  if (has_room(model, standing, *found)) return *found;
-  for (int i = 0; i < most; ++i) {
-    crouch *= less;
-    auto higher = posture_lower_by(model, standing, crouch);
-    if (higher && has_room(model, standing, *higher)) return *higher;
+  constexpr int most = 5;  // tries, the last but one at a third of it; then on straight legs
+  std::optional<Eigen::VectorXd> first;
+  Eigen::VectorXd last;
+  double lower = crouch;
+  for (int i = 0; i < most; ++i, lower = i + 1 < most ? lower * less : 0.0) {
+    auto found = posture_lower_by(model, standing, lower, last);
+    if (found && has_room(model, standing, *found)) return *found;
+    if (!first) first = std::move(found);
   }
-  return *found;
+  if (first) return *first;
+  throw Error("no posture was found that has the feet level, the base upright and lower by " +
+              number(crouch) +
+              " of its height above them (crouch) or less, and the centre of mass above their "
+              "middle" +
+              joints_at_limits(model, standing, last) +
+              "; wanted one of the robot's settings, or another crouch");
+}
+
+double crouch_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {
+  const std::string base = base_frame(model);
+  const auto height = [&](const Eigen::VectorXd& at) {
+    double ground = std::numeric_limits<double>::infinity();
+    for (const std::string& foot : standing.feet)
+      ground = std::min(ground, frame_placement(model, at, foot).translation().z());
+    return frame_placement(model, at, base).translation().z() - ground;
+  };
+  return 1.0 - height(q) / height(model.q_neutral);
 }
 
 }  // namespace burnish::pressing

@@ -26,6 +26,32 @@ std::vector<bool> legs_of(const Model& model, const Standing& standing) {
   return leg;
 }
 
+constexpr double finger_mass = 0.01;  // of the robot's, that a finger weighs at most
+
+/// Whether each joint of the model is one of a finger.
+std::vector<bool> are_of_fingers(const Model& model) {
+  const std::size_t count = model.joints.size();
+  std::vector<double> carried(count, 0.0);  // kg, the joint's body and all beyond
+  for (std::size_t i = count; i-- > 0;) {   // a parent comes before its children
+    carried[i] += model.joints[i].mass;
+    if (const int parent = model.joints[i].parent; parent >= 0)
+      carried[static_cast<std::size_t>(parent)] += carried[i];
+  }
+  const double most = finger_mass * model.total_mass();
+  std::vector<int> light_branches(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const int parent = model.joints[i].parent; parent >= 0 && carried[i] < most)
+      ++light_branches[static_cast<std::size_t>(parent)];
+  std::vector<bool> finger(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = model.joints[i].parent;
+    if (parent < 0) continue;
+    const auto p = static_cast<std::size_t>(parent);
+    finger[i] = finger[p] || (carried[i] < most && light_branches[p] > 1);
+  }
+  return finger;
+}
+
 /// nv: what a torque at that entry alone has to move, kg m^2 (kg).
 Eigen::VectorXd moved_inertia(const Robot& robot) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(robot.model.nv);
@@ -46,10 +72,14 @@ std::vector<std::string> light_joints(const Robot& robot, const Standing& standi
   if (!model.loops.empty()) return light;
   const std::vector<bool> leg = legs_of(model, standing);
   const Eigen::VectorXd inertia = moved_inertia(robot);
-  for (const Joint& joint : model.joints)
-    if (joint.nv == 1 && !leg[static_cast<std::size_t>(joint.v_index)] &&
-        inertia[joint.v_index] < least_inertia)
+  const std::vector<bool> finger = are_of_fingers(model);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (joint.nv != 1 || leg[static_cast<std::size_t>(joint.v_index)]) continue;
+    if (inertia[joint.v_index] < least_inertia ||
+        (finger[i] && model.armature[joint.v_index] == 0.0))
       light.push_back(joint.name);
+  }
   return light;
 }
 
@@ -62,8 +92,8 @@ Robot light_joints_locked(Robot robot, const std::string& name, const Standing& 
   for (std::size_t i = 0; i < std::min(most, light.size()); ++i)
     text += (i == 0 ? light.size() > 1 ? "s " : " " : ", ") + in_quotes(light[i]);
   if (light.size() > most) text += " and " + std::to_string(light.size() - most) + " others";
-  robot.notes.push_back(text + ", which move less than " + number(least_inertia) +
-                        " kg m^2, so that their motors' noise throws them about; an armature in "
+  robot.notes.push_back(text + ", fingers or what moves less than " + number(least_inertia) +
+                        " kg m^2, so that motors' noise throws it about; an armature in "
                         "robot.yaml (joints:) leaves them free");
   return robot;
 }

@@ -9,9 +9,10 @@
 
 namespace burnish::pressing {
 
-/// Names of joints outside every chain from the base to a foot, such as fingers, whose effective
-/// inertia at the reference posture, armature included, is below 3e-4 [kg m^2 or kg]. Empty for
-/// robots with loops. Throws Error for a posture that cannot be evaluated.
+/// Names of joints outside every chain from the base to a foot whose effective inertia at the
+/// reference posture, armature included, is below 3e-4 [kg m^2 or kg], and of fingers without an
+/// armature: all beyond a link that carries two or more branches of less than 1 % of the robot's
+/// mass each. Empty for robots with loops. Throws Error for a posture that cannot be evaluated.
 std::vector<std::string> light_joints(const Robot& robot, const Standing& standing);
 
 /// `robot`, loaded by load_floating(name), with those joints locked, and a note that says so.

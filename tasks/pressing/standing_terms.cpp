@@ -43,6 +43,18 @@ Ground ground_of(const Model& model, const Standing& standing) {
 
 }  // namespace
 
+std::string ground_note(const Model& model, const Standing& standing) {
+  constexpr double most = 10.0;
+  Standing by_weight = standing;
+  by_weight.stiffness = std::nullopt;
+  const double fitting = ground_of(model, by_weight).stiffness;
+  if (!standing.stands() || standing.stiffness.value_or(fitting) < most * fitting) return "";
+  return "standing.stiffness: " + number(*standing.stiffness) + " N/m is " +
+         number(std::round(*standing.stiffness / fitting)) +
+         " times what the weight asks for (auto: " + number(std::round(fitting)) +
+         " N/m); light feet hammer on such ground";
+}
+
 void check_standing(const Model& model, const Standing& standing) {
   const bool floats = floating_base(model) != nullptr;
   if (!floats && standing.stands())
@@ -54,12 +66,23 @@ void check_standing(const Model& model, const Standing& standing) {
                          " floats free, and nothing holds it while it presses; wanted "
                          "standing.feet, the frames that it stands on, or a fixed base, as "
                          "a variant of its settings may have");
+  if (standing.feet == std::vector<std::string>{"auto"})
+    throw EntryError("standing.feet",
+                     "it is auto, which `task: stand` alone takes; wanted frames of robot " +
+                         in_quotes(model.name));
   for (const std::string& foot : standing.feet)
     if (!model.has_frame(foot)) throw EntryError("standing.feet", "frame " + none_of(model, foot));
   if ((standing.half_x > 0.0) != (standing.half_y > 0.0))
     throw EntryError("standing.half_x", "half sides of " + number(standing.half_x) + " and " +
                                             number(standing.half_y) +
                                             " m; wanted both of a sole, or neither of a ball");
+  constexpr std::size_t balls = 3;  // whose middles span more than a line
+  if (standing.stands() && !standing.has_soles() && standing.feet.size() < balls)
+    throw EntryError("standing.feet",
+                     std::to_string(standing.feet.size()) + " point feet, on which robot " +
+                         in_quotes(model.name) +
+                         " cannot stand still without stepping; wanted three of them, or soles "
+                         "(half_x, half_y)");
 }
 
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
@@ -159,6 +182,10 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
   mpc.slip = standing.slip;
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
+  // N, that a foot bears whose slip counts: 30 N of the shipped quadruped's 49 N.
+  constexpr double slip_share = 0.612;
+  mpc.slip.load =
+      std::min(mpc.slip.load, slip_share * weight_per_foot(mpc.problem.model, standing));
 }
 
 std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
@@ -248,13 +275,16 @@ std::vector<Constraint> standing_constraints(const Model& model, const Standing&
   std::vector<Constraint> rows;
   Vector6 least = Vector6::Constant(-std::numeric_limits<double>::infinity());
   least[2] = least_load_of(model, standing);
+  // N, of a load that is off: twice what a light robot's foot bears.
+  constexpr double most_scale = 100.0, scale_share = 2.04;
+  const double scale = std::min(most_scale, scale_share * weight_per_foot(model, standing));
   for (const ContactSpec& foot : feet) {
     rows.push_back({.name = "friction of " + foot.name,
                     .residual = residual::FrictionCone{foot.name, standing.plan_friction}});
     rows.push_back({.name = "load of " + foot.name,
                     .residual = residual::ContactForce{foot.name},
                     .lower = held_of(foot, least),
-                    .scale = Eigen::VectorXd::Constant(foot.directions.count(), 100.0)});
+                    .scale = Eigen::VectorXd::Constant(foot.directions.count(), scale)});
     if (!standing.has_soles()) continue;
     rows.push_back(
         {.name = "pressure of " + foot.name,

@@ -24,6 +24,10 @@ void check_standing(const Model& model, const Standing& standing);
 std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
                                      const Eigen::VectorXd& q);
 
+/// A sentence where the stated stiffness is ten times what the weight asks for, or more; else
+/// empty. Light feet hammer on such ground, and a plant's step may be too long for it.
+std::string ground_note(const Model& model, const Standing& standing);
+
 /// What holds its base at first.
 HoistSpec hoist_of(const Model& model, const Standing& standing);
 

@@ -27,9 +27,10 @@ double amplitude(const Sway& sway, int direction) {
 /// What the feet bear at rest within the limits that plans keep.
 pressing::Bearing make_bearing(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
-  pressing::BearingSpec spec{.feet = pressing::within_plans(setting.scene.supports, task.standing),
-                             .least_load = pressing::least_load_of(model, task.standing),
-                             .torque_limit = pressing::torque_limit(model, task.constraints)};
+  pressing::BearingSpec spec{
+      .feet = pressing::within_plans(setting.scene.supports, setting.standing),
+      .least_load = pressing::least_load_of(model, setting.standing),
+      .torque_limit = pressing::torque_limit(model, task.constraints)};
   return {model, spec};
 }
 
@@ -42,7 +43,7 @@ class Reach {
         model_(setting.robot.model),
         bearing_(make_bearing(task, setting)),
         body_(model_) {
-    for (const std::string& foot : task.standing.feet)
+    for (const std::string& foot : setting.standing.feet)
       wanted_.feet.push_back(frame_placement(model_, setting.q_start, foot));
   }
 
@@ -92,7 +93,7 @@ class Reach {
   bool move(const Trunk& trunk, double tolerance, Eigen::VectorXd& q) {
     wanted_.com = trunk.com;
     wanted_.R_base = trunk.base;
-    const auto found = pressing::posture_on_feet(model_, task_.standing, wanted_, q, tolerance);
+    const auto found = pressing::posture_on_feet(model_, setting_.standing, wanted_, q, tolerance);
     if (found) q = *found;
     return found.has_value();
   }
@@ -107,7 +108,7 @@ class Reach {
         entry, "the robot, which weighs " + number(model_.total_mass() * model_.gravity.norm()) +
                    " N, cannot stand " + where + " within what plans keep: in the way is the " +
                    limit +
-                   (loaded ? ", " + number(pressing::least_load_of(model_, task_.standing)) +
+                   (loaded ? ", " + number(pressing::least_load_of(model_, setting_.standing)) +
                                  " N; wanted another posture, or less of standing.least_load"
                            : "; wanted another posture, or less of a sway"));
   }
@@ -123,7 +124,7 @@ class Reach {
 /// The task's sway with shifts that suit the robot's height.
 Sway sway_for_height(const Task& task, const Setting& setting) {
   // Of the height of the centre of mass: a little more than the shipped tasks ask for.
-  const double most = task.standing.has_soles() ? 0.05 : 0.11;
+  const double most = setting.standing.has_soles() ? 0.05 : 0.11;
   const double height = setting.com.z() - setting.scene.surface.point.z();
   Sway sway = task.sway;
   sway.shift = sway.shift.cwiseMin(most * height).cwiseMax(-most * height);

@@ -58,7 +58,8 @@ class Measured {
         base_(states_.body().frame(setting_.base)),
         truth_(trace_, setting_.robot.model, "q_"),
         belief_(trace_, setting_.robot.model, "measured_q_") {
-    for (const std::string& foot : task.standing.feet) feet_.push_back(states_.body().frame(foot));
+    for (const std::string& foot : setting_.standing.feet)
+      feet_.push_back(states_.body().frame(foot));
   }
 
   std::optional<SwayFigures> figures(double until) {
@@ -104,8 +105,8 @@ class Measured {
     turn_.add(turn_between(wanted.base, body.placement(base_).linear()));
     figures_.com_end = (body.com() - setting_.com).norm();
     for (std::size_t i = 0; i < feet_.size(); ++i)
-      figures_.foot_slip =
-          std::max(figures_.foot_slip, slip_of(start_[i], body.placement(feet_[i]), task_));
+      figures_.foot_slip = std::max(
+          figures_.foot_slip, slip_of(start_[i], body.placement(feet_[i]), setting_.standing));
   }
   void compare(int row) {
     place_.add((truth_.place(row) - belief_.place(row)).norm());
@@ -153,17 +154,17 @@ RunResult run_task(const RunSpec& spec) {
   if (spec.check_reach) refuse_out_of_reach(task, setting);
   MpcController mpc(make_mpc(task, setting));
   const double end = setting.sway_end + task.rest_duration;
-  const double longest = task.standing.settle + end;
+  const double longest = setting.standing.settle + end;
   pressing::ClosedRun run{
       .controller = mpc,
       .period = 1.0 / task.tick_rate,
       .model = model,
       .scene = setting.scene,
-      .disturbances = pressing::for_feet(model, task.standing, task.disturbances),
+      .disturbances = pressing::for_feet(model, setting.standing, task.disturbances),
       .q_start = setting.q_start,
       .longest = longest + 1.0,
       .plant = spec.plant,
-      .standing = &task.standing,
+      .standing = &setting.standing,
       .mpc = &mpc,
       .plan_step = task.step,
       .solver_delay = task.solver_delay + task.command_delay,

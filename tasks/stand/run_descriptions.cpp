@@ -24,6 +24,10 @@ const Description& description_of(const Setting* /*of*/) {
                   "A task with everything resolved: robot, start, feet, trunk, phases.")
           .field("robot", &S::robot)
           .required()
+          .field("standing", &S::standing,
+                 "the task's, with feet that were found where it states auto, or frames of which "
+                 "the robot has none")
+          .required()
           .field("q_start", &S::q_start, "nq")
           .required()
           .field("scene", &S::scene,
@@ -42,6 +46,8 @@ const Description& description_of(const Setting* /*of*/) {
           .required()
           .field("com", &S::com, "{m}, centre of mass at the start, world")
           .required()
+          .field("sway", &S::sway, "the task's, within what the feet allow where it is to fit")
+          .field("notes", &S::notes, "sentences about what was found in place of what it says")
           .field("sway_end", &S::sway_end, "{s} of the schedule");
   return all;
 }

@@ -6,9 +6,11 @@
 #include "base/sentence.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "burnish/tasks/pressing/reach.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/foot_contacts.hpp"
 #include "pressing/foot_posture.hpp"
+#include "pressing/found_standing.hpp"
 #include "pressing/light_joints.hpp"
 #include "pressing/stage_terms.hpp"
 #include "pressing/standing_terms.hpp"
@@ -26,7 +28,7 @@ struct Builder {
   const Setting& setting;
   const Model& model;
   /// What the feet hold, as contacts.
-  std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
+  std::vector<ContactSpec> feet = pressing::foot_contacts(model, setting.standing, setting.q_start);
 
   Eigen::VectorXd start_state() const {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(model.nq + model.nv);
@@ -66,8 +68,8 @@ struct Builder {
         {.name = "state", .residual = residual::State{start_state()}, .weights = rows},
         {.name = "turn",
          .residual = residual::FrameRotation{setting.base, base()},
-         .weight = task.standing.base}};
-    for (CostTerm term : pressing::standing_costs(model, task.standing, setting.q_start)) {
+         .weight = setting.standing.base}};
+    for (CostTerm term : pressing::standing_costs(model, setting.standing, setting.q_start)) {
       if (term.name == "balance") term.residual = residual::CenterOfMass{com()};
       if (term.name == "momentum") term.residual = residual::CentroidalMomentum{momentum()};
       terms.push_back(std::move(term));
@@ -82,29 +84,29 @@ struct Builder {
         .tail(model.nv - 6);
   }
   Stage stage() const {
-    Stage result{.name = standing_stage, .contacts = task.standing.feet, .costs = everywhere()};
+    Stage result{.name = standing_stage, .contacts = setting.standing.feet, .costs = everywhere()};
     result.step = task.step;
     result.costs.push_back(pressing::torque_cost(rest_control(), task.weights.torque));
     result.constraints = pressing::joint_limits(model, task.constraints, setting.q_start);
     for (const Constraint& rows : pressing::torque_limits(model, task.constraints))
       result.constraints.push_back(rows);
-    pressing::keep_standing(model, task.standing, feet, result);
+    pressing::keep_standing(model, setting.standing, feet, result);
     return result;
   }
 };
 
 /// Feet on the ground, which is the surface too.
-SceneSpec make_scene(const Task& task, const Setting& s) {
+SceneSpec make_scene(const Setting& s) {
   constexpr double small = 0.005;  // m
   SceneSpec scene;
-  scene.supports = pressing::supports_at(s.robot.model, task.standing, s.q_start);
+  scene.supports = pressing::supports_at(s.robot.model, s.standing, s.q_start);
   scene.tip = {s.base, small};
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
   for (const SupportSpec& foot : scene.supports)
     ground += foot.point / static_cast<double>(scene.supports.size());
   for (const SupportSpec& foot : scene.supports) ground.z() = std::min(ground.z(), foot.point.z());
   scene.surface.point = ground;
-  scene.surface.friction = task.standing.friction;
+  scene.surface.friction = s.standing.friction;
   return checked_scene(s.robot.model, scene);
 }
 
@@ -112,6 +114,18 @@ SceneSpec make_scene(const Task& task, const Setting& s) {
 Eigen::Matrix3d heading_of(const Eigen::Matrix3d& R_base) {
   const double yaw = std::atan2(R_base(1, 0), R_base(0, 0));
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// The task's posture; one that is searched where the robot does not have it, and either has no
+/// postures at all or feet that were found.
+std::string posture_of(const Task& task, Setting& s) {
+  const bool is_of_another = s.robot.postures.empty() || s.standing.feet != task.standing.feet;
+  if (!is_of_another || task.posture.empty() || task.posture == searched_posture ||
+      s.robot.postures.contains(task.posture))
+    return task.posture;
+  s.notes.push_back("posture: robot " + in_quotes(s.robot.model.name) + " does not have " +
+                    in_quotes(task.posture) + "; one was searched");
+  return searched_posture;
 }
 
 }  // namespace
@@ -123,21 +137,30 @@ const std::vector<std::string>& phase_names() {
 
 Robot load_task_robot(const Task& task) {
   Robot robot = pressing::load_floating(task.robot);
-  return pressing::light_joints_locked(std::move(robot), task.robot, task.standing);
+  std::vector<std::string> notes;  // make_setting() says them
+  const Standing standing = pressing::standing_on(robot, task.standing, notes);
+  return pressing::light_joints_locked(std::move(robot), task.robot, standing);
 }
 
 Setting make_setting(const Task& task) { return make_setting(task, load_task_robot(task)); }
 
 Setting make_setting(const Task& task, const Robot& robot) {
-  const Model& model = robot.model;
-  pressing::check_standing(model, task.standing);
   Setting s;
   s.robot = robot;
-  s.q_start = pressing::start_posture(robot, task.posture, [&] {
-    return pressing::crouched_posture(model, task.standing, task.crouch);
+  s.standing = pressing::standing_on(s.robot, task.standing, s.notes);
+  const Model& model = s.robot.model;
+  pressing::check_standing(model, s.standing);
+  s.q_start = pressing::start_posture(s.robot, posture_of(task, s), [&] {
+    const Eigen::VectorXd q = pressing::crouched_posture(model, s.standing, task.crouch);
+    constexpr double same = 0.01;
+    const double crouch = pressing::crouch_at(model, s.standing, q);
+    if (crouch < task.crouch - same)
+      s.notes.push_back("crouch: " + number(std::round(1e3 * crouch) / 1e3) + " in place of " +
+                        number(task.crouch) + "; a lower base brings the legs to their limits");
+    return q;
   });
   s.base = pressing::base_frame(model);
-  s.scene = make_scene(task, s);
+  s.scene = make_scene(s);
   const Eigen::Isometry3d base = frame_placement(model, s.q_start, s.base);
   s.R_base = base.linear();
   s.p_base = base.translation();
@@ -173,7 +196,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.task = [task, setting](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
     return std::make_unique<Swaying>(spec, task, setting);
   };
-  pressing::set_standing(task.standing, mpc);
+  pressing::set_standing(setting.standing, mpc);
   mpc.tool = setting.base;
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
@@ -188,20 +211,24 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
 }
 
 std::vector<std::string> setting_notes(const Task& task, const Setting& setting) {
-  std::vector<std::string> notes = sway_notes(task, setting);
+  std::vector<std::string> notes = setting.notes;
+  for (std::string& note : sway_notes(task, setting)) notes.push_back(std::move(note));
+  if (std::string ground = pressing::ground_note(setting.robot.model, setting.standing);
+      !ground.empty())
+    notes.push_back(std::move(ground));
   const MpcSpec mpc = make_mpc(task, setting);
-  const std::string left = pressing::directions_left_out(task.standing, mpc.problem.contacts);
+  const std::string left = pressing::directions_left_out(setting.standing, mpc.problem.contacts);
   if (!left.empty())
     notes.push_back("standing.feet: the legs cannot move every foot by itself, so that " + left +
                     " follows from the other directions, which hold the feet");
-  const double part = mpc.fallback.damping / task.standing.fallback.damping;
+  const double part = mpc.fallback.damping / setting.standing.fallback.damping;
   if (part < 1.0)
     notes.push_back("standing.fallback: " + number(part) +
                     " of its stiffness and damping is used; with more the feet, which are light "
                     "beside what they carry, shake on their ground");
   const double noise = task.disturbances.support_force_noise;
-  const double used =
-      pressing::for_feet(setting.robot.model, task.standing, task.disturbances).support_force_noise;
+  const double used = pressing::for_feet(setting.robot.model, setting.standing, task.disturbances)
+                          .support_force_noise;
   if (used < noise)
     notes.push_back("disturbances.support_force_noise: " + number(used) + " N in place of " +
                     number(noise) + " N, as sensors for feet that bear so little have it");

@@ -49,8 +49,9 @@ Trunk trunk_at(const Task& task, const Setting& setting, double time) {
   return trunk;
 }
 
-double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now, const Task& task) {
-  const double radius = task.standing.has_soles() ? 0.0 : task.standing.radius;
+double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now,
+               const Standing& standing) {
+  const double radius = standing.has_soles() ? 0.0 : standing.radius;
   return pressing::slid(start, now, Eigen::Vector3d::UnitZ(), radius).norm();
 }
 
@@ -68,7 +69,7 @@ Swaying::Swaying(const MpcSpec& spec, const Task& task, const Setting& setting)
     : task_(task), setting_(setting) {
   const RigidBody body(spec.problem.model);
   base_ = body.frame(setting.base);
-  for (const std::string& foot : task.standing.feet) {
+  for (const std::string& foot : setting.standing.feet) {
     feet_.push_back(body.frame(foot));
     start_.push_back(frame_placement(spec.problem.model, setting.q_start, foot));
   }
@@ -77,7 +78,7 @@ Swaying::Swaying(const MpcSpec& spec, const Task& task, const Setting& setting)
 std::vector<WatchedQuantity> Swaying::watched() const {
   std::vector<WatchedQuantity> all{{"share of its height that the centre of mass sank", ""},
                                    {"turn of the base off what it is to be", "rad"}};
-  for (const std::string& foot : task_.standing.feet)
+  for (const std::string& foot : setting_.standing.feet)
     all.push_back({"slip of foot " + in_quotes(foot), "m"});
   return all;
 }
@@ -89,7 +90,7 @@ void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
   out[0] = {lying.sunk, task_.sink};
   out[1] = {lying.turned, task_.tilt};
   for (std::size_t i = 0; i < feet_.size(); ++i)
-    out[2 + i] = {slip_of(start_[i], view.body.placement(feet_[i]), task_), task_.slip};
+    out[2 + i] = {slip_of(start_[i], view.body.placement(feet_[i]), setting_.standing), task_.slip};
 }
 
 /// For the record: the base's place, as the centre of mass would move it.

@@ -8,8 +8,9 @@ namespace burnish::stand {
 /// Of the schedule, as phase_names() counts them.
 enum Phase : int { settle, sway, rest };
 
-/// m: how far a foot is off where it was at the start, along the ground. `radius`: of a ball.
-double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now, const Task& task);
+/// m: how far a foot is off where it was at the start, along the ground.
+double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now,
+               const Standing& standing);
 /// rad.
 double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 

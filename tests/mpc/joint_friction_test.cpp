@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <random>
 
@@ -63,6 +64,19 @@ struct Swing {
   std::mt19937 random{1};
   std::normal_distribution<double> noise{0.0, 0.5};
 };
+
+TEST(JointFriction, EffortThatStandsForNoLimit_PriorOfAnUnlimitedJoint) {
+  MpcSpec spec = toy_spec();
+  spec.model_error.kind = ModelErrorKind::Torque;
+  spec.problem.model.effort_limit.setConstant(1e9);
+  const JointFriction placeholder(spec);
+  spec.problem.model.effort_limit.setConstant(std::numeric_limits<double>::infinity());
+  const JointFriction unlimited(spec);
+  spec.problem.model.effort_limit.setConstant(10.0);
+  const JointFriction limited(spec);
+  EXPECT_EQ(placeholder.deviation(0), unlimited.deviation(0));
+  EXPECT_DOUBLE_EQ(limited.deviation(0), 0.3);
+}
 
 TEST(JointFriction, is_known_once_every_joint_has_turned_around) {
   Swing swing(1.0, 0.5);

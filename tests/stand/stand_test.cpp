@@ -126,8 +126,11 @@ TEST_F(Stand, stands_on_a_description_of_ones_own) {
   text.insert(text.rfind("</robot>"), feet);
   const testing::Scratch scratch;
   const std::string file = scratch.write("mine.urdf", text).string();
-  expect_words(refusal([&] { make_setting(short_task(file)); }),
-               {"standing.feet: frame 'fl_foot' is none of robot", "fl_toe"});
+  expect_words(
+      refusal([&] {
+        make_setting(short_task(file, {"standing.feet=[fl_toe, fr_foot, rl_toe, rr_toe]"}));
+      }),
+      {"standing.feet: frame 'fr_foot' is none of robot"});
   const Task task = short_task(file, {"standing.feet=[fl_toe, fr_toe, rl_toe, rr_toe]"});
   const Setting setting = make_setting(task);
   EXPECT_EQ(make_setting(task).q_start, setting.q_start) << "the same every time";
@@ -136,6 +139,31 @@ TEST_F(Stand, stands_on_a_description_of_ones_own) {
   EXPECT_LT((setting.com - middle).head<2>().norm(), 2e-4);
   EXPECT_NEAR(setting.p_base.z() - middle.z(), 0.8 * 0.44, 0.03);  // of straight legs
   expect_swayed(run(task));
+}
+
+TEST(StandRobot, AnotherRobot_FeetAndPostureAreFoundAndSaid) {
+  const Task task = read_task(BURNISH_TASKS_DIR "/stand/talos.yaml", {"robot=" + quadruped});
+  const Setting setting = make_setting(task, load_task_robot(task));
+  EXPECT_EQ(setting.standing.feet,
+            (std::vector<std::string>{"fl_foot", "fr_foot", "rl_foot", "rr_foot"}));
+  EXPECT_FALSE(setting.standing.has_soles());
+  expect_words(notes_text(task, setting),
+               {"standing.feet: 'left_sole_link' and the others are not in robot 'quadruped'",
+                "fl_foot, fr_foot, rl_foot, rr_foot (found), balls of radius 0.018 m",
+                "posture: robot 'quadruped' does not have 'standing_board'"});
+  const Task asked = short_task(BURNISH_ROBOTS_DIR "/talos", {"standing.feet=auto"});
+  const Setting found = make_setting(asked);
+  EXPECT_EQ(found.standing.feet, (std::vector<std::string>{"left_sole_link", "right_sole_link"}));
+  EXPECT_NEAR(found.scene.supports.front().half_x, 0.105, 1e-9);
+  expect_words(notes_text(asked, found), {"feet: left_sole_link", "soles of 0.21 x 0.13 m"});
+  EXPECT_EQ(asked.standing.feet, std::vector<std::string>{"auto"});
+  EXPECT_NE(task_text(asked).find("  feet: auto\n"), std::string::npos);
+  expect_words(
+      refusal([] { make_setting(short_task(BURNISH_ROBOTS_DIR "/arm7", {"standing.feet=auto"})); }),
+      {"standing.feet: robot 'arm7' has no pairs of branches"});
+  expect_words(
+      refusal([] { make_setting(short_task(quadruped, {"standing.feet=[fl_foot, rr_foot]"})); }),
+      {"standing.feet: 2 point feet", "three of them, or soles"});
 }
 
 /// A robot from elsewhere, where it is at hand: 2.5 kg, with limits of 1000 Nm.
@@ -201,7 +229,9 @@ TEST(StandTrunk, is_refused_where_feet_do_not_bear_it) {
   expect_words(refused({"standing.least_load=60"}),
                {"posture: the robot, which weighs 196.2 N, cannot stand at the start", "60 N"});
   expect_words(refused({"constraints.torque=0.1"}), {"posture: ", "torque limits/"});
-  expect_words(refused({"posture=search", "crouch=0.99"}), {"posture: no posture was found"});
+  // Legs that cannot fold so far stand as low as they can, and a note says how low.
+  const Task low = short_task(quadruped, {"posture=search", "crouch=0.99"});
+  expect_words(notes_text(low, make_setting(low)), {"crouch: ", " in place of 0.99"});
 }
 
 TEST(StandTrunk, sways_less_where_feet_or_joints_do_not_let_it) {
@@ -246,8 +276,8 @@ std::string biped(double size, const std::string& more = "") {
            joint(s + "_knee", s + "_3", s + "_4", 0.0, -0.4, "0 1 0", -0.2, 2.2, 300.0) +
            joint(s + "_ankle", s + "_4", s + "_foot", 0.0, -0.4, "0 1 0", -1.0, 0.7, 100.0) +
            "<link name='" + s + "_sole'/><joint name='" + s + "_s' type='fixed'><parent link='" +
-           s + "_foot'/><child link='" + s + "_sole'/><origin xyz='0.03 0 " + text(-0.06 * size) +
-           "'/></joint>";
+           s + "_foot'/><child link='" + s + "_sole'/><origin xyz='" + text(0.03 * size) + " 0 " +
+           text(-0.06 * size) + "'/></joint>";
   return all + more + "</robot>";
 }
 
@@ -255,8 +285,6 @@ Task biped_task(const std::string& file, double size, std::vector<std::string> o
   const std::vector<std::string> always{"robot=" + file,
                                         "standing.feet=[l_sole, r_sole]",
                                         "posture=search",
-                                        "standing.stiffness=auto",
-                                        "standing.damping=auto",
                                         "standing.half_x=" + std::to_string(0.1 * size),
                                         "standing.half_y=" + std::to_string(0.065 * size),
                                         "standing.settle=0.3",
@@ -295,7 +323,7 @@ TEST_F(Stand, sways_where_legs_without_roll_of_the_ankle_let_it) {
 
 TEST_F(Stand, stands_with_one_file_whether_it_weighs_little_or_much) {
   const testing::Scratch scratch;
-  for (const double size : {0.5, 1.6}) {  // 6 kg and 200 kg
+  for (const double size : {0.274, 0.5, 1.53}) {  // 1 kg, 6 kg and 175 kg
     const RunResult result = run(biped_task(
         scratch.write("biped.urdf", biped(size)).string(), size,
         {"controller.update_rate=200", "controller.solver_delay=0.005", "controller.knots=30",
@@ -322,6 +350,70 @@ TEST_F(Stand, is_held_at_first_where_its_base_is_light) {
       biped_task(scratch.write("biped.urdf", text).string(), 1.0, {"phases.sway_duration=1.4"});
   const RunResult result = run(task);
   EXPECT_TRUE(result.done) << result.outcome;
+}
+
+/// Soles 5 cm wide under 60 kg, whose trunk could bend at a waist.
+TEST_F(Stand, NarrowSoles_HeldAtFirstWithoutTipping) {
+  const testing::Scratch scratch;
+  const std::string waist =
+      "<link name='trunk'><inertial><origin xyz='0 0 0.3'/><mass value='20'/><inertia ixx='0.7' "
+      "ixy='0' ixz='0' iyy='0.7' iyz='0' izz='0.3'/></inertial></link><joint name='waist' "
+      "type='revolute'><parent link='pelvis'/><child link='trunk'/><axis xyz='1 0 0'/><limit "
+      "lower='-0.5' upper='0.5' effort='200' velocity='20'/></joint>";
+  Task task = biped_task(scratch.write("biped.urdf", biped(1.0, waist)).string(), 1.0,
+                         {"standing.half_x=0.08", "standing.half_y=0.025"});
+  const Setting setting = make_setting(task);
+  const Joint& joint =
+      setting.robot.model
+          .joints[static_cast<std::size_t>(setting.robot.model.joint_index("waist"))];
+  EXPECT_LT(std::abs(setting.q_start[joint.q_index]), 1e-3) << "the trunk leans without need";
+  const RunResult result = run(task);
+  EXPECT_TRUE(result.done) << result.outcome;
+}
+
+TEST(StandRobot, LegsThatReachNoPosture_RefusalNamesJointsAtTheirLimits) {
+  const testing::Scratch scratch;
+  std::string text = biped(1.0);
+  for (std::size_t at = text.find("_ankle' type"); at != std::string::npos;
+       at = text.find("_ankle' type", at + 1)) {
+    const std::size_t lower = text.find("lower='-1.0", at);
+    text.replace(lower, text.find("' upper", lower) - lower, "lower='0.6");
+  }
+  const Task task = biped_task(scratch.write("biped.urdf", text).string(), 1.0);
+  expect_words(refusal([&] { make_setting(task); }),
+               {"posture: no posture was found", "ended at limits of '", "'l_ankle'"});
+}
+
+TEST(StandRobot, DescriptionWithoutPostures_OneIsSearchedAndSaid) {
+  const testing::Scratch scratch;
+  Task task = biped_task(scratch.write("biped.urdf", biped(1.0)).string(), 1.0);
+  task.posture = "standing_board";
+  expect_words(notes_text(task, make_setting(task)),
+               {"posture: robot 'biped' does not have 'standing_board'; one was searched"});
+}
+
+TEST(StandRobot, GroundStatedMuchTooStiff_NoteSaysWhatTheWeightAsksFor) {
+  const Task stiff = short_task(quadruped, {"standing.stiffness=1e7"});
+  expect_words(notes_text(stiff, make_setting(stiff)),
+               {"standing.stiffness: 1e+07 N/m is 50 times", "auto: 200000 N/m"});
+  const Task usual = short_task(quadruped, {"standing.stiffness=4e5"});
+  EXPECT_EQ(notes_text(usual, make_setting(usual)), "");
+}
+
+TEST(StandRobot, AnklesThatCannotCrouch_StandsAsLowAsTheyLetIt) {
+  const testing::Scratch scratch;
+  std::string text = biped(1.0);
+  for (const std::string side : {"l", "r"}) {
+    const std::size_t at = text.find("lower='-1.0", text.find(side + "_ankle"));
+    text.replace(at, text.find("' upper", at) - at, "lower='-0.45");
+  }
+  const Task task = biped_task(scratch.write("biped.urdf", text).string(), 1.0);
+  const Setting setting = make_setting(task);
+  const Joint& ankle =
+      setting.robot.model
+          .joints[static_cast<std::size_t>(setting.robot.model.joint_index("l_ankle"))];
+  EXPECT_LT(setting.q_start[ankle.q_index], -0.1);
+  EXPECT_GT(setting.q_start[ankle.q_index], -0.45);
 }
 
 TEST(StandRobot, locks_what_is_so_light_that_noise_throws_it_about) {

@@ -16,6 +16,8 @@ struct Robot {
   Model model;
   std::map<std::string, Posture> postures;
   std::string default_posture;  ///< name in postures, or empty
+  /// Collision geometry of a URDF file; no dynamics uses it. find_feet() does.
+  std::vector<Visual> collisions;
   /// What is odd about its files but computes, one sentence each: those of the model and others.
   std::vector<std::string> warnings;
   /// What its files hold that dynamics does not need, one sentence each: never refused.

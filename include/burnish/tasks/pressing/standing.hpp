@@ -13,7 +13,7 @@ namespace burnish {
 /// Feet on level ground, where they are in the starting posture. Plans hold them still within the
 /// friction and the pressure that these bear; the plant's ground can only push and rub.
 struct Standing {
-  /// frames of the feet; none: the base is fixed
+  /// frames of the feet; auto: found in the description, with their sizes; none: the base is fixed
   std::vector<std::string> feet = {};
   /// m, half the side of a sole along x of its frame, about its origin; 0: a ball
   double half_x = 0.1;
@@ -23,15 +23,15 @@ struct Standing {
   double friction = 0.7;  ///< Coulomb coefficient of the plant's ground
   /// N/m, of the plant's ground under each foot; none: 0.23 mm of way under the weight, of
   /// balls 0.245 mm
-  std::optional<double> stiffness = 2e6;
+  std::optional<double> stiffness = std::nullopt;
   /// Ns/m, of the plant's ground under each foot; none: 0.05 s of the stiffness, of balls 0.02 s
-  std::optional<double> damping = 1e5;
+  std::optional<double> damping = std::nullopt;
 
   double plan_friction = 0.5;  ///< coefficient that plans keep within
   /// of half a sole's sides, that plans keep the centre of pressure within; 0 to 1
   double plan_sole = 0.95;
   /// N that plans keep on each foot; none: 0.09 of the weight that a foot bears when all bear alike
-  std::optional<double> least_load = 40.0;
+  std::optional<double> least_load = std::nullopt;
   double balance = 1e3;    ///< 1/m^2: centre of mass to where it starts
   double base = 100.0;     ///< 1/rad^2: base to its orientation at the start
   double momentum = 1e-2;  ///< per (kg m/s)^2 and (kg m^2/s)^2: momentum about the centre of mass

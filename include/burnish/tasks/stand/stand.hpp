@@ -50,9 +50,6 @@ struct Task {
                        .half_x = 0.0,
                        .half_y = 0.0,
                        .radius = 0.018,
-                       .stiffness = std::nullopt,
-                       .damping = std::nullopt,
-                       .least_load = std::nullopt,
                        .balance = 1e4,
                        .base = 1e3};
 
@@ -109,7 +106,11 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 /// The task with everything resolved.
 struct Setting {
   Robot robot;
-  Eigen::VectorXd q_start;  ///< nq
+  /// The task's. Feet, with their sizes, are found where it states `auto`, or frames of which the
+  /// robot has none; the frames that are added for them are in `robot`.
+  Standing standing = {};
+  std::vector<std::string> notes = {};  ///< sentences about what was found in place of what it says
+  Eigen::VectorXd q_start;              ///< nq
   /// As the controller knows it: the feet are its supports; its surface is the ground, and its tip
   /// a small ball in the base that never touches it.
   SceneSpec scene;

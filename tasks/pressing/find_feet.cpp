@@ -1,0 +1,381 @@
+#include "burnish/tasks/pressing/find_feet.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "base/sentence.hpp"
+#include "burnish/dynamics/placement.hpp"
+#include "ocp/position_limits.hpp"
+#include "pressing/foot_shape.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double level = 0.1;      // of the base's height: feet are as low as this together
+constexpr double opposite = 0.15;  // of the base's height: how far a pair is from mirrored
+constexpr double ball_share = 0.05, sole_length = 0.2, sole_width = 0.1;  // of the base's height
+constexpr double longest_sole = 0.25, widest_sole = 0.15;                 // of the base's height
+
+bool holds(std::string name, std::initializer_list<const char*> words) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+/// How well a frame's name says that it is where a foot touches the ground; 0: not at all.
+int score_of(const std::string& name) {
+  int score = holds(name, {"sole"})           ? 8
+              : holds(name, {"foot", "feet"}) ? 6
+              : holds(name, {"toe", "paw"})   ? 4
+              : holds(name, {"ankle"})        ? 2
+                                              : 0;
+  if (holds(name,
+            {"imu", "sensor", "_ft", "force", "torque", "motor", "rotor", "camera", "constraint"}))
+    score -= 3;
+  return std::max(score, 0);
+}
+
+/// The end of a branch, at the posture that feet are looked for in.
+struct End {
+  int body = -1;                                     ///< carries the frame
+  std::vector<int> bodies;                           ///< all that touch the ground
+  int frame = -1;                                    ///< whose name says most of a foot; -1: none
+  double low = infinity;                             ///< height of the lowest point [m]
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< origin of that frame, else of the body [m]
+  int joints = 0;                                    ///< of the leg
+};
+
+class FootSearch {
+ public:
+  explicit FootSearch(const Robot& robot) : robot_(robot), model_(robot.model) {
+    Eigen::VectorXd q = robot.reference_configuration();
+    if (model_.loops.empty())
+      for (const Joint& joint : model_.joints)
+        if (joint.nq == 1)
+          q[joint.q_index] = std::clamp(q[joint.q_index], model_.q_lower[joint.q_index],
+                                        model_.q_upper[joint.q_index]);
+    frames_ = frame_placements(model_, q);
+    place_bodies();
+  }
+
+  std::optional<Feet> find() {
+    std::vector<End> ends = low_ends();
+    if (ends.empty() || !order(ends)) return std::nullopt;
+    const std::size_t count = ends.size();
+    const int joints = ends.front().joints;
+    const bool soles = joints >= (count == 2 ? 4 : 5);
+    for (const End& end : ends)
+      if (is_wheel(end)) return std::nullopt;
+    return soles ? with_soles(ends) : with_balls(ends);
+  }
+
+ private:
+  /// Placements of bodies and of the base in the world, and the axes x forwards, z up.
+  void place_bodies() {
+    bodies_.assign(model_.joints.size(), Eigen::Isometry3d::Identity());
+    std::vector<bool> known(model_.joints.size(), false);
+    for (std::size_t i = 0; i < model_.frames.size(); ++i) {
+      const Frame& frame = model_.frames[i];
+      if (frame.body < 0 || known[static_cast<std::size_t>(frame.body)]) continue;
+      known[static_cast<std::size_t>(frame.body)] = true;
+      bodies_[static_cast<std::size_t>(frame.body)] = frames_[i] * frame.placement.inverse();
+    }
+    const bool floats =
+        !model_.joints.empty() && model_.joints.front().kind == JointKind::FreeFlyer;
+    base_ = floats ? bodies_.front() : Eigen::Isometry3d::Identity();
+    const double yaw = std::atan2(base_.linear()(1, 0), base_.linear()(0, 0));
+    heading_ = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
+
+  const Frame& frame(int i) const { return model_.frames[static_cast<std::size_t>(i)]; }
+  const Eigen::Isometry3d& placement(int frame) const {
+    return frames_[static_cast<std::size_t>(frame)];
+  }
+  const Eigen::Isometry3d& body_at(int body) const {
+    return bodies_[static_cast<std::size_t>(body)];
+  }
+  const Joint& joint(int body) const { return model_.joints[static_cast<std::size_t>(body)]; }
+  bool is_root(int body) const { return body < 0 || joint(body).kind == JointKind::FreeFlyer; }
+
+  /// Lowest point of a body [m]: of its solids, or else of its frames.
+  double lowest(int body) const {
+    double low = infinity;
+    for (const Visual& solid : pressing::solids_of(robot_, {body}))
+      low = std::min(low, pressing::lowest_of(solid.shape, bodies_[static_cast<std::size_t>(body)] *
+                                                               solid.placement));
+    if (std::isfinite(low)) return low;
+    for (std::size_t i = 0; i < model_.frames.size(); ++i)
+      if (model_.frames[i].body == body) low = std::min(low, frames_[i].translation().z());
+    return low;
+  }
+  bool is_named(int body, std::initializer_list<const char*> words) const {
+    return std::any_of(model_.frames.begin(), model_.frames.end(), [&](const Frame& frame) {
+      return frame.body == body && holds(frame.name, words);
+    });
+  }
+  int joints_to(int body) const {
+    int count = 0;
+    for (int at = body; !is_root(at); at = joint(at).parent)
+      if (!joint(at).follows) ++count;
+    return count;
+  }
+  bool is_wheel(const End& end) const {
+    return joint(end.body).kind == JointKind::Continuous || is_named(end.body, {"wheel"});
+  }
+
+  End end_at(int body) const {
+    End end{.body = body, .bodies = {body}, .low = lowest(body)};
+    // Toes belong to the foot that carries them.
+    const int parent = joint(body).parent;
+    if (!is_root(parent) && is_named(body, {"toe"}) && is_named(parent, {"foot", "sole"}) &&
+        !is_named(body, {"foot", "sole"})) {
+      end.body = parent;
+      end.bodies.push_back(parent);
+      end.low = std::min(end.low, lowest(parent));
+    }
+    end.joints = joints_to(end.body);
+    end.frame = named_frame(end.body);
+    end.middle =
+        end.frame >= 0 ? placement(end.frame).translation() : body_at(end.body).translation();
+    return end;
+  }
+
+  /// Ends of branches that hang lowest, one for each foot.
+  std::vector<End> low_ends() {
+    std::vector<End> ends;
+    for (int body = 0; body < static_cast<int>(model_.joints.size()); ++body) {
+      const bool is_last = std::none_of(model_.joints.begin(), model_.joints.end(),
+                                        [&](const Joint& other) { return other.parent == body; });
+      if (!is_last || is_root(body) ||
+          is_named(body, {"hand", "finger", "gripper", "wrist", "palm", "thumb"}))
+        continue;
+      End end = end_at(body);
+      const auto same = std::find_if(ends.begin(), ends.end(),
+                                     [&](const End& other) { return other.body == end.body; });
+      if (same == ends.end()) {
+        ends.push_back(end);
+      } else {
+        same->bodies.push_back(body);
+        same->low = std::min(same->low, end.low);
+      }
+    }
+    double ground = infinity;
+    for (const End& end : ends) ground = std::min(ground, end.low);
+    height_ = base_.translation().z() - ground;
+    if (!(height_ > 0.0)) return {};
+    std::erase_if(ends, [&](const End& end) { return end.low > ground + level * height_; });
+    return ends;
+  }
+
+  /// Into pairs from front to rear; false where ends have no mirrored partner.
+  bool order(std::vector<End>& ends) const {
+    const std::size_t count = ends.size();
+    if (count != 2 && count != 4 && count != 6) return false;
+    const auto place = [&](const End& end) -> Eigen::Vector3d {
+      return heading_.transpose() * (end.middle - base_.translation());
+    };
+    std::sort(ends.begin(), ends.end(),
+              [&](const End& a, const End& b) { return place(a).x() > place(b).x(); });
+    for (std::size_t i = 0; i < count; i += 2) {
+      std::size_t partner = i + 1;
+      double least = infinity;
+      for (std::size_t k = i + 1; k < count; ++k) {
+        Eigen::Vector3d mirrored = place(ends[k]);
+        mirrored.y() = -mirrored.y();
+        const double off = (mirrored - place(ends[i])).norm();
+        if (off < least) partner = k;
+        least = std::min(least, off);
+      }
+      if (least > opposite * height_ || ends[partner].joints != ends[i].joints) return false;
+      std::swap(ends[i + 1], ends[partner]);
+      if (place(ends[i]).y() < place(ends[i + 1]).y()) std::swap(ends[i], ends[i + 1]);
+    }
+    return true;
+  }
+
+  /// The frame on a body whose name says most of a foot; of several the lowest one; -1: none.
+  int named_frame(int body) const {
+    int best = -1;
+    const auto is_better = [&](int a, int b) {
+      const auto rank = [&](int i) {
+        return score_of(frame(i).name) - (frame(i).kind == FrameKind::Joint ? 1 : 0);
+      };
+      if (rank(a) != rank(b)) return rank(a) > rank(b);
+      return placement(a).translation().z() < placement(b).translation().z() - 1e-6;
+    };
+    for (int i = 0; i < static_cast<int>(model_.frames.size()); ++i)
+      if (frame(i).body == body && (best < 0 || is_better(i, best))) best = i;
+    return best;
+  }
+
+  /// Axes of the foot that are nearest to x forwards and z up; those of the heading where the
+  /// foot's own are inclined by more than 35 degrees.
+  Eigen::Matrix3d level_axes(const Eigen::Matrix3d& R) const {
+    constexpr double nearest = 0.82;  // cosine
+    const auto along = [&](const Eigen::Vector3d& wanted, int taken) {
+      int axis = -1;
+      for (int k = 0; k < 3; ++k)
+        if (k != taken &&
+            (axis < 0 || std::abs(R.col(k).dot(wanted)) > std::abs(R.col(axis).dot(wanted))))
+          axis = k;
+      return axis;
+    };
+    const int up = along(Eigen::Vector3d::UnitZ(), -1);
+    const Eigen::Vector3d z = R.col(up) * (R(2, up) < 0.0 ? -1.0 : 1.0);
+    if (z.z() < nearest) return heading_;
+    const Eigen::Vector3d forwards = heading_.col(0);
+    const int ahead = along(forwards, up);
+    const Eigen::Vector3d x = R.col(ahead) * (R.col(ahead).dot(forwards) < 0.0 ? -1.0 : 1.0);
+    Eigen::Matrix3d axes;
+    axes << x, z.cross(x), z;
+    return axes;
+  }
+
+  std::vector<pressing::PlacedShape> solids_in(const End& end, const Eigen::Matrix3d& axes) const {
+    std::vector<pressing::PlacedShape> solids;
+    for (const Visual& solid : pressing::solids_of(robot_, end.bodies))
+      solids.push_back({solid.shape, Eigen::Isometry3d(axes.transpose()) *
+                                         bodies_[static_cast<std::size_t>(solid.body)] *
+                                         solid.placement});
+    return solids;
+  }
+
+  /// Adds the frame of a foot at `p` (world, m) with these axes: the named one where it is there to
+  /// `tolerance` [m], else a new one.
+  void put_frame(const End& end, const Eigen::Vector3d& p, const Eigen::Matrix3d& axes,
+                 double tolerance, Feet& feet) const {
+    const bool turned = feet.has_soles();  // the axes of a ball's frame are any
+    if (end.frame >= 0 && frame(end.frame).kind != FrameKind::Joint) {
+      const Eigen::Isometry3d& at = placement(end.frame);
+      constexpr double same = 1e-2;
+      if ((at.translation() - p).norm() < tolerance &&
+          (!turned || (at.linear() - axes).norm() < same)) {
+        feet.frames.push_back(frame(end.frame).name);
+        return;
+      }
+    }
+    const std::string& stem = end.frame >= 0 ? frame(end.frame).name : joint(end.body).name;
+    Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+    placed.linear() = axes;
+    placed.translation() = p;
+    feet.frames.push_back(stem + (turned ? "/sole" : "/ball"));
+    if (!model_.has_frame(feet.frames.back()))
+      feet.added.push_back(
+          {feet.frames.back(), FrameKind::User, end.body, body_at(end.body).inverse() * placed});
+  }
+
+  /// Sole of one foot in these axes: what its solids say, else its inertia, else the height of the
+  /// base.
+  pressing::SoleShape sole(const End& end, const Eigen::Matrix3d& axes, Feet::Size& from) const {
+    constexpr double least = 0.02;  // of the base's height, that a sole is wide
+    if (const auto sole = pressing::sole_of(solids_in(end, axes), least * height_)) {
+      from = Feet::Size::Collision;
+      return *sole;
+    }
+    from = Feet::Size::Height;
+    pressing::SoleShape sole{axes.transpose() * end.middle, 0.5 * sole_length * height_,
+                             0.5 * sole_width * height_};
+    const Joint& foot = joint(end.body);
+    const Eigen::Matrix3d R = axes.transpose() * body_at(end.body).linear();
+    const Eigen::Vector3d box =
+        pressing::box_of(foot.mass, R * foot.inertia_at_com * R.transpose());
+    constexpr double shortest_sole = 0.1, narrowest_sole = 0.04;  // of the base's height
+    if (box.x() < shortest_sole * height_ || box.y() < narrowest_sole * height_) return sole;
+    from = Feet::Size::Inertia;
+    sole.half_x = 0.5 * std::min(box.x(), longest_sole * height_);
+    sole.half_y = 0.5 * std::min(box.y(), widest_sole * height_);
+    if (end.frame >= 0 && holds(frame(end.frame).name, {"sole"})) return sole;
+    const Eigen::Vector3d com = axes.transpose() * (body_at(end.body) * foot.com);
+    const double ankle = (axes.transpose() * body_at(end.body).translation()).z();
+    sole.centre.head<2>() = com.head<2>();
+    // A frame below the ankle is on the ground.
+    if (sole.centre.z() > ankle - least * height_)
+      sole.centre.z() = std::min(ankle, com.z() - 0.5 * box.z());
+    return sole;
+  }
+
+  std::optional<Feet> with_soles(const std::vector<End>& ends) const {
+    Feet feet;
+    feet.half_x = feet.half_y = infinity;
+    for (const End& end : ends) {
+      const Eigen::Matrix3d axes =
+          level_axes(end.frame >= 0 ? placement(end.frame).linear() : body_at(end.body).linear());
+      const pressing::SoleShape shape = sole(end, axes, feet.size_from);
+      feet.half_x = std::min(feet.half_x, shape.half_x);
+      feet.half_y = std::min(feet.half_y, shape.half_y);
+      constexpr double near = 0.1;  // of half the width
+      put_frame(end, axes * shape.centre, axes, near * shape.half_y, feet);
+    }
+    return feet;
+  }
+
+  std::optional<Feet> with_balls(const std::vector<End>& ends) const {
+    constexpr double near = 2e-3;  // m
+    Feet feet;
+    feet.radius = infinity;
+    for (const End& end : ends) {
+      pressing::BallShape ball{heading_.transpose() * end.middle, ball_share * height_};
+      if (const auto found = pressing::ball_of(solids_in(end, heading_))) {
+        ball = *found;
+        feet.size_from = Feet::Size::Collision;
+      } else if (end.frame < 0 || end.middle.z() > end.low + level * height_) {
+        return std::nullopt;
+      }
+      feet.radius = std::min(feet.radius, ball.radius);
+      put_frame(end, heading_ * ball.centre, heading_, near, feet);
+    }
+    return feet;
+  }
+
+  const Robot& robot_;
+  const Model& model_;
+  std::vector<Eigen::Isometry3d> frames_, bodies_;  ///< world
+  Eigen::Isometry3d base_;
+  Eigen::Matrix3d heading_;
+  double height_ = 0.0;  ///< of the base above the lowest point [m]
+};
+
+}  // namespace
+
+std::optional<Feet> find_feet(const Robot& robot) {
+  if (robot.model.joints.empty()) return std::nullopt;
+  return FootSearch(robot).find();
+}
+
+Robot with_feet(Robot robot, const Feet& feet) {
+  for (const Frame& frame : feet.added)
+    if (!robot.model.has_frame(frame.name)) robot.model.frames.push_back(frame);
+  return robot;
+}
+
+Standing with_feet(Standing standing, const Feet& feet) {
+  standing.feet = feet.frames;
+  standing.half_x = feet.half_x;
+  standing.half_y = feet.half_y;
+  if (feet.radius > 0.0) standing.radius = feet.radius;
+  return standing;
+}
+
+std::string feet_text(const Feet& feet) {
+  std::string text;
+  for (const std::string& frame : feet.frames) text += (text.empty() ? "" : ", ") + frame;
+  const auto millimetres = [](double length) { return number(std::round(1e3 * length) / 1e3); };
+  text += " (found), ";
+  text += feet.has_soles() ? "soles of " + millimetres(2.0 * feet.half_x) + " x " +
+                                 millimetres(2.0 * feet.half_y) + " m"
+                           : "balls of radius " + millimetres(feet.radius) + " m";
+  switch (feet.size_from) {
+    case Feet::Size::Collision:
+      return text + ", from collision geometry";
+    case Feet::Size::Inertia:
+      return text + ", from the inertia of the foot";
+    case Feet::Size::Height:
+      return text + ", a fraction of the height of the base: no geometry states it";
+  }
+  return text;
+}
+
+}  // namespace burnish

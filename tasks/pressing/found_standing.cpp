@@ -1,0 +1,37 @@
+#include "pressing/found_standing.hpp"
+
+#include <algorithm>
+
+#include "base/entry_error.hpp"
+#include "base/sentence.hpp"
+#include "burnish/tasks/pressing/find_feet.hpp"
+#include "pressing/arm.hpp"
+
+namespace burnish::pressing {
+
+Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::string>& notes) {
+  const std::vector<std::string>& stated = standing.feet;
+  const bool is_auto = stated == std::vector<std::string>{"auto"};
+  const bool is_of_another =
+      !stated.empty() && std::none_of(stated.begin(), stated.end(), [&](const std::string& foot) {
+        return robot.model.has_frame(foot);
+      });
+  if (!is_auto && !is_of_another) return standing;
+  const auto feet = find_feet(robot);
+  if (!feet)
+    throw EntryError(
+        "standing.feet",
+        (is_auto ? "robot " + in_quotes(robot.model.name) +
+                       " has no pairs of branches that end low and opposite each other"
+                 : "frame " + none_of(robot.model, stated.front()) + ", and no feet were found") +
+            "; wanted the frames that it stands on");
+  robot = with_feet(std::move(robot), *feet);
+  notes.push_back((is_auto ? "feet: "
+                           : "standing.feet: " + in_quotes(stated.front()) +
+                                 " and the others are not in robot " + in_quotes(robot.model.name) +
+                                 "; feet: ") +
+                  feet_text(*feet));
+  return with_feet(standing, *feet);
+}
+
+}  // namespace burnish::pressing

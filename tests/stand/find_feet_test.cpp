@@ -1,0 +1,191 @@
+// Feet found in descriptions: shipped robots, and small legs with what public descriptions do.
+#include "burnish/tasks/pressing/find_feet.hpp"
+
+#include <gtest/gtest.h>
+
+#include "burnish/dynamics/placement.hpp"
+#include "support/refusal.hpp"
+#include "support/scratch.hpp"
+
+namespace burnish {
+namespace {
+
+using testing::expect_words;
+
+struct LegText {
+  std::string foot_name = "ankle";  ///< of the last link
+  std::string foot_rpy = "0 0 0";   ///< of its frame
+  std::string solid = {};           ///< its <collision> elements
+  std::string more = {};            ///< links and joints; %s stands for the side
+  int joints = 6;
+  std::string last_type = "revolute";
+};
+
+/// A pelvis on legs of equal links, 0.1 m to both sides of each of these places along x.
+std::string legs(const LegText& leg, const std::vector<double>& places) {
+  const std::string inertial =
+      "<inertial><origin xyz='0 0 0'/><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' "
+      "iyy='0.0042' iyz='0' izz='0.005'/></inertial>";
+  std::string all = "<robot name='legs'><link name='pelvis'>" + inertial + "</link>";
+  int number = 0;
+  for (const double x : places)
+    for (const double y : {0.1, -0.1}) {
+      const std::string side = "leg" + std::to_string(number++);
+      std::string parent = "pelvis";
+      for (int i = 1; i <= leg.joints; ++i) {
+        const bool is_last = i == leg.joints;
+        const std::string link = side + "_" + (is_last ? leg.foot_name : std::to_string(i));
+        all += "<link name='" + link + "'>" + inertial + (is_last ? leg.solid : "") +
+               "</link><joint name='" + side + "_j" + std::to_string(i) + "' type='" +
+               (is_last ? leg.last_type : "revolute") + "'><parent link='" + parent +
+               "'/><child link='" + link + "'/><origin xyz='" +
+               (i == 1 ? std::to_string(x) + " " + std::to_string(y) + " 0'" : "0 0 -0.15'") +
+               (is_last ? " rpy='" + leg.foot_rpy + "'" : "") +
+               "/><axis xyz='0 1 0'/><limit lower='-1' upper='1' effort='9' velocity='9'/></joint>";
+        parent = link;
+      }
+      std::string more = leg.more;
+      for (std::size_t at = more.find("%s"); at != std::string::npos; at = more.find("%s"))
+        more.replace(at, 2, side);
+      all += more;
+    }
+  return all + "</robot>";
+}
+
+Robot loaded(const std::string& text) {
+  const testing::Scratch scratch;
+  RobotOverrides floats;
+  floats.base = Base::FreeFlyer;
+  return load_robot(scratch.write("legs.urdf", text).string(), floats);
+}
+
+/// Where the first foot is, seen from a frame of its leg.
+Eigen::Vector3d first_seen_from(const Robot& robot, const Feet& feet, const std::string& frame) {
+  const Model model = with_feet(robot, feet).model;
+  return frame_placement(model, model.q_neutral, frame).inverse() *
+         frame_placement(model, model.q_neutral, feet.frames.front()).translation();
+}
+
+using Names = std::vector<std::string>;
+
+TEST(FindFeet, ShippedRobots_TheirFeet) {
+  const auto talos = find_feet(load_robot(BURNISH_ROBOTS_DIR "/talos"));
+  ASSERT_TRUE(talos);
+  EXPECT_EQ(talos->frames, (Names{"left_sole_link", "right_sole_link"}));
+  EXPECT_TRUE(talos->added.empty());
+  EXPECT_NEAR(talos->half_x, 0.105, 1e-6);
+  EXPECT_NEAR(talos->half_y, 0.065, 1e-6);
+  expect_words(feet_text(*talos), {"left_sole_link, right_sole_link (found)", "0.21 x 0.13 m"});
+  const auto quadruped = find_feet(load_robot(BURNISH_ROBOTS_DIR "/quadruped"));
+  ASSERT_TRUE(quadruped);
+  EXPECT_EQ(quadruped->frames, (Names{"fl_foot", "fr_foot", "rl_foot", "rr_foot"}));
+  EXPECT_FALSE(quadruped->has_soles());
+  EXPECT_NEAR(quadruped->radius, 0.018, 1e-9);
+  for (const std::string robot : {"arm7", "crane", "pendulum", "gripper"})
+    EXPECT_FALSE(find_feet(load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + robot))) << robot;
+}
+
+TEST(FindFeet, SoleBelowAnAnkleThatIsTurned_FrameInItsMiddleWithZUp) {
+  const std::string box =
+      "<collision><origin xyz='0.05 0.03 0.02' rpy='0 0 0'/><geometry><box size='0.04 0.2 "
+      "0.1'/></geometry></collision>";
+  // The foot's x is up, its y forwards.
+  const Robot robot =
+      loaded(legs({.foot_rpy = "0 -1.5707963267948966 -1.5707963267948966", .solid = box}, {0.0}));
+  const Eigen::Isometry3d ankle = frame_placement(robot.model, robot.model.q_neutral, "leg0_ankle");
+  ASSERT_NEAR(std::abs(ankle.linear()(2, 0)), 1.0, 1e-9);
+  const auto feet = find_feet(robot);
+  ASSERT_TRUE(feet);
+  EXPECT_EQ(feet->frames, (Names{"leg0_ankle/sole", "leg1_ankle/sole"}));
+  EXPECT_EQ(feet->size_from, Feet::Size::Collision);
+  const Robot with = with_feet(robot, *feet);
+  const Eigen::Isometry3d sole =
+      frame_placement(with.model, with.model.q_neutral, feet->frames.front());
+  EXPECT_NEAR(sole.linear()(2, 2), 1.0, 1e-9);
+  EXPECT_NEAR(sole.linear()(0, 0), 1.0, 1e-9);
+  // The nearest of the box's faces to the ground, in its middle.
+  const Eigen::Vector3d centre = ankle * Eigen::Vector3d(0.05, 0.03, 0.02);
+  EXPECT_NEAR(sole.translation().z(), centre.z() - 0.02, 1e-9);
+  EXPECT_LT((sole.translation() - centre).head<2>().norm(), 1e-9);
+  const Eigen::Vector3d sides = (ankle.linear() * Eigen::Vector3d(0.04, 0.2, 0.1)).cwiseAbs();
+  EXPECT_NEAR(feet->half_x, 0.5 * sides.x(), 1e-9);
+  EXPECT_NEAR(feet->half_y, 0.5 * sides.y(), 1e-9);
+  // Found again with its frames in the model, it is the same.
+  const auto again = find_feet(with);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->frames, feet->frames);
+  EXPECT_TRUE(again->added.empty());
+}
+
+TEST(FindFeet, FourSpheresUnderEachFoot_SoleBetweenThem) {
+  std::string spheres;
+  for (const std::string x : {"-0.05", "0.12"})
+    for (const std::string y : {"-0.03", "0.03"})
+      spheres += "<collision><origin xyz='" + x + " " + y +
+                 " -0.03'/><geometry><sphere radius='0.005'/></geometry></collision>";
+  const Robot robot = loaded(legs({.solid = spheres}, {0.0}));
+  const auto feet = find_feet(robot);
+  ASSERT_TRUE(feet);
+  EXPECT_NEAR(feet->half_x, 0.085, 1e-9);
+  EXPECT_NEAR(feet->half_y, 0.03, 1e-9);
+  EXPECT_LT(
+      (first_seen_from(robot, *feet, "leg0_ankle") - Eigen::Vector3d(0.035, 0, -0.035)).norm(),
+      1e-9);
+}
+
+TEST(FindFeet, SoleWithoutPrimitives_SizeOfItsInertiaOrOfTheRobot) {
+  const std::string mesh =
+      "<collision><geometry><mesh filename='package://foot.stl'/></geometry></collision>";
+  const auto feet = find_feet(loaded(legs({.foot_name = "sole", .solid = mesh}, {0.0})));
+  ASSERT_TRUE(feet);
+  EXPECT_EQ(feet->frames, (Names{"leg0_sole", "leg1_sole"}));
+  EXPECT_EQ(feet->size_from, Feet::Size::Inertia);
+  // The box of 1 kg with those moments is 0.22 m long, and 0.1 m wide.
+  EXPECT_NEAR(feet->half_x, 0.125 * 0.75, 1e-9) << "a quarter of the height at most";
+  EXPECT_NEAR(feet->half_y, 0.5 * std::sqrt(6.0 * (0.001 + 0.005 - 0.0042)), 1e-9);
+  expect_words(feet_text(*feet), {"from the inertia of the foot"});
+}
+
+TEST(FindFeet, LegsOfThreeJoints_BallsAtTheirSpheres) {
+  const std::string sphere =
+      "<collision><origin xyz='0 0 -0.2'/><geometry><sphere radius='0.02'/></geometry></collision>";
+  for (const std::vector<double>& places :
+       {std::vector<double>{0.2, -0.2}, std::vector<double>{0.3, 0.0, -0.3}}) {
+    const Robot robot = loaded(legs({.solid = sphere, .joints = 3}, places));
+    const auto feet = find_feet(robot);
+    ASSERT_TRUE(feet);
+    EXPECT_EQ(feet->frames.size(), 2 * places.size());
+    EXPECT_EQ(feet->frames.front(), "leg0_ankle/ball") << "front left first";
+    EXPECT_EQ(feet->radius, 0.02);
+    EXPECT_LT((first_seen_from(robot, *feet, "leg0_ankle") - Eigen::Vector3d(0, 0, -0.2)).norm(),
+              1e-9);
+  }
+}
+
+TEST(FindFeet, ToesOfAFoot_TheFootStands) {
+  const std::string toe =
+      "<link name='%s_toe'><inertial><mass value='0.1'/><inertia ixx='1e-4' ixy='0' ixz='0' "
+      "iyy='1e-4' iyz='0' izz='1e-4'/></inertial></link><joint name='%s_toe_joint' "
+      "type='revolute'><parent link='%s_foot'/><child link='%s_toe'/><origin xyz='0.1 0 0'/><axis "
+      "xyz='0 1 0'/><limit lower='-1' upper='1' effort='9' velocity='9'/></joint>";
+  const auto feet = find_feet(loaded(legs({.foot_name = "foot", .more = toe}, {0.0})));
+  ASSERT_TRUE(feet);
+  EXPECT_TRUE(feet->frames.front().starts_with("leg0_foot")) << feet->frames.front();
+}
+
+TEST(FindFeet, WheelsOrLegsOfOneSide_None) {
+  EXPECT_FALSE(find_feet(loaded(legs({.joints = 4, .last_type = "continuous"}, {0.2, -0.2}))));
+  std::string text = legs({}, {0.0});
+  // A third leg stands alone.
+  const std::string third =
+      "<link name='third_foot'><inertial><mass value='1'/><inertia ixx='0.01' ixy='0' ixz='0' "
+      "iyy='0.01' iyz='0' izz='0.01'/></inertial></link><joint name='third' "
+      "type='revolute'><parent "
+      "link='pelvis'/><child link='third_foot'/><origin xyz='0.5 0 -0.75'/><axis xyz='0 1 "
+      "0'/><limit lower='-1' upper='1' effort='9' velocity='9'/></joint>";
+  text.insert(text.rfind("</robot>"), third);
+  EXPECT_FALSE(find_feet(loaded(text)));
+}
+
+}  // namespace
+}  // namespace burnish
