@@ -119,11 +119,11 @@ void add_visual(const XMLElement& element, const Colours& colours, const XmlPlac
 }
 
 void add_collision(const XMLElement& element, const XmlPlace& place,
-                   std::vector<LinkSolid>& solids) {
+                   std::vector<LinkSolid>& solids, Findings& findings) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
   if (shape == nullptr) return;
-  const Eigen::Isometry3d placement = read_origin(element, place);
+  const Eigen::Isometry3d placement = read_origin(element, place, findings);
   if (std::string_view(shape->Name()) != "capsule") {
     solids.push_back({place.element, read_shape(*shape, place), placement});
     return;
@@ -140,12 +140,13 @@ void add_collision(const XMLElement& element, const XmlPlace& place,
 void read_collisions(const XMLElement& element, std::vector<LinkSolid>& solids) {
   const char* name = element.Attribute("name");
   if (name == nullptr) return;
+  Findings passed_over("");  // nothing that is computed needs them
   for (const XMLElement* collision = element.FirstChildElement("collision"); collision != nullptr;
        collision = collision->NextSiblingElement("collision")) {
     try {
-      add_collision(*collision, {"", name}, solids);
+      add_collision(*collision, {"", name}, solids, passed_over);
     } catch (const Error&) {
-      // Nothing that is computed needs it.
+      // A shape that cannot be read is left out.
     }
   }
 }
