@@ -112,11 +112,11 @@ class Fit {
     return try_boosts();
   }
   bool try_boosts() {
+    constexpr std::array shares{1.0, 0.5, 0.3, 0.1, 0.0};  // of what the boost adds to 1
     const double most = *first_.model_error.boost;
-    std::vector<double> boosts{most};
-    if (fits_boost_ && most > 1.0) boosts.insert(boosts.end(), {0.5 * (1.0 + most), 1.0});
-    return std::any_of(boosts.begin(), boosts.end(), [&](double boost) {
-      task_.model_error.boost = boost;
+    return std::any_of(shares.begin(), shares.end(), [&](double share) {
+      if (share < 1.0 && (!fits_boost_ || most <= 1.0)) return false;
+      task_.model_error.boost = 1.0 + share * (most - 1.0);
       return loops_->tolerate(task_.model_error, required_);
     });
   }

@@ -62,9 +62,9 @@ TEST(TaskMargins, FitGains_OfAnArm_RaisesThePositionAndDropsTheBoost) {
   const std::string& said = fitted.changes;
   EXPECT_TRUE(fitted.meets);
   EXPECT_EQ(task.weights.position, 1e5);
-  EXPECT_EQ(task.model_error.boost, 1.0);
+  EXPECT_EQ(task.model_error.boost, 1.5);
   EXPECT_EQ(task.model_error.bandwidth, 120.0);
-  EXPECT_NE(said.find("model_error.boost 1 in place of 6"), std::string::npos) << said;
+  EXPECT_NE(said.find("model_error.boost 1.5 in place of 6"), std::string::npos) << said;
   EXPECT_NE(said.find("weights.position 100000 in place of 10000"), std::string::npos) << said;
   EXPECT_GE(polishing::margins(task, setting)->delay(), 2e-3);
 }
