@@ -214,9 +214,9 @@ void add_words(CLI::App& command, Campaign& a) {
       ->allow_extra_args(false);
   command
       .add_option("--folder", a.folder,
-                  "Folder with checkouts of public repositories, whose arms and robots with legs "
-                  "are tried: those of robots.yaml in it, or of the list in docs/public_robots.md "
-                  "(robots)")
+                  "Folder with checkouts of public repositories. Tries the arms and legged robots "
+                  "that its robots.yaml lists or, without that file, those of "
+                  "docs/public_robots.md (robots)")
       ->type_name("DIR");
   command
       .add_option("--plant", a.plant,

@@ -7,6 +7,7 @@
 #include "base/sentence.hpp"
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
+#include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "command.hpp"
 #include "named_tasks.hpp"
@@ -63,6 +64,30 @@ void note_light_joints(const Task& task, const Setting& setting) {
   if (!light.empty()) fmt::print(stderr, "burnish: note: {}\n", light_joints_text(light));
 }
 
+/// What the loop of an arm tolerates, behind the disturbances `sensors`; a warning where that is
+/// less than the required delay. Nothing where margins are not computed.
+template <class Task>
+void tell_margins(const std::string& name, const Task& task, const MpcSpec& spec, bool talks) {
+  if (!without_margins(spec).empty()) return;
+  const Disturbances usual = disturbance_preset("sensors");
+  const LoopChain chain{.command_delay = usual.command_delay,
+                        .difference_velocity = usual.finite_difference_velocity,
+                        .velocity_cutoff = usual.velocity_cutoff,
+                        .force_cutoff = usual.force_cutoff,
+                        .stiffness = task.stiffness,
+                        .damping = task.damping};
+  const auto at = [&](int phase) {
+    return LoopAnalysis(spec, chain, phase).margins(spec.model_error);
+  };
+  const polishing::TaskMargins margins{at(free_phase(spec)), at(pressing_phase(spec))};
+  const double wanted = polishing::RequiredMargins{}.delay;
+  if (margins.delay() < wanted)
+    fmt::print(stderr, "burnish: {}: warning: the loop tolerates {}; wanted {:g} ms\n", name,
+               margins.text(), 1e3 * wanted);
+  else if (talks)
+    fmt::print("{}: tolerates {}\n", name, margins.text());
+}
+
 /// A task of the table: the functions are found by its types.
 template <class Named>
 int run_as(const RunArguments& a) {
@@ -97,6 +122,8 @@ int run_as(const RunArguments& a) {
   if constexpr (requires { setting_notes(spec.task, *spec.setting); })
     for (const std::string& note : setting_notes(spec.task, *spec.setting))
       fmt::print(stderr, "burnish: note: {}\n", note);
+  if constexpr (requires { spec.task.stiffness; })
+    tell_margins(run.name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
   const StopRequest stop("the run ends, and what there is of it is written");
   RunFolder folder({.out = a.out, .name = run.name + "_run", .force = a.force});
   folder.claim(pressing::run_file_names());

@@ -1,5 +1,5 @@
-// Friction in the joints, told from how the model error goes with their velocities, and the torque
-// that makes up for it.
+// Friction in the joints, estimated from the correlation of the model error with joint velocities,
+// and its feedforward compensation.
 #pragma once
 
 #include <cmath>
@@ -12,34 +12,34 @@ namespace burnish {
 
 /// Per joint a Kalman filter of the observed model error
 ///   d = c - F s(v) - B v,   s(v) = tanh(v / w),
-/// with a constant c that wanders, and Coulomb's and viscous friction F, B >= 0 that hardly do. v
-/// is not measured: encoders do not tell when a joint turns around. It is what plans foresee, a
-/// while ahead, smoothed by a filter that is late by the same while. The width w is
-/// friction_speed, and more where the joint strays from v: s is then the mean sign of a velocity
-/// that is uncertain by as much. Else a light joint, which noise drives, would have a friction
-/// that pushes it on.
+/// with an offset c that varies fast and Coulomb and viscous friction F, B >= 0 that vary slowly.
+/// v is the planned velocity, because encoders do not resolve when a joint reverses: plans are read
+/// lead() ahead and smoothed by a filter whose delay cancels that lead. The width w is
+/// friction_speed. It grows with the deviation of the measured velocity from v, so that s is the
+/// expected sign of an uncertain velocity. Otherwise the compensation would accelerate a light
+/// joint that noise moves.
 class JointFriction {
  public:
   explicit JointFriction(const MpcSpec& spec);
 
   void reset() noexcept;
-  /// s after a plan's first knot whose velocity foresee() wants.
+  /// Time after a plan's first knot at which foresee() needs the planned velocity [s].
   double lead() const { return lead_; }
-  /// nv, of a new plan, that time after it begins.
+  /// Takes the velocity (nv) of a new plan, lead() after its first knot.
   void foresee(const double* v) noexcept;
-  /// dt s later: what is made up for then.
+  /// Updates torque() for a tick that is dt later [s].
   void advance(double dt) noexcept;
-  /// Nothing is made up for until then.
+  /// Sets torque() to zero until the next advance().
   void rest() noexcept { torque_.setZero(); }
-  /// The error that an observer of a bandwidth (rad/s) tells that was given the commands without
-  /// torque(), and the measured velocity (nv).
+  /// Updates the estimates with an observer's torque error (nv) and the measured velocity (nv).
+  /// The observer has this bandwidth [rad/s] and was given the commands without torque().
   void learn(const Eigen::VectorXd& torque_error, const Eigen::VectorXd& v, double bandwidth,
              double dt) noexcept;
 
   const Eigen::VectorXd& torque() const { return torque_; }  ///< nv, Nm (N), to be added
   double coulomb(int k) const { return joints_[static_cast<std::size_t>(k)].x[1]; }  ///< F, Nm (N)
   double viscous(int k) const { return joints_[static_cast<std::size_t>(k)].x[2]; }  ///< B, Nms/rad
-  /// Of F, Nm (N).
+  /// Standard deviation of the estimated F [Nm (N)].
   double deviation(int k) const { return std::sqrt(joints_[static_cast<std::size_t>(k)].P(1, 1)); }
 
  private:
@@ -69,7 +69,7 @@ class JointFriction {
   double lead_, smoothing_;  ///< s
   std::vector<Joint> joints_;
   Eigen::VectorXd torque_;
-  int late_;                      ///< ticks of known delays: what is observed is of then
+  int late_;                      ///< ticks that observations are old, from known delays
   SentTorques torques_, speeds_;  ///< nv, Nm (N) and rad/s, of the last late_ ticks
   Eigen::VectorXd speed_;         ///< nv, rad/s
 };

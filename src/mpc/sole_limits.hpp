@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// A foot that bears the load f_z on its sole tips as soon as the ankle's torque moves the centre
-/// of pressure beyond an edge. Feet are light beside what they carry, so that a torque in the
-/// metric of the whole robot exceeds that at small speeds already.
+/// Limits of ankle torques. A foot tips as soon as the ankle torque moves the centre of pressure
+/// beyond an edge of its sole. Gains that are scaled with the whole robot's inertia, as those of
+/// Fallback, exceed this limit even at small speeds, because a foot is much lighter than the robot.
 class SoleLimits {
  public:
   /// Soles are those of residual::CenterOfPressure in the first stage of the problem, for supports
@@ -17,7 +17,7 @@ class SoleLimits {
   /// for robots without such sensors and for those with loops.
   explicit SoleLimits(const MpcSpec& spec);
 
-  /// Limits tau (nv, Nm) of the ankles to what the soles bear under the measured loads.
+  /// Clamps the ankle entries of tau (nv) so that no sole tips under its measured load [Nm].
   /// `wrenches`: Measurement::support_wrenches.
   void keep(const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
             Eigen::VectorXd& tau) const noexcept;
@@ -27,7 +27,7 @@ class SoleLimits {
     int entry;            ///< of v
     Eigen::Index sensor;  ///< column of the wrenches
     double least, most;   ///< torque per load [m]
-    double hanging;       ///< torque that holds a foot that hangs [Nm]
+    double hanging;       ///< torque allowed beyond that, to hold a foot without load [Nm]
   };
   std::vector<Ankle> ankles_;
 };

@@ -252,12 +252,11 @@ Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing, d
     if (!first) first = std::move(found);
   }
   if (first) return *first;
-  throw Error("no posture was found that has the feet level, the base upright and lower by " +
+  throw Error("no posture was found with level feet, an upright base lowered by at most " +
               number(crouch) +
-              " of its height above them (crouch) or less, and the centre of mass above their "
-              "middle" +
+              " of its height above them (crouch), and the centre of mass above their middle" +
               joints_at_limits(model, standing, last) +
-              "; wanted one of the robot's settings, or another crouch");
+              "; wanted a posture in the robot's settings, or another crouch");
 }
 
 double crouch_at(const Model& model, const Standing& standing, const Eigen::VectorXd& q) {

@@ -9,9 +9,9 @@
 
 namespace burnish::pressing {
 
-/// Returns `standing`. Where its feet are `auto`, or the robot has none of its frames, they and
-/// their sizes are those of find_feet(): `robot` gets the frames that those need, and `notes` a
-/// sentence. Throws EntryError, "standing.feet", where none were found.
+/// Returns `standing`, unchanged unless its feet are `auto` or the robot has none of the stated
+/// frames. In these cases takes feet and sizes from find_feet(), adds the new frames to `robot` and
+/// a sentence to `notes`. Throws EntryError for "standing.feet" if no feet are found.
 Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::string>& notes);
 
 }  // namespace burnish::pressing

@@ -92,9 +92,9 @@ Robot light_joints_locked(Robot robot, const std::string& name, const Standing& 
   for (std::size_t i = 0; i < std::min(most, light.size()); ++i)
     text += (i == 0 ? light.size() > 1 ? "s " : " " : ", ") + in_quotes(light[i]);
   if (light.size() > most) text += " and " + std::to_string(light.size() - most) + " others";
-  robot.notes.push_back(text + ", fingers or what moves less than " + number(least_inertia) +
-                        " kg m^2, so that motors' noise throws it about; an armature in "
-                        "robot.yaml (joints:) leaves them free");
+  robot.notes.push_back(text + ": fingers, or joints that move less than " + number(least_inertia) +
+                        " kg m^2 and would shake from motor noise; to leave one free, give it an "
+                        "armature in robot.yaml (joints:)");
   return robot;
 }
 

@@ -51,8 +51,8 @@ std::string ground_note(const Model& model, const Standing& standing) {
   if (!standing.stands() || standing.stiffness.value_or(fitting) < most * fitting) return "";
   return "standing.stiffness: " + number(*standing.stiffness) + " N/m is " +
          number(std::round(*standing.stiffness / fitting)) +
-         " times what the weight asks for (auto: " + number(std::round(fitting)) +
-         " N/m); light feet hammer on such ground";
+         " times the value for the robot's weight (auto: " + number(std::round(fitting)) +
+         " N/m); light feet bounce on ground that stiff";
 }
 
 void check_standing(const Model& model, const Standing& standing) {

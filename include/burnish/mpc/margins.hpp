@@ -1,5 +1,6 @@
-// How much delay, and how wrong a motor's gain, a controller tolerates: stability margins of the
-// sampled loop that it closes around an arm, linearised at rest. They are computed before a run.
+// Stability margins of a controller: the extra command delay and the error of one joint's torque
+// that it tolerates. They come from the sampled loop around an arm, linearised at rest, before a
+// run.
 #pragma once
 
 #include <memory>
@@ -37,11 +38,12 @@ struct LoopMargins {
   std::vector<GainRange> gains = {};  ///< one per entry of v
 };
 
-/// The loop of one phase of a schedule about the specification's initial state, at rest: mass
-/// matrix, gravity, surface, motors, filters, delays as shift registers, the first gains of the
-/// plan, and the model-error observer of kind torque at its lowest bandwidth, its stated one and
-/// half the way up to its boosted one. Friction, noise, limits and all other estimates are left
-/// out. A loop counts as stable while disturbances grow by less than 8/s.
+/// The linearised loop of one phase of a schedule, at rest in the specification's initial state.
+/// It contains mass matrix, gravity, surface, motors, filters, delays as shift registers, the first
+/// gains of the plan and the model-error observer of kind torque. It leaves out friction, noise,
+/// limits and all other estimators. Margins are the worst over three observer bandwidths: the
+/// lowest (calm), the nominal one, and halfway from there to the boosted one. A loop counts as
+/// stable while growth() is below 8/s.
 class LoopAnalysis {
  public:
   static constexpr double longest_delay = 0.01;  ///< [s]
@@ -73,11 +75,11 @@ class LoopAnalysis {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Why margins are not computed for a specification, one sentence; empty: they are.
+/// Reason why margins cannot be computed for a specification, one sentence; empty if they can.
 std::string without_margins(const MpcSpec& spec);
 
-/// First phase of the schedule in which no contact holds the tool, and last one in which one does;
-/// -1: there is none.
+/// Index of the first phase in which the tool has no contact (free_phase) and of the last phase in
+/// which it has one (pressing_phase); -1 if there is no such phase.
 int free_phase(const MpcSpec& spec);
 int pressing_phase(const MpcSpec& spec);
 

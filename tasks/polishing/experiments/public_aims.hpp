@@ -60,7 +60,7 @@ std::string rotors_text(const RunFigures& run);
 std::vector<RunFigures> chosen(const std::vector<RunFigures>& runs,
                                const std::vector<std::size_t>& numbers);
 
-/// Whether none was stopped or left out; of others no table and no aim says anything.
+/// Whether all runs were made. Tables and aims skip a set in which a run was stopped or left out.
 bool all_made(const std::vector<RunFigures>& runs);
 
 /// How many polished (of robots with legs: stood to the end).

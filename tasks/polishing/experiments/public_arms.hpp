@@ -1,5 +1,5 @@
-// Arms of public descriptions: what the first command makes of each, beside the baseline, and the
-// delays that it bears.
+// Experiment on public arms: polishing with default settings, compared with the baseline, and with
+// late commands.
 #pragma once
 
 #include <memory>
@@ -22,10 +22,10 @@ struct ArmBench {
   double force = 0.0;            ///< N
   Eigen::VectorXd q_start = {};  ///< nq
 
-  /// Finds start and force, once; they are the task's where posture and motors allow it, or the
-  /// largest whole force from least_force on that they allow.
+  /// Finds start and force, once. The force is the task's; if posture or motors do not allow it,
+  /// the largest allowed whole number of newtons, at least least_force.
   void search();
-  /// Half again what counts as contact (Task::contact_threshold), N.
+  /// 1.5 times the force that counts as contact (Task::contact_threshold) [N].
   static constexpr double least_force = 3.0;
 };
 
@@ -34,8 +34,8 @@ struct ArmTrial {
   ArmBench* bench;
   std::string preset = "mismatch";  ///< of disturbances
   ControllerKind controller = ControllerKind::Mpc;
-  double delay = 0.0;  ///< s of the commands, in place of the preset's; 0: the preset's
-  bool known = false;  ///< to the controller
+  double delay = 0.0;                  ///< command delay; 0: that of the preset [s]
+  bool known = false;                  ///< the controller knows this delay
   std::vector<std::size_t> runs = {};  ///< by their numbers
 
   bool is(const char* of_preset, ControllerKind of_controller) const {

@@ -1,5 +1,5 @@
-// What a polishing task's loop tolerates of delay and wrong gains, and settings of the controller
-// that make it tolerate enough.
+// Stability margins of a polishing task's control loop against delay and wrong joint torques, and
+// a choice of controller gains that meets required margins.
 #pragma once
 
 #include <algorithm>
@@ -28,15 +28,16 @@ struct TaskMargins {
   std::string text() const;
 };
 
-/// Chain that gains are fitted to: always that of the disturbances `sensors`, with the task's
-/// surface and the motors' lag that its plans know. So the gains do not depend on its disturbances.
+/// Returns the chain for which gains are fitted: delays and filters of the disturbance preset
+/// `sensors`, the task's surface, and the motor lag that its plans model. Fitted gains therefore
+/// do not depend on the task's disturbances, which the controller does not know.
 LoopChain usual_chain(const Task& task);
-/// The chain of a task's own disturbances.
+/// Returns the chain with the delays and filters of the task's own disturbances.
 LoopChain loop_chain(const Task& task);
 
-/// Margins with the usual chain or another one; none where without_margins() says why, and where
-/// there is no plan from the start. Gains that the task has not are fitted first. Throws Error as
-/// make_mpc() does.
+/// Returns the margins with usual_chain() or with `chain`. Gains that the task does not state are
+/// fitted first. Returns nullopt if margins cannot be computed (without_margins() gives the reason)
+/// or if no plan is found from the start. Throws Error as make_mpc() does.
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting);
 std::optional<TaskMargins> margins(const Task& task, const Setting& setting,
                                    const LoopChain& chain);
@@ -47,11 +48,12 @@ struct FittedGains {
   std::string changes = {};  ///< a sentence; empty where nothing is fitted
 };
 
-/// Gives model_error.boost, model_error.bandwidth and weights.position values where the task has
-/// none: 6, 120 rad/s and 1e4 /m^2 at first. Raises weights.position to at most ten times that, as
-/// far as the required margins allow. Where they are missed it lowers the boost, then the
-/// bandwidth, then weights.position. The first values stay where margins() has none; of the kind
-/// force the bandwidth is then 50 rad/s. Throws Error as make_mpc() does.
+/// Sets model_error.boost, model_error.bandwidth and weights.position where the task does not state
+/// them. The initial values are 6, 120 rad/s (50 rad/s with model_error.kind force) and 1e4 /m^2.
+/// The first choice that meets the required margins is kept, in this order: weights.position times
+/// 10, 3 and 1, each with the boost from its initial value down to 1; then lower bandwidths; then
+/// lower weights.position. Stated values are not changed. If margins() returns nullopt, the initial
+/// values stay. Throws Error as make_mpc() does.
 FittedGains fit_gains(Task& task, const Setting& setting, const RequiredMargins& required = {});
 
 }  // namespace burnish::polishing

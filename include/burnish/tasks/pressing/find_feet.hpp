@@ -18,23 +18,24 @@ struct Feet {
     Inertia,    ///< box of the foot's mass and inertia
     Height,     ///< fraction of the height of the base
   };
-  std::vector<std::string> frames;  ///< soles: centre of the sole, z up; points: centre of the ball
-  std::vector<Frame> added;         ///< those of `frames` that the model does not have yet
+  std::vector<std::string> frames;  ///< origin: centre of the sole (z up) or of the ball
+  std::vector<Frame> added;         ///< new frames for `frames`; with_feet() adds them to a robot
   double half_x = 0.0;              ///< half the length of a sole along x of its frame [m]; 0: ball
   double half_y = 0.0;              ///< half the width along y [m]; 0: ball
-  double radius = 0.0;              ///< of a ball [m]; 0: soles
+  double radius = 0.0;              ///< radius of a ball [m]; 0: the feet have soles
   Size size_from = Size::Height;
 
   bool has_soles() const { return half_x > 0.0; }
 };
 
-/// Finds the feet at the reference configuration: two, four or six ends of branches that hang
-/// lowest and stand opposite each other in pairs. A pair with at least four joints a leg has soles,
-/// and so do more legs with at least five joints each; others have point feet. A frame named after
-/// a sole, a foot, a toe or an ankle is preferred; where none lies in the middle of the sole or of
-/// the ball, `added` holds one. Collision geometry is that of Robot::collisions and primitives
-/// among the visuals; meshes are not opened. Returns nothing for a robot without such branches, and
-/// for one that stands on wheels.
+/// Finds the feet at the reference configuration: the two, four or six lowest branch ends that
+/// stand opposite each other in pairs. Two legs have soles if each has at least four joints; four
+/// or six legs have soles if each has at least five. All other legs have point feet.
+///
+/// Frames named after a sole, foot, toe or ankle are preferred. If no frame lies at the centre of
+/// the sole or ball, `added` holds a new one. Collision geometry is read from Robot::collisions and
+/// from primitives among the visuals; meshes are ignored. Returns nullopt if the robot has no such
+/// branches or stands on wheels.
 std::optional<Feet> find_feet(const Robot& robot);
 
 /// Returns `robot` with the frames of Feet::added.
@@ -43,7 +44,8 @@ Robot with_feet(Robot robot, const Feet& feet);
 /// Returns `standing` on those feet, with their sizes.
 Standing with_feet(Standing standing, const Feet& feet);
 
-/// "left_sole, right_sole (found), soles of 0.2 x 0.1 m from collision geometry".
+/// Returns a description such as
+/// "left_sole, right_sole (found), soles of 0.2 x 0.1 m, from collision geometry".
 std::string feet_text(const Feet& feet);
 
 }  // namespace burnish

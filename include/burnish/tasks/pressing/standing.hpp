@@ -1,4 +1,4 @@
-// What a robot with a floating base stands on while it presses, and what its plans keep for it.
+// Standing of a robot with a floating base: feet, ground, and the limits and weights of its plans.
 #pragma once
 
 #include <limits>
