@@ -118,8 +118,8 @@ void add_visual(const XMLElement& element, const Colours& colours, const XmlPlac
   visuals.push_back(std::move(visual));
 }
 
-void add_collision(const XMLElement& element, const XmlPlace& place,
-                   std::vector<LinkSolid>& solids, Findings& findings) {
+void add_collision(const XMLElement& element, const XmlPlace& place, std::vector<LinkSolid>& solids,
+                   Findings& findings) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
   if (shape == nullptr) return;

@@ -37,7 +37,7 @@ Task task_of(const ExperimentSpec& spec, const ArmTrial& trial) {
 /// A run of an arm as `burnish polish` makes it.
 struct ArmRun {
   ArmBench* bench;
-  RunSpec spec;  ///< without what the bench finds
+  RunSpec spec;   ///< without what the bench finds
   bool predicts;  ///< the delay that it bears
   std::string name;
 
