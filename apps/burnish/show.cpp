@@ -11,6 +11,7 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "command.hpp"
 #include "draft_settings.hpp"
+#include "pressing/arm.hpp"
 #include "pressing/tool_direction.hpp"
 #include "record/page_json.hpp"
 #include "record/run_files.hpp"
@@ -277,7 +278,15 @@ void show(const ShowArguments& arguments) {
     return;
   }
   std::optional<ToolMargins> margins;
-  if (!arguments.tool.empty()) margins = margins_of(robot, arguments);
+  if (!arguments.tool.empty()) {
+    if (!robot.model.has_frame(arguments.tool))
+      throw Error("--tool: " + pressing::none_of(robot.model, arguments.tool));
+    try {
+      margins = margins_of(robot, arguments);
+    } catch (const Error& error) {  // the table is worth having
+      fmt::print(stderr, "burnish: note: no margins at {}: {}\n", arguments.tool, error.what());
+    }
+  }
   if (arguments.json) {
     Json json = show_json(robot, q, posture);
     if (margins)

@@ -64,7 +64,11 @@ TEST(Show, MarginsOfATool_NameEveryJoint) {
   for (const char* words : {"Margins at tool on a table", "ms of extra delay", "gain of joint",
                             "in free air", "in contact", "arm_right_4_joint"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
-  expect_refused(run("show talos:right_arm --tool tol"), "tol");
+  expect_refused(run("show talos:right_arm --tool tol"), "did you mean 'tool'?");
+  const Outcome without = run("show quadruped --tool fl_foot");  // its base floats
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_NE(without.err.find("note: no margins at fl_foot: "), std::string::npos) << without.err;
+  EXPECT_NE(without.out.find("Frames"), std::string::npos) << without.out;
   const Json json = Json::parse(run("show talos:right_arm --tool tool --json").out);
   const Json& margins = json.at("margins");
   EXPECT_EQ(margins["tool"], "tool");
