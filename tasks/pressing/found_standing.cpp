@@ -17,20 +17,21 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
         return robot.model.has_frame(foot);
       });
   if (!is_auto && !is_of_another) return standing;
-  const auto feet = find_feet(robot);
+  std::string why;
+  const auto feet = find_feet(robot, &why);
   if (!feet)
     throw EntryError(
         "standing.feet",
-        (is_auto ? "robot " + in_quotes(robot.model.name) +
-                       " has no pairs of branches that end low and opposite each other"
+        (is_auto ? "no feet were found on robot " + in_quotes(robot.model.name)
                  : "frame " + none_of(robot.model, stated.front()) + ", and no feet were found") +
-            "; wanted the frames that it stands on");
+            ": " + why + "; wanted the frames that it stands on");
   robot = with_feet(std::move(robot), *feet);
   notes.push_back((is_auto ? "feet: "
                            : "standing.feet: " + in_quotes(stated.front()) +
                                  " and the others are not in robot " + in_quotes(robot.model.name) +
                                  "; feet: ") +
                   feet_text(*feet));
+  notes.insert(notes.end(), feet->notes.begin(), feet->notes.end());
   return with_feet(standing, *feet);
 }
 

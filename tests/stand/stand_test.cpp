@@ -161,7 +161,7 @@ TEST(StandRobot, AnotherRobot_FeetAndPostureAreFoundAndSaid) {
   EXPECT_NE(task_text(asked).find("  feet: auto\n"), std::string::npos);
   expect_words(
       refusal([] { make_setting(short_task(BURNISH_ROBOTS_DIR "/arm7", {"standing.feet=auto"})); }),
-      {"standing.feet: robot 'arm7' has no pairs of branches"});
+      {"standing.feet: no feet were found on robot 'arm7': "});
   expect_words(
       refusal([] { make_setting(short_task(quadruped, {"standing.feet=[fl_foot, rr_foot]"})); }),
       {"standing.feet: 2 point feet", "three of them, or soles"});
