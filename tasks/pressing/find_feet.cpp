@@ -161,20 +161,16 @@ class FootSearch {
   std::string name_of(const End& end) const {
     return in_quotes(end.frame < 0 ? joint(end.body).name : frame(end.frame).name);
   }
+  bool carries(int body, bool rotors_too) const {
+    for (int other = 0; other < static_cast<int>(model_.joints.size()); ++other)
+      if (joint(other).parent == body && (rotors_too || !is_rotor(other))) return true;
+    return false;
+  }
   /// The rotor of a motor, which some descriptions have as a body beside the link that it drives.
   bool is_rotor(int body) const {
     if (!is_named(body, {"rotor"}) && joint(body).mass > 0.0) return false;
     const int best = named_frame(body);
-    return best < 0 || score_of(frame(best).name) == 0;
-  }
-  bool is_last(int body) const {
-    for (int other = 0; other < static_cast<int>(model_.joints.size()); ++other)
-      if (joint(other).parent == body && !(has_no_child(other) && is_rotor(other))) return false;
-    return true;
-  }
-  bool has_no_child(int body) const {
-    return std::none_of(model_.joints.begin(), model_.joints.end(),
-                        [&](const Joint& other) { return other.parent == body; });
+    return !carries(body, true) && (best < 0 || score_of(frame(best).name) == 0);
   }
 
   /// Says which feet turn, and which ends of legs only mass and inertia tell.
@@ -210,7 +206,7 @@ class FootSearch {
   std::vector<End> low_ends() {
     std::vector<End> ends;
     for (int body = 0; body < static_cast<int>(model_.joints.size()); ++body) {
-      if (is_root(body) || !is_last(body) || is_rotor(body) ||
+      if (is_root(body) || carries(body, false) || is_rotor(body) ||
           is_named(body, {"hand", "finger", "gripper", "wrist", "palm", "thumb"}))
         continue;
       End end = end_at(body);
@@ -405,6 +401,15 @@ class FootSearch {
                            std::sqrt(3.0 * moment / link.mass) * arm.normalized());
   }
 
+  /// The frame of a foot so far above its lowest solid as the middle of a locked wheel or its
+  /// motor.
+  bool is_above_rounding(const End& end) const {
+    constexpr double widest_ball = 0.2;  // of the base's height
+    const double radius = end.middle.z() - end.low;
+    return name_score(end) >= score_of("toe") && std::isfinite(lowest_solid(end.body)) &&
+           radius > level * height_ && radius < widest_ball * height_;
+  }
+
   std::optional<Feet> with_balls(const std::vector<End>& ends) {
     constexpr double near = 2e-3;  // m
     Feet feet;
@@ -420,6 +425,9 @@ class FootSearch {
         ball.radius = ball_share * (base_.translation().z() - tip->z());
         ball.centre.z() += ball.radius;
         assumed_.push_back(end.frame < 0 ? joint(end.body).name : frame(end.frame).name);
+      } else if (is_above_rounding(end)) {
+        ball.radius = end.middle.z() - end.low;
+        feet.size_from = Feet::Size::Collision;
       } else if (end.frame < 0 || end.middle.z() > end.low + level * height_) {
         why_ = name_of(end) + " ends low, but no sphere or frame at its end says where it stands";
         return std::nullopt;

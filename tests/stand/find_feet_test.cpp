@@ -237,6 +237,18 @@ TEST(FindFeet, FootOnAJointWithoutLimits_FoundWithANote) {
   EXPECT_EQ(feet->notes.front(), "leg0_foot turns freely about leg0_j4: lock it to stand on it");
 }
 
+TEST(FindFeet, LockedWheel_BallAsWideAsItsMotor) {
+  const std::string motor =
+      "<collision><origin rpy='1.5707963267948966 0 0'/><geometry><cylinder length='0.05' "
+      "radius='0.05'/></geometry></collision>";
+  const auto feet =
+      find_feet(loaded(legs({.foot_name = "foot", .solid = motor, .joints = 3}, {0.2, -0.2})));
+  ASSERT_TRUE(feet);
+  EXPECT_EQ(feet->frames.front(), "leg0_foot");
+  EXPECT_NEAR(feet->radius, 0.05, 1e-9);
+  EXPECT_EQ(feet->size_from, Feet::Size::Collision);
+}
+
 TEST(FindFeet, NoFeet_ReasonIsSaid) {
   std::string why;
   EXPECT_FALSE(find_feet(loaded(legs({.last_type = "continuous"}, {0.0})), &why));
