@@ -83,7 +83,7 @@ class FootSearch {
       }
     const bool soles = ends.front().joints >= (ends.size() == 2 ? 4 : 5);
     std::optional<Feet> feet = soles ? with_soles(ends) : with_balls(ends);
-    if (feet) add_notes(ends, *feet);
+    if (feet) add_notes(*feet);
     return feet;
   }
 
@@ -144,16 +144,9 @@ class FootSearch {
       if (!joint(at).follows) ++count;
     return count;
   }
-  /// On a joint without limits, where others of the leg have them: some files state none at all.
-  bool turns_freely(const End& end) const {
-    if (joint(end.body).kind != JointKind::Continuous) return false;
-    for (int at = joint(end.body).parent; !is_root(at); at = joint(at).parent)
-      if (joint(at).kind == JointKind::Revolute) return true;
-    return false;
-  }
   bool is_wheel(const End& end) const {
     return is_named(end.body, {"wheel"}) ||
-           (turns_freely(end) && name_score(end) < score_of("toe"));
+           (pressing::turns_freely(model_, end.body) && name_score(end) < score_of("toe"));
   }
   int name_score(const End& end) const {
     return end.frame < 0 ? 0 : score_of(frame(end.frame).name);
@@ -173,12 +166,8 @@ class FootSearch {
     return !carries(body, true) && (best < 0 || score_of(frame(best).name) == 0);
   }
 
-  /// Says which feet turn, and which ends of legs only mass and inertia tell.
-  void add_notes(const std::vector<End>& ends, Feet& feet) const {
-    for (const End& end : ends)
-      if (turns_freely(end))
-        feet.notes.push_back(frame(end.frame).name + " turns freely about " + joint(end.body).name +
-                             ": lock it to stand on it");
+  /// Says which ends of legs only mass and inertia tell.
+  void add_notes(Feet& feet) const {
     if (assumed_.empty()) return;
     feet.notes.push_back(listed("link", assumed_) + (assumed_.size() == 1 ? " has" : " have") +
                          " neither geometry nor a frame of a foot: where the leg ends was assumed "

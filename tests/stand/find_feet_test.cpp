@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/dynamics/placement.hpp"
+#include "pressing/found_standing.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch.hpp"
 
@@ -228,13 +229,23 @@ TEST(FindFeet, NoGeometryNoLimitsAndRotors_TwoSolesFourBalls) {
   EXPECT_TRUE(named->notes.empty());
 }
 
-TEST(FindFeet, FootOnAJointWithoutLimits_FoundWithANote) {
-  const auto feet = find_feet(
-      loaded(legs({.foot_name = "foot", .joints = 4, .last_type = "continuous"}, {0.2, -0.2})));
-  ASSERT_TRUE(feet);
-  EXPECT_FALSE(feet->has_soles());
-  ASSERT_EQ(feet->notes.size(), 4U);
-  EXPECT_EQ(feet->notes.front(), "leg0_foot turns freely about leg0_j4: lock it to stand on it");
+TEST(FindFeet, FootOnAJointWithoutLimits_NoteWhetherFoundOrStated) {
+  const Robot robot =
+      loaded(legs({.foot_name = "foot", .joints = 4, .last_type = "continuous"}, {0.2, -0.2}));
+  Standing standing;
+  const auto notes_on = [&](const Names& feet) {
+    standing.feet = feet;
+    Robot stood_on = robot;
+    Names notes;
+    pressing::standing_on(stood_on, standing, notes);
+    return notes;
+  };
+  const std::string note = "leg0_foot turns freely about leg0_j4: lock it to stand on it";
+  const Names found = notes_on({"auto"});
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_EQ(found[1], note);
+  EXPECT_EQ(notes_on({"leg0_foot"}), Names{note});
+  EXPECT_EQ(notes_on({"leg0_3"}), Names{});
 }
 
 TEST(FindFeet, LockedWheel_BallAsWideAsItsMotor) {

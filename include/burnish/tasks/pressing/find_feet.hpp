@@ -40,7 +40,7 @@ struct Feet {
 ///
 /// Returns nullopt if the robot has no such branches or stands on wheels; `why`, if given, is then
 /// the reason. A wheel is named so, or turns without limits at the end of a leg whose other joints
-/// have them; if a frame on it is named after a foot, it counts as one, with a note.
+/// have them; if a frame on it is named after a foot, it counts as one.
 std::optional<Feet> find_feet(const Robot& robot, std::string* why = nullptr);
 
 /// Returns `robot` with the frames of Feet::added.
